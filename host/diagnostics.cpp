@@ -1,0 +1,43 @@
+#include "diagnostics.h"
+
+#include <cstdio>
+
+namespace eikonal {
+
+void Diagnostics::warn(const SourceLocation& where, const std::string& message) {
+    const std::string place = where.toString();
+    const std::string text = (place.empty() ? "" : place + ": ") + "warning: " + message;
+    std::lock_guard lock(mutex_);
+    warnings_.push_back(text);
+    if (level_ >= LogLevel::warning) std::fprintf(stderr, "%s\n", text.c_str());
+}
+
+void Diagnostics::warnOnce(const std::string& kind, const SourceLocation& where, const std::string& message) {
+    {
+        std::lock_guard lock(mutex_);
+        if (!kinds_.insert(kind).second) return;
+    }
+    warn(where, message);
+}
+
+void Diagnostics::unsupported(const std::string& kind, const SourceLocation& where, const std::string& message) {
+    if (strict_) throw SceneError(where, message + " (an error because of --strict)");
+    warnOnce(kind, where, message);
+}
+
+void Diagnostics::info(const std::string& message) {
+    std::lock_guard lock(mutex_);
+    if (level_ >= LogLevel::info) std::fprintf(stderr, "%s\n", message.c_str());
+}
+
+void Diagnostics::debug(const std::string& message) {
+    std::lock_guard lock(mutex_);
+    if (level_ >= LogLevel::debug) std::fprintf(stderr, "%s\n", message.c_str());
+}
+
+std::vector<std::string> Diagnostics::warnings() const {
+    std::lock_guard lock(mutex_);
+    return warnings_;
+}
+
+}  // namespace eikonal

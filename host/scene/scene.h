@@ -1,0 +1,249 @@
+#pragma once
+// A scene as it was described, before it is packed for a device: what the pbrt and OBJ readers produce and
+// host/scene/pack turns into tables. Plain data; indices instead of pointers; -1 means "none".
+// Positions and lengths are in world units, angles in degrees as the file gives them, matrices column-major (glm).
+
+#include "error.h"
+#include "spectra/spectrum.h"
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace eikonal {
+
+constexpr int none = -1;
+
+/// Maps points of a local space to world space. Double precision: the scene is moved to a space of its own when it is packed.
+using Transform = glm::dmat4;
+
+// ---- images and textures ------------------------------------------------------------------------------------------
+
+enum class ColorEncoding { automatic, srgb, linear };  ///< automatic: sRGB for 8-bit files, linear for others
+enum class WrapMode { repeat, black, clamp, octahedral };
+enum class FilterMode { nearest, bilinear };
+
+/// An image file that the scene refers to. Loaded when the scene is packed; the reader only checks that it exists.
+struct ImageFile {
+    std::string path;      ///< as it can be opened from here
+    ColorEncoding encoding = ColorEncoding::automatic;
+    double gamma = 0;      ///< > 0: decode by this power instead
+    WrapMode wrap = WrapMode::repeat;
+    FilterMode filter = FilterMode::bilinear;
+    SourceLocation where;
+    bool operator==(const ImageFile& other) const {
+        return path == other.path && encoding == other.encoding && gamma == other.gamma && wrap == other.wrap && filter == other.filter;
+    }
+};
+
+/// A value, or the texture that provides it. A float is a spectrum that is the same in all channels.
+struct Input {
+    Spectrum value;        ///< used when texture == none
+    int texture = none;    ///< in Scene::textures
+    SourceLocation where;  ///< where it was given; no file: a default
+};
+
+enum class TextureMapping { uv, spherical, cylindrical, planar };
+
+/// How a texture finds its coordinates on a surface.
+struct Mapping {
+    TextureMapping kind = TextureMapping::uv;
+    double uScale = 1, vScale = 1, uOffset = 0, vOffset = 0;  ///< uv, planar: applied last
+    glm::dvec3 planeU{1, 0, 0}, planeV{0, 1, 0};              ///< planar: "v1", "v2"
+    Transform worldFromTexture{1};                            ///< spherical, cylindrical, planar
+};
+
+struct ConstantTexture { Input value; };
+struct ImagemapTexture { int image = none; Mapping mapping; double scale = 1; bool invert = false; };
+struct ScaleTexture { Input texture, scale; };
+struct MixTexture { Input a, b, amount; };
+struct CheckerboardTexture { Input a, b; Mapping mapping; int dimensions = 2; };
+
+struct Texture {
+    std::string name;
+    bool isFloat = false;       ///< declared "float", not "spectrum"
+    std::variant<ConstantTexture, ImagemapTexture, ScaleTexture, MixTexture, CheckerboardTexture> kind;
+    SourceLocation where;
+};
+
+// ---- materials ----------------------------------------------------------------------------------------------------
+
+enum class MaterialKind {
+    diffuse, coatedDiffuse, conductor, dielectric, thinDielectric, diffuseTransmission, interface, mix
+};
+
+/// A material. `inputs` has every parameter of its kind under pbrt-v4's name, defaults filled in by the reader:
+///   diffuse              reflectance
+///   coatedDiffuse        reflectance uroughness vroughness thickness eta g albedo maxdepth nsamples
+///   conductor            uroughness vroughness, and either reflectance or both eta and k
+///   dielectric           uroughness vroughness eta
+///   thinDielectric       eta
+///   diffuseTransmission  reflectance transmittance     ("scale" multiplied in)
+///   mix                  amount                        (the weight of mixed[1])
+struct Material {
+    MaterialKind kind = MaterialKind::diffuse;
+    std::string name;                       ///< empty for an unnamed one
+    std::map<std::string, Input> inputs;
+    bool remapRoughness = true;             ///< roughness r gives microfacet width sqrt(r); otherwise r itself
+    std::array<int, 2> mixed{none, none};   ///< mix: in Scene::materials
+    int displacement = none;                ///< in Scene::textures: bump map
+    int normalMap = none;                   ///< in Scene::images
+    SourceLocation where;
+};
+
+// ---- media --------------------------------------------------------------------------------------------------------
+
+/// Values on a regular grid, x fastest.
+struct Grid {
+    int nx = 1, ny = 1, nz = 1;
+    std::vector<float> values;
+};
+
+enum class MediumKind { homogeneous, uniformGrid };
+
+struct Medium {
+    MediumKind kind = MediumKind::homogeneous;
+    std::string name;
+    Spectrum sigmaA, sigmaS;       ///< per world unit, "scale" multiplied in
+    Spectrum Le;                   ///< "Lescale" multiplied in
+    double g = 0;
+    Grid density, LeScale;         ///< uniformGrid; an empty LeScale means 1
+    glm::dvec3 p0{0}, p1{1};       ///< uniformGrid: the grid's box in the medium's own space
+    Transform worldFromMedium{1};
+    SourceLocation where;
+};
+
+// ---- shapes -------------------------------------------------------------------------------------------------------
+
+/// A mesh of triangles (3 indices a face) or bilinear patches (4: corners (0,0) (1,0) (0,1) (1,1) in (u, v)).
+struct Mesh {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> normals;      ///< one a position, or empty
+    std::vector<glm::vec2> uvs;          ///< one a position, or empty
+    std::vector<std::uint32_t> indices;
+};
+
+struct TriangleMesh { std::shared_ptr<const Mesh> mesh; };
+struct BilinearMesh { std::shared_ptr<const Mesh> mesh; };
+struct Sphere { double radius = 1, zMin = -1, zMax = 1, phiMax = 360; };
+struct Disk { double radius = 1, innerRadius = 0, height = 0, phiMax = 360; };
+
+struct MediumInterface { int inside = none, outside = none; };  ///< in Scene::media; none: vacuum
+
+struct Shape {
+    std::variant<TriangleMesh, BilinearMesh, Sphere, Disk> kind;
+    Transform worldFromObject{1};
+    bool reverseOrientation = false;
+    int material = none;                          ///< in Scene::materials; none: pbrt's default, diffuse 0.5
+    Input alpha{Spectrum::constant(1)};           ///< probability that a ray meets the shape at all
+    int areaLight = none;                         ///< in Scene::areaLights
+    std::optional<MediumInterface> interface;     ///< given explicitly; otherwise a ray keeps its medium
+    SourceLocation where;
+};
+
+/// A named group of shapes that is only seen where it is instanced. Its shapes' transforms are relative to the instance.
+struct Object { std::string name; std::vector<Shape> shapes; SourceLocation where; };
+struct Instance { int object = none; Transform worldFromObject{1}; SourceLocation where; };
+
+// ---- lights -------------------------------------------------------------------------------------------------------
+
+/// Intensity and radiance: spectrum * scale; with power > 0, scaled so that the emitted power is that many watts.
+struct PointLight { Spectrum I; glm::dvec3 from{0}; };
+struct SpotLight { Spectrum I; glm::dvec3 from{0}, to{0, 0, 1}; double coneAngle = 30, coneDeltaAngle = 5; };
+struct DistantLight { Spectrum L; glm::dvec3 from{0}, to{0, 0, 1}; };
+struct ConstantInfiniteLight { Spectrum L; };
+/// An image over the sphere of directions, square, in the equal-area octahedral mapping of Clarberg 2008.
+struct ImageInfiniteLight { int image = none; };
+
+struct Light {
+    std::variant<PointLight, SpotLight, DistantLight, ConstantInfiniteLight, ImageInfiniteLight> kind;
+    double scale = 1;
+    std::optional<double> power;          ///< point, spot: watts
+    std::optional<double> illuminance;    ///< distant, infinite: lux
+    Transform worldFromLight{1};
+    SourceLocation where;
+};
+
+/// What makes a shape emit.
+struct AreaLight {
+    Spectrum L;
+    double scale = 1;
+    std::optional<double> power;
+    bool twoSided = false;
+    SourceLocation where;
+};
+
+// ---- camera, film, sampling -----------------------------------------------------------------------------------------
+
+enum class CameraKind { perspective, orthographic };
+
+struct CameraDescription {
+    CameraKind kind = CameraKind::perspective;
+    Transform worldFromCamera{1};                        ///< camera space: x right, y up, looking along +z
+    double fov = 90;                                     ///< degrees, along the shorter side of the image
+    std::optional<double> frameAspectRatio;
+    std::optional<std::array<double, 4>> screenWindow;   ///< x0 x1 y0 y1
+    double lensRadius = 0, focalDistance = 1e6;
+    double shutterOpen = 0, shutterClose = 1;
+    int medium = none;                                   ///< around the camera, in Scene::media
+    SourceLocation where;
+};
+
+struct PixelBounds { int x0 = 0, x1 = 0, y0 = 0, y1 = 0; };  ///< x0 <= x < x1
+
+struct FilmDescription {
+    int width = 1280, height = 720;
+    std::optional<std::array<double, 4>> cropWindow;     ///< x0 x1 y0 y1 in [0, 1]
+    std::optional<PixelBounds> pixelBounds;
+    std::string filename;                                ///< empty: from the scene's name
+    double iso = 100, exposureTime = 1, whiteBalance = 0;
+    std::string sensor = "cie1931";
+    double maxComponentValue = 0;                        ///< > 0: samples are scaled down to it
+    SourceLocation where;
+};
+
+enum class FilterKind { box, triangle, gaussian, mitchell, sinc };
+
+struct FilterDescription {
+    FilterKind kind = FilterKind::gaussian;
+    double xRadius = 1.5, yRadius = 1.5;
+    double sigma = 0.5;                  ///< gaussian
+    double B = 1. / 3, C = 1. / 3;       ///< mitchell
+    double tau = 3;                      ///< sinc
+    SourceLocation where;
+};
+
+enum class SamplerKind { independent, sobol };
+
+struct SamplerDescription { SamplerKind kind = SamplerKind::sobol; int pixelSamples = 16; int seed = 0; SourceLocation where; };
+
+struct IntegratorDescription { std::string name = "path"; int maxDepth = 5; SourceLocation where; };
+
+// ---- the scene ----------------------------------------------------------------------------------------------------
+
+struct Scene {
+    std::string name;                    ///< the file's name without folder and extension
+    CameraDescription camera;
+    FilmDescription film;
+    FilterDescription filter;
+    SamplerDescription sampler;
+    IntegratorDescription integrator;
+    std::vector<Shape> shapes;
+    std::vector<Object> objects;
+    std::vector<Instance> instances;
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+    std::vector<ImageFile> images;
+    std::vector<Medium> media;
+    std::vector<Light> lights;
+    std::vector<AreaLight> areaLights;
+};
+
+}  // namespace eikonal

@@ -1,0 +1,67 @@
+/* Every BSDF: its parameters, as they reach the shading kernel in its hit queue, textures already evaluated.
+   B(name, FEATURE, PARAMETERS).  A BSDF called x is kernels/bsdf/x.clh, which defines eval_x, sample_x and pdf_x. */
+#ifndef EIKONAL_BSDFS_H
+#define EIKONAL_BSDFS_H
+#include "eikonal/portable.h"
+
+/* Lambertian reflection. */
+#define DIFFUSE_PARAMETERS(F, q) \
+    F(q, spectrum, reflectance,   ALWAYS)    /* albedo, in [0, 1] */
+
+/* Lambertian reflection and transmission. */
+#define DIFFUSE_TRANSMISSION_PARAMETERS(F, q) \
+    F(q, spectrum, reflectance,   ALWAYS)    /* their sum is at most 1 */ \
+    F(q, spectrum, transmittance, ALWAYS)
+
+/* A metal with GGX microfacets. */
+#define CONDUCTOR_PARAMETERS(F, q) \
+    F(q, spectrum, eta,           ALWAYS)    /* complex index of refraction: real part */ \
+    F(q, spectrum, k,             ALWAYS)    /* and imaginary part */ \
+    F(q, float,    alpha_x,       ALWAYS)    /* microfacet widths along the tangent and across, at least MIN_ALPHA */ \
+    F(q, float,    alpha_y,       ALWAYS)
+
+/* A polished metal. */
+#define SPECULAR_CONDUCTOR_PARAMETERS(F, q) \
+    F(q, spectrum, eta,           ALWAYS) \
+    F(q, spectrum, k,             ALWAYS)
+
+/* The boundary of a transparent body, with GGX microfacets. */
+#define DIELECTRIC_PARAMETERS(F, q) \
+    F(q, float,    eta,           ALWAYS)    /* index inside over index outside */ \
+    F(q, float,    alpha_x,       ALWAYS) \
+    F(q, float,    alpha_y,       ALWAYS)
+
+/* A polished boundary of a transparent body. */
+#define SPECULAR_DIELECTRIC_PARAMETERS(F, q) \
+    F(q, float,    eta,           ALWAYS)
+
+/* A thin transparent sheet with both of its boundaries. */
+#define THIN_DIELECTRIC_PARAMETERS(F, q) \
+    F(q, float,    eta,           ALWAYS)
+
+/* A dielectric coat over a diffuse base, a medium in between: the layered random walk of Guo et al. 2018. */
+#define COATED_DIFFUSE_PARAMETERS(F, q) \
+    F(q, spectrum, reflectance,   ALWAYS)    /* of the base */ \
+    F(q, float,    eta,           ALWAYS)    /* index of the coat over index outside */ \
+    F(q, float,    alpha_x,       ALWAYS)    /* of the coat; below MIN_ALPHA: smooth */ \
+    F(q, float,    alpha_y,       ALWAYS) \
+    F(q, float,    thickness,     ALWAYS)    /* of the medium, in its own units */ \
+    F(q, spectrum, albedo,        ALWAYS)    /* of the medium; 0: no medium */ \
+    F(q, float,    g,             ALWAYS)    /* of the medium: mean cosine */ \
+    F(q, uint,     max_depth,     ALWAYS)    /* longest walk */ \
+    F(q, uint,     samples,       ALWAYS)    /* walks for one evaluation */
+
+#define BSDFS(B) \
+    B(diffuse,              BSDF_DIFFUSE,              DIFFUSE_PARAMETERS) \
+    B(diffuse_transmission, BSDF_DIFFUSE_TRANSMISSION, DIFFUSE_TRANSMISSION_PARAMETERS) \
+    B(conductor,            BSDF_CONDUCTOR,            CONDUCTOR_PARAMETERS) \
+    B(specular_conductor,   BSDF_SPECULAR_CONDUCTOR,   SPECULAR_CONDUCTOR_PARAMETERS) \
+    B(dielectric,           BSDF_DIELECTRIC,           DIELECTRIC_PARAMETERS) \
+    B(specular_dielectric,  BSDF_SPECULAR_DIELECTRIC,  SPECULAR_DIELECTRIC_PARAMETERS) \
+    B(thin_dielectric,      BSDF_THIN_DIELECTRIC,      THIN_DIELECTRIC_PARAMETERS) \
+    B(coated_diffuse,       BSDF_COATED_DIFFUSE,       COATED_DIFFUSE_PARAMETERS)
+
+/* Microfacets narrower than this are numerically a mirror (pbrt-v4's limit for "effectively smooth"). */
+#define MIN_ALPHA 1e-3f
+
+#endif

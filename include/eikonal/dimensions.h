@@ -1,0 +1,31 @@
+/* Which dimension of the random sequence each decision uses. A number is a function of (pixel, sample, dimension, seed):
+   no decision shares its dimension with another, so the order in which paths run cannot matter. */
+#ifndef EIKONAL_DIMENSIONS_H
+#define EIKONAL_DIMENSIONS_H
+#include "eikonal/portable.h"
+CONTRACT_BEGIN
+
+enum camera_dimension {
+    dimension_pixel,           /* 2D: where in the pixel's filter */
+    dimension_lens,            /* 2D: where on the lens */
+    dimension_time,            /* 1D: when in the shutter's interval */
+    camera_dimensions = 8
+};
+
+/* For each bounce; the dimension is camera_dimensions + depth * bounce_dimensions + one of these. */
+enum bounce_dimension {
+    dimension_light,           /* 1D: which light */
+    dimension_light_point,     /* 2D: where on it */
+    dimension_lobe,            /* 1D: which lobe of the BSDF */
+    dimension_direction,       /* 2D: which direction of it */
+    dimension_roulette,        /* 1D: whether to go on */
+    dimension_mix,             /* 1D: which material of a mix */
+    dimension_walk,            /* seed of further random numbers: layered BSDFs */
+    dimension_distance,        /* seed of further random numbers: tracking through a medium */
+    dimension_transmittance,   /* seed of further random numbers: a shadow ray through media */
+    dimension_alpha,           /* seed: cut-outs on the way */
+    bounce_dimensions = 16
+};
+
+CONTRACT_END
+#endif

@@ -1,0 +1,37 @@
+/* Everything that a scene may require. On the device a feature X is the macro HAS_X, 0 or 1, and code asks `if (HAS_X)`;
+   on the host it is a bit of `Features` (host/features.h). A kernel's program is built with just the features that its
+   source mentions, so that scenes share binaries.   F(NAME, what asks for it) */
+#ifndef EIKONAL_FEATURES_H
+#define EIKONAL_FEATURES_H
+#include "eikonal/bsdfs.h"
+#include "eikonal/cameras.h"
+#include "eikonal/lights.h"
+#include "eikonal/media.h"
+#include "eikonal/shapes.h"
+#include "eikonal/textures.h"
+
+#define GENERAL_FEATURES(F) \
+    F(MEDIA,            "a participating medium") \
+    F(INTERFACE,        "a surface of material \"interface\"") \
+    F(INSTANCES,        "object instances") \
+    F(ALPHA,            "shapes cut out by an alpha texture") \
+    F(MIX,              "a mix of materials") \
+    F(TRANSMISSION,     "a material that transmits") \
+    F(ANISOTROPY,       "a material whose look depends on the direction along the surface") \
+    F(BUMP,             "a displacement texture") \
+    F(NORMAL_MAP,       "a normal map") \
+    F(EMITTERS,         "a surface that emits") \
+    F(LENS,             "a lens with an aperture") \
+    F(FILTER,           "a pixel filter other than a box of one pixel") \
+    F(SOBOL,            "a low-discrepancy sampler") \
+    F(AOVS,             "auxiliary image channels")
+
+/* Calls F(FEATURE, name of the kind) for the kinds of each list. */
+#define FEATURE_OF_BSDF(name, FEATURE, PARAMETERS) KIND_FEATURE(FEATURE, #name)
+#define FEATURE_OF_KIND(name, FEATURE) KIND_FEATURE(FEATURE, #name)
+/* Before use: #define KIND_FEATURE(FEATURE, text) ... */
+#define KIND_FEATURES \
+    BSDFS(FEATURE_OF_BSDF) SHAPES(FEATURE_OF_KIND) LIGHTS(FEATURE_OF_KIND) MEDIA_KINDS(FEATURE_OF_KIND) \
+    TEXTURES(FEATURE_OF_KIND) CAMERAS(FEATURE_OF_KIND)
+
+#endif

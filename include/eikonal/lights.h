@@ -1,0 +1,54 @@
+/* Every light. One triangle, patch, sphere or disk that emits is one light.
+   L(name, FEATURE).  A light called x is kernels/light/x.clh, which defines sample_x and pdf_x; environments also eval_x. */
+#ifndef EIKONAL_LIGHTS_H
+#define EIKONAL_LIGHTS_H
+#include "eikonal/portable.h"
+CONTRACT_BEGIN
+
+#define LIGHTS(L) \
+    L(point_light,       LIGHT_POINT) \
+    L(spot_light,        LIGHT_SPOT) \
+    L(distant_light,     LIGHT_DISTANT) \
+    L(triangle_light,    LIGHT_TRIANGLE) \
+    L(bilinear_light,    LIGHT_BILINEAR) \
+    L(sphere_light,      LIGHT_SPHERE) \
+    L(disk_light,        LIGHT_DISK) \
+    L(constant_environment, LIGHT_CONSTANT_ENVIRONMENT) \
+    L(image_environment, LIGHT_IMAGE_ENVIRONMENT)
+
+#define LIGHT_KIND(name, FEATURE) kind_##name,
+enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
+
+/* One light, whatever its kind: a straight-line kernel reads the same words for all. Which are meaningful:
+     point        p, L (intensity)
+     spot         p, n (axis), cos_inner, cos_outer, L (intensity on the axis)
+     distant      n (towards the light), L (irradiance on a surface that faces it)
+     triangle     p, a, b (edges from p), n, inverse_area, L
+     bilinear     p, a, b, c (point(u, v) = p + u a + v b + u v c), n (of a flat one), L
+     sphere       p (centre), radius, L
+     disk         p (centre), a, b (radii: point = p + x a + y b), inner_radius / radius in `radius`, n, inverse_area, L
+     constant     L
+     image        a, b, n (rows of light-from-scene), first_texel, resolution, L (scale)
+   Areas emit on the side of n, on both with `two_sided`. */
+typedef struct {
+    uint kind;           /* enum light_kind */
+    uint two_sided;      /* 0 or 1 */
+    float pmf;           /* probability with which the light sampler picks this light */
+    float inverse_area;
+    vec3 p, a, b, c, n;
+    float radius;
+    float cos_inner, cos_outer;
+    spectrum L;
+    uint first_texel;    /* in `environment_texels` and `environment_aliases` */
+    uint resolution;     /* texels on a side of the square */
+} light;
+
+/* An entry of an alias table (Vose 1991): keep this one with probability `keep`, else take `other`. */
+typedef struct {
+    float keep;
+    uint other;
+    float pmf;           /* of this entry, to evaluate its density */
+} alias_entry;
+
+CONTRACT_END
+#endif

@@ -1,0 +1,117 @@
+/* Every queue, field by field: what one hop of a path carries from the stage that fills the queue to the stage that
+   drains it. This is the only place; the structs, slot numbers, loads and stores of both languages are made from it.
+
+   A queue is one buffer of 32-bit words, slot-major: word[slot * capacity + i] holds word `slot` of item i, so that
+   neighbouring work-items touch neighbouring words.   F(queue, type, name, FEATURE that makes it exist)
+
+   Spaces: everything is in scene space (docs/tour.md) unless a comment says otherwise; directions have unit length. */
+#ifndef EIKONAL_QUEUES_H
+#define EIKONAL_QUEUES_H
+#include "eikonal/portable.h"
+
+#define HAS_ALWAYS 1
+
+/* What a path carries from bounce to bounce, in whichever queue it is. */
+#define TRAVEL_FIELDS(F, q) \
+    F(q, uint,     path,       ALWAYS)       /* index of its path state */ \
+    F(q, uint,     seed,       ALWAYS)       /* hash of its pixel: which random sequence */ \
+    F(q, uint,     sample,     ALWAYS)       /* index in that sequence */ \
+    F(q, uint,     depth,      ALWAYS)       /* scattering events so far; interfaces do not count */ \
+    F(q, spectrum, beta,       ALWAYS)       /* throughput: contribution of the path so far over its density */ \
+    F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices, undone for Russian roulette */ \
+    F(q, spectrum, r_u,        MEDIA)        /* density of this path under its own strategy, per channel, relative */
+
+/* A ray on its way: filled by generate_rays and shading, drained by intersect_rays. Sparse. */
+#define RAY_FIELDS(F, q) \
+    TRAVEL_FIELDS(F, q) \
+    F(q, vec3,     o,          ALWAYS)       /* origin, already moved off its surface */ \
+    F(q, vec3,     d,          ALWAYS) \
+    F(q, float,    t_max,      ALWAYS)       /* < 0: this slot is dead */ \
+    F(q, float,    pdf,        ALWAYS)       /* density over solid angle with which d was sampled; 0: no light could sample it */ \
+    F(q, spectrum, r_l,        MEDIA)        /* density of this path had a light been sampled instead, but for the light's own */ \
+    F(q, uint,     medium,     MEDIA)        /* which fills the space at o, or NONE */
+
+/* Where a ray ends: slot i belongs to ray i. Filled by intersect_rays, refined by extinguish_rays and classify_flights. */
+#define FLIGHT_FIELDS(F, q) \
+    F(q, float,    t,          ALWAYS)       /* distance to the end; < 0: dead */ \
+    F(q, uint,     element,    ALWAYS)       /* which is hit, or NONE */ \
+    F(q, uint,     instance,   INSTANCES)    /* in which instance, or NONE */ \
+    F(q, float,    u,          ALWAYS)       /* parameters of the point on the element */ \
+    F(q, float,    v,          ALWAYS) \
+    F(q, uint,     hop,        ALWAYS)       /* which queue comes next: enum hop */ \
+    F(q, uint,     material,   ALWAYS)       /* of a hit, mixes resolved */
+
+/* A point on a surface, to be scattered at: filled by route_flights, drained by shade_hits. Dense, one segment for each
+   BSDF, which adds its own parameters (bsdfs.h) after these words. */
+#define HIT_FIELDS(F, q) \
+    TRAVEL_FIELDS(F, q) \
+    F(q, vec3,     p,          ALWAYS) \
+    F(q, float,    offset,     ALWAYS)       /* how far along ng a new ray must start not to hit its own surface */ \
+    F(q, vec3,     ng,         ALWAYS)       /* geometric normal, on the side of ns */ \
+    F(q, vec3,     ns,         ALWAYS)       /* shading normal */ \
+    F(q, vec3,     tangent,    ANISOTROPY)   /* along dp/du, perpendicular to ns */ \
+    F(q, vec3,     wo,         ALWAYS)       /* towards where the path came from */ \
+    F(q, uint,     inside,     MEDIA)        /* medium on the side away from ng */ \
+    F(q, uint,     outside,    MEDIA)        /* medium on the side of ng */
+
+/* A point in a medium, to be scattered at: filled by route_flights, drained by shade_scatters. Dense. */
+#define SCATTER_FIELDS(F, q) \
+    TRAVEL_FIELDS(F, q) \
+    F(q, vec3,     p,          ALWAYS) \
+    F(q, vec3,     wo,         ALWAYS) \
+    F(q, uint,     medium,     ALWAYS) \
+    F(q, float,    g,          ALWAYS)       /* mean cosine of the phase function */
+
+/* A ray that left the scene: filled by route_flights, drained by shade_misses. Dense. */
+#define MISS_FIELDS(F, q) \
+    F(q, uint,     path,       ALWAYS) \
+    F(q, uint,     depth,      ALWAYS) \
+    F(q, spectrum, beta,       ALWAYS) \
+    F(q, spectrum, r_u,        MEDIA) \
+    F(q, spectrum, r_l,        MEDIA)        /* as in ray */ \
+    F(q, vec3,     d,          ALWAYS) \
+    F(q, float,    pdf,        ALWAYS)       /* as in ray */
+
+/* A hit on something that emits: filled by route_flights, drained by shade_emitters. Dense. */
+#define EMISSION_FIELDS(F, q) \
+    F(q, uint,     path,       ALWAYS) \
+    F(q, spectrum, beta,       ALWAYS) \
+    F(q, spectrum, r_u,        MEDIA) \
+    F(q, spectrum, r_l,        MEDIA)        /* as in ray */ \
+    F(q, spectrum, Le,         ALWAYS)       /* radiance towards the path */ \
+    F(q, float,    pdf,        ALWAYS)       /* as in ray */ \
+    F(q, float,    pdf_light,  ALWAYS)       /* density over solid angle with which light sampling finds this point */
+
+/* Light that arrives if nothing is in between: filled by shading, drained by test_shadows. Slot i to slot i, sparse. */
+#define SHADOW_FIELDS(F, q) \
+    F(q, uint,     path,       ALWAYS) \
+    F(q, vec3,     o,          ALWAYS) \
+    F(q, vec3,     d,          ALWAYS) \
+    F(q, float,    t_max,      ALWAYS)       /* < 0: dead */ \
+    F(q, spectrum, Ld,         ALWAYS)       /* contribution, weights included (in media: all but the two densities) */ \
+    F(q, uint,     medium,     MEDIA) \
+    F(q, spectrum, r_u,        MEDIA)        /* density of the path had its own direction been sampled, relative */ \
+    F(q, spectrum, r_l,        MEDIA)        /* density of the path through the light, relative */ \
+    F(q, uint,     seed,       MEDIA) \
+    F(q, uint,     sample,     MEDIA) \
+    F(q, uint,     depth,      MEDIA)
+
+/* What lives from camera to film, by path index: its own radiance, to which only this path adds. */
+#define PATH_FIELDS(F, q) \
+    F(q, spectrum, L,          ALWAYS)       /* radiance gathered so far */ \
+    F(q, float,    weight,     ALWAYS)       /* of this sample in its pixel; 0: outside of the image */ \
+    F(q, spectrum, albedo,     AOVS)         /* of the first surface */ \
+    F(q, vec3,     normal,     AOVS)         /* of the first surface, world space */ \
+    F(q, float,    distance,   AOVS)         /* to the first surface, scene units; FAR_AWAY: none */
+
+#define QUEUES(Q) \
+    Q(ray,      RAY_FIELDS) \
+    Q(flight,   FLIGHT_FIELDS) \
+    Q(hit,      HIT_FIELDS) \
+    Q(scatter,  SCATTER_FIELDS) \
+    Q(miss,     MISS_FIELDS) \
+    Q(emission, EMISSION_FIELDS) \
+    Q(shadow,   SHADOW_FIELDS) \
+    Q(path,     PATH_FIELDS)
+
+#endif

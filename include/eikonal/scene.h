@@ -1,0 +1,94 @@
+/* The scene as the device sees it: every table, its element type, and the struct of all that is not a table.
+   T(type, name).  A kernel takes a group of tables as arguments with the group's macro (kernels/scene.clh). */
+#ifndef EIKONAL_SCENE_H
+#define EIKONAL_SCENE_H
+#include "eikonal/bvh.h"
+#include "eikonal/cameras.h"
+#include "eikonal/lights.h"
+#include "eikonal/media.h"
+#include "eikonal/portable.h"
+#include "eikonal/shapes.h"
+#include "eikonal/textures.h"
+CONTRACT_BEGIN
+
+/* A material: which BSDF, and where its parameters come from. */
+typedef struct {
+    uint hop;            /* enum hop (stages.h): its BSDF's queue, or hop_passage for an interface, or hop_mix */
+    uint first_input;    /* in `material_inputs`: one for each parameter of its BSDF */
+    uint input_count;
+    uint displacement;   /* in `programs`: bump map; NONE: none */
+    uint normal_map;     /* in `images`; NONE: none */
+    uint mix_a, mix_b;   /* hop_mix: in `materials` */
+    uint mix_amount;     /* hop_mix: in `programs`: the probability of b */
+} material;
+
+/* One parameter of a material: a texture, or else a value. Bits, since a parameter may be a uint. */
+typedef struct {
+    uint texture;        /* in `programs`; NONE: use value */
+    uint slot;           /* which word of its BSDF's parameters it fills first */
+    uint words;          /* 1 or 3 */
+    uint value[3];
+} material_input;
+
+/* What traversal reads. */
+#define GEOMETRY_TABLES(T) \
+    T(bvh_node,       nodes) \
+    T(triangle_block, triangle_blocks) \
+    T(uint,           leaf_elements)         /* elements, or instances, by leaf kind */ \
+    T(uint,           element_shapes)        /* element -> shape */ \
+    T(shape,          shapes) \
+    T(quadric,        quadrics) \
+    T(instance,       instances) \
+    T(uint,           indices)               /* vertices of each element of a mesh */ \
+    T(vec3,           positions)
+
+/* What evaluating textures reads. */
+#define TEXTURE_TABLES(T) \
+    T(texture_program,     programs) \
+    T(texture_instruction, instructions) \
+    T(image,               images) \
+    T(uint,                bytes)            /* texels of 8-bit images, four in a word */ \
+    T(float,               floats)           /* texels of floating-point images */ \
+    T(vec3,                normals) \
+    T(vec2,                uvs)
+
+/* What routing reads besides geometry and textures. */
+#define MATERIAL_TABLES(T) \
+    T(material,       materials) \
+    T(material_input, material_inputs)
+
+/* What light sampling reads. */
+#define LIGHT_TABLES(T) \
+    T(light,          lights) \
+    T(alias_entry,    light_aliases)         /* the light sampler: one entry a light */ \
+    T(uint,           environments)          /* those of `lights` that surround the scene */ \
+    T(spectrum,       environment_texels) \
+    T(alias_entry,    environment_aliases)   /* one entry a texel */
+
+#define MEDIUM_TABLES(T) \
+    T(medium,         media) \
+    T(float,          densities) \
+    T(float,          majorants)
+
+/* What ray generation reads. */
+#define CAMERA_TABLES(T) \
+    T(alias_entry,    filter_aliases) \
+    T(float,          filter_values)         /* value over density, for each cell of filter_aliases */
+
+#define SCENE_TABLES(T) \
+    GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) MEDIUM_TABLES(T) CAMERA_TABLES(T) \
+    T(settings,       frame)
+
+/* What holds for a whole render; a table of one element. */
+typedef struct {
+    camera view;
+    filter pixel_filter;
+    uint width, height;    /* of the whole image, pixels */
+    uint seed;
+    uint max_depth;        /* most scattering events on a path */
+    uint light_count;
+    float world_scale;     /* world units in one unit of scene space */
+} settings;
+
+CONTRACT_END
+#endif

@@ -1,0 +1,58 @@
+/* Every shape. An element is what the acceleration structure holds: one triangle, one patch, one sphere. Elements are
+   numbered through the whole scene, shape after shape.
+   S(name, FEATURE).  A shape called x is kernels/shape/x.clh, which defines intersect_x and eval_x (the point and its frame). */
+#ifndef EIKONAL_SHAPES_H
+#define EIKONAL_SHAPES_H
+#include "eikonal/portable.h"
+CONTRACT_BEGIN
+
+#define SHAPES(S) \
+    S(triangle, SHAPE_TRIANGLE) \
+    S(bilinear, SHAPE_BILINEAR) \
+    S(sphere,   SHAPE_SPHERE) \
+    S(disk,     SHAPE_DISK)
+
+#define SHAPE_KIND(name, FEATURE) shape_##name,
+enum shape_kind { SHAPES(SHAPE_KIND) shape_kinds };
+
+enum shape_flag {
+    shape_reversed      = 1, /* the normal is flipped: ReverseOrientation, or a mirroring transform, not both */
+    shape_has_interface = 2, /* inside and outside name its media; otherwise a ray keeps its medium */
+    shape_two_sided     = 4  /* its light leaves on both sides */
+};
+
+/* One shape: a mesh or a quadric, and what it is made of. */
+typedef struct {
+    uint kind;           /* enum shape_kind */
+    uint flags;          /* enum shape_flag */
+    uint first_element;  /* number of its first element */
+    uint first_index;    /* meshes: its vertex indices start here in `indices`; 3 or 4 for an element */
+    uint first_vertex;   /* meshes: added to every index */
+    uint first_normal;   /* meshes: its normals start here in `normals`, one a vertex; NONE: it has none */
+    uint first_uv;       /* meshes: its texture coordinates in `uvs`, one a vertex; NONE: the element's own (u, v) */
+    uint quadric;        /* in `quadrics`; NONE for meshes */
+    uint material;       /* in `materials` */
+    uint alpha;          /* in `programs`: the texture that cuts it out; NONE: solid */
+    uint first_light;    /* of its first element, in `lights`; NONE: it emits nothing */
+    uint inside, outside; /* in `media`, NONE for vacuum: only with shape_has_interface */
+} shape;
+
+/* A sphere, disk or cylinder in a space of its own. */
+typedef struct {
+    affine object_from_scene;
+    affine scene_from_object;
+    float radius;
+    float inner_radius;  /* disk */
+    float z_min, z_max;  /* sphere, cylinder; disk: z_min is its height */
+    float phi_max;       /* in (0, 2 pi] */
+} quadric;
+
+/* One placed copy of an object: a second level below the scene's hierarchy. */
+typedef struct {
+    affine object_from_scene;
+    affine scene_from_object;
+    uint root;           /* node of the object's own hierarchy */
+} instance;
+
+CONTRACT_END
+#endif

@@ -1,0 +1,36 @@
+/* Every stage: one kernel that drains a queue. S(stage, queue it drains, queues it may fill, FEATURE that makes it exist).
+   A stage called x is kernels/x.cl; its profiler row and its test are called x too. */
+#ifndef EIKONAL_STAGES_H
+#define EIKONAL_STAGES_H
+#include "eikonal/bsdfs.h"
+#include "eikonal/portable.h"
+CONTRACT_BEGIN
+
+#define STAGES(S) \
+    S(generate_rays,    "pixels", "ray path",                         ALWAYS) \
+    S(intersect_rays,   "ray",    "flight",                           ALWAYS) \
+    S(extinguish_rays,  "flight", "flight ray path",                  MEDIA) \
+    S(classify_flights, "flight", "flight",                           ALWAYS) \
+    S(route_flights,    "flight", "hit scatter miss emission ray",    ALWAYS) \
+    S(shade_misses,     "miss",   "path",                             ALWAYS) \
+    S(shade_emitters,   "emission", "path",                           EMITTERS) \
+    S(shade_hits,       "hit",    "ray shadow",                       ALWAYS) \
+    S(shade_scatters,   "scatter", "ray shadow",                      MEDIA) \
+    S(test_shadows,     "shadow", "path",                             ALWAYS) \
+    S(resolve_film,     "path",   "film",                             ALWAYS)
+
+/* Where a flight goes next. One segment of the hit queue for each, in this order. */
+#define HOP_OF_BSDF(name, FEATURE, PARAMETERS) hop_##name,
+enum hop {
+    hop_passage,             /* straight on: an interface between media */
+    hop_scatter,             /* shade_scatters */
+    BSDFS(HOP_OF_BSDF)       /* shade_hits, built for that BSDF */
+    hop_miss,                /* shade_misses */
+    hop_emission,            /* shade_emitters; besides another hop */
+    hops,
+    hop_mix,                 /* a material to be resolved to one of the above; no queue */
+    hop_none                 /* the path ends */
+};
+
+CONTRACT_END
+#endif

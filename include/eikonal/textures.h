@@ -1,0 +1,53 @@
+/* Every texture. A texture is a program: instructions that push one value, or pop some and push one (a postfix
+   expression), so that scale(mix(image, checks)) needs no recursion. Values are spectra; a float is the same in all channels.
+   T(name, FEATURE).  A texture called x is kernels/texture/x.clh, which defines eval_x. */
+#ifndef EIKONAL_TEXTURES_H
+#define EIKONAL_TEXTURES_H
+#include "eikonal/portable.h"
+CONTRACT_BEGIN
+
+/*    name                  FEATURE                 pops, then pushes one */
+#define TEXTURES(T) \
+    T(constant_texture,     TEXTURE_CONSTANT)     /* 0: `value` */ \
+    T(imagemap_texture,     TEXTURE_IMAGEMAP)     /* 0: a filtered lookup of `image`, times value.r; inverted with texture_invert */ \
+    T(scale_texture,        TEXTURE_SCALE)        /* 2: a * b */ \
+    T(mix_texture,          TEXTURE_MIX)          /* 3: a, b, amount: (1 - amount) a + amount b */ \
+    T(checkerboard_texture, TEXTURE_CHECKERBOARD) /* 2: a where the sum of the cell's numbers is even, else b */ \
+    T(sqrt_texture,         TEXTURE_SQRT)         /* 1: its square root: a roughness to a microfacet width */
+
+#define TEXTURE_KIND(name, FEATURE) kind_##name,
+enum texture_kind { TEXTURES(TEXTURE_KIND) texture_kinds };
+
+/* The most values that a program may hold at once. */
+#define TEXTURE_STACK 8
+
+enum texture_mapping { mapping_uv, mapping_spherical, mapping_cylindrical, mapping_planar, mapping_point };
+enum texture_flag { texture_invert = 1 };
+
+typedef struct {
+    uint kind;           /* enum texture_kind */
+    uint mapping;        /* enum texture_mapping */
+    uint flags;          /* enum texture_flag */
+    uint image;          /* in `images` */
+    spectrum value;
+    affine texture_from_scene; /* uv: (xx u + xw, yy v + yw); others: of the point */
+} texture_instruction;
+
+/* A run of instructions. */
+typedef struct { uint first, count; } texture_program;
+
+enum image_wrap { wrap_repeat, wrap_black, wrap_clamp, wrap_octahedral };
+enum image_filter { filter_nearest, filter_bilinear };
+enum image_format { format_srgb8, format_linear8, format_float };
+
+typedef struct {
+    uint width, height;
+    uint channels;       /* 1 or 3 (grey or colour), or 4 (colour and alpha) */
+    uint format;         /* enum image_format */
+    uint wrap;           /* enum image_wrap */
+    uint filter;         /* enum image_filter */
+    uint first;          /* 8 bit: byte in `bytes`; float: word in `floats` */
+} image;
+
+CONTRACT_END
+#endif
