@@ -26,7 +26,9 @@ using Transform = glm::dmat4;
 
 // ---- images and textures ------------------------------------------------------------------------------------------
 
-enum class ColorEncoding { automatic, srgb, linear };  ///< automatic: sRGB for 8-bit files, linear for others
+struct ImageData;  // scene/image.h
+
+enum class ColorEncoding { automatic, srgb, linear };  ///< automatic: sRGB for files of integers, linear for others
 enum class WrapMode { repeat, black, clamp, octahedral };
 enum class FilterMode { nearest, bilinear };
 
@@ -37,9 +39,11 @@ struct ImageFile {
     double gamma = 0;      ///< > 0: decode by this power instead
     WrapMode wrap = WrapMode::repeat;
     FilterMode filter = FilterMode::bilinear;
+    std::shared_ptr<const ImageData> pixels;  ///< made by the program instead of read from a file; null: read `path`
     SourceLocation where;
     bool operator==(const ImageFile& other) const {
-        return path == other.path && encoding == other.encoding && gamma == other.gamma && wrap == other.wrap && filter == other.filter;
+        return path == other.path && encoding == other.encoding && gamma == other.gamma && wrap == other.wrap && filter == other.filter &&
+               pixels == other.pixels;
     }
 };
 
