@@ -61,6 +61,9 @@
     B(thin_dielectric,      BSDF_THIN_DIELECTRIC,      THIN_DIELECTRIC_PARAMETERS) \
     B(coated_diffuse,       BSDF_COATED_DIFFUSE,       COATED_DIFFUSE_PARAMETERS)
 
+/* No BSDF has more words of parameters. */
+#define BSDF_MAX_WORDS 16
+
 /* Microfacets narrower than this are numerically a mirror (pbrt-v4's limit for "effectively smooth"). */
 #define MIN_ALPHA 1e-3f
 

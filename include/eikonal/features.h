@@ -1,5 +1,5 @@
 /* Everything that a scene may require. On the device a feature X is the macro HAS_X, 0 or 1, and code asks `if (HAS_X)`;
-   on the host it is a bit of `Features` (host/features.h). A kernel's program is built with just the features that its
+   on the host it is a bit of `Features` (host/feature_set.h). A kernel's program is built with just the features that its
    source mentions, so that scenes share binaries.   F(NAME, what asks for it) */
 #ifndef EIKONAL_FEATURES_H
 #define EIKONAL_FEATURES_H
@@ -16,11 +16,13 @@
     F(INSTANCES,        "object instances") \
     F(ALPHA,            "shapes cut out by an alpha texture") \
     F(MIX,              "a mix of materials") \
+    F(TEXTURED,         "a material parameter that varies over its surface") \
     F(TRANSMISSION,     "a material that transmits") \
     F(ANISOTROPY,       "a material whose look depends on the direction along the surface") \
     F(BUMP,             "a displacement texture") \
     F(NORMAL_MAP,       "a normal map") \
     F(EMITTERS,         "a surface that emits") \
+    F(LIGHTS,           "a light that can be sampled") \
     F(LENS,             "a lens with an aperture") \
     F(FILTER,           "a pixel filter other than a box of one pixel") \
     F(SOBOL,            "a low-discrepancy sampler") \

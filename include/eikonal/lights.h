@@ -25,21 +25,23 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
      distant      n (towards the light), L (irradiance on a surface that faces it)
      triangle     p, a, b (edges from p), n, inverse_area, L
      bilinear     p, a, b, c (point(u, v) = p + u a + v b + u v c), n (of a flat one), L
-     sphere       p (centre), radius, L
-     disk         p (centre), a, b (radii: point = p + x a + y b), inner_radius / radius in `radius`, n, inverse_area, L
+     sphere       p (centre), radius, inverse_area, n.x (1: emits outwards, -1: inwards), L
+     disk         p (centre), a, b (radii: point = p + x a + y b), radius (of its hole, 1: all of it), extent, n, inverse_area, L
      constant     L
-     image        a, b, n (rows of light-from-scene), first_texel, resolution, L (scale)
+     image        a, b, n (rows of light-from-scene), first_texel, first_alias, resolution, L (scale)
    Areas emit on the side of n, on both with `two_sided`. */
 typedef struct {
     uint kind;           /* enum light_kind */
     uint two_sided;      /* 0 or 1 */
-    float pmf;           /* probability with which the light sampler picks this light */
+    float pmf;           /* probability with which the light sampler picks this light; 0: only BSDF sampling finds it */
     float inverse_area;
+    float extent;        /* disk: how much of the circle there is, in (0, 1] */
     vec3 p, a, b, c, n;
     float radius;
     float cos_inner, cos_outer;
     spectrum L;
-    uint first_texel;    /* in `environment_texels` and `environment_aliases` */
+    uint first_texel;    /* in `environment_texels`: resolution^2 of them */
+    uint first_alias;    /* in `environment_aliases`: one entry a row, then the entries of each row */
     uint resolution;     /* texels on a side of the square */
 } light;
 

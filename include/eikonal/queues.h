@@ -28,6 +28,7 @@
     F(q, vec3,     d,          ALWAYS) \
     F(q, float,    t_max,      ALWAYS)       /* < 0: this slot is dead */ \
     F(q, float,    pdf,        ALWAYS)       /* density over solid angle with which d was sampled; 0: no light could sample it */ \
+    F(q, float,    traveled,   INTERFACE)    /* from where d was sampled to o: interfaces passed on the way */ \
     F(q, spectrum, r_l,        MEDIA)        /* density of this path had a light been sampled instead, but for the light's own */ \
     F(q, uint,     medium,     MEDIA)        /* which fills the space at o, or NONE */
 

@@ -63,7 +63,7 @@ typedef struct {
     T(alias_entry,    light_aliases)         /* the light sampler: one entry a light */ \
     T(uint,           environments)          /* those of `lights` that surround the scene */ \
     T(spectrum,       environment_texels) \
-    T(alias_entry,    environment_aliases)   /* one entry a texel */
+    T(alias_entry,    environment_aliases)
 
 #define MEDIUM_TABLES(T) \
     T(medium,         media) \
@@ -88,6 +88,7 @@ typedef struct {
     uint max_depth;        /* most scattering events on a path */
     uint light_count;
     float world_scale;     /* world units in one unit of scene space */
+    float max_component_value; /* brighter samples are scaled down to it; 0: none are */
 } settings;
 
 CONTRACT_END

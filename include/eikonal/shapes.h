@@ -18,7 +18,7 @@ enum shape_kind { SHAPES(SHAPE_KIND) shape_kinds };
 enum shape_flag {
     shape_reversed      = 1, /* the normal is flipped: ReverseOrientation, or a mirroring transform, not both */
     shape_has_interface = 2, /* inside and outside name its media; otherwise a ray keeps its medium */
-    shape_two_sided     = 4  /* its light leaves on both sides */
+    shape_is_interface  = 4  /* its material is "interface": shadow rays pass */
 };
 
 /* One shape: a mesh or a quadric, and what it is made of. */

@@ -29,7 +29,8 @@ enum hop {
     hop_emission,            /* shade_emitters; besides another hop */
     hops,
     hop_mix,                 /* a material to be resolved to one of the above; no queue */
-    hop_none                 /* the path ends */
+    hop_absorbed,            /* ended in a medium */
+    hop_none                 /* the path ends, or goes where its element says */
 };
 
 CONTRACT_END

@@ -22,7 +22,7 @@ enum texture_kind { TEXTURES(TEXTURE_KIND) texture_kinds };
 #define TEXTURE_STACK 8
 
 enum texture_mapping { mapping_uv, mapping_spherical, mapping_cylindrical, mapping_planar, mapping_point };
-enum texture_flag { texture_invert = 1 };
+enum texture_flag { texture_invert = 1, texture_average = 2 /* a float texture: the mean of the channels */ };
 
 typedef struct {
     uint kind;           /* enum texture_kind */

@@ -1,0 +1,43 @@
+#include "device/buffer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace eikonal {
+
+constexpr size_t smallestBuffer = 64;
+
+static cl_mem allocate(const Context& context, size_t bytes, const std::string& what) {
+    cl_int status = CL_SUCCESS;
+    cl_mem memory = clCreateBuffer(context.handle(), CL_MEM_READ_WRITE, std::max(bytes, smallestBuffer), nullptr, &status);
+    if (status != CL_SUCCESS)
+        throw DeviceError(fmt::format("the device \"{}\" could not allocate {:.1f} MiB for {}: {}", context.device().name,
+                                      static_cast<double>(bytes) / (1 << 20), what, statusName(status)));
+    return memory;
+}
+
+Buffer::Buffer(const Context& context, size_t bytes, const std::string& what) : memory_(allocate(context, bytes, what)), size_(std::max(bytes, smallestBuffer)) {
+    clear(context, 0, size_);
+}
+
+Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what)
+    : memory_(allocate(context, bytes, what)), size_(std::max(bytes, smallestBuffer)) {
+    if (bytes > 0) write(context, data, bytes);
+    else clear(context, 0, size_);
+}
+
+void Buffer::write(const Context& context, const void* data, size_t bytes, size_t offset) {
+    check(clEnqueueWriteBuffer(context.queue(), memory_, CL_TRUE, offset, bytes, data, 0, nullptr, nullptr), "writing to a buffer");
+}
+
+void Buffer::read(const Context& context, void* data, size_t bytes, size_t offset) const {
+    check(clEnqueueReadBuffer(context.queue(), memory_, CL_TRUE, offset, bytes, data, 0, nullptr, nullptr), "reading from a buffer");
+}
+
+void Buffer::clear(const Context& context, size_t offset, size_t bytes) {
+    const cl_uint zero = 0;
+    check(clEnqueueFillBuffer(context.queue(), memory_, &zero, sizeof zero, offset, bytes, 0, nullptr, nullptr), "clearing a buffer");
+}
+
+}  // namespace eikonal

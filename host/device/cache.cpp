@@ -1,0 +1,126 @@
+#include "device/cache.h"
+
+#include "device/source.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+namespace fs = std::filesystem;
+
+namespace eikonal {
+
+// The file: a magic word, then the key, the argument names and the binary, each with its length, then a checksum of all.
+constexpr std::string_view magic = "eikonal program 1\n";
+
+static void append(std::string& out, std::string_view bytes) {
+    const std::uint64_t size = bytes.size();
+    out.append(reinterpret_cast<const char*>(&size), sizeof size);
+    out.append(bytes);
+}
+
+static std::optional<std::string_view> take(std::string_view& in) {
+    std::uint64_t size = 0;
+    if (in.size() < sizeof size) return std::nullopt;
+    std::memcpy(&size, in.data(), sizeof size);
+    in.remove_prefix(sizeof size);
+    if (in.size() < size) return std::nullopt;
+    const std::string_view bytes = in.substr(0, size);
+    in.remove_prefix(size);
+    return bytes;
+}
+
+static std::uint32_t checksum(std::string_view bytes) {
+    return static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uInt>(bytes.size())));
+}
+
+static bool writable(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    return !error && access(folder.c_str(), W_OK | X_OK) == 0;
+}
+
+std::string ProgramCache::defaultFolder() {
+    fs::path folder;
+    if (const char* set = std::getenv("EIKONAL_CACHE_DIR")) folder = set;
+    else if (const char* xdg = std::getenv("XDG_CACHE_HOME")) folder = fs::path(xdg) / "eikonal";
+    else if (const char* home = std::getenv("HOME")) folder = fs::path(home) / ".cache" / "eikonal";
+    if (!folder.empty() && writable(folder)) return folder.string();
+    std::error_code error;
+    folder = fs::temp_directory_path(error) / fmt::format("eikonal-{}", getuid());
+    return !error && writable(folder) ? folder.string() : std::string();
+}
+
+std::string ProgramCache::fileFor(const std::string& key) const {
+    return (fs::path(folder_) / fmt::format("{:016x}.program", hashBytes(key))).string();
+}
+
+std::optional<CachedProgram> ProgramCache::load(const std::string& key) const {
+    if (folder_.empty()) return std::nullopt;
+    std::ifstream file(fileFor(key), std::ios::binary);
+    if (!file) return std::nullopt;
+    std::stringstream content;
+    content << file.rdbuf();
+    const std::string bytes = content.str();
+    std::uint32_t sum = 0;
+    if (bytes.size() < magic.size() + sizeof sum || bytes.compare(0, magic.size(), magic) != 0) return std::nullopt;
+    std::memcpy(&sum, bytes.data() + bytes.size() - sizeof sum, sizeof sum);
+    std::string_view rest(bytes.data(), bytes.size() - sizeof sum);
+    if (checksum(rest) != sum) return std::nullopt;
+    rest.remove_prefix(magic.size());
+    const auto storedKey = take(rest), arguments = take(rest), binary = take(rest);
+    if (!storedKey || !arguments || !binary || *storedKey != key) return std::nullopt;
+
+    CachedProgram program;
+    program.binary.assign(binary->begin(), binary->end());
+    std::istringstream names{std::string(*arguments)};
+    for (std::string name; std::getline(names, name);) program.arguments.push_back(name);
+    return program;
+}
+
+void ProgramCache::store(const std::string& key, const CachedProgram& program) const {
+    if (folder_.empty()) return;
+    std::string names;
+    for (const std::string& name : program.arguments) names += name + "\n";
+    std::string bytes(magic);
+    append(bytes, key);
+    append(bytes, names);
+    append(bytes, {reinterpret_cast<const char*>(program.binary.data()), program.binary.size()});
+    const std::uint32_t sum = checksum(bytes);
+    bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
+
+    /* A temporary file, then its name: whoever reads at the same time sees all of it or none */
+    const std::string path = fileFor(key), temporary = fmt::format("{}.{}.{}", path, getpid(), std::random_device{}());
+    {
+        std::ofstream file(temporary, std::ios::binary);
+        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+        if (!file) { file.close(); std::remove(temporary.c_str()); return; }
+    }
+    if (std::rename(temporary.c_str(), path.c_str()) != 0) std::remove(temporary.c_str());
+}
+
+int ProgramCache::clear() const {
+    int count = 0;
+    std::error_code error;
+    for (fs::directory_iterator i(folder_, error), end; !error && i != end; i.increment(error)) {
+        std::error_code ignored;
+        if (i->path().extension() == ".program") count += fs::remove(i->path(), ignored);
+        else if (i->path().filename() == "pocl") fs::remove_all(i->path(), ignored);
+    }
+    return count;
+}
+
+void preparePoclCache(const std::string& folder) {
+    if (std::getenv("POCL_CACHE_DIR") || folder.empty()) return;
+    const fs::path pocl = fs::path(folder) / "pocl";
+    if (writable(pocl)) setenv("POCL_CACHE_DIR", pocl.c_str(), 0);
+}
+
+}  // namespace eikonal

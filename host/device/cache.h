@@ -1,0 +1,42 @@
+#pragma once
+// A cache of program binaries of our own: with it, a second start does not compile. One file for each program.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eikonal {
+
+/// What is kept of a program.
+struct CachedProgram {
+    std::vector<unsigned char> binary;
+    std::vector<std::string> arguments;   ///< names of its kernel's arguments: a binary does not tell them
+};
+
+/// A folder of files, each named by a hash of its key and holding the whole key. A file that is damaged or was written for
+/// something else counts as absent; a folder that cannot be written is not used. Nothing here ever fails.
+class ProgramCache {
+public:
+    /// An empty folder: no cache.
+    explicit ProgramCache(std::string folder) : folder_(std::move(folder)) {}
+
+    std::optional<CachedProgram> load(const std::string& key) const;
+    void store(const std::string& key, const CachedProgram& program) const;
+    /// Removes every entry; returns how many.
+    int clear() const;
+    const std::string& folder() const { return folder_; }
+
+    /// $EIKONAL_CACHE_DIR, else $XDG_CACHE_HOME/eikonal, else ~/.cache/eikonal; a folder of temporary files if that cannot be written.
+    static std::string defaultFolder();
+
+private:
+    std::string fileFor(const std::string& key) const;
+    std::string folder_;
+};
+
+/// Gives PoCL a cache folder that it can write, before the first call of OpenCL: it fails without one, and a damaged entry
+/// in a folder that others share would abort the program. Does nothing if POCL_CACHE_DIR is set.
+void preparePoclCache(const std::string& folder);
+
+}  // namespace eikonal

@@ -1,0 +1,111 @@
+#include "device/context.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace eikonal {
+
+template <class T> static T deviceInfo(cl_device_id id, cl_device_info what) {
+    T value{};
+    check(clGetDeviceInfo(id, what, sizeof value, &value, nullptr), "asking a device about itself");
+    return value;
+}
+
+static std::string trimmed(std::string text) {
+    while (!text.empty() && (text.back() == '\0' || std::isspace(static_cast<unsigned char>(text.back())))) text.pop_back();
+    return text;
+}
+
+static std::string deviceText(cl_device_id id, cl_device_info what) {
+    size_t size = 0;
+    check(clGetDeviceInfo(id, what, 0, nullptr, &size), "asking a device about itself");
+    std::string text(size, '\0');
+    check(clGetDeviceInfo(id, what, size, text.data(), nullptr), "asking a device about itself");
+    return trimmed(text);
+}
+
+static std::string platformText(cl_platform_id id, cl_platform_info what) {
+    size_t size = 0;
+    if (clGetPlatformInfo(id, what, 0, nullptr, &size) != CL_SUCCESS) return "?";
+    std::string text(size, '\0');
+    clGetPlatformInfo(id, what, size, text.data(), nullptr);
+    return trimmed(text);
+}
+
+static DeviceInfo describe(cl_platform_id platform, cl_device_id id) {
+    DeviceInfo d;
+    d.platform = platform;
+    d.id = id;
+    d.name = deviceText(id, CL_DEVICE_NAME);
+    d.vendor = deviceText(id, CL_DEVICE_VENDOR);
+    d.version = deviceText(id, CL_DEVICE_VERSION);
+    d.driver = deviceText(id, CL_DRIVER_VERSION);
+    d.platformName = platformText(platform, CL_PLATFORM_NAME);
+    d.isCpu = deviceInfo<cl_device_type>(id, CL_DEVICE_TYPE) & CL_DEVICE_TYPE_CPU;
+    d.computeUnits = deviceInfo<cl_uint>(id, CL_DEVICE_MAX_COMPUTE_UNITS);
+    d.memory = deviceInfo<cl_ulong>(id, CL_DEVICE_GLOBAL_MEM_SIZE);
+    d.largestBuffer = deviceInfo<cl_ulong>(id, CL_DEVICE_MAX_MEM_ALLOC_SIZE);
+    d.largestGroup = deviceInfo<size_t>(id, CL_DEVICE_MAX_WORK_GROUP_SIZE);
+    d.hasCompiler = deviceInfo<cl_bool>(id, CL_DEVICE_COMPILER_AVAILABLE);
+    return d;
+}
+
+std::vector<DeviceInfo> listDevices() {
+    cl_uint count = 0;
+    const cl_int status = clGetPlatformIDs(0, nullptr, &count);
+    constexpr cl_int noPlatform = -1001;
+    if (status == noPlatform || count == 0) return {};
+    check(status, "looking for OpenCL platforms");
+    std::vector<cl_platform_id> platforms(count);
+    check(clGetPlatformIDs(count, platforms.data(), nullptr), "looking for OpenCL platforms");
+
+    std::vector<DeviceInfo> list;
+    for (cl_platform_id platform : platforms) {
+        cl_uint devices = 0;
+        if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, 0, nullptr, &devices) != CL_SUCCESS || devices == 0) continue;
+        std::vector<cl_device_id> ids(devices);
+        check(clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, devices, ids.data(), nullptr), "looking for OpenCL devices");
+        for (cl_device_id id : ids) list.push_back(describe(platform, id));
+    }
+    return list;
+}
+
+static std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text;
+}
+
+DeviceInfo chooseDevice(const std::string& wanted) {
+    const std::vector<DeviceInfo> list = listDevices();
+    if (list.empty())
+        throw DeviceError("no OpenCL device found. On Debian, `apt install pocl-opencl-icd` makes the processor one.");
+    if (wanted.empty()) {
+        const auto gpu = std::find_if(list.begin(), list.end(), [](const DeviceInfo& d) { return !d.isCpu && d.hasCompiler; });
+        return gpu != list.end() ? *gpu : list.front();
+    }
+    size_t index = 0;
+    const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+    if (error == std::errc() && end == wanted.data() + wanted.size() && index < list.size()) return list[index];
+    for (const DeviceInfo& d : list)
+        if (lower(d.name + " " + d.platformName).find(lower(wanted)) != std::string::npos) return d;
+    std::string message = fmt::format("no OpenCL device is called \"{}\". There are:", wanted);
+    for (size_t i = 0; i < list.size(); ++i) message += fmt::format("\n  {}  {} ({})", i, list[i].name, list[i].platformName);
+    throw DeviceError(message);
+}
+
+Context::Context(const DeviceInfo& device, bool profiling) : device_(device), profiling_(profiling) {
+    if (!device.hasCompiler) throw DeviceError(fmt::format("the device \"{}\" has no compiler for OpenCL C; choose another with --device.", device.name));
+    cl_int status = CL_SUCCESS;
+    const cl_context_properties properties[] = {CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(device.platform), 0};
+    context_ = ContextHandle(clCreateContext(properties, 1, &device.id, nullptr, nullptr, &status));
+    check(status, fmt::format("creating a context for \"{}\"", device.name));
+    queue_ = QueueHandle(clCreateCommandQueue(context_, device.id, profiling ? CL_QUEUE_PROFILING_ENABLE : 0, &status));
+    check(status, "creating a command queue");
+}
+
+void Context::finish() const { check(clFinish(queue_), "waiting for the device"); }
+void Context::flush() const { check(clFlush(queue_), "handing commands to the device"); }
+
+}  // namespace eikonal

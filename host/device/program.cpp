@@ -1,0 +1,151 @@
+#include "device/program.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+namespace eikonal {
+
+// Neither changes rounding or order; without both, PoCL does not vectorise over work-items (docs/performance.md).
+constexpr const char* languageOptions = "-cl-std=CL1.2 -cl-kernel-arg-info -cl-finite-math-only -cl-no-signed-zeros -Werror";
+
+static double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+static std::string buildLog(cl_program program, cl_device_id device) {
+    size_t size = 0;
+    if (clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, 0, nullptr, &size) != CL_SUCCESS) return {};
+    std::string log(size, '\0');
+    clGetProgramBuildInfo(program, device, CL_PROGRAM_BUILD_LOG, size, log.data(), nullptr);
+    while (!log.empty() && (log.back() == '\0' || log.back() == '\n')) log.pop_back();
+    return log;
+}
+
+static std::vector<std::string> argumentNames(cl_program program, const std::string& kernelName) {
+    cl_int status = CL_SUCCESS;
+    const Owned<cl_kernel, clReleaseKernel> kernel(clCreateKernel(program, kernelName.c_str(), &status));
+    check(status, "creating kernel " + kernelName);
+    cl_uint count = 0;
+    check(clGetKernelInfo(kernel, CL_KERNEL_NUM_ARGS, sizeof count, &count, nullptr), "asking kernel " + kernelName + " for its arguments");
+    std::vector<std::string> names;
+    for (cl_uint i = 0; i < count; ++i) {
+        char name[128] = "";
+        check(clGetKernelArgInfo(kernel, i, CL_KERNEL_ARG_NAME, sizeof name, name, nullptr), "asking for the names of " + kernelName + "'s arguments");
+        names.emplace_back(name);
+    }
+    return names;
+}
+
+Compiler::Compiler(const Context& context, KernelFolders folders, std::string cacheFolder)
+    : context_(context), folders_(std::move(folders)), cache_(std::move(cacheFolder)) {}
+
+Compiler::~Compiler() {
+    finishKeeping();
+    {
+        std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    wake_.notify_all();
+    if (keeper_.joinable()) keeper_.join();
+}
+
+std::string Compiler::keyOf(const KernelSource& source, const std::string& options, const std::string& kernel) const {
+    const DeviceInfo& d = context_.device();
+    return fmt::format("{}\n{:016x}\n{}\n{}\n{}\n{}\n{}\n{}", kernel, source.hash(), source.text(), options, d.platformName, d.name, d.version, d.driver);
+}
+
+std::shared_ptr<Program> Compiler::loadCached(const std::string& key, const std::string& kernel) const {
+    const auto cached = cache_.load(key);
+    if (!cached) return nullptr;
+    cl_int status = CL_SUCCESS, binaryStatus = CL_SUCCESS;
+    const size_t size = cached->binary.size();
+    const unsigned char* bytes = cached->binary.data();
+    auto program = std::make_shared<Program>();
+    const cl_device_id device = context_.device().id;
+    program->handle = decltype(program->handle)(clCreateProgramWithBinary(context_.handle(), 1, &device, &size, &bytes, &binaryStatus, &status));
+    if (status != CL_SUCCESS || binaryStatus != CL_SUCCESS) return nullptr;
+    if (clBuildProgram(program->handle, 1, &device, "", nullptr, nullptr) != CL_SUCCESS) return nullptr;
+    program->kernel = kernel;
+    program->arguments = cached->arguments;
+    program->fromCache = true;
+    return program;
+}
+
+static void dumpProgram(const std::string& folder, const std::string& name, const std::string& text, const std::string& options) {
+    std::filesystem::create_directories(folder);
+    std::ofstream(std::filesystem::path(folder) / (name + ".cl")) << "/* options: " << options << " */\n" << text;
+}
+
+std::shared_ptr<Program> Compiler::build(const std::string& text, const std::string& kernel, const BuildSettings& settings) {
+    const auto start = std::chrono::steady_clock::now();
+    const KernelSource source(folders_, text);
+    std::string options = fmt::format("{} -DNO_CONTRACTION={} -DPOISON_ITEMS={} ", languageOptions, settings.contraction ? 0 : 1, settings.poison ? 1 : 0);
+    options += source.options(settings.features, settings.constants);
+    const std::string key = keyOf(source, options, kernel);
+    if (!settings.dumpFolder.empty()) dumpProgram(settings.dumpFolder, fmt::format("{}-{:08x}", kernel, static_cast<std::uint32_t>(hashBytes(key))), text, options);
+
+    std::shared_ptr<Program> program = loadCached(key, kernel);
+    if (!program) {
+        cl_int status = CL_SUCCESS;
+        const char* characters = source.text().c_str();
+        program = std::make_shared<Program>();
+        program->handle = decltype(program->handle)(clCreateProgramWithSource(context_.handle(), 1, &characters, nullptr, &status));
+        check(status, "creating the program of " + kernel);
+        const cl_device_id device = context_.device().id;
+        status = clBuildProgram(program->handle, 1, &device, options.c_str(), nullptr, nullptr);
+        if (status != CL_SUCCESS)
+            throw DeviceError(fmt::format("the kernel {} does not build for \"{}\": {}\n{}\noptions: {}", kernel, context_.device().name,
+                                          statusName(status), buildLog(program->handle, device), options));
+        program->kernel = kernel;
+        program->arguments = argumentNames(program->handle, kernel);
+        std::lock_guard lock(mutex_);
+        keys_[program.get()] = key;
+    }
+    program->seconds = secondsSince(start);
+    return program;
+}
+
+void Compiler::keep(std::shared_ptr<Program> program) {
+    if (program->fromCache || cache_.folder().empty()) return;
+    std::lock_guard lock(mutex_);
+    queue_.push_back(std::move(program));
+    if (!keeper_.joinable()) keeper_ = std::thread([this] { storeQueued(); });
+    wake_.notify_all();
+}
+
+void Compiler::finishKeeping() {
+    std::unique_lock lock(mutex_);
+    wake_.wait(lock, [this] { return queue_.empty() && !busy_; });
+}
+
+static std::vector<unsigned char> binaryOf(cl_program program) {
+    size_t size = 0;
+    if (clGetProgramInfo(program, CL_PROGRAM_BINARY_SIZES, sizeof size, &size, nullptr) != CL_SUCCESS || size == 0) return {};
+    std::vector<unsigned char> bytes(size);
+    unsigned char* data = bytes.data();
+    if (clGetProgramInfo(program, CL_PROGRAM_BINARIES, sizeof data, &data, nullptr) != CL_SUCCESS) return {};
+    return bytes;
+}
+
+void Compiler::storeQueued() {
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        wake_.wait(lock, [this] { return stop_ || !queue_.empty(); });
+        if (queue_.empty()) return;
+        const std::shared_ptr<Program> program = queue_.front();
+        queue_.pop_front();
+        const std::string key = keys_[program.get()];
+        busy_ = true;
+        lock.unlock();
+        const std::vector<unsigned char> binary = binaryOf(program->handle);
+        if (!binary.empty()) cache_.store(key, {binary, program->arguments});
+        lock.lock();
+        busy_ = false;
+        wake_.notify_all();
+    }
+}
+
+}  // namespace eikonal

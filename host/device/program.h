@@ -1,0 +1,69 @@
+#pragma once
+// From the text of a kernel to something that can be launched.
+
+#include "device/cache.h"
+#include "device/context.h"
+#include "device/source.h"
+
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace eikonal {
+
+/// How programs are built.
+struct BuildSettings {
+    Features features;
+    Constants constants;
+    bool contraction = true;     ///< a*b+c may become one operation
+    bool poison = false;         ///< new items hold a value that tests recognise
+    std::string dumpFolder;      ///< not empty: write each program's text and options there
+};
+
+/// A built program with one kernel.
+struct Program {
+    Owned<cl_program, clReleaseProgram> handle;
+    std::string kernel;
+    std::vector<std::string> arguments;   ///< names of the kernel's arguments, in order
+    bool fromCache = false;
+    double seconds = 0;                   ///< to build or load
+};
+
+/// Builds programs for one device, and keeps their binaries in a cache.
+class Compiler {
+public:
+    /// cacheFolder empty: no cache.
+    Compiler(const Context& context, KernelFolders folders, std::string cacheFolder);
+    ~Compiler();
+
+    /// The program made of `text` (which includes files of the kernel folder) with kernel `kernel`.
+    /// Throws a DeviceError with the build log, which names our files and lines.
+    std::shared_ptr<Program> build(const std::string& text, const std::string& kernel, const BuildSettings& settings);
+    /// Keeps the program's binary for later starts. Returns at once; the work is done in the background, once the kernel has been
+    /// launched, since an implementation may compile at the first launch only.
+    void keep(std::shared_ptr<Program> program);
+    /// Waits until everything kept is on disk.
+    void finishKeeping();
+
+    const KernelFolders& folders() const { return folders_; }
+    const ProgramCache& cache() const { return cache_; }
+
+private:
+    std::string keyOf(const KernelSource& source, const std::string& options, const std::string& kernel) const;
+    std::shared_ptr<Program> loadCached(const std::string& key, const std::string& kernel) const;
+    void storeQueued();
+
+    const Context& context_;
+    KernelFolders folders_;
+    ProgramCache cache_;
+    std::map<const Program*, std::string> keys_;
+    std::deque<std::shared_ptr<Program>> queue_;
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    bool stop_ = false, busy_ = false;
+    std::thread keeper_;
+};
+
+}  // namespace eikonal

@@ -1,0 +1,43 @@
+#include "feature_set.h"
+
+#include <algorithm>
+
+namespace eikonal {
+
+static const std::vector<std::string>& names() {
+    static const std::vector<std::string> list{
+#define GENERAL(NAME, why) #NAME,
+#define KIND_FEATURE(NAME, kind) #NAME,
+        GENERAL_FEATURES(GENERAL) KIND_FEATURES
+#undef GENERAL
+#undef KIND_FEATURE
+    };
+    return list;
+}
+
+/// "SHAPE_TRIANGLE" of kind "triangle": "a triangle shape".
+static std::string kindReason(const std::string& feature, const std::string& kind) {
+    std::string group = feature.substr(0, feature.find('_'));
+    std::transform(group.begin(), group.end(), group.begin(), [](char c) { return static_cast<char>(std::tolower(c)); });
+    return group + " \"" + kind + "\"";
+}
+
+static const std::vector<std::string>& reasons() {
+    static const std::vector<std::string> list{
+#define GENERAL(NAME, why) why,
+#define KIND_FEATURE(NAME, kind) kindReason(#NAME, kind),
+        GENERAL_FEATURES(GENERAL) KIND_FEATURES
+#undef GENERAL
+#undef KIND_FEATURE
+    };
+    return list;
+}
+
+const std::string& featureName(Feature f) { return names()[static_cast<size_t>(f)]; }
+const std::string& featureReason(Feature f) { return reasons()[static_cast<size_t>(f)]; }
+
+Feature featureNamed(const std::string& name) {
+    return static_cast<Feature>(std::find(names().begin(), names().end(), name) - names().begin());
+}
+
+}  // namespace eikonal

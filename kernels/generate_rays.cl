@@ -1,0 +1,31 @@
+/* pixels -> ray, path.  A camera ray for each sample of a tile of the image: slot = sample * tile pixels + pixel.
+   Straight-line: one slot a work-item; slots outside of the image hold dead rays. */
+#include "queue.clh"
+#include "scene.clh"
+#include "camera/camera.clh"
+#include "film/pixel.clh"
+
+STAGE generate_rays(CAMERA_ARGUMENTS
+                    __global const settings *frame, __global uint *ray, __global uint *path, uint capacity,
+                    uint tile_x, uint tile_y, uint tile_log2_width, uint tile_log2_height,  /* pixels, whole image */
+                    uint end_x, uint end_y,                                                 /* no pixel from here on */
+                    uint first_sample, uint samples) {
+    camera_tables tables = BIND_CAMERA;
+    size_t i = get_global_id(0);
+    tile_position at = locate_slot((uint)i, tile_log2_width, tile_log2_height);
+    uint x = tile_x + at.x, y = tile_y + at.y;
+    int inside = (x < end_x) & (y < end_y) & (at.sample < samples);
+
+    camera_sample sample = generate_ray(tables, frame, x, y, first_sample + at.sample, (uint)i);
+    ray_item r = sample.ray;
+    r.t_max = inside ? r.t_max : -1.0f;
+    store_ray(ray, capacity, i, r);
+
+    path_item state = new_path();
+    state.L = uniform_spectrum(0.0f);
+    state.weight = inside ? sample.weight : 0.0f;
+    state.albedo = uniform_spectrum(0.0f);
+    state.normal = make_vec3(0.0f, 0.0f, 0.0f);
+    state.distance = FAR_AWAY;
+    store_path(path, capacity, i, state);
+}

@@ -1,0 +1,34 @@
+/* ray -> flight, slot i to slot i.  Where each ray ends. Tracing: a run of slots for each work-item, dead ones skipped. */
+#include "queue.clh"
+#include "bvh.clh"
+
+FN flight_item intersect_ray(geometry g, texture_tables tables, ray_item r) {
+    nearest_hit best;
+    best.t_max = r.t_max;
+    walk_bvh(g, tables, r.o, r.d, 0, &best);
+    flight_item f = new_flight();
+    f.t = best.t_max;
+    f.element = best.element;
+    f.instance = best.instance;
+    f.u = best.u;
+    f.v = best.v;
+    return f;
+}
+
+#ifndef AS_LIBRARY
+STAGE intersect_rays(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS
+                     __global const uint *ray, __global uint *flight, uint capacity, uint count) {
+    geometry g = BIND_GEOMETRY;
+    texture_tables tables = BIND_TEXTURES;
+    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
+    for (size_t i = first; i < last; ++i) {
+        if (LOAD_FIELD(ray, float, t_max, ray, capacity, i) < 0.0f) {
+            STORE_FIELD(flight, float, t, flight, capacity, i, -1.0f);
+            continue;
+        }
+        flight_item f = intersect_ray(g, tables, load_ray(ray, capacity, i));
+        f.hop = hop_none; f.material = NONE;
+        store_flight(flight, capacity, i, f);
+    }
+}
+#endif

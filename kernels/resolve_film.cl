@@ -1,0 +1,44 @@
+/* path -> film.  Adds a wave's samples to their pixels, in the order of the samples. One pixel of the tile a work-item. */
+#include "queue.clh"
+#include "scene.clh"
+#include "eikonal/film.h"
+DEFINE_ITEM(film, FILM_FIELDS, 0)
+
+/* sum += x, with what rounding loses kept apart (Kahan 1965). */
+typedef struct { float sum, compensation; } compensated;
+FN compensated add_compensated(float sum, float compensation, float x) {
+    float y = x - compensation, t = sum + y;
+    compensated c = {t, (t - sum) - y};
+    return c;
+}
+FN film_item add_sample(film_item f, path_item p, float max_component_value) {
+    spectrum L = p.L;
+    float brightest = max_component(L);
+    if (max_component_value > 0.0f && brightest > max_component_value) L = mul(L, max_component_value / brightest);
+    spectrum x = mul(L, p.weight);
+    compensated r = add_compensated(f.sum.r, f.compensation.r, x.r);
+    compensated g = add_compensated(f.sum.g, f.compensation.g, x.g);
+    compensated b = add_compensated(f.sum.b, f.compensation.b, x.b);
+    f.sum = make_spectrum(r.sum, g.sum, b.sum);
+    f.compensation = make_spectrum(r.compensation, g.compensation, b.compensation);
+    f.weight += p.weight;
+    f.square += square(luminance(x));
+    f.count += 1;
+    f.albedo = add(f.albedo, mul(p.albedo, p.weight));
+    f.normal = mul_add(p.normal, p.weight, f.normal);
+    f.distance += p.distance < FAR_AWAY ? p.distance * p.weight : 0.0f;
+    return f;
+}
+
+STAGE resolve_film(__global const settings *frame, __global const uint *path, uint capacity, __global uint *film, uint tile_pixels, uint samples) {
+    size_t pixel = get_global_id(0);
+    if (pixel >= tile_pixels) return;
+    film_item f = load_film(film, tile_pixels, pixel);
+    for (uint s = 0; s < samples; ++s) {
+        path_item p = load_path(path, capacity, (size_t)s * tile_pixels + pixel);
+        if (p.weight == 0.0f && is_black(p.L)) continue;
+        if (!is_finite(p.L)) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
+        f = add_sample(f, p, frame->max_component_value);
+    }
+    store_film(film, tile_pixels, pixel, f);
+}

@@ -1,0 +1,64 @@
+/* flight, ray -> hit, scatter, miss, emission, next ray.  Makes the item that each flight's next stage wants, in that stage's
+   dense segment. Tracing: space is reserved once for a run, not once for an item. */
+#include "queue.clh"
+#include "route.clh"
+#include "route_items.clh"
+
+/* Segments of the hit queue begin at multiples of the local size, so that shading needs no guard (stages.h has the order). */
+FN uint segment_start(__global const uint *counts, uint hop) {
+    uint start = 0;
+    for (uint h = 0; h < hop; ++h) start += (counts[h] + LOCAL_SIZE - 1u) & ~(LOCAL_SIZE - 1u);
+    return start;
+}
+
+STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS MEDIUM_ARGUMENTS
+                    __global const uint *ray, __global const uint *flight, uint capacity, uint count,
+                    __global const uint *counts, __global uint *cursors,
+                    __global uint *hit, __global uint *scatter, __global uint *miss, __global uint *emission, __global uint *next_ray,
+                    __global uint *path) {
+    geometry g = BIND_GEOMETRY;
+    texture_tables tables = BIND_TEXTURES;
+    material_tables materials = BIND_MATERIALS;
+    light_tables lights = BIND_LIGHTS;
+    medium_tables media = BIND_MEDIA;
+    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
+
+    /* Count what this run sends to each queue, and reserve it */
+    uint at[hops];
+    for (int h = 0; h < hops; ++h) at[h] = 0;
+    for (size_t i = first; i < last; ++i) {
+        if (LOAD_FIELD(flight, float, t, flight, capacity, i) < 0.0f) continue;
+        flight_item f = load_flight(flight, capacity, i);
+        if (f.hop < hops) ++at[f.hop];
+        if (HAS_EMITTERS && flight_emits(g, f)) ++at[hop_emission];
+    }
+    for (uint h = 0; h < hops; ++h) {
+        if (!at[h]) continue;
+        uint start = h == hop_miss || h == hop_emission ? 0 : segment_start(counts, h);
+        at[h] = start + atomic_add(cursors + h, at[h]);
+    }
+
+    /* Fill it */
+    for (size_t i = first; i < last; ++i) {
+        if (LOAD_FIELD(flight, float, t, flight, capacity, i) < 0.0f) continue;
+        flight_item f = load_flight(flight, capacity, i);
+        int emits = HAS_EMITTERS && flight_emits(g, f);
+        if (f.hop >= hops && !emits) continue;
+        ray_item r = load_ray(ray, capacity, i);
+        if (ENVIRONMENTS && f.hop == hop_miss) { store_miss(miss, capacity, at[hop_miss]++, make_miss(r)); continue; }
+        if (HAS_MEDIA && f.hop == hop_scatter) { store_scatter(scatter, capacity, at[hop_scatter]++, make_scatter(media, r, f)); continue; }
+        surface s = flight_surface(g, tables, r, f);
+        if (emits) store_emission(emission, capacity, at[hop_emission]++, make_emission(g, lights, r, f, s));
+        if (HAS_INTERFACE && f.hop == hop_passage) store_ray(next_ray, capacity, at[hop_passage]++, make_passage(g, r, f, s));
+        else if (f.hop < hop_miss) {
+            uint slot = at[f.hop]++;
+            material m = materials.materials[f.material];
+            if (HAS_BUMP && m.displacement != NONE) s = displace_normal(tables, m.displacement, s);
+            if (HAS_NORMAL_MAP && m.normal_map != NONE) s = map_normal(tables, m.normal_map, s);
+            store_hit(hit, capacity, slot, make_hit(g, r, f, s));
+            bsdf_words parameters = eval_parameters(tables, materials, m, s);
+            for (uint w = 0; w < parameters.count; ++w) hit[(hit_words + w) * (size_t)capacity + slot] = parameters.word[w];
+            if (HAS_AOVS && r.depth == 0) store_first_surface(path, capacity, r, f, s);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+/* hit -> ray, shadow, slot i to slot i.  Scatters each path at a surface: a shadow ray to one light, and a ray on.
+   Built once for each BSDF (the macro BSDF), over that BSDF's own segment of the hit queue. Straight-line. */
+#include "scatter.clh"
+
+#define JOIN_(a, b) a##b
+#define JOIN(a, b) JOIN_(a, b)
+#define BSDF_ITEM     JOIN(BSDF, _item)
+#define LOAD_BSDF     JOIN(load_, BSDF)
+#define EVAL_BSDF     JOIN(eval_, BSDF)
+#define PDF_BSDF      JOIN(pdf_, BSDF)
+#define SAMPLE_BSDF   JOIN(sample_, BSDF)
+#define BSDF_IS_DELTA JOIN(BSDF, _is_delta)
+
+FN scattering JOIN(shade_, BSDF)(light_tables lights, __global const settings *frame, hit_item h, BSDF_ITEM b, int alive) {
+    frame3 local = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
+    vec3 wo = to_local(local, h.wo);
+    scattering out;
+
+    /* Light from one light, seen by the BSDF */
+    light_sample l = no_light();
+    if (!BSDF_IS_DELTA && HAS_LIGHTS) {
+        l = sample_light_at(lights, frame, h.seed, h.sample, h.depth, h.p);
+        vec3 wi = to_local(local, l.wi);
+        spectrum f = mul(EVAL_BSDF(b, wo, wi), fabs(wi.z));
+        out.shadow = light_from_surface(h, l, f, PDF_BSDF(b, wo, wi), alive);
+    } else out.shadow = no_shadow(h.path);
+
+    /* On along the BSDF */
+    float lobe = sample_1d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_lobe));
+    vec2 u = sample_2d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_direction));
+    bsdf_sample s = SAMPLE_BSDF(b, wo, lobe, u);
+    out.ray = ray_from_surface(h, from_local(local, s.wi), s, alive);
+    return out;
+}
+
+#ifndef AS_LIBRARY
+STAGE shade_hits(LIGHT_ARGUMENTS
+                 __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, uint capacity,
+                 uint first, uint count) {
+    light_tables lights = BIND_LIGHTS;
+    size_t at = get_global_id(0), i = first + at;
+    int alive = at < count;
+    scattering out = JOIN(shade_, BSDF)(lights, frame, load_hit(hit, capacity, i), LOAD_BSDF(hit, capacity, i), alive);
+    store_ray(next_ray, capacity, i, out.ray);
+    if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
+    else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
+}
+#endif

@@ -1,0 +1,39 @@
+/* miss -> path.  Adds what the environments send along the rays that left the scene. Straight-line; the number of
+   environments is known when the kernel is built. */
+#include "light/light.clh"
+#include "emission.clh"
+
+FN spectrum shade_miss(light_tables lights, miss_item m) {
+    spectrum sum = uniform_spectrum(0.0f);
+    for (int e = 0; e < ENVIRONMENTS; ++e) {
+        light l = lights.lights[lights.environments[e]];
+        spectrum Le = uniform_spectrum(0.0f);
+        float pdf = 0.0f;
+        if (HAS_LIGHT_CONSTANT_ENVIRONMENT) {
+            int is = l.kind == kind_constant_environment;
+            Le = choose(is, eval_constant_environment(l), Le);
+            pdf = is ? pdf_constant_environment() : pdf;
+        }
+        if (HAS_LIGHT_IMAGE_ENVIRONMENT) {
+            int is = l.kind == kind_image_environment;
+            spectrum texel = eval_image_environment(lights, l, m.d);
+            float density = pdf_image_environment(lights, l, m.d);
+            Le = choose(is, texel, Le);
+            pdf = is ? density : pdf;
+        }
+        sum = add(sum, weigh_emission(m.beta, Le, m.r_u, m.r_l, m.pdf, pdf * l.pmf));
+    }
+    return sum;
+}
+
+#ifndef AS_LIBRARY
+STAGE shade_misses(LIGHT_ARGUMENTS __global const uint *miss, __global uint *path, uint capacity, uint count) {
+    light_tables lights = BIND_LIGHTS;
+    size_t i = get_global_id(0);
+    miss_item m = load_miss(miss, capacity, i);
+    spectrum L = shade_miss(lights, m);
+    /* Beyond the last item: a path that nobody has */
+    size_t p = i < count ? m.path : capacity - LOCAL_SIZE + get_local_id(0);
+    add_radiance(path, capacity, p, L);
+}
+#endif
