@@ -1,5 +1,6 @@
 #include "scene/image.h"
 
+#include "film/primaries.h"
 #include "film/transfer.h"
 
 #include <OpenImageIO/imageio.h>
@@ -40,7 +41,8 @@ std::string readableExtensions() {
     for (std::string entry; std::getline(formats, entry, ';');) {
         const std::size_t colon = entry.find(':');
         const std::string format = entry.substr(0, colon);
-        if (colon == entry.npos || format == "null" || format == "term" || format == "ffmpeg" || format == "raw" || format == "openvdb") continue;
+        if (colon == entry.npos || format == "null" || format == "term" || format == "ffmpeg" || format == "raw" || format == "openvdb")
+            continue;
         std::string extensions = entry.substr(colon + 1);
         std::ranges::replace(extensions, ',', ' ');
         result += (result.empty() ? "" : " ") + extensions;
@@ -65,7 +67,8 @@ std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
 
 /// Refuses a header that claims far more pixels than the file can hold: a damaged file should not take all memory.
 void checkPlausible(const std::string& path, const OIIO::ImageSpec& spec) {
-    if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1) throw Problem{fmt::format("it is {} x {} x {} pixels", spec.width, spec.height, spec.depth)};
+    if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1)
+        throw Problem{fmt::format("it is {} x {} x {} pixels", spec.width, spec.height, spec.depth)};
     constexpr double alwaysFine = 1 << 26, highestCompression = 2000;
     const double claimed = static_cast<double>(spec.image_bytes()), size = static_cast<double>(std::filesystem::file_size(path));
     if (claimed > alwaysFine && claimed > highestCompression * size)
@@ -75,7 +78,8 @@ void checkPlausible(const std::string& path, const OIIO::ImageSpec& spec) {
 /// Where R G B (A), or else the one channel, are in the file.
 std::vector<int> pickChannels(const OIIO::ImageSpec& spec) {
     const auto find = [&](std::string_view name) {
-        const auto found = std::ranges::find_if(spec.channelnames, [&](const std::string& n) { return OIIO::Strutil::iequals(n, std::string(name)); });
+        const auto found =
+            std::ranges::find_if(spec.channelnames, [&](const std::string& n) { return OIIO::Strutil::iequals(n, std::string(name)); });
         return found == spec.channelnames.end() ? -1 : static_cast<int>(found - spec.channelnames.begin());
     };
     if (spec.nchannels == 1) return {0};
@@ -114,25 +118,13 @@ template <class T> bool isOpaque(const std::vector<T>& values, T one) {
     return true;
 }
 
-/// XYZ from the linear RGB of a space with these primaries (x, y of red, green, blue, white), white having Y = 1.
-glm::dmat3 xyzFromRgb(const std::array<float, 8>& c) {
-    const auto xyz = [&](int i) { return glm::dvec3(c[2 * i], c[2 * i + 1], 1 - c[2 * i] - c[2 * i + 1]) / double(c[2 * i + 1]); };
-    const glm::dmat3 primaries(xyz(0), xyz(1), xyz(2));
-    const glm::dvec3 scale = glm::inverse(primaries) * xyz(3);
-    return {primaries[0] * scale.x, primaries[1] * scale.y, primaries[2] * scale.z};
-}
-
-constexpr std::array<float, 8> srgbPrimaries{0.64f, 0.33f, 0.30f, 0.60f, 0.15f, 0.06f, 0.3127f, 0.3290f};
-
 /// The matrix from the file's primaries to those of sRGB, if it names others.
 std::optional<glm::dmat3> conversion(const OIIO::ImageSpec& spec) {
-    std::array<float, 8> primaries{};
+    Primaries primaries{};
     if (!spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), primaries.data())) return {};
-    const auto near = [](float a, float b) { return std::abs(a - b) < 1e-3f; };
-    if (std::ranges::equal(primaries, srgbPrimaries, near)) return {};
-    const glm::dmat3 matrix = glm::inverse(xyzFromRgb(srgbPrimaries)) * xyzFromRgb(primaries);
-    for (int i = 0; i < 3; ++i)
-        if (!std::isfinite(matrix[i].x + matrix[i].y + matrix[i].z)) throw Problem{"its chromaticities are not those of a colour space"};
+    const auto matrix = srgbFromPrimaries(primaries);
+    if (matrix && !std::isfinite(glm::dot((*matrix)[0] + (*matrix)[1] + (*matrix)[2], glm::dvec3(1))))
+        throw Problem{"its chromaticities are not those of a colour space"};
     return matrix;
 }
 

@@ -270,7 +270,8 @@ void readFaces(Values& values, const Element& element, Faces& faces) {
 void checkIndices(const std::vector<std::uint32_t>& indices, const Mesh& mesh) {
     for (const std::uint32_t index : indices) {
         if (index >= mesh.positions.size())
-            throw Problem{fmt::format("has a face with vertex index {}, but its {} vertices are numbered from 0", index, mesh.positions.size())};
+            throw Problem{fmt::format("has a face with vertex index {}, but its {} vertices are numbered from 0", index,
+                                      mesh.positions.size())};
         const glm::vec3& p = mesh.positions[index];
         if (!std::isfinite(p.x + p.y + p.z)) throw Problem{fmt::format("has a face with vertex {}, whose position is not finite", index)};
     }

@@ -18,7 +18,7 @@ struct PlyMesh {
 
 /// Reads a PLY file of format ascii, binary_little_endian or binary_big_endian, gzip-compressed or not.
 /// Of element "vertex": x y z, and where present nx ny nz and one of (u v) (s t) (texture_u texture_v) (texture_s texture_t).
-/// Of element "face": the list vertex_indices (or vertex_index). Anything else is skipped. The file's vertices keep their order and numbers.
+/// Of element "face": the list vertex_indices (or vertex_index). Anything else is skipped. Vertices keep their order and numbers.
 /// Throws SceneError at `where`, naming the file: not readable, not PLY, truncated, an index out of range, a position that is not finite.
 PlyMesh loadPly(const std::string& path, const SourceLocation& where);
 

@@ -1,6 +1,7 @@
 // PLY files in every encoding that the format has, and what is said about those that are wrong.
 
 #include "scene/ply.h"
+#include "unit/temporary_folder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,8 +11,6 @@
 #include <bit>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <unistd.h>
 
 namespace eikonal {
 namespace {
@@ -19,19 +18,9 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-class Ply : public testing::Test {
+class Ply : public TemporaryFolder {
 protected:
-    Ply() : folder_(std::filesystem::temp_directory_path() / ("eikonal_ply_" + std::to_string(::getpid()))) {
-        std::filesystem::create_directories(folder_);
-    }
-    ~Ply() override { std::filesystem::remove_all(folder_); }
-
-    std::string path(const std::string& name = "mesh.ply") const { return (folder_ / name).string(); }
-
-    PlyMesh load(const std::string& content) const {
-        std::ofstream(path(), std::ios::binary) << content;
-        return loadPly(path(), where_);
-    }
+    PlyMesh load(const std::string& content) const { return loadPly(write("mesh.ply", content), where_); }
 
     /// What follows the file's name in the error, or "no error".
     std::string errorOf(const std::string& content) const {
@@ -39,13 +28,12 @@ protected:
             load(content);
             return "no error";
         } catch (const SceneError& error) {
-            const std::string text = error.what(), start = "scene.pbrt:3:7: PLY file \"" + path() + "\" ";
+            const std::string text = error.what(), start = "scene.pbrt:3:7: PLY file \"" + path("mesh.ply") + "\" ";
             EXPECT_THAT(text, testing::StartsWith(start));
             return text.substr(start.size());
         }
     }
 
-    std::filesystem::path folder_;
     SourceLocation where_{std::make_shared<std::string>("scene.pbrt"), 3, 7};
 };
 
@@ -200,7 +188,8 @@ TEST_F(Ply, saysWhatIsWrong) {
     EXPECT_EQ(errorOf(text(three, one, points + "-3 0 1 2")), "has a list \"vertex_indices\" of length -3");
     EXPECT_EQ(errorOf(text(three, one, "0 0 zero 1 0 0 0 1 0 3 0 1 2")), "has \"zero\" where a number should be");
     EXPECT_EQ(errorOf(text(three, one, "0 0 nan 1 0 0 0 1 0 3 0 1 2")), "has a face with vertex 0, whose position is not finite");
-    EXPECT_EQ(errorOf(text("element vertex 4000000000000\n" + xyz, one, points)), "is truncated: it ends before all of its elements are there");
+    EXPECT_EQ(errorOf(text("element vertex 4000000000000\n" + xyz, one, points)),
+              "is truncated: it ends before all of its elements are there");
 }
 
 TEST_F(Ply, namesAFileThatIsNotThere) {

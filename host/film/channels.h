@@ -1,0 +1,43 @@
+#pragma once
+// The channels of a multi-channel file, and which numbers of a FilmImage they are.
+
+#include "film/film_image.h"
+
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace eikonal {
+
+/// The depth that is stored where there is no surface.
+constexpr float noDepth = 1e10f;
+
+/// One channel: value i belongs to pixel i. Float is `float`, or `const float` to read only.
+template <class Float> struct ChannelView {
+    std::string name;
+    Float* first;
+    std::size_t stride;
+    bool isDepth = false;
+    Float& operator[](std::size_t i) const { return first[i * stride]; }
+};
+
+/// The channels of what an image has, color first. The image must outlive them.
+template <class Float, class Image> std::vector<ChannelView<Float>> channelsOf(Image& image) {
+    std::vector<ChannelView<Float>> channels;
+    const auto add3 = [&](auto& values, const char* x, const char* y, const char* z) {
+        int c = 0;
+        if (!values.empty()) for (const char* name : {x, y, z}) channels.push_back({name, &values[0][c++], 3});
+    };
+    const auto add1 = [&](auto& values, const char* name) {
+        if (!values.empty()) channels.push_back({name, values.data(), 1});
+    };
+    add3(image.color, "R", "G", "B");
+    add3(image.albedo, "albedo.R", "albedo.G", "albedo.B");
+    add3(image.normal, "N.X", "N.Y", "N.Z");
+    if (!image.depth.empty()) channels.push_back({"Z", image.depth.data(), 1, true});
+    add1(image.variance, "variance");
+    add1(image.sampleCount, "sampleCount");
+    return channels;
+}
+
+}  // namespace eikonal

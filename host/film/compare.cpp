@@ -1,0 +1,90 @@
+#include "film/compare.h"
+
+#include "error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace eikonal {
+namespace {
+
+bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Sums over some pixels.
+struct Sums {
+    double count = 0;
+    glm::dvec3 image{0}, reference{0}, difference{0}, squares{0};
+
+    void add(const glm::dvec3& a, const glm::dvec3& b) {
+        ++count;
+        image += a;
+        reference += b;
+        difference += a - b;
+        squares += (a - b) * (a - b);
+    }
+    /// Of the mean difference: the differences' standard deviation over the root of their number.
+    glm::dvec3 standardError() const {
+        if (count < 2) return glm::dvec3(0);
+        const glm::dvec3 mean = difference / count;
+        return glm::sqrt(glm::max(squares / count - mean * mean, 0.) / (count - 1));
+    }
+};
+
+}  // namespace
+
+double BlockDifference::excess(double relative, double sigmas) const {
+    const glm::dvec3 miss = glm::abs(image - reference) - (relative * glm::abs(reference) + sigmas * standardError);
+    return std::max({miss.x, miss.y, miss.z});
+}
+
+double Comparison::worstMean() const {
+    double worst = 0;
+    for (int c = 0; c < 3; ++c) {
+        const double difference = std::abs(mean[c] - referenceMean[c]);
+        if (difference > 0)
+            worst =
+                std::max(worst, referenceMean[c] != 0 ? difference / std::abs(referenceMean[c]) : std::numeric_limits<double>::infinity());
+    }
+    return worst;
+}
+
+const BlockDifference& Comparison::worstBlock(double relative, double sigmas) const {
+    return *std::ranges::max_element(blocks, {}, [&](const BlockDifference& block) { return block.excess(relative, sigmas); });
+}
+
+Comparison compare(const FilmImage& image, const FilmImage& reference, int blockSize) {
+    if (image.width != reference.width || image.height != reference.height)
+        throw Error(ExitCode::scene, fmt::format("images of {} x {} and {} x {} pixels cannot be compared", image.width, image.height,
+                                                 reference.width, reference.height));
+    const PixelBounds &a = image.bounds, &b = reference.bounds;
+    const PixelBounds both{std::max(a.x0, b.x0), std::min(a.x1, b.x1), std::max(a.y0, b.y0), std::min(a.y1, b.y1)};
+    if (both.x0 >= both.x1 || both.y0 >= both.y1) throw Error(ExitCode::scene, "the images have no pixel in common");
+
+    Comparison result;
+    Sums whole;
+    double relativeSquares = 0;
+    for (int y0 = both.y0; y0 < both.y1; y0 += blockSize)
+        for (int x0 = both.x0; x0 < both.x1; x0 += blockSize) {
+            Sums block;
+            for (int y = y0; y < std::min(y0 + blockSize, both.y1); ++y)
+                for (int x = x0; x < std::min(x0 + blockSize, both.x1); ++x) {
+                    const glm::vec3 &p = image.color[image.index(x, y)], &q = reference.color[reference.index(x, y)];
+                    if (!isFinite(p) || !isFinite(q)) { ++result.invalid; continue; }
+                    block.add(p, q);
+                    whole.add(p, q);
+                    for (int c = 0; c < 3; ++c) relativeSquares += std::pow(double(p[c]) - q[c], 2) / (double(q[c]) * q[c] + 0.01);
+                }
+            const double count = std::max(block.count, 1.);
+            result.blocks.push_back({x0, y0, block.image / count, block.reference / count, block.standardError()});
+        }
+    const double count = std::max(whole.count, 1.);
+    result.mean = whole.image / count;
+    result.referenceMean = whole.reference / count;
+    result.relativeMse = relativeSquares / (3 * count);
+    return result;
+}
+
+}  // namespace eikonal

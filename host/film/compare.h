@@ -1,0 +1,37 @@
+#pragma once
+// How far an image is from a reference: the numbers of the gallery's table and of the render tests.
+
+#include "film/film_image.h"
+
+#include <glm/glm.hpp>
+
+#include <vector>
+
+namespace eikonal {
+
+/// The mean color of one block of pixels in both images.
+struct BlockDifference {
+    int x = 0, y = 0;                 ///< its upper left pixel
+    glm::dvec3 image{0}, reference{0};
+    glm::dvec3 standardError{0};      ///< of image - reference, estimated from the scatter of the pixels' differences within the block
+
+    /// By how much the worst channel misses: |image - reference| - (relative * reference + sigmas * standardError). <= 0: it agrees.
+    double excess(double relative, double sigmas) const;
+};
+
+struct Comparison {
+    glm::dvec3 mean{0}, referenceMean{0};   ///< of each channel, over the pixels that both have
+    double relativeMse = 0;  ///< mean of (image - reference)^2 / (reference^2 + 0.01), over pixels and channels: Rousselle et al. 2011
+    std::vector<BlockDifference> blocks;    ///< row by row; those at the right and the bottom may be smaller
+    long long invalid = 0;                  ///< pixels that are not finite in the image or in the reference; left out of everything
+
+    /// The largest |mean / referenceMean - 1| of the three channels; a channel that is black in both counts 0, in one only infinity.
+    double worstMean() const;
+    /// The block with the largest excess. There is at least one block.
+    const BlockDifference& worstBlock(double relative, double sigmas) const;
+};
+
+/// Compares the pixels that both images have. Throws Error (ExitCode::scene) if the images differ in size or share no pixel.
+Comparison compare(const FilmImage& image, const FilmImage& reference, int blockSize = 8);
+
+}  // namespace eikonal

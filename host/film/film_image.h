@@ -1,0 +1,56 @@
+#pragma once
+// A rendered image in memory, and what is known about how it was made.
+
+#include "scene/scene.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eikonal {
+
+/// Pixels of linear sRGB light. `bounds` are those of the whole image that are present: all of them, or a crop. Every non-empty vector has
+/// one entry for each pixel in bounds, row by row from the top.
+struct FilmImage {
+    int width = 0, height = 0;     ///< of the whole image
+    PixelBounds bounds;            ///< inside of [0, width) x [0, height), except in files of others
+    std::vector<glm::vec3> color;  ///< radiance as the film saw it
+
+    std::vector<glm::vec3> albedo;     ///< of the first surface
+    std::vector<glm::vec3> normal;     ///< of the first surface, world space, unit length or zero
+    std::vector<float> depth;          ///< distance to the first surface, world units; infinity: none
+    std::vector<float> variance;       ///< of the pixel's mean luminance: its standard error squared
+    std::vector<float> sampleCount;    ///< samples taken in the pixel
+
+    FilmImage() = default;
+    /// A black image, or the part of it within bounds.
+    FilmImage(int width, int height) : FilmImage(width, height, {0, width, 0, height}) {}
+    FilmImage(int width, int height, const PixelBounds& part) : width(width), height(height), bounds(part), color(pixelCount()) {}
+
+    int columns() const { return bounds.x1 - bounds.x0; }
+    int rows() const { return bounds.y1 - bounds.y0; }
+    std::size_t pixelCount() const { return static_cast<std::size_t>(columns()) * static_cast<std::size_t>(rows()); }
+    /// Where pixel (x, y) of the whole image, which must be in bounds, is in the vectors.
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y - bounds.y0) * columns() + static_cast<std::size_t>(x - bounds.x0);
+    }
+};
+
+/// How an image was made. Kept as attributes of the file under the names in brackets (the first two are pbrt-v4's). Unset: left out.
+struct Metadata {
+    std::optional<int> samples;              ///< for each pixel [samplesPerPixel]
+    std::optional<double> renderSeconds;     ///< wall-clock time [renderTimeSeconds]
+    std::optional<int> seed;                 ///< [seed]
+    std::string version;                     ///< the program and its version, "Eikonal 0.1.0" [Software]
+    std::string scene;                       ///< the scene's file [scene]
+    std::string sceneHash;                   ///< [sceneHash]
+    std::string device;                      ///< the OpenCL device [device]
+    std::string commandLine;                 ///< [commandLine]
+    bool operator==(const Metadata&) const = default;
+};
+
+}  // namespace eikonal
