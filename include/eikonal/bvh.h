@@ -6,6 +6,9 @@ CONTRACT_BEGIN
 
 #define BVH_WIDTH 8
 
+/* Nodes on the longest way down, for the world and for each object that is instanced: the builder goes no deeper. */
+#define BVH_MAX_DEPTH 18
+
 /* child[i]: an inner node (its index), or a leaf: kind, count and first packed, see below; NONE: no child (its box is empty).
    The planes lie side by side: bounds[0..5] = x low, x high, y low, y high, z low, z high, eight children each. */
 typedef struct {

@@ -1,0 +1,202 @@
+#include "bvh/build.h"
+
+#include "bvh/split.h"
+#include "bvh/subtree.h"
+#include "error.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+namespace eikonal {
+
+/// Ranges up to this size are one thread's work, and collapse as a whole.
+constexpr uint subtreeSize = 4096;
+/// Elements that one thread looks at in one go.
+constexpr size_t chunkSize = 1 << 16;
+
+// ---- what there is ------------------------------------------------------------------------------------------------------
+
+/// Memory that is not set to zero first: pages are touched by the thread that fills them.
+struct References {
+    std::unique_ptr<Reference[]> memory;
+    size_t count = 0;
+    std::span<Reference> all() { return {memory.get(), count}; }
+};
+
+static References collectReferences(const Sources& sources) {
+    /* Chunks of each source, filled side by side */
+    struct Chunk { uint range; size_t begin, end, target, kept; };
+    std::vector<Chunk> chunks;
+    size_t total = 0;
+    const auto cover = [&](uint range, size_t count) {
+        for (size_t begin = 0; begin < count; begin += chunkSize) {
+            const size_t end = std::min(begin + chunkSize, count);
+            chunks.push_back({range, begin, end, total, 0});
+            total += end - begin;
+        }
+    };
+    const uint ranges = static_cast<uint>(sources.triangles.size());
+    for (uint range = 0; range < ranges; ++range) cover(range, sources.triangles[range].count);
+    cover(ranges, sources.others.size());
+    References references{std::make_unique_for_overwrite<Reference[]>(total)};
+    tbb::parallel_for(size_t{0}, chunks.size(), [&](size_t c) {
+        Chunk& chunk = chunks[c];
+        for (size_t i = chunk.begin; i < chunk.end; ++i)
+            if (const auto r = chunk.range < ranges ? sources.reference(chunk.range, i) : sources.reference(i))
+                references.memory[chunk.target + chunk.kept++] = *r;
+    });
+    /* Close the gaps that dropped ones left */
+    for (const Chunk& chunk : chunks) {
+        if (chunk.target != references.count)
+            std::copy_n(&references.memory[chunk.target], chunk.kept, &references.memory[references.count]);
+        references.count += chunk.kept;
+    }
+    return references;
+}
+
+// ---- the upper part -----------------------------------------------------------------------------------------------------
+
+/// A subtree, or one node above others.
+struct Piece {
+    Subtree part;                                   ///< of the one node: all but its children
+    std::vector<std::pair<Box, Piece>> children;
+    uint firstNode = 0, firstBlock = 0, firstElement = 0;  ///< where part's tables begin in the joined ones
+};
+
+/* The eight or fewer ranges below a node */
+static std::vector<Range> divide(std::span<Reference> references, const Range& range, bool halves) {
+    std::vector<Range> parts{range};
+    const auto splitAt = [&](size_t i) {
+        const auto [left, right] = halves ? splitInHalves(references, parts[i]) : splitByCost(references, parts[i]);
+        parts[i] = left;
+        parts.insert(parts.begin() + static_cast<std::ptrdiff_t>(i) + 1, right);
+    };
+    if (halves) {
+        for (int level = 0; level < 3; ++level)
+            for (size_t i = parts.size(); i-- > 0;)
+                if (parts[i].size() > 1) splitAt(i);
+        return parts;
+    }
+    /* Whatever is hit most often is cut first */
+    while (parts.size() < BVH_WIDTH) {
+        size_t widest = parts.size();
+        for (size_t i = 0; i < parts.size(); ++i)
+            if (!parts[i].fitsLeaf() && (widest == parts.size() || parts[i].box.halfArea() > parts[widest].box.halfArea())) widest = i;
+        if (widest == parts.size()) break;
+        splitAt(widest);
+    }
+    return parts;
+}
+
+static Piece buildPiece(const Sources& sources, std::span<Reference> references, const Range& range, int maxDepth, bool alwaysNode) {
+    Piece piece;
+    if (range.size() <= subtreeSize) {
+        piece.part = buildSubtree(sources, references, range, maxDepth, alwaysNode);
+        return piece;
+    }
+    const std::vector<Range> parts = divide(references, range, maxDepth <= balancedDepth(range.size()) + 1);
+    piece.part.root = 0;
+    piece.part.tables.nodes.push_back(emptyNode());
+    piece.children.resize(parts.size());
+    tbb::parallel_for(size_t{0}, parts.size(), [&](size_t i) {
+        piece.children[i] = {parts[i].box, buildPiece(sources, references, parts[i], maxDepth - 1, false)};
+    });
+    piece.part.cost = range.box.halfArea();
+    for (const auto& [box, child] : piece.children) {
+        piece.part.depth = std::max(piece.part.depth, child.part.depth + 1);
+        piece.part.cost += child.part.cost;
+        piece.part.leaves += child.part.leaves;
+    }
+    return piece;
+}
+
+// ---- joining ------------------------------------------------------------------------------------------------------------
+
+/* The number that a child has once its piece's tables lie behind others */
+static uint moved(uint child, const Piece& piece) {
+    if (child == NONE) return NONE;
+    if (!(child & LEAF_BIT)) return child + piece.firstNode;
+    const auto kind = static_cast<leaf_kind>((child >> LEAF_KIND_SHIFT) & 7u);
+    return child + (kind == leaf_triangles ? piece.firstBlock : kind == leaf_elements ? piece.firstElement : 0);
+}
+
+/* Numbers the pieces depth first, so that what is visited together lies together */
+static void place(Piece& piece, std::vector<Piece*>& order, size_t& nodes, size_t& blocks, size_t& elements) {
+    order.push_back(&piece);
+    piece.firstNode = static_cast<uint>(nodes); piece.firstBlock = static_cast<uint>(blocks); piece.firstElement = static_cast<uint>(elements);
+    nodes += piece.part.tables.nodes.size(); blocks += piece.part.tables.triangleBlocks.size(); elements += piece.part.tables.leafElements.size();
+    for (auto& [box, child] : piece.children) place(child, order, nodes, blocks, elements);
+}
+
+static void checkRoom(size_t count, const char* what) {
+    if (count > LEAF_FIRST_MASK)
+        throw Error(ExitCode::scene, fmt::format("the scene is too large: it needs {} {}, and there can be {}", count, what, LEAF_FIRST_MASK));
+}
+
+/* Appends all pieces to the tables; the root goes to node `root`. */
+static void join(BvhTables& tables, Piece& top, uint root) {
+    std::vector<Piece*> order;
+    const bool append = root == tables.nodes.size();
+    size_t nodes = append ? root : tables.nodes.size() - 1, blocks = tables.triangleBlocks.size(), elements = tables.leafElements.size();
+    place(top, order, nodes, blocks, elements);
+    checkRoom(blocks, "blocks of triangles");
+    checkRoom(elements, "elements that are not triangles");
+    tables.nodes.resize(nodes);
+    tables.triangleBlocks.resize(blocks);
+    tables.leafElements.resize(elements);
+    tbb::parallel_for(size_t{0}, order.size(), [&](size_t i) {
+        Piece& piece = *order[i];
+        BvhTables& from = piece.part.tables;
+        for (size_t n = 0; n < from.nodes.size(); ++n) {
+            bvh_node& node = from.nodes[n];
+            for (uint& child : node.child) child = moved(child, piece);
+            for (size_t lane = 0; lane < piece.children.size(); ++lane) {
+                const auto& [box, child] = piece.children[lane];
+                setChild(node, static_cast<int>(lane), box, moved(child.part.root, child));
+            }
+            tables.nodes[&piece == &top && n == 0 ? root : piece.firstNode + n] = node;
+        }
+        std::copy(from.triangleBlocks.begin(), from.triangleBlocks.end(), tables.triangleBlocks.begin() + piece.firstBlock);
+        std::copy(from.leafElements.begin(), from.leafElements.end(), tables.leafElements.begin() + piece.firstElement);
+        from = {};
+    });
+}
+
+BvhRoot buildBvh(BvhTables& tables, std::span<const TriangleRange> triangles, std::span<const BoxedElement> others, const BvhOptions& options) {
+    const Sources sources{triangles, others};
+    if (sources.size() >= LEAF_BIT) throw Error(ExitCode::scene, fmt::format("the scene is too large: {} elements", sources.size()));
+    for (const BoxedElement& other : others)
+        if (other.kind == leaf_instances) checkRoom(other.reference, "instances");
+    References references = collectReferences(sources);
+
+    BvhRoot result;
+    result.root = options.world ? 0 : static_cast<uint>(tables.nodes.size());
+    result.elements = references.count;
+    result.dropped = sources.size() - references.count;
+    const size_t nodesBefore = tables.nodes.size() - options.world, blocksBefore = tables.triangleBlocks.size();
+    if (references.count == 0) {
+        if (options.world) tables.nodes[0] = emptyNode();
+        else tables.nodes.push_back(emptyNode());
+        result.depth = 1;
+    } else {
+        const Range all = measureRange(references.all(), 0, static_cast<uint>(references.count));
+        Piece top = buildPiece(sources, references.all(), all, BVH_MAX_DEPTH, true);
+        references = {};
+        join(tables, top, result.root);
+        result.low = {all.box.low[0], all.box.low[1], all.box.low[2]};
+        result.high = {all.box.high[0], all.box.high[1], all.box.high[2]};
+        result.depth = top.part.depth;
+        result.leaves = top.part.leaves;
+        result.cost = all.box.halfArea() > 0 ? top.part.cost / all.box.halfArea() : 0;
+    }
+    result.nodes = tables.nodes.size() - nodesBefore;
+    result.blocks = tables.triangleBlocks.size() - blocksBefore;
+    return result;
+}
+
+}  // namespace eikonal

@@ -1,0 +1,102 @@
+#include "bvh/leaf.h"
+
+#include "bvh/padding.h"
+
+#include <cstring>
+
+namespace eikonal {
+
+/// Coordinates beyond this are not worth a box: with them the slab test would overflow.
+constexpr float farthest = 1e17f;
+
+static bool isUsable(float4 point) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(std::fabs(point[axis]) <= farthest)) return false;
+    return true;
+}
+
+static float4 load(const vec3& p) { return float4{p.x, p.y, p.z, 0}; }
+
+static bool equal(const vec3& a, const vec3& b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
+
+size_t Sources::size() const {
+    size_t count = others.size();
+    for (const TriangleRange& range : triangles) count += range.count;
+    return count;
+}
+
+std::optional<Reference> Sources::reference(uint range, size_t i) const {
+    const TriangleRange& from = triangles[range];
+    const uint* corner = from.indices + 3 * i;
+    const vec3 &a = from.positions[corner[0]], &b = from.positions[corner[1]], &c = from.positions[corner[2]];
+    /* With two equal corners all edge functions cancel exactly: no ray ever hits it. Other slivers stay, they may close a gap */
+    if (equal(a, b) || equal(b, c) || equal(c, a)) return std::nullopt;
+    if (!isUsable(load(a)) || !isUsable(load(b)) || !isUsable(load(c))) return std::nullopt;
+    Box box = Box::empty();
+    box.grow(load(a)); box.grow(load(b)); box.grow(load(c));
+    return Reference(box, leaf_triangles, range, static_cast<uint>(i));
+}
+
+std::optional<Reference> Sources::reference(size_t other) const {
+    const BoxedElement& element = others[other];
+    const Box box = {load(element.low), load(element.high)};
+    if (!isUsable(box.low) || !isUsable(box.high)) return std::nullopt;
+    return Reference(box, element.kind, 0, static_cast<uint>(other));
+}
+
+static uint leafReference(leaf_kind kind, size_t count, size_t first) {
+    return LEAF_BIT | static_cast<uint>(kind) << LEAF_KIND_SHIFT | static_cast<uint>(count - 1) << LEAF_COUNT_SHIFT | static_cast<uint>(first);
+}
+
+static triangle_block makeBlock(const Sources& sources, std::span<const Reference> references) {
+    triangle_block block;
+    std::memset(&block, 0, sizeof block);
+    for (uint& element : block.element) element = NONE;
+    for (size_t lane = 0; lane < references.size(); ++lane) {
+        const TriangleRange& from = sources.triangles[references[lane].source()];
+        const uint index = references[lane].index();
+        for (int v = 0; v < 3; ++v) {
+            const vec3& p = from.positions[from.indices[3 * static_cast<size_t>(index) + v]];
+            block.corner[3 * v][lane] = p.x;
+            block.corner[3 * v + 1][lane] = p.y;
+            block.corner[3 * v + 2][lane] = p.z;
+        }
+        block.element[lane] = from.firstElement + index;
+    }
+    return block;
+}
+
+uint appendLeaf(BvhTables& tables, const Sources& sources, std::span<const Reference> references) {
+    const leaf_kind kind = references[0].kind();
+    if (kind == leaf_instances) return leafReference(kind, 1, sources.others[references[0].index()].reference);
+    if (kind == leaf_triangles) {
+        tables.triangleBlocks.push_back(makeBlock(sources, references));
+        return leafReference(kind, 1, tables.triangleBlocks.size() - 1);
+    }
+    const size_t first = tables.leafElements.size();
+    for (const Reference& r : references) tables.leafElements.push_back(sources.others[r.index()].reference);
+    return leafReference(kind, references.size(), first);
+}
+
+void setChild(bvh_node& node, int lane, const Box& box, uint child) {
+    const Box padded = padBox(box);
+    for (int axis = 0; axis < 3; ++axis) {
+        node.bounds[2 * axis][lane] = padded.low[axis];
+        node.bounds[2 * axis + 1][lane] = padded.high[axis];
+    }
+    node.child[lane] = child;
+}
+
+bvh_node emptyNode() {
+    bvh_node node;
+    for (int lane = 0; lane < BVH_WIDTH; ++lane) {
+        for (int axis = 0; axis < 3; ++axis) {
+            node.bounds[2 * axis][lane] = 10 * farthest;
+            node.bounds[2 * axis + 1][lane] = -10 * farthest;
+        }
+        node.child[lane] = NONE;
+    }
+    return node;
+}
+
+}  // namespace eikonal

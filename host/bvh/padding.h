@@ -1,0 +1,43 @@
+#pragma once
+// How much larger a node's boxes are than what they hold, so that no ray that hits something inside misses the box.
+
+#include "bvh/box.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal {
+
+/* Let u = 2^-24, p a plane, v a corner of a triangle, o the ray's origin, and |.| the largest coordinate of a point.
+
+   The slab test (kernels/bvh.clh) computes, to first order in u with every |e| <= u (e4 = 0 if the device fuses),
+       inverse = (1 + e1) / d,   o_inverse = (1 + e2) o inverse,   t = (1 + e3) ((1 + e4) p inverse - o_inverse),
+       so t d = (1 + e1 + e3) (p - o) + e4 p - e2 o:
+   the exact distance to a plane that is displaced by at most u (2 |p - o| + |p| + |o|) <= 3 u (|p| + |o|).
+
+   The triangle test (kernels/shape/triangle.clh) may accept a ray that passes the triangle nearby. With D = |v - o|, a sheared
+   corner  (vx - ox) - shear_x (vz - oz)  is off by at most u D for each of: the two differences, the product, and twice that for
+   the last subtraction, whose result is up to 2 D; the shear itself, rounded twice, is that of a ray 2 u D away; the
+   products of an edge function round like corners that are displaced by u 2 D. All of it: (5 + 2 + 2) u D <= 9 u (|v| + |o|).
+
+   So planes must give way by 12 u (|box| + |o|). The builder moves them by 16 u |box|, the walk by 16 u |o|: the difference
+   pays for the rounding of these movements themselves and for the terms of second order. Both are relative to the largest
+   coordinate, not to each axis' own, because the shear mixes the axes. */
+constexpr float boxPadding = 0x1p-20f;
+
+/// The largest coordinate of a box, as a distance from the origin.
+inline float largestCoordinate(const Box& box) {
+    float largest = 0;
+    for (int axis = 0; axis < 3; ++axis) largest = std::max({largest, std::fabs(box.low[axis]), std::fabs(box.high[axis])});
+    return largest;
+}
+
+/// The box that a node holds for `box`. Padded parents contain padded children.
+inline Box padBox(Box box) {
+    const float pad = boxPadding * largestCoordinate(box);
+    box.low -= pad;
+    box.high += pad;
+    return box;
+}
+
+}  // namespace eikonal
