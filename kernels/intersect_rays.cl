@@ -1,6 +1,7 @@
 /* ray -> flight, slot i to slot i.  Where each ray ends. Tracing: a run of slots for each work-item, dead ones skipped. */
 #include "queue.clh"
 #include "bvh.clh"
+#include "eikonal/stages.h"
 
 FN flight_item intersect_ray(geometry g, texture_tables tables, ray_item r) {
     nearest_hit best;

@@ -26,7 +26,8 @@ FN film_item add_sample(film_item f, path_item p, float max_component_value) {
     f.count += 1;
     f.albedo = add(f.albedo, mul(p.albedo, p.weight));
     f.normal = mul_add(p.normal, p.weight, f.normal);
-    f.distance += p.distance < FAR_AWAY ? p.distance * p.weight : 0.0f;
+    f.distance += p.distance < FAR_AWAY ? p.distance : 0.0f;
+    f.seen += p.distance < FAR_AWAY ? 1.0f : 0.0f;
     return f;
 }
 

@@ -17,6 +17,8 @@ class Bindings {
 public:
     void set(const std::string& name, const Buffer& buffer) { values_[name] = buffer.handle(); }
     void set(const std::string& name, cl_uint number) { values_[name] = number; }
+    /// Everything that `others` has, which replaces what is here under the same name.
+    void add(const Bindings& others) { for (const auto& [name, value] : others.values_) values_[name] = value; }
     using Value = std::variant<cl_mem, cl_uint>;
     const Value* find(const std::string& name) const {
         const auto found = values_.find(name);

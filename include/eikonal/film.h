@@ -15,7 +15,8 @@ CONTRACT_BEGIN
     F(q, uint,     invalid,      ALWAYS)   /* samples that were not finite, counted as black */ \
     F(q, spectrum, albedo,       AOVS)     /* sums of weight * the first surface's */ \
     F(q, vec3,     normal,       AOVS) \
-    F(q, float,    distance,     AOVS)
+    F(q, float,    distance,     AOVS)     /* sum over the samples that saw a surface ... */ \
+    F(q, float,    seen,         AOVS)     /* ... and their number */
 
 CONTRACT_END
 #endif

@@ -47,8 +47,8 @@ typedef struct {
     T(texture_program,     programs) \
     T(texture_instruction, instructions) \
     T(image,               images) \
-    T(uint,                bytes)            /* texels of 8-bit images, four in a word */ \
-    T(float,               floats)           /* texels of floating-point images */ \
+    T(uint,                byte_texels)      /* texels of 8-bit images, four in a word */ \
+    T(float,               float_texels)     /* texels of floating-point images */ \
     T(vec3,                normals) \
     T(vec2,                uvs)
 

@@ -33,5 +33,8 @@ enum hop {
     hop_none                 /* the path ends, or goes where its element says */
 };
 
+/* What a wave counts of itself, for people: real rays only. */
+enum tally { tally_rays, tally_shadow_rays, tallies };
+
 CONTRACT_END
 #endif

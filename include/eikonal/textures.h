@@ -13,7 +13,8 @@ CONTRACT_BEGIN
     T(scale_texture,        TEXTURE_SCALE)        /* 2: a * b */ \
     T(mix_texture,          TEXTURE_MIX)          /* 3: a, b, amount: (1 - amount) a + amount b */ \
     T(checkerboard_texture, TEXTURE_CHECKERBOARD) /* 2: a where the sum of the cell's numbers is even, else b */ \
-    T(sqrt_texture,         TEXTURE_SQRT)         /* 1: its square root: a roughness to a microfacet width */
+    T(sqrt_texture,         TEXTURE_SQRT)         /* 1: its square root: a roughness to a microfacet width */ \
+    T(metal_texture,        TEXTURE_METAL)        /* 1: a metal's reflectance r to its k for eta = 1: 2 sqrt(r / (1 - r)) */
 
 #define TEXTURE_KIND(name, FEATURE) kind_##name,
 enum texture_kind { TEXTURES(TEXTURE_KIND) texture_kinds };
@@ -22,7 +23,7 @@ enum texture_kind { TEXTURES(TEXTURE_KIND) texture_kinds };
 #define TEXTURE_STACK 8
 
 enum texture_mapping { mapping_uv, mapping_spherical, mapping_cylindrical, mapping_planar, mapping_point };
-enum texture_flag { texture_invert = 1, texture_average = 2 /* a float texture: the mean of the channels */ };
+enum texture_flag { texture_invert = 1 };
 
 typedef struct {
     uint kind;           /* enum texture_kind */
@@ -46,7 +47,7 @@ typedef struct {
     uint format;         /* enum image_format */
     uint wrap;           /* enum image_wrap */
     uint filter;         /* enum image_filter */
-    uint first;          /* 8 bit: byte in `bytes`; float: word in `floats` */
+    uint first;          /* 8 bit: byte in `byte_texels`; float: word in `float_texels` */
 } image;
 
 CONTRACT_END

@@ -1,0 +1,63 @@
+#include "device/layout.h"
+
+#include "eikonal/bsdfs.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace eikonal {
+
+/// Adds fields one after the other, those whose feature is absent without words.
+class LayoutBuilder {
+public:
+    explicit LayoutBuilder(std::string name) { layout_.name = std::move(name); }
+    void add(const char* name, const char* type, int words, bool present) {
+        layout_.fields.push_back({name, type, layout_.words, present ? words : 0});
+        if (present) layout_.words += words;
+    }
+    QueueLayout take() { return std::move(layout_); }
+
+private:
+    QueueLayout layout_;
+};
+
+static bool isPresent(const Features& features, const std::string& feature) { return feature == "ALWAYS" || features.has(featureNamed(feature)); }
+
+#define ADD_FIELD(q, type, name, FEATURE) builder.add(#name, #type, WORDS_##type, isPresent(features, #FEATURE));
+#define ADD_QUEUE(q, FIELDS) { LayoutBuilder builder(#q); FIELDS(ADD_FIELD, q) layouts.push_back(builder.take()); }
+
+std::vector<QueueLayout> queueLayouts(const Features& features) {
+    std::vector<QueueLayout> layouts;
+    QUEUES(ADD_QUEUE)
+    return layouts;
+}
+
+QueueLayout filmLayout(const Features& features) {
+    LayoutBuilder builder("film");
+    FILM_FIELDS(ADD_FIELD, film)
+    return builder.take();
+}
+
+int bsdfWords(const Features& features) {
+    std::vector<QueueLayout> layouts;
+#define ADD_BSDF(name, FEATURE, PARAMETERS) if (features.has(Feature::FEATURE)) ADD_QUEUE(name, PARAMETERS)
+    BSDFS(ADD_BSDF)
+#undef ADD_BSDF
+    int most = 0;
+    for (const QueueLayout& l : layouts) most = std::max(most, l.words);
+    return most;
+}
+
+QueueLayout queueLayout(const std::string& name, const Features& features) {
+    for (QueueLayout& l : queueLayouts(features))
+        if (l.name == name) return l;
+    throw std::out_of_range("no queue is called " + name);
+}
+
+const FieldLayout& QueueLayout::field(const std::string& wanted) const {
+    const auto found = std::find_if(fields.begin(), fields.end(), [&](const FieldLayout& f) { return f.name == wanted; });
+    if (found == fields.end()) throw std::out_of_range("queue " + name + " has no field " + wanted);
+    return *found;
+}
+
+}  // namespace eikonal

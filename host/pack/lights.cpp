@@ -1,0 +1,308 @@
+// Lights of every kind, and the light sampler: an alias table by power.
+
+#include "pack/packer.h"
+
+#include "scene/equal_area.h"
+
+#include <cmath>
+
+namespace eikonal {
+
+template <class... F> struct Overloaded : F... { using F::operator()...; };
+
+static double luminanceOf(spectrum s) { return 0.2126 * s.r + 0.7152 * s.g + 0.0722 * s.b; }
+static glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
+
+std::vector<alias_entry> makeAliasTable(const std::vector<double>& weights) {
+    const size_t n = weights.size();
+    double sum = 0;
+    for (double w : weights) sum += w;
+    std::vector<alias_entry> table(n);
+    std::vector<double> scaled(n);
+    std::vector<size_t> small, large;
+    for (size_t i = 0; i < n; ++i) {
+        const double p = sum > 0 ? weights[i] / sum : 1.0 / static_cast<double>(n);
+        table[i].pmf = static_cast<float>(p);
+        scaled[i] = p * static_cast<double>(n);
+        (scaled[i] < 1 ? small : large).push_back(i);
+    }
+    while (!small.empty() && !large.empty()) {
+        const size_t s = small.back(), l = large.back();
+        small.pop_back();
+        table[s].keep = static_cast<float>(scaled[s]);
+        table[s].other = static_cast<uint>(l);
+        scaled[l] -= 1 - scaled[s];
+        if (scaled[l] < 1) { large.pop_back(); small.push_back(l); }
+    }
+    for (const std::vector<size_t>& rest : {small, large})
+        for (size_t i : rest) { table[i].keep = 1; table[i].other = static_cast<uint>(i); }
+    return table;
+}
+
+static light newLight(light_kind kind, spectrum L) {
+    light l{};
+    l.kind = kind;
+    l.L = L;
+    l.pmf = 1;
+    l.extent = 1;
+    return l;
+}
+
+// ---- areas --------------------------------------------------------------------------------------------------------
+
+/// The normal on whose side a flat element emits: its geometric one, on the side of its vertex normals if it has any.
+static glm::dvec3 emittingNormal(const SceneTables& tables, const shape& s, glm::dvec3 n, const uint* corners, int count) {
+    if (s.first_normal == NONE) return s.flags & shape_reversed ? -n : n;
+    glm::dvec3 sum(0);
+    for (int i = 0; i < count; ++i) sum += toGlm(tables.normals[s.first_normal + corners[i]]);
+    return glm::dot(sum, n) < 0 ? -n : n;
+}
+
+static light triangleLight(const SceneTables& tables, const shape& s, size_t element, spectrum L) {
+    const uint* corner = &tables.indices[s.first_index + 3 * element];
+    const vec3* p = &tables.positions[s.first_vertex];
+    const glm::dvec3 a = toGlm(p[corner[0]]), b = toGlm(p[corner[1]]), c = toGlm(p[corner[2]]);
+    const glm::dvec3 across = glm::cross(b - a, c - a);
+    const double area = glm::length(across) / 2;
+    light l = newLight(kind_triangle_light, L);
+    l.p = toVec3(a); l.a = toVec3(b - a); l.b = toVec3(c - a);
+    if (area > 0) {
+        l.n = toVec3(emittingNormal(tables, s, across / (2 * area), corner, 3));
+        l.inverse_area = static_cast<float>(1 / area);
+    } else l.pmf = 0;
+    return l;
+}
+
+static light bilinearLight(const SceneTables& tables, const shape& s, size_t element, spectrum L) {
+    const uint* corner = &tables.indices[s.first_index + 4 * element];
+    const vec3* p = &tables.positions[s.first_vertex];
+    const glm::dvec3 p00 = toGlm(p[corner[0]]), p10 = toGlm(p[corner[1]]), p01 = toGlm(p[corner[2]]), p11 = toGlm(p[corner[3]]);
+    light l = newLight(kind_bilinear_light, L);
+    l.p = toVec3(p00); l.a = toVec3(p10 - p00); l.b = toVec3(p01 - p00); l.c = toVec3(p11 - p10 - p01 + p00);
+    glm::dvec3 n = glm::cross(p10 + p11 - p00 - p01, p01 + p11 - p00 - p10);
+    /* The area by quadrature: what the sampler's probability needs */
+    double area = 0;
+    constexpr int steps = 16;
+    for (int i = 0; i < steps * steps; ++i) {
+        const double u = (i % steps + 0.5) / steps, v = (i / steps + 0.5) / steps;
+        area += glm::length(glm::cross(toGlm(l.a) + v * toGlm(l.c), toGlm(l.b) + u * toGlm(l.c))) / (steps * steps);
+    }
+    if (area > 0) {
+        n = glm::normalize(n);
+        l.n = toVec3(emittingNormal(tables, s, n, corner, 4));
+        l.inverse_area = static_cast<float>(1 / area);
+    } else l.pmf = 0;
+    return l;
+}
+
+/// Whether a map keeps angles: then a sphere stays a sphere. Gives its scale, or 0.
+static double uniformScale(const glm::dmat4& m) {
+    const glm::dmat3 a(m);
+    const double x = glm::length(a[0]), y = glm::length(a[1]), z = glm::length(a[2]);
+    const double skew = std::max({std::abs(glm::dot(a[0], a[1])), std::abs(glm::dot(a[1], a[2])), std::abs(glm::dot(a[0], a[2]))});
+    return std::max({std::abs(x - y), std::abs(y - z), skew / x}) < 1e-4 * x ? x : 0;
+}
+
+static light sphereLight(Packer& packer, const Shape& description, const shape& s, const Sphere& sphere, const glm::dmat4& m, spectrum L) {
+    light l = newLight(kind_sphere_light, L);
+    const double scale = uniformScale(m), radius = sphere.radius * scale;
+    l.p = toVec3(transformPoint(m, glm::dvec3(0)));
+    l.radius = static_cast<float>(radius);
+    l.inverse_area = static_cast<float>(1 / (4 * M_PI * radius * radius));
+    l.n = {s.flags & shape_reversed ? -1.0f : 1.0f, 0, 0};
+    const bool whole = sphere.zMin <= -sphere.radius && sphere.zMax >= sphere.radius && sphere.phiMax >= 360;
+    if (scale == 0 || !whole) {
+        packer.diagnostics.warnOnce("partial sphere light", description.where,
+                                    "a part of a sphere, or a sphere stretched to an ellipsoid, emits light but is not sampled as a light: expect noise");
+        l.pmf = 0;
+        l.inverse_area = 0;
+    }
+    return l;
+}
+
+static light diskLight(const shape& s, const Disk& disk, const glm::dmat4& m, spectrum L) {
+    light l = newLight(kind_disk_light, L);
+    const glm::dvec3 a = transformVector(m, {disk.radius, 0, 0}), b = transformVector(m, {0, disk.radius, 0});
+    l.p = toVec3(transformPoint(m, {0, 0, disk.height}));
+    l.a = toVec3(a); l.b = toVec3(b);
+    const double hole = disk.innerRadius / disk.radius, extent = std::clamp(disk.phiMax, 0.0, 360.0) / 360;
+    l.radius = static_cast<float>(hole);
+    l.extent = static_cast<float>(extent);
+    const double area = glm::length(glm::cross(a, b)) * M_PI * (1 - hole * hole) * extent;
+    l.inverse_area = static_cast<float>(1 / area);
+    l.n = toVec3(transformNormal(m, {0, 0, 1}) * (s.flags & shape_reversed ? -1.0 : 1.0));
+    return l;
+}
+
+/// Emitted power in scene units: what the sampler's probabilities follow.
+static double areaPower(const light& l) { return l.pmf > 0 ? M_PI * luminanceOf(l.L) / l.inverse_area * (l.two_sided ? 2 : 1) : 0; }
+
+void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dmat4& m, size_t elements) {
+    const AreaLight& description = packer.scene.areaLights[static_cast<size_t>(s.areaLight)];
+    std::vector<light>& lights = packer.packed.tables.lights;
+    packed.first_light = static_cast<uint>(lights.size());
+    const spectrum L = toSpectrum(description.L.illuminant() * description.scale);
+    const SceneTables& tables = packer.packed.tables;
+    for (size_t e = 0; e < elements; ++e) {
+        light l = std::visit(Overloaded{
+            [&](const TriangleMesh&) { return triangleLight(tables, packed, e, L); },
+            [&](const BilinearMesh&) { return bilinearLight(tables, packed, e, L); },
+            [&](const Sphere& q) { return sphereLight(packer, s, packed, q, m, L); },
+            [&](const Disk& q) { return diskLight(packed, q, m, L); }}, s.kind);
+        l.two_sided = description.twoSided ? 1 : 0;
+        /* A power in watts is that of the whole shape, through each of its elements alike (pbrt-v4) */
+        if (description.power && l.inverse_area > 0) {
+            const double area = 1 / (l.inverse_area * packer.space.scale * packer.space.scale);
+            l.L = toSpectrum(description.L.illuminant() * description.scale * *description.power / (M_PI * area * (description.twoSided ? 2 : 1)));
+        }
+        lights.push_back(l);
+    }
+    const std::string why = description.where.toString() + ": area light";
+    packer.packed.require(Feature::EMITTERS, why);
+    packer.packed.require(std::visit(Overloaded{
+        [](const TriangleMesh&) { return Feature::LIGHT_TRIANGLE; }, [](const BilinearMesh&) { return Feature::LIGHT_BILINEAR; },
+        [](const Sphere&) { return Feature::LIGHT_SPHERE; }, [](const Disk&) { return Feature::LIGHT_DISK; }}, s.kind), why);
+}
+
+// ---- lights without a shape ---------------------------------------------------------------------------------------
+
+class LightPacker {
+public:
+    explicit LightPacker(Packer& packer) : packer_(packer), tables_(packer.packed.tables) {}
+
+    void pack() {
+        for (const light& l : tables_.lights) powers_.push_back(areaPower(l));
+        for (const Light& description : packer_.scene.lights) std::visit([&](const auto& kind) { add(description, kind); }, description.kind);
+        makeSampler();
+    }
+
+private:
+    /// Intensities fall with the square of the distance, which is in scene units.
+    double intensityScale() const { return packer_.space.scale * packer_.space.scale; }
+    double sceneRadius() const { return packer_.bounds.empty() ? 1 : std::max(packer_.bounds.radius() * packer_.space.scale, 1e-6); }
+
+    void push(const Light& description, light l, double power, Feature feature) {
+        packer_.packed.require(feature, description.where.toString());
+        tables_.lights.push_back(l);
+        powers_.push_back(power);
+    }
+
+    void add(const Light& d, const PointLight& k) {
+        const double watts = d.power ? *d.power / (4 * M_PI) : 1;
+        light l = newLight(kind_point_light, toSpectrum(k.I.illuminant() * (d.scale * watts * intensityScale())));
+        l.p = toVec3(transformPoint(packer_.space.sceneFromWorld() * d.worldFromLight, k.from));
+        push(d, l, 4 * M_PI * luminanceOf(l.L), Feature::LIGHT_POINT);
+    }
+
+    void add(const Light& d, const SpotLight& k) {
+        const double outer = std::cos(glm::radians(k.coneAngle)), inner = std::cos(glm::radians(k.coneAngle - k.coneDeltaAngle));
+        const double solidAngle = 2 * M_PI * ((1 - inner) + (inner - outer) / 2);
+        const double watts = d.power ? *d.power / solidAngle : 1;
+        light l = newLight(kind_spot_light, toSpectrum(k.I.illuminant() * (d.scale * watts * intensityScale())));
+        l.p = toVec3(transformPoint(packer_.space.sceneFromWorld() * d.worldFromLight, k.from));
+        l.n = toVec3(glm::normalize(transformVector(d.worldFromLight, k.to - k.from)));
+        l.cos_inner = static_cast<float>(inner);
+        l.cos_outer = static_cast<float>(outer);
+        packer_.packed.require(Feature::LIGHT_POINT, d.where.toString());
+        push(d, l, solidAngle * luminanceOf(l.L), Feature::LIGHT_SPOT);
+    }
+
+    void add(const Light& d, const DistantLight& k) {
+        light l = newLight(kind_distant_light, toSpectrum(k.L.illuminant() * (d.scale * d.illuminance.value_or(1))));
+        l.n = toVec3(glm::normalize(transformVector(d.worldFromLight, k.from - k.to)));
+        push(d, l, M_PI * sceneRadius() * sceneRadius() * luminanceOf(l.L), Feature::LIGHT_DISTANT);
+    }
+
+    void add(const Light& d, const ConstantInfiniteLight& k) {
+        const double scale = d.scale * (d.illuminance ? *d.illuminance / M_PI : 1);
+        const light l = newLight(kind_constant_environment, toSpectrum(k.L.illuminant() * scale));
+        tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
+        push(d, l, 4 * M_PI * M_PI * sceneRadius() * sceneRadius() * luminanceOf(l.L), Feature::LIGHT_CONSTANT_ENVIRONMENT);
+    }
+
+    void add(const Light& d, const ImageInfiniteLight& k) {
+        const ImageData& image = *packer_.images[static_cast<size_t>(k.image)];
+        if (image.width != image.height)
+            throw SceneError(d.where, "the image of this infinite light is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                                          "; it must be square, in the equal-area mapping. pbrt-v4's `imgtool makeequiarea` converts latitude-longitude images.");
+        light l = newLight(kind_image_environment, {1, 1, 1});
+        l.resolution = static_cast<uint>(image.width);
+        l.first_texel = static_cast<uint>(tables_.environment_texels.size());
+        l.first_alias = static_cast<uint>(tables_.environment_aliases.size());
+        const glm::dmat4 m = d.worldFromLight;
+        l.a = toVec3(glm::normalize(glm::dvec3(m[0]))); l.b = toVec3(glm::normalize(glm::dvec3(m[1]))); l.n = toVec3(glm::normalize(glm::dvec3(m[2])));
+        const double mean = addTexels(image, d);
+        packer_.packed.require(Feature::LIGHT_IMAGE_ENVIRONMENT, d.where.toString());
+        tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
+        push(d, l, 4 * M_PI * M_PI * sceneRadius() * sceneRadius() * mean, Feature::LIGHT_IMAGE_ENVIRONMENT);
+    }
+
+    /// Radiance of each texel, and alias tables over rows and within each row. Returns the mean luminance.
+    double addTexels(const ImageData& image, const Light& d) {
+        const int n = image.width;
+        double scale = d.scale, sum = 0;
+        std::vector<spectrum> texels;
+        for (int y = 0; y < n; ++y)
+            for (int x = 0; x < n; ++x) {
+                const auto channel = [&](int c) { return std::max(image.at(x, y, image.channels == 1 ? 0 : c), 0.0f); };
+                texels.push_back({channel(0), channel(1), channel(2)});
+            }
+        if (d.illuminance) scale *= *d.illuminance / upwardIlluminance(texels, n);
+        std::vector<double> rows;
+        std::vector<alias_entry> columns;
+        for (int y = 0; y < n; ++y) {
+            std::vector<double> row;
+            for (int x = 0; x < n; ++x) {
+                spectrum& t = texels[static_cast<size_t>(y) * n + x];
+                t = {static_cast<float>(t.r * scale), static_cast<float>(t.g * scale), static_cast<float>(t.b * scale)};
+                row.push_back((t.r + t.g + t.b) / 3);
+                sum += luminanceOf(t);
+            }
+            double total = 0;
+            for (double w : row) total += w;
+            rows.push_back(total);
+            const auto aliases = makeAliasTable(row);
+            columns.insert(columns.end(), aliases.begin(), aliases.end());
+        }
+        const auto aliases = makeAliasTable(rows);
+        tables_.environment_aliases.insert(tables_.environment_aliases.end(), aliases.begin(), aliases.end());
+        tables_.environment_aliases.insert(tables_.environment_aliases.end(), columns.begin(), columns.end());
+        tables_.environment_texels.insert(tables_.environment_texels.end(), texels.begin(), texels.end());
+        return sum / (static_cast<double>(n) * n);
+    }
+
+    /// Illuminance of a surface that faces +z, as pbrt-v4 measures an environment.
+    static double upwardIlluminance(const std::vector<spectrum>& texels, int n);
+
+    void makeSampler() {
+        double total = 0;
+        for (double p : powers_) total += p;
+        if (powers_.empty()) return;
+        if (total <= 0) {
+            /* Nothing to sample: only what paths meet by themselves, if anything, emits */
+            for (light& l : tables_.lights) l.pmf = 0;
+            return;
+        }
+        tables_.light_aliases = makeAliasTable(powers_);
+        for (size_t i = 0; i < powers_.size(); ++i) tables_.lights[i].pmf = tables_.light_aliases[i].pmf;
+        packer_.packed.require(Feature::LIGHTS, std::to_string(powers_.size()) + " lights");
+    }
+
+    Packer& packer_;
+    SceneTables& tables_;
+    std::vector<double> powers_;
+};
+
+double LightPacker::upwardIlluminance(const std::vector<spectrum>& texels, int n) {
+    double sum = 0;
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            const double z = directionFromSquare({(x + 0.5) / n, (y + 0.5) / n}).z;
+            if (z > 0) sum += luminanceOf(texels[static_cast<size_t>(y) * n + x]) * z;
+        }
+    return std::max(sum * 4 * M_PI / (static_cast<double>(n) * n), 1e-30);
+}
+
+void packLights(Packer& packer) { LightPacker(packer).pack(); }
+
+}  // namespace eikonal

@@ -1,0 +1,74 @@
+#include "pack/pack.h"
+
+#include "pack/packer.h"
+
+#include <chrono>
+
+namespace eikonal {
+
+/// Whether anything in the scene can be inside a medium: the camera, or a shape that names one.
+static bool mediaAreUsed(const Scene& scene) {
+    if (scene.camera.medium != none) return true;
+    const auto names = [](const Shape& s) { return s.interface && (s.interface->inside != none || s.interface->outside != none); };
+    if (std::any_of(scene.shapes.begin(), scene.shapes.end(), names)) return true;
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [&](const Object& o) { return std::any_of(o.shapes.begin(), o.shapes.end(), names); });
+}
+
+static Box worldBounds(const Scene& scene) {
+    Box box;
+    for (const Shape& s : scene.shapes) box.grow(boundsOf(s, s.worldFromObject));
+    std::vector<Box> objects;
+    for (const Object& o : scene.objects) {
+        Box b;
+        for (const Shape& s : o.shapes) b.grow(boundsOf(s, s.worldFromObject));
+        objects.push_back(b);
+    }
+    for (const Instance& i : scene.instances) {
+        const Box& b = objects[static_cast<size_t>(i.object)];
+        if (b.empty()) continue;
+        for (int c = 0; c < 8; ++c)
+            box.grow(transformPoint(i.worldFromObject, {c & 1 ? b.high.x : b.low.x, c & 2 ? b.high.y : b.low.y, c & 4 ? b.high.z : b.low.z}));
+    }
+    return box;
+}
+
+PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
+    const auto start = std::chrono::steady_clock::now();
+    PackedScene packed;
+    Packer packer{scene, diagnostics, packed, {}, worldBounds(scene)};
+    packer.space = spaceOf(packer.bounds);
+    packer.hasMedia = mediaAreUsed(scene);
+    packer.images = loadImages(scene.images);
+    packed.worldScale = 1 / packer.space.scale;
+
+    packed.tables.frame.emplace_back();
+    packCamera(packer);
+    packMedia(packer);
+    packMaterials(packer);
+    packGeometry(packer);
+    packLights(packer);
+
+    settings& frame = packed.frame();
+    frame.seed = static_cast<uint>(scene.sampler.seed);
+    frame.max_depth = static_cast<uint>(std::max(scene.integrator.maxDepth, 0));
+    frame.light_count = static_cast<uint>(packed.tables.light_aliases.size());
+    frame.world_scale = static_cast<float>(packed.worldScale);
+    frame.max_component_value = static_cast<float>(scene.film.maxComponentValue);
+    packed.environments = static_cast<int>(packed.tables.environments.size());
+    packed.samples = scene.sampler.pixelSamples;
+    if (scene.sampler.kind == SamplerKind::sobol) packed.require(Feature::SOBOL, scene.sampler.where.toString());
+
+    SceneCounts& counts = packed.counts;
+    counts.objects = scene.objects.size();
+    counts.instances = scene.instances.size();
+    counts.lights = packed.tables.lights.size();
+    counts.materials = packed.tables.materials.size();
+    counts.textures = scene.textures.size();
+    counts.images = scene.images.size();
+    counts.media = packed.tables.media.size();
+    counts.loadSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return packed;
+}
+
+}  // namespace eikonal

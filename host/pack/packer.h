@@ -1,0 +1,56 @@
+#pragma once
+// What the parts of packing share. One function for each group of tables, in the order in which they depend on each other.
+
+#include "diagnostics.h"
+#include "pack/space.h"
+#include "pack/tables.h"
+#include "scene/image.h"
+#include "scene/scene.h"
+
+#include <memory>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+namespace eikonal {
+
+struct Packer {
+    const Scene& scene;
+    Diagnostics& diagnostics;
+    PackedScene& packed;
+    SceneSpace space;
+    Box bounds;              ///< of all that is placed in the scene, world space
+    bool hasMedia = false;   ///< whether anything can ever be inside a medium
+
+    std::vector<std::shared_ptr<const ImageData>> images{};   ///< of scene.images
+    std::map<std::pair<int, bool>, uint> packedImages{};      ///< (scene image, as a float texture?) -> `images`
+    std::map<std::pair<int, int>, uint> packedPrograms{};     ///< (texture, TextureUse) -> `programs`
+    std::vector<uint> materialIndices{};                      ///< scene.materials -> `materials`
+    uint defaultMaterial = NONE;
+};
+
+void packCamera(Packer&);
+void packMedia(Packer&);
+void packMaterials(Packer&);
+void packGeometry(Packer&);
+/// Everything but area lights, which geometry brings; then the light sampler.
+void packLights(Packer&);
+
+/// What becomes of a texture's value.
+enum class TextureUse { asItIs, roughness /* its square root */, metal /* a reflectance to an index of refraction */ };
+/// The program of a texture, made when first asked for.
+uint packTexture(Packer&, int texture, TextureUse use = TextureUse::asItIs);
+/// The same of a texture or a plain number.
+uint packInput(Packer&, const Input& input);
+/// An image as textures read it; asFloat: of one channel.
+uint packImage(Packer&, int image, bool asFloat);
+/// The material of a shape.
+uint packedMaterial(Packer&, int material);
+
+/// The lights of a shape that emits, one for each of its elements; sets its first_light. `m` takes its object space to scene space.
+void packAreaLight(Packer&, const Shape&, shape& packed, const glm::dmat4& m, size_t elements);
+
+/// An alias table (Vose 1991) over weights, of which at least one is positive. pmf is filled in.
+std::vector<alias_entry> makeAliasTable(const std::vector<double>& weights);
+
+}  // namespace eikonal

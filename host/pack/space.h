@@ -1,0 +1,48 @@
+#pragma once
+// Scene space: the device computes in single precision, so the scene is moved and scaled, in double precision, until its
+// coordinates are of order one. A power of two as the scale keeps every mantissa: a scene and the same scene 2^k times as
+// large give the same bits.
+
+#include "eikonal/portable.h"
+#include "scene/scene.h"
+
+#include <glm/glm.hpp>
+
+namespace eikonal {
+
+/// p_scene = (p_world - center) * scale.
+struct SceneSpace {
+    glm::dvec3 center{0};
+    double scale = 1;   ///< a power of two
+
+    glm::dmat4 sceneFromWorld() const;
+    glm::dmat4 worldFromScene() const;
+};
+
+/// A box, empty at first.
+struct Box {
+    glm::dvec3 low{1e300}, high{-1e300};
+    void grow(glm::dvec3 p) { low = glm::min(low, p); high = glm::max(high, p); }
+    void grow(const Box& b) { low = glm::min(low, b.low); high = glm::max(high, b.high); }
+    bool empty() const { return low.x > high.x; }
+    glm::dvec3 center() const { return 0.5 * (low + high); }
+    double radius() const { return 0.5 * glm::length(high - low); }
+};
+
+/// The space in which a box has its centre at the origin and a radius in (1/2, 1]; for an empty box, or a point, world space moved.
+SceneSpace spaceOf(const Box& box);
+
+/// Bounds of a shape in the space that `m` takes its object space to.
+Box boundsOf(const Shape& shape, const glm::dmat4& m);
+
+glm::dvec3 transformPoint(const glm::dmat4& m, glm::dvec3 p);
+glm::dvec3 transformVector(const glm::dmat4& m, glm::dvec3 v);
+/// Of unit length; zero stays zero.
+glm::dvec3 transformNormal(const glm::dmat4& m, glm::dvec3 n);
+bool swapsHandedness(const glm::dmat4& m);
+
+affine toAffine(const glm::dmat4& m);
+inline vec3 toVec3(glm::dvec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+inline spectrum toSpectrum(glm::dvec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
+
+}  // namespace eikonal

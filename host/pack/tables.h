@@ -1,0 +1,63 @@
+#pragma once
+// A scene as the device will see it: every table of include/eikonal/scene.h, filled, and what it requires.
+
+#include "eikonal/scene.h"
+#include "feature_set.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace eikonal {
+
+/// One vector for each table, of the table's name.
+struct SceneTables {
+#define TABLE_VECTOR(type, name) std::vector<type> name;
+    SCENE_TABLES(TABLE_VECTOR)
+#undef TABLE_VECTOR
+
+    /// Bytes of all tables.
+    size_t bytes() const {
+        size_t sum = 0;
+#define TABLE_BYTES(type, name) sum += name.size() * sizeof(type);
+        SCENE_TABLES(TABLE_BYTES)
+#undef TABLE_BYTES
+        return sum;
+    }
+};
+
+/// A rectangle of pixels: x0 <= x < x1, y0 <= y < y1, rows counted from the top of the whole image.
+struct PixelRect {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    int width() const { return x1 - x0; }
+    int height() const { return y1 - y0; }
+};
+
+/// What a scene holds, for people.
+struct SceneCounts {
+    size_t triangles = 0, patches = 0, quadrics = 0, objects = 0, instances = 0, lights = 0, materials = 0, textures = 0, images = 0, media = 0;
+    double loadSeconds = 0, buildSeconds = 0;
+    int bvhDepth = 0;
+};
+
+/// A packed scene.
+struct PackedScene {
+    SceneTables tables;
+    Features features;
+    std::map<Feature, std::string> reasons;  ///< the first thing that asked for each feature: "scene.pbrt:12:1: material \"glass\""
+    int environments = 0;                    ///< how many lights surround the scene
+    PixelRect pixels;                        ///< what is to be rendered of width x height (settings)
+    int samples = 16;                        ///< for each pixel
+    double worldScale = 1;                   ///< world units in one unit of scene space
+    SceneCounts counts;
+
+    const settings& frame() const { return tables.frame.front(); }
+    settings& frame() { return tables.frame.front(); }
+    /// Notes that `why` asks for a feature.
+    void require(Feature feature, const std::string& why) {
+        features.require(feature);
+        reasons.emplace(feature, why);
+    }
+};
+
+}  // namespace eikonal

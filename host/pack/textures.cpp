@@ -1,0 +1,167 @@
+// Textures as programs, and the images that they read.
+
+#include "pack/packer.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace eikonal {
+
+template <class... F> struct Overloaded : F... { using F::operator()...; };
+
+static uint packBytes(std::vector<uint>& table, const std::vector<std::uint8_t>& bytes) {
+    const size_t first = table.size() * 4;
+    table.resize(table.size() + (bytes.size() + 3) / 4);
+    if (!bytes.empty()) std::memcpy(reinterpret_cast<std::uint8_t*>(table.data()) + first, bytes.data(), bytes.size());
+    return static_cast<uint>(first);
+}
+
+uint packImage(Packer& packer, int index, bool asFloat) {
+    const auto [found, isNew] = packer.packedImages.try_emplace({index, asFloat}, 0);
+    if (!isNew) return found->second;
+    SceneTables& tables = packer.packed.tables;
+    const ImageFile& file = packer.scene.images[static_cast<size_t>(index)];
+    const ImageData& original = *packer.images[static_cast<size_t>(index)];
+    const ImageData& data = asFloat && original.channels > 1 ? scalarImage(original) : original;
+
+    image im{};
+    im.width = static_cast<uint>(data.width);
+    im.height = static_cast<uint>(data.height);
+    im.channels = static_cast<uint>(data.channels);
+    im.format = data.format == TexelFormat::srgb8 ? format_srgb8 : data.format == TexelFormat::linear8 ? format_linear8 : format_float;
+    im.wrap = file.wrap == WrapMode::repeat ? wrap_repeat : file.wrap == WrapMode::black ? wrap_black : file.wrap == WrapMode::clamp ? wrap_clamp : wrap_octahedral;
+    im.filter = file.filter == FilterMode::nearest ? filter_nearest : filter_bilinear;
+    if (data.format == TexelFormat::float32) {
+        im.first = static_cast<uint>(tables.float_texels.size());
+        tables.float_texels.insert(tables.float_texels.end(), data.floats.begin(), data.floats.end());
+    } else im.first = packBytes(tables.byte_texels, data.bytes);
+    found->second = static_cast<uint>(tables.images.size());
+    tables.images.push_back(im);
+    return found->second;
+}
+
+/// Makes the instructions of one program.
+class ProgramWriter {
+public:
+    ProgramWriter(Packer& packer, bool isFloat) : packer_(packer), isFloat_(isFloat) {}
+
+    void input(const Input& in) {
+        if (in.texture != none) { texture(in.texture); return; }
+        texture_instruction i = instruction(kind_constant_texture, Feature::TEXTURE_CONSTANT, in.where);
+        i.value = isFloat_ || in.value.isConstant() ? spectrum{f(in.value.value()), f(in.value.value()), f(in.value.value())} : toSpectrum(in.value.albedo());
+        push(i);
+    }
+
+    void texture(int index) {
+        const Texture& t = packer_.scene.textures[static_cast<size_t>(index)];
+        const bool outer = isFloat_;
+        isFloat_ = t.isFloat;
+        std::visit(Overloaded{
+            [&](const ConstantTexture& k) { input(k.value); },
+            [&](const ImagemapTexture& k) { imagemap(k, t); },
+            [&](const ScaleTexture& k) { input(k.texture); input(k.scale); pop(instruction(kind_scale_texture, Feature::TEXTURE_SCALE, t.where), 2); },
+            [&](const MixTexture& k) { input(k.a); input(k.b); input(k.amount); pop(instruction(kind_mix_texture, Feature::TEXTURE_MIX, t.where), 3); },
+            [&](const CheckerboardTexture& k) { checkerboard(k, t); }}, t.kind);
+        isFloat_ = outer;
+    }
+
+    void use(TextureUse use) {
+        if (use == TextureUse::roughness) pop(instruction(kind_sqrt_texture, Feature::TEXTURE_SQRT, {}), 1);
+        if (use == TextureUse::metal) pop(instruction(kind_metal_texture, Feature::TEXTURE_METAL, {}), 1);
+    }
+
+    uint finish(const SourceLocation& where) {
+        if (deepest_ > TEXTURE_STACK)
+            throw SceneError(where, "this texture holds " + std::to_string(deepest_) + " values at once; at most " + std::to_string(TEXTURE_STACK) +
+                                        " are possible. Nest mixes in their first input rather than in their last.");
+        SceneTables& tables = packer_.packed.tables;
+        tables.programs.push_back({static_cast<uint>(tables.instructions.size()), static_cast<uint>(code_.size())});
+        tables.instructions.insert(tables.instructions.end(), code_.begin(), code_.end());
+        return static_cast<uint>(tables.programs.size() - 1);
+    }
+
+private:
+    static float f(double x) { return static_cast<float>(x); }
+
+    texture_instruction instruction(texture_kind kind, Feature feature, const SourceLocation& where) {
+        packer_.packed.require(feature, where.toString());
+        texture_instruction i{};
+        i.kind = kind;
+        i.image = NONE;
+        return i;
+    }
+
+    void push(const texture_instruction& i) {
+        code_.push_back(i);
+        deepest_ = std::max(deepest_, ++depth_);
+    }
+    void pop(const texture_instruction& i, int operands) {
+        code_.push_back(i);
+        depth_ -= operands - 1;
+    }
+
+    void map(texture_instruction& i, const Mapping& m) {
+        const glm::dmat4 textureFromScene = glm::inverse(m.worldFromTexture) * packer_.space.worldFromScene();
+        switch (m.kind) {
+            case TextureMapping::uv:
+                i.mapping = mapping_uv;
+                i.texture_from_scene.xx = f(m.uScale); i.texture_from_scene.xw = f(m.uOffset);
+                i.texture_from_scene.yy = f(m.vScale); i.texture_from_scene.yw = f(m.vOffset);
+                return;
+            case TextureMapping::spherical: i.mapping = mapping_spherical; i.texture_from_scene = toAffine(textureFromScene); return;
+            case TextureMapping::cylindrical: i.mapping = mapping_cylindrical; i.texture_from_scene = toAffine(textureFromScene); return;
+            case TextureMapping::planar: {
+                glm::dmat4 plane(1);
+                for (int axis = 0; axis < 3; ++axis) { plane[axis][0] = m.planeU[axis]; plane[axis][1] = m.planeV[axis]; }
+                plane[3][0] = m.uOffset; plane[3][1] = m.vOffset;
+                i.mapping = mapping_planar;
+                i.texture_from_scene = toAffine(plane * textureFromScene);
+                return;
+            }
+        }
+    }
+
+    void imagemap(const ImagemapTexture& k, const Texture& t) {
+        texture_instruction i = instruction(kind_imagemap_texture, Feature::TEXTURE_IMAGEMAP, t.where);
+        i.image = packImage(packer_, k.image, t.isFloat);
+        i.value = {f(k.scale), f(k.scale), f(k.scale)};
+        i.flags = k.invert ? static_cast<uint>(texture_invert) : 0u;
+        map(i, k.mapping);
+        push(i);
+    }
+
+    void checkerboard(const CheckerboardTexture& k, const Texture& t) {
+        input(k.a);
+        input(k.b);
+        texture_instruction i = instruction(kind_checkerboard_texture, Feature::TEXTURE_CHECKERBOARD, t.where);
+        if (k.dimensions == 3) {
+            i.mapping = mapping_point;
+            i.texture_from_scene = toAffine(glm::inverse(k.mapping.worldFromTexture) * packer_.space.worldFromScene());
+        } else map(i, k.mapping);
+        pop(i, 2);
+    }
+
+    Packer& packer_;
+    bool isFloat_;
+    std::vector<texture_instruction> code_;
+    int depth_ = 0, deepest_ = 0;
+};
+
+uint packTexture(Packer& packer, int texture, TextureUse use) {
+    const auto [found, isNew] = packer.packedPrograms.try_emplace({texture, static_cast<int>(use)}, NONE);
+    if (!isNew) return found->second;
+    const Texture& t = packer.scene.textures[static_cast<size_t>(texture)];
+    ProgramWriter writer(packer, t.isFloat);
+    writer.texture(texture);
+    writer.use(use);
+    return found->second = writer.finish(t.where);
+}
+
+uint packInput(Packer& packer, const Input& input) {
+    if (input.texture != none) return packTexture(packer, input.texture);
+    ProgramWriter writer(packer, true);
+    writer.input(input);
+    return writer.finish(input.where);
+}
+
+}  // namespace eikonal

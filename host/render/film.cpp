@@ -1,0 +1,95 @@
+#include "render/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace eikonal {
+
+Film::Film(int width, int height, PixelRect pixels, const Features& features)
+    : width_(width), height_(height), pixels_(pixels), layout_(filmLayout(features)) {
+    const size_t words = plane() * static_cast<size_t>(layout_.words);
+    data_.reset(static_cast<uint*>(std::calloc(words, sizeof(uint))));
+    if (!data_) throw Error(ExitCode::scene, "not enough memory for an image of " + std::to_string(pixels.width()) + " x " + std::to_string(pixels.height()) + " pixels");
+}
+
+/// A tile's part as the rectangle of rows and planes that OpenCL copies.
+struct Region {
+    size_t hostOrigin[3], deviceOrigin[3] = {0, 0, 0}, size[3];
+    size_t hostRow, hostSlice, deviceRow, deviceSlice;
+};
+
+static Region regionOf(const PixelRect& film, const PixelRect& part, int tileWidth, int tileHeight, int words) {
+    constexpr size_t word = sizeof(uint);
+    const auto n = [](int x) { return static_cast<size_t>(x); };
+    return {{n(part.x0 - film.x0) * word, n(part.y0 - film.y0), 0},
+            {0, 0, 0},
+            {n(part.width()) * word, n(part.height()), n(words)},
+            n(film.width()) * word, n(film.width()) * n(film.height()) * word, n(tileWidth) * word, n(tileWidth) * n(tileHeight) * word};
+}
+
+void Film::upload(const Context& context, const Buffer& tile, PixelRect part, int tileWidth, int tileHeight) const {
+    const Region r = regionOf(pixels_, part, tileWidth, tileHeight, layout_.words);
+    check(clEnqueueWriteBufferRect(context.queue(), tile.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice, r.hostRow,
+                                   r.hostSlice, data_.get(), 0, nullptr, nullptr), "copying a tile of the film to the device");
+}
+
+void Film::download(const Context& context, const Buffer& tile, PixelRect part, int tileWidth, int tileHeight) {
+    const Region r = regionOf(pixels_, part, tileWidth, tileHeight, layout_.words);
+    check(clEnqueueReadBufferRect(context.queue(), tile.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice, r.hostRow,
+                                  r.hostSlice, data_.get(), 0, nullptr, nullptr), "copying a tile of the film from the device");
+}
+
+const uint* Film::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
+const float* Film::floats(const char* field) const { return reinterpret_cast<const float*>(numbers(field)); }
+
+FilmImage Film::develop(double worldScale) const {
+    FilmImage image(width_, height_, {pixels_.x0, pixels_.x1, pixels_.y0, pixels_.y1});
+    const size_t n = plane();
+    const float *sum = floats("sum"), *weight = floats("weight"), *square = floats("square");
+    const uint* count = numbers("count");
+    const bool aovs = layout_.field("albedo").words > 0;
+    image.variance.resize(n);
+    image.sampleCount.resize(n);
+    if (aovs) { image.albedo.resize(n); image.normal.resize(n); image.depth.resize(n); }
+    for (size_t i = 0; i < n; ++i) {
+        const float inverse = weight[i] != 0 ? 1 / weight[i] : 0;
+        const glm::vec3 mean = glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * inverse;
+        image.color[i] = mean;
+        image.sampleCount[i] = static_cast<float>(count[i]);
+        /* Variance of the mean, from the sums of the weighted luminance and of its square */
+        const double samples = count[i], y = 0.2126 * sum[i] + 0.7152 * sum[n + i] + 0.0722 * sum[2 * n + i];
+        const double spread = samples > 1 ? std::max(square[i] - y * y / samples, 0.0) / (samples - 1) : 0;
+        image.variance[i] = static_cast<float>(samples > 0 ? spread * samples * inverse * inverse : 0);
+        if (!aovs) continue;
+        const float *albedo = floats("albedo"), *normal = floats("normal"), *distance = floats("distance"), *seen = floats("seen");
+        image.albedo[i] = glm::clamp(glm::vec3(albedo[i], albedo[n + i], albedo[2 * n + i]) * inverse, 0.0f, 1.0f);
+        const glm::vec3 direction(normal[i], normal[n + i], normal[2 * n + i]);
+        const float length = glm::length(direction);
+        image.normal[i] = length > 0 ? direction / length : glm::vec3(0);
+        image.depth[i] = seen[i] > 0 ? static_cast<float>(distance[i] / seen[i] * worldScale) : std::numeric_limits<float>::infinity();
+    }
+    return image;
+}
+
+Film::Invalid Film::invalid() const {
+    Invalid found;
+    const uint* counts = numbers("invalid");
+    for (size_t i = 0; i < plane(); ++i) {
+        if (!counts[i]) continue;
+        if (!found.count) {
+            found.x = pixels_.x0 + static_cast<int>(i % static_cast<size_t>(pixels_.width()));
+            found.y = pixels_.y0 + static_cast<int>(i / static_cast<size_t>(pixels_.width()));
+        }
+        found.count += counts[i];
+    }
+    return found;
+}
+
+Film::Samples Film::samples() const {
+    const auto [low, high] = std::minmax_element(numbers("count"), numbers("count") + plane());
+    return {*low, *high};
+}
+
+}  // namespace eikonal

@@ -1,0 +1,48 @@
+#pragma once
+// The film in host memory: per pixel what include/eikonal/film.h lists. The device sees one tile of it at a time, so an
+// image may be as large as the host's memory.
+
+#include "device/buffer.h"
+#include "device/layout.h"
+#include "film/film_image.h"
+#include "pack/tables.h"
+
+#include <memory>
+
+namespace eikonal {
+
+class Film {
+public:
+    /// Of the pixels in `pixels` of an image of width x height. Memory is only taken where something is written.
+    Film(int width, int height, PixelRect pixels, const Features& features);
+
+    const PixelRect& pixels() const { return pixels_; }
+    int words() const { return layout_.words; }
+
+    /// Enqueues copies of the pixels of `part` to and from a buffer that holds a tile of tileWidth x tileHeight pixels, whose
+    /// upper left corner is that of `part`. Does not wait.
+    void upload(const Context& context, const Buffer& tile, PixelRect part, int tileWidth, int tileHeight) const;
+    void download(const Context& context, const Buffer& tile, PixelRect part, int tileWidth, int tileHeight);
+
+    /// The image so far: sums divided by weights. worldScale turns distances into world units.
+    FilmImage develop(double worldScale) const;
+
+    /// Samples that were not finite, and the first pixel that has one.
+    struct Invalid { size_t count = 0; int x = -1, y = -1; };
+    Invalid invalid() const;
+    /// The fewest and the most samples that any pixel has.
+    struct Samples { unsigned fewest = 0, most = 0; };
+    Samples samples() const;
+
+private:
+    struct Free { void operator()(void* p) const { std::free(p); } };
+    size_t plane() const { return static_cast<size_t>(pixels_.width()) * static_cast<size_t>(pixels_.height()); }
+    const float* floats(const char* field) const;
+    const uint* numbers(const char* field) const;
+    int width_, height_;
+    PixelRect pixels_;
+    QueueLayout layout_;
+    std::unique_ptr<uint[], Free> data_;   ///< word w of pixel i: [w * plane + i]
+};
+
+}  // namespace eikonal

@@ -1,0 +1,28 @@
+#include "render/profile.h"
+
+namespace eikonal {
+
+void Profile::add(const std::string& stage, std::uint64_t slots, cl_event event) {
+    StageProfile& s = stages_[stage];
+    ++s.launches;
+    s.slots += slots;
+    if (event) pending_.push_back({&s, Owned<cl_event, clReleaseEvent>(event)});
+}
+
+void Profile::collect() {
+    for (const Pending& p : pending_) {
+        cl_ulong start = 0, end = 0;
+        check(clGetEventProfilingInfo(p.event, CL_PROFILING_COMMAND_START, sizeof start, &start, nullptr), "reading a profile");
+        check(clGetEventProfilingInfo(p.event, CL_PROFILING_COMMAND_END, sizeof end, &end, nullptr), "reading a profile");
+        p.stage->seconds += static_cast<double>(end - start) * 1e-9;
+    }
+    pending_.clear();
+}
+
+void Profile::reset() {
+    pending_.clear();
+    stages_.clear();
+    rays = shadowRays = paths = 0;
+}
+
+}  // namespace eikonal

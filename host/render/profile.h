@@ -1,0 +1,40 @@
+#pragma once
+// Where the time goes: for each stage, how often it ran, over how many slots, and how long.
+
+#include "device/check.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace eikonal {
+
+/// What one stage did.
+struct StageProfile {
+    std::uint64_t launches = 0;
+    std::uint64_t slots = 0;     ///< over which it ran
+    double seconds = 0;          ///< on the device
+};
+
+/// Collects the events of launches. Without profiling there are none, and only launches and slots are counted.
+class Profile {
+public:
+    /// Takes over `event`, which may be null.
+    void add(const std::string& stage, std::uint64_t slots, cl_event event);
+    /// Reads the clocks of all events so far; the device must be idle.
+    void collect();
+    void reset();
+
+    const std::map<std::string, StageProfile>& stages() const { return stages_; }
+    std::uint64_t rays = 0;      ///< real ones: dead slots do not count
+    std::uint64_t shadowRays = 0;
+    std::uint64_t paths = 0;
+
+private:
+    struct Pending { StageProfile* stage; Owned<cl_event, clReleaseEvent> event; };
+    std::map<std::string, StageProfile> stages_;
+    std::vector<Pending> pending_;
+};
+
+}  // namespace eikonal

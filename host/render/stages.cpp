@@ -1,0 +1,74 @@
+#include "render/stages.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace eikonal {
+
+StageShape StageShape::forDevice(const DeviceInfo& device) {
+    StageShape shape;
+    if (!device.isCpu) {
+        shape.run = 1;
+        shape.wavePaths = 1u << 20;
+    }
+    shape.localSize = static_cast<unsigned>(std::min<size_t>(shape.localSize, device.largestGroup));
+    return shape;
+}
+
+/// Stages that loop over a run of slots; the others are straight-line (DESIGN: two kinds of SIMD).
+static bool isTracingStage(const std::string& name) {
+    static const std::set<std::string> tracing{"intersect_rays", "extinguish_rays", "classify_flights", "route_flights", "test_shadows"};
+    return tracing.count(name) != 0;
+}
+
+struct StageRequest { std::string name, kernel, text; uint hop; };
+
+/// What a scene requires, in the order in which it runs.
+static std::vector<StageRequest> requiredStages(const PackedScene& scene) {
+    std::vector<StageRequest> list;
+    const auto add = [&](const std::string& name, bool required) {
+        if (!required) return;
+        if (name != "shade_hits") { list.push_back({name, name, fmt::format("#include \"{}.cl\"\n", name), hop_none}); return; }
+        const auto shading = [&](const std::string& bsdf, Feature feature, uint hop) {
+            if (scene.features.has(feature))
+                list.push_back({"shade_hits " + bsdf, name, fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"{1}.cl\"\n", bsdf, name), hop});
+        };
+#define SHADE_BSDF(bsdf, FEATURE, PARAMETERS) shading(#bsdf, Feature::FEATURE, hop_##bsdf);
+        BSDFS(SHADE_BSDF)
+#undef SHADE_BSDF
+    };
+    constexpr Feature ALWAYS = Feature::count;
+    const auto required = [&](Feature f) { return f == ALWAYS || scene.features.has(f); };
+    using enum Feature;
+#define ADD_STAGE(name, drains, fills, FEATURE) add(#name, required(FEATURE) && (std::string(#name) != "shade_misses" || scene.environments > 0));
+    STAGES(ADD_STAGE)
+#undef ADD_STAGE
+    return list;
+}
+
+Stages::Stages(const Context& context, Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings) {
+    (void)context;
+    shading_.fill(-1);
+    settings.features = settings.features | scene.features;
+    settings.constants["LOCAL_SIZE"] = static_cast<int>(shape.localSize);
+    settings.constants["RUN"] = static_cast<int>(shape.run);
+    settings.constants["ENVIRONMENTS"] = scene.environments;
+    for (const StageRequest& request : requiredStages(scene)) {
+        Stage stage;
+        stage.name = request.name;
+        stage.kernel = Kernel(compiler.build(request.text, request.kernel, settings));
+        stage.isTracing = isTracingStage(request.kernel);
+        stage.compileSeconds = stage.kernel.program().seconds;
+        if (request.hop < hops) shading_[request.hop] = static_cast<int>(stages_.size());
+        stages_.push_back(std::move(stage));
+    }
+}
+
+const Stage* Stages::find(const std::string& name) const {
+    for (const Stage& s : stages_)
+        if (s.name == name) return &s;
+    return nullptr;
+}
+
+}  // namespace eikonal

@@ -1,0 +1,47 @@
+#pragma once
+// The stages of a scene as kernels: built, compiled to the end, and ready to run.
+
+#include "device/kernel.h"
+#include "eikonal/stages.h"
+#include "pack/tables.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace eikonal {
+
+/// How stages are laid over a device. None of this changes a bit of the image.
+struct StageShape {
+    unsigned localSize = 64;   ///< work-items in a group, a power of two
+    unsigned run = 64;         ///< slots that a work-item of a tracing stage handles
+    unsigned wavePaths = 65472;  ///< paths in flight; on PoCL, launches below 65,535 items share one compiled variant
+    /// What measured best for a kind of device (docs/performance.md).
+    static StageShape forDevice(const DeviceInfo& device);
+};
+
+/// A stage that a scene requires. shade_hits is there once for each BSDF.
+struct Stage {
+    std::string name;        ///< for people and profiles: "shade_hits diffuse"
+    Kernel kernel;
+    bool isTracing = false;  ///< one work-item a run of slots, not one a slot
+    double compileSeconds = 0, firstLaunchSeconds = 0;
+};
+
+class Stages {
+public:
+    Stages(const Context& context, Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings);
+
+    /// The stage called so; null if the scene does not require it.
+    const Stage* find(const std::string& name) const;
+    /// shade_hits for the BSDF of a hop.
+    const Stage* shading(uint hop) const { return shading_[hop] < 0 ? nullptr : &stages_[static_cast<size_t>(shading_[hop])]; }
+    std::vector<Stage>& all() { return stages_; }
+    const std::vector<Stage>& all() const { return stages_; }
+
+private:
+    std::vector<Stage> stages_;
+    std::array<int, hops> shading_;
+};
+
+}  // namespace eikonal

@@ -1,0 +1,141 @@
+#include "render/wave.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace eikonal {
+
+static unsigned roundUp(unsigned n, unsigned multiple) { return (n + multiple - 1) / multiple * multiple; }
+
+/// Room for every path, for the segments of the hit queue to begin at multiples of the local size, and for paths that nobody has.
+static unsigned capacityFor(const StageShape& shape) { return roundUp(shape.wavePaths, shape.localSize) + (hops + 1) * shape.localSize; }
+
+Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile)
+    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), capacity_(capacityFor(shape)) {
+    for (QueueLayout layout : queueLayouts(features)) {
+        if (layout.name == "hit") layout.words += bsdfWords(features);
+        const bool unused = (layout.name == "scatter" && !features.has(Feature::MEDIA)) || (layout.name == "emission" && !features.has(Feature::EMITTERS)) ||
+                            (layout.name == "miss" && !stages.find("shade_misses"));
+        addQueue(layout, unused ? 0 : capacity_, layout.name);
+        if (layout.name != "ray") continue;
+        rays_[0] = &buffers_.back();
+        addQueue(layout, capacity_, "next_ray");
+        rays_[1] = &buffers_.back();
+    }
+    counts_ = Buffer(context, sizeof(Counts), "counts");
+    cursors_ = Buffer(context, sizeof(Counts), "cursors");
+    tally_ = Buffer(context, tallies * sizeof(cl_uint), "tally");
+    bindings_.set("counts", counts_);
+    bindings_.set("cursors", cursors_);
+    bindings_.set("tally", tally_);
+    bindings_.set("capacity", capacity_);
+}
+
+void Wave::addQueue(const QueueLayout& layout, size_t items, const std::string& name) {
+    buffers_.emplace_back(context_, items * static_cast<size_t>(layout.words) * sizeof(cl_uint), "queue " + name);
+    bindings_.set(name, buffers_.back());
+    bytes_ += buffers_.back().size();
+}
+
+void Wave::run(const Stage* stage, unsigned items, const Bindings& extra) {
+    if (!stage) return;
+    /* Scene tables come first, then queues, then what this launch has of its own */
+    Bindings arguments = bindings_;
+    arguments.add(extra);
+    const unsigned workItems = stage->isTracing ? (items + shape_.run - 1) / shape_.run : items;
+    profile_.add(stage->name, items, stage->kernel.launch(context_, scene_, arguments, workItems, shape_.localSize));
+}
+
+static Bindings segment(unsigned first, unsigned count) {
+    Bindings b;
+    b.set("first", first);
+    b.set("count", count);
+    return b;
+}
+
+Wave::Counts Wave::countAndRoute(unsigned rays) {
+    counts_.clear(context_, 0, sizeof(Counts));
+    cursors_.clear(context_, 0, sizeof(Counts));
+    run(stages_.find("classify_flights"), rays, segment(0, rays));
+    Counts counts;
+    cl_event done = nullptr;
+    check(clEnqueueReadBuffer(context_.queue(), counts_.handle(), CL_FALSE, 0, sizeof counts, counts.data(), 0, nullptr, &done), "reading the counts");
+    const Owned<cl_event, clReleaseEvent> owner(done);
+    /* While the counts travel, the device routes */
+    run(stages_.find("route_flights"), rays, segment(0, rays));
+    context_.flush();
+    check(clWaitForEvents(1, &done), "waiting for the counts");
+    return counts;
+}
+
+unsigned Wave::shade(const Counts& counts) {
+    run(counts[hop_miss] ? stages_.find("shade_misses") : nullptr, counts[hop_miss], segment(0, counts[hop_miss]));
+    run(counts[hop_emission] ? stages_.find("shade_emitters") : nullptr, counts[hop_emission], segment(0, counts[hop_emission]));
+    unsigned first = 0;
+    for (uint hop = 0; hop < hop_miss; ++hop) {
+        const Stage* stage = hop == hop_scatter ? stages_.find("shade_scatters") : stages_.shading(hop);
+        if (counts[hop]) run(stage, counts[hop], segment(first, counts[hop]));
+        first += roundUp(counts[hop], shape_.localSize);
+    }
+    return first;
+}
+
+void Wave::trace(const Tile& tile, int endX, int endY) {
+    bindings_.set("tile_x", static_cast<cl_uint>(tile.x));
+    bindings_.set("tile_y", static_cast<cl_uint>(tile.y));
+    bindings_.set("tile_log2_width", static_cast<cl_uint>(tile.log2Width));
+    bindings_.set("tile_log2_height", static_cast<cl_uint>(tile.log2Height));
+    bindings_.set("end_x", static_cast<cl_uint>(endX));
+    bindings_.set("end_y", static_cast<cl_uint>(endY));
+    bindings_.set("first_sample", tile.firstSample);
+    bindings_.set("samples", tile.samples);
+    bindings_.set("tile_pixels", tile.pixels());
+    bindings_.set("ray", *rays_[0]);
+    bindings_.set("next_ray", *rays_[1]);
+    tally_.clear(context_, 0, tallies * sizeof(cl_uint));
+
+    run(stages_.find("generate_rays"), tile.paths(), {});
+    for (unsigned rays = tile.paths(); rays > 0;) {
+        run(stages_.find("intersect_rays"), rays, segment(0, rays));     // ray -> flight
+        run(stages_.find("extinguish_rays"), rays, segment(0, rays));    // flight -> flight, if there are media
+        const Counts counts = countAndRoute(rays);                       // flight -> hit, scatter, miss, emission, next ray
+        rays = shade(counts);                                            // -> path, next ray, shadow
+        run(rays ? stages_.find("test_shadows") : nullptr, rays, segment(0, rays));  // shadow -> path
+        std::swap(rays_[0], rays_[1]);
+        bindings_.set("ray", *rays_[0]);
+        bindings_.set("next_ray", *rays_[1]);
+    }
+    std::array<cl_uint, tallies> tally;
+    tally_.read(context_, tally.data(), sizeof tally);
+    profile_.rays += tally[tally_rays];
+    profile_.shadowRays += tally[tally_shadow_rays];
+}
+
+void Wave::resolve(const Tile& tile, const Buffer& film) {
+    Bindings own;
+    own.set("film", film);
+    run(stages_.find("resolve_film"), tile.pixels(), own);
+}
+
+void Wave::warmUp() {
+    const Buffer film(context_, 1024, "film");
+    Bindings nothing = segment(0, 0);
+    for (const char* name : {"tile_x", "tile_y", "tile_log2_width", "tile_log2_height", "end_x", "end_y", "first_sample", "samples", "tile_pixels"})
+        nothing.set(name, 0u);
+    nothing.set("film", film);
+    nothing.set("ray", *rays_[0]);
+    nothing.set("next_ray", *rays_[1]);
+    counts_.clear(context_, 0, sizeof(Counts));
+    cursors_.clear(context_, 0, sizeof(Counts));
+    for (Stage& stage : stages_.all()) {
+        const auto start = std::chrono::steady_clock::now();
+        run(&stage, 0, nothing);
+        context_.finish();
+        stage.firstLaunchSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    profile_.collect();
+    profile_.reset();
+}
+
+}  // namespace eikonal
