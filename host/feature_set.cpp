@@ -36,6 +36,12 @@ static const std::vector<std::string>& reasons() {
 const std::string& featureName(Feature f) { return names()[static_cast<size_t>(f)]; }
 const std::string& featureReason(Feature f) { return reasons()[static_cast<size_t>(f)]; }
 
+bool isGeneral(Feature f) {
+#define COUNT_GENERAL(NAME, why) +1
+    return static_cast<int>(f) < 0 GENERAL_FEATURES(COUNT_GENERAL);
+#undef COUNT_GENERAL
+}
+
 Feature featureNamed(const std::string& name) {
     return static_cast<Feature>(std::find(names().begin(), names().end(), name) - names().begin());
 }

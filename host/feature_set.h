@@ -37,6 +37,8 @@ private:
 const std::string& featureName(Feature f);
 /// What in a scene asks for it, in words.
 const std::string& featureReason(Feature f);
+/// Whether it is one of GENERAL_FEATURES, not that of a kind of shape, BSDF, light ...
+bool isGeneral(Feature f);
 /// The feature of that name, or Feature::count.
 Feature featureNamed(const std::string& name);
 

@@ -8,7 +8,7 @@ STAGE classify_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS
                        __global uint *counts, __global uint *tally) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
-    material_tables materials = BIND_MATERIALS;
+    material_tables material_set = BIND_MATERIALS;
     uint found[hops];
     uint rays = 0;
     for (int h = 0; h < hops; ++h) found[h] = 0;
@@ -17,7 +17,7 @@ STAGE classify_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS
         flight_item f = load_flight(flight, capacity, i);
         if (f.t < 0.0f) continue;
         ++rays;
-        next_hop next = classify_flight(g, tables, materials, frame, load_ray(ray, capacity, i), f);
+        next_hop next = classify_flight(g, tables, material_set, frame, load_ray(ray, capacity, i), f);
         STORE_FIELD(flight, uint, hop, flight, capacity, i, next.hop);
         STORE_FIELD(flight, uint, material, flight, capacity, i, next.material);
         if (next.hop < hops) ++found[next.hop];

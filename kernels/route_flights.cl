@@ -18,9 +18,9 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
                     __global uint *path) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
-    material_tables materials = BIND_MATERIALS;
-    light_tables lights = BIND_LIGHTS;
-    medium_tables media = BIND_MEDIA;
+    material_tables material_set = BIND_MATERIALS;
+    light_tables light_set = BIND_LIGHTS;
+    medium_tables medium_set = BIND_MEDIA;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
 
     /* Count what this run sends to each queue, and reserve it */
@@ -46,17 +46,17 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
         if (f.hop >= hops && !emits) continue;
         ray_item r = load_ray(ray, capacity, i);
         if (ENVIRONMENTS && f.hop == hop_miss) { store_miss(miss, capacity, at[hop_miss]++, make_miss(r)); continue; }
-        if (HAS_MEDIA && f.hop == hop_scatter) { store_scatter(scatter, capacity, at[hop_scatter]++, make_scatter(media, r, f)); continue; }
+        if (HAS_MEDIA && f.hop == hop_scatter) { store_scatter(scatter, capacity, at[hop_scatter]++, make_scatter(medium_set, r, f)); continue; }
         surface s = flight_surface(g, tables, r, f);
-        if (emits) store_emission(emission, capacity, at[hop_emission]++, make_emission(g, lights, r, f, s));
+        if (emits) store_emission(emission, capacity, at[hop_emission]++, make_emission(g, light_set, r, f, s));
         if (HAS_INTERFACE && f.hop == hop_passage) store_ray(next_ray, capacity, at[hop_passage]++, make_passage(g, r, f, s));
         else if (f.hop < hop_miss) {
             uint slot = at[f.hop]++;
-            material m = materials.materials[f.material];
+            material m = material_set.materials[f.material];
             if (HAS_BUMP && m.displacement != NONE) s = displace_normal(tables, m.displacement, s);
             if (HAS_NORMAL_MAP && m.normal_map != NONE) s = map_normal(tables, m.normal_map, s);
             store_hit(hit, capacity, slot, make_hit(g, r, f, s));
-            bsdf_words parameters = eval_parameters(tables, materials, m, s);
+            bsdf_words parameters = eval_parameters(tables, material_set, m, s);
             for (uint w = 0; w < parameters.count; ++w) hit[(hit_words + w) * (size_t)capacity + slot] = parameters.word[w];
             if (HAS_AOVS && r.depth == 0) store_first_surface(path, capacity, r, f, s);
         }

@@ -12,15 +12,15 @@
 #define BSDF_IS_DELTA JOIN(BSDF, _is_delta)
 
 FN scattering JOIN(shade_, BSDF)(light_tables lights, __global const settings *frame, hit_item h, BSDF_ITEM b, int alive) {
-    frame3 local = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
-    vec3 wo = to_local(local, h.wo);
+    frame3 shading = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
+    vec3 wo = to_local(shading, h.wo);
     scattering out;
 
     /* Light from one light, seen by the BSDF */
     light_sample l = no_light();
     if (!BSDF_IS_DELTA && HAS_LIGHTS) {
         l = sample_light_at(lights, frame, h.seed, h.sample, h.depth, h.p);
-        vec3 wi = to_local(local, l.wi);
+        vec3 wi = to_local(shading, l.wi);
         spectrum f = mul(EVAL_BSDF(b, wo, wi), fabs(wi.z));
         out.shadow = light_from_surface(h, l, f, PDF_BSDF(b, wo, wi), alive);
     } else out.shadow = no_shadow(h.path);
@@ -29,7 +29,7 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, __global const settings *f
     float lobe = sample_1d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_lobe));
     vec2 u = sample_2d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_direction));
     bsdf_sample s = SAMPLE_BSDF(b, wo, lobe, u);
-    out.ray = ray_from_surface(h, from_local(local, s.wi), s, alive);
+    out.ray = ray_from_surface(h, from_local(shading, s.wi), s, alive);
     return out;
 }
 
@@ -37,10 +37,10 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, __global const settings *f
 STAGE shade_hits(LIGHT_ARGUMENTS
                  __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, uint capacity,
                  uint first, uint count) {
-    light_tables lights = BIND_LIGHTS;
+    light_tables light_set = BIND_LIGHTS;
     size_t at = get_global_id(0), i = first + at;
     int alive = at < count;
-    scattering out = JOIN(shade_, BSDF)(lights, frame, load_hit(hit, capacity, i), LOAD_BSDF(hit, capacity, i), alive);
+    scattering out = JOIN(shade_, BSDF)(light_set, frame, load_hit(hit, capacity, i), LOAD_BSDF(hit, capacity, i), alive);
     store_ray(next_ray, capacity, i, out.ray);
     if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
     else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);

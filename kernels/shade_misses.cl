@@ -6,7 +6,7 @@
 FN spectrum shade_miss(light_tables lights, miss_item m) {
     spectrum sum = uniform_spectrum(0.0f);
     for (int e = 0; e < ENVIRONMENTS; ++e) {
-        light l = lights.lights[lights.environments[e]];
+        light l = fetch(lights.lights + lights.environments[e]);
         spectrum Le = uniform_spectrum(0.0f);
         float pdf = 0.0f;
         if (HAS_LIGHT_CONSTANT_ENVIRONMENT) {
@@ -28,10 +28,10 @@ FN spectrum shade_miss(light_tables lights, miss_item m) {
 
 #ifndef AS_LIBRARY
 STAGE shade_misses(LIGHT_ARGUMENTS __global const uint *miss, __global uint *path, uint capacity, uint count) {
-    light_tables lights = BIND_LIGHTS;
+    light_tables light_set = BIND_LIGHTS;
     size_t i = get_global_id(0);
     miss_item m = load_miss(miss, capacity, i);
-    spectrum L = shade_miss(lights, m);
+    spectrum L = shade_miss(light_set, m);
     /* Beyond the last item: a path that nobody has */
     size_t p = i < count ? m.path : capacity - LOCAL_SIZE + get_local_id(0);
     add_radiance(path, capacity, p, L);

@@ -9,7 +9,7 @@
 namespace eikonal {
 
 // Neither changes rounding or order; without both, PoCL does not vectorise over work-items (docs/performance.md).
-constexpr const char* languageOptions = "-cl-std=CL1.2 -cl-kernel-arg-info -cl-finite-math-only -cl-no-signed-zeros -Werror";
+constexpr const char* languageOptions = "-cl-std=CL1.2 -cl-kernel-arg-info -cl-finite-math-only -cl-no-signed-zeros";
 
 static double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -82,7 +82,8 @@ static void dumpProgram(const std::string& folder, const std::string& name, cons
 std::shared_ptr<Program> Compiler::build(const std::string& text, const std::string& kernel, const BuildSettings& settings) {
     const auto start = std::chrono::steady_clock::now();
     const KernelSource source(folders_, text);
-    std::string options = fmt::format("{} -DNO_CONTRACTION={} -DPOISON_ITEMS={} ", languageOptions, settings.contraction ? 0 : 1, settings.poison ? 1 : 0);
+    std::string options = fmt::format("{}{} -DNO_CONTRACTION={} -DPOISON_ITEMS={} ", languageOptions, settings.warningsAreErrors ? " -Werror" : "",
+                                      settings.contraction ? 0 : 1, settings.poison ? 1 : 0);
     options += source.options(settings.features, settings.constants);
     const std::string key = keyOf(source, options, kernel);
     if (!settings.dumpFolder.empty()) dumpProgram(settings.dumpFolder, fmt::format("{}-{:08x}", kernel, static_cast<std::uint32_t>(hashBytes(key))), text, options);

@@ -18,6 +18,7 @@ struct BuildSettings {
     Features features;
     Constants constants;
     bool contraction = true;     ///< a*b+c may become one operation
+    bool warningsAreErrors = false;
     bool poison = false;         ///< new items hold a value that tests recognise
     std::string dumpFolder;      ///< not empty: write each program's text and options there
 };

@@ -76,7 +76,8 @@ std::string KernelSource::options(const Features& features, const Constants& con
     for (size_t i = 0; i < featureCount; ++i) {
         const Feature feature = static_cast<Feature>(i);
         const std::string& name = featureName(feature);
-        if (words_.count("HAS_" + name) || words_.count(name)) options += fmt::format(" -DHAS_{}={}", name, features.has(feature) ? 1 : 0);
+        /* A field of a queue names its feature without HAS_ */
+        if (words_.count("HAS_" + name) || (isGeneral(feature) && words_.count(name))) options += fmt::format(" -DHAS_{}={}", name, features.has(feature) ? 1 : 0);
     }
     for (const auto& [name, value] : constants)
         if (words_.count(name)) options += fmt::format(" -D{}={}", name, value);

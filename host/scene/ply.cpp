@@ -3,13 +3,13 @@
 
 #include "scene/ply.h"
 
+#include "scene/read_bytes.h"
+
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -30,35 +30,6 @@ constexpr std::array<TypeName, 8> typeNames{{{"char", "int8", Type::int8, 1}, {"
 
 struct Property { std::string name; Type type{}; bool isList = false; Type countType{}; };
 struct Element { std::string name; std::size_t count = 0; std::vector<Property> properties; };
-
-/// Stops reading: what is wrong with the file.
-struct Problem { std::string message; };
-
-// ---- bytes ------------------------------------------------------------------------------------------------------------------
-
-/// The file's bytes. zlib passes through what is not compressed.
-std::vector<char> readBytes(const std::string& path) {
-    errno = 0;
-    gzFile file = gzopen(path.c_str(), "rb");
-    if (!file) throw Problem{fmt::format("cannot be opened: {}", std::strerror(errno))};
-    gzbuffer(file, 1 << 20);
-    std::vector<char> bytes;
-    int got = 0;
-    do {
-        const std::size_t size = bytes.size();
-        const std::size_t room = std::clamp<std::size_t>(size, 1 << 20, 1 << 28);
-        bytes.resize(size + room);
-        got = gzread(file, bytes.data() + size, static_cast<unsigned>(room));
-        bytes.resize(size + static_cast<std::size_t>(std::max(got, 0)));
-    } while (got > 0);
-    int error = Z_OK;
-    const std::string zlibReason = gzerror(file, &error);
-    const std::string reason = error == Z_ERRNO ? std::strerror(errno) : zlibReason;
-    gzclose(file);
-    if (error == Z_BUF_ERROR) throw Problem{"is truncated: its compressed data ends too early"};
-    if (error != Z_OK) throw Problem{"cannot be read: " + reason};
-    return bytes;
-}
 
 // ---- header -----------------------------------------------------------------------------------------------------------------
 
@@ -87,20 +58,21 @@ std::vector<std::string_view> words(std::string_view line) {
 const TypeName& parseType(std::string_view word, int line) {
     const auto found = std::ranges::find_if(typeNames, [&](const TypeName& type) { return word == type.name || word == type.sizedName; });
     if (found != typeNames.end()) return *found;
-    throw Problem{fmt::format("has an unknown type \"{}\" in line {}; known: char uchar short ushort int uint float double", word, line)};
+    throw ReadProblem{
+        fmt::format("has an unknown type \"{}\" in line {}; known: char uchar short ushort int uint float double", word, line)};
 }
 
 Header parseHeader(std::string_view text) {
-    if (!text.starts_with("ply\n") && !text.starts_with("ply\r")) throw Problem{"is not a PLY file: it does not begin with \"ply\""};
+    if (!text.starts_with("ply\n") && !text.starts_with("ply\r")) throw ReadProblem{"is not a PLY file: it does not begin with \"ply\""};
     const std::string_view newline = text.starts_with("ply\r\n") ? "\r\n" : text.starts_with("ply\r") ? "\r" : "\n";
     Header header;
     bool hasFormat = false;
     for (int line = 1;; ++line) {
         const std::size_t end = text.find(newline, header.size);
-        if (end == text.npos) throw Problem{"is truncated: there is no \"end_header\""};
+        if (end == text.npos) throw ReadProblem{"is truncated: there is no \"end_header\""};
         const std::vector<std::string_view> word = words(text.substr(header.size, end - header.size));
         header.size = end + newline.size();
-        const auto malformed = [&] { return Problem{fmt::format("has a malformed \"{}\" in line {}", word[0], line)}; };
+        const auto malformed = [&] { return ReadProblem{fmt::format("has a malformed \"{}\" in line {}", word[0], line)}; };
 
         if (word.empty() || word[0] == "ply" || word[0] == "comment" || word[0] == "obj_info") continue;
         if (word[0] == "end_header") break;
@@ -109,7 +81,9 @@ Header parseHeader(std::string_view text) {
             if (word[1] == "ascii") header.format = Format::ascii;
             else if (word[1] == "binary_little_endian") header.format = Format::littleEndian;
             else if (word[1] == "binary_big_endian") header.format = Format::bigEndian;
-            else throw Problem{fmt::format("has the unknown format \"{}\"; known: ascii binary_little_endian binary_big_endian", word[1])};
+            else
+                throw ReadProblem{
+                    fmt::format("has the unknown format \"{}\"; known: ascii binary_little_endian binary_big_endian", word[1])};
             hasFormat = true;
         } else if (word[0] == "element") {
             Element element;
@@ -125,10 +99,10 @@ Header parseHeader(std::string_view text) {
             if (isList) property.countType = parseType(word[2], line).type;
             header.elements.back().properties.push_back(std::move(property));
         } else {
-            throw Problem{fmt::format("has an unknown keyword \"{}\" in line {} of its header", word[0], line)};
+            throw ReadProblem{fmt::format("has an unknown keyword \"{}\" in line {} of its header", word[0], line)};
         }
     }
-    if (!hasFormat) throw Problem{"has no \"format\" line"};
+    if (!hasFormat) throw ReadProblem{"has no \"format\" line"};
     return header;
 }
 
@@ -156,7 +130,7 @@ public:
     /// The length of a list whose entries have this type; refused if the rest of the file cannot hold it.
     std::size_t nextCount(const Property& list) {
         const double count = next(list.countType);
-        if (!(count >= 0) || count != std::floor(count)) throw Problem{fmt::format("has a list \"{}\" of length {}", list.name, count)};
+        if (!(count >= 0) || count != std::floor(count)) throw ReadProblem{fmt::format("has a list \"{}\" of length {}", list.name, count)};
         require(count, size(list.type));
         return static_cast<std::size_t>(count);
     }
@@ -170,7 +144,7 @@ public:
     std::size_t size(Type type) const { return format_ == Format::ascii ? 2 : typeNames[static_cast<std::size_t>(type)].size; }
 
 private:
-    [[noreturn]] static void throwTruncated() { throw Problem{"is truncated: it ends before all of its elements are there"}; }
+    [[noreturn]] static void throwTruncated() { throw ReadProblem{"is truncated: it ends before all of its elements are there"}; }
 
     template <class T> double load() {
         if (static_cast<std::size_t>(end_ - at_) < sizeof(T)) throwTruncated();
@@ -191,7 +165,7 @@ private:
         double value = 0;
         const auto [stop, error] = std::from_chars(*at_ == '+' ? at_ + 1 : at_, end_, value);
         if (error != std::errc{} || (stop != end_ && !isSpace(*stop)))
-            throw Problem{fmt::format("has \"{}\" where a number should be", word())};
+            throw ReadProblem{fmt::format("has \"{}\" where a number should be", word())};
         at_ = stop;
         return value;
     }
@@ -216,7 +190,7 @@ void skipProperty(Values& values, const Property& property) {
 void readVertices(Values& values, const Element& element, Mesh& mesh) {
     const auto scalar = [&](std::string_view name) { return findProperty(element, name, false); };
     const std::array position{scalar("x"), scalar("y"), scalar("z")};
-    if (std::ranges::count(position, notFound)) throw Problem{"has no vertex properties x, y and z"};
+    if (std::ranges::count(position, notFound)) throw ReadProblem{"has no vertex properties x, y and z"};
     const std::array normal{scalar("nx"), scalar("ny"), scalar("nz")};
     const bool hasNormals = std::ranges::count(normal, notFound) == 0;
     std::array uv{notFound, notFound};
@@ -245,7 +219,7 @@ struct Faces { std::vector<std::uint32_t> triangles, quads; std::size_t dropped 
 void readFaces(Values& values, const Element& element, Faces& faces) {
     int list = findProperty(element, "vertex_indices", true);
     if (list == notFound) list = findProperty(element, "vertex_index", true);
-    if (list == notFound) throw Problem{"has no list \"vertex_indices\" in its element \"face\""};
+    if (list == notFound) throw ReadProblem{"has no list \"vertex_indices\" in its element \"face\""};
 
     std::vector<std::uint32_t> corners;
     for (std::size_t i = 0; i < element.count; ++i) {
@@ -256,7 +230,7 @@ void readFaces(Values& values, const Element& element, Faces& faces) {
             for (std::uint32_t& corner : corners) {
                 const double index = values.next(property.type);
                 if (!(index >= 0 && index < 4294967295.) || index != std::floor(index))
-                    throw Problem{fmt::format("has a face {} with the vertex index {}", i, index)};
+                    throw ReadProblem{fmt::format("has a face {} with the vertex index {}", i, index)};
                 corner = static_cast<std::uint32_t>(index);
             }
         }
@@ -270,10 +244,11 @@ void readFaces(Values& values, const Element& element, Faces& faces) {
 void checkIndices(const std::vector<std::uint32_t>& indices, const Mesh& mesh) {
     for (const std::uint32_t index : indices) {
         if (index >= mesh.positions.size())
-            throw Problem{fmt::format("has a face with vertex index {}, but its {} vertices are numbered from 0", index,
+            throw ReadProblem{fmt::format("has a face with vertex index {}, but its {} vertices are numbered from 0", index,
                                       mesh.positions.size())};
         const glm::vec3& p = mesh.positions[index];
-        if (!std::isfinite(p.x + p.y + p.z)) throw Problem{fmt::format("has a face with vertex {}, whose position is not finite", index)};
+        if (!std::isfinite(p.x + p.y + p.z))
+            throw ReadProblem{fmt::format("has a face with vertex {}, whose position is not finite", index)};
     }
 }
 
@@ -281,7 +256,7 @@ PlyMesh parse(std::span<const char> bytes) {
     const Header header = parseHeader({bytes.data(), bytes.size()});
     for (const char* needed : {"vertex", "face"})
         if (std::ranges::none_of(header.elements, [&](const Element& element) { return element.name == needed && element.count > 0; }))
-            throw Problem{fmt::format("has no element \"{}\"; its elements: {}", needed, header.elementNames())};
+            throw ReadProblem{fmt::format("has no element \"{}\"; its elements: {}", needed, header.elementNames())};
 
     Values values(bytes.subspan(header.size), header.format);
     Mesh mesh;
@@ -317,8 +292,8 @@ PlyMesh parse(std::span<const char> bytes) {
 PlyMesh loadPly(const std::string& path, const SourceLocation& where) {
     try {
         return parse(readBytes(path));
-    } catch (const Problem& problem) {
-        throw SceneError(where, fmt::format("PLY file \"{}\" {}", path, problem.message));
+    } catch (const ReadProblem& problem) {
+        throw SceneError(where, fmt::format("PLY file \"{}\" {}", path, problem.what()));
     }
 }
 

@@ -208,7 +208,8 @@ struct FilmDescription {
     std::optional<PixelBounds> pixelBounds;
     std::string filename;                                ///< empty: from the scene's name
     double iso = 100, exposureTime = 1, whiteBalance = 0;
-    std::string sensor = "cie1931";
+    std::string sensor = "cie1931";                      ///< with iso, exposureTime and whiteBalance: spectra/sensor.h
+    ColorSpace colorSpace = ColorSpace::srgb;            ///< of the image
     double maxComponentValue = 0;                        ///< > 0: samples are scaled down to it
     SourceLocation where;
 };

@@ -30,20 +30,27 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
      constant     L
      image        a, b, n (rows of light-from-scene), first_texel, first_alias, resolution, L (scale)
    Areas emit on the side of n, on both with `two_sided`. */
-typedef struct {
-    uint kind;           /* enum light_kind */
-    uint two_sided;      /* 0 or 1 */
-    float pmf;           /* probability with which the light sampler picks this light; 0: only BSDF sampling finds it */
-    float inverse_area;
-    float extent;        /* disk: how much of the circle there is, in (0, 1] */
-    vec3 p, a, b, c, n;
-    float radius;
-    float cos_inner, cos_outer;
-    spectrum L;
-    uint first_texel;    /* in `environment_texels`: resolution^2 of them */
-    uint first_alias;    /* in `environment_aliases`: one entry a row, then the entries of each row */
-    uint resolution;     /* texels on a side of the square */
-} light;
+#define LIGHT_FIELDS(F) \
+    F(uint,     kind)         /* enum light_kind */ \
+    F(uint,     two_sided)    /* 0 or 1 */ \
+    F(float,    pmf)          /* probability with which the light sampler picks this light; 0: only BSDF sampling finds it */ \
+    F(float,    inverse_area) \
+    F(float,    extent)       /* disk: how much of the circle there is, in (0, 1] */ \
+    F(vec3,     p) \
+    F(vec3,     a) \
+    F(vec3,     b) \
+    F(vec3,     c) \
+    F(vec3,     n) \
+    F(float,    radius) \
+    F(float,    cos_inner) \
+    F(float,    cos_outer) \
+    F(spectrum, L) \
+    F(uint,     first_texel)  /* in `environment_texels`: resolution^2 of them */ \
+    F(uint,     first_alias)  /* in `environment_aliases`: one entry a row, then the entries of each row */ \
+    F(uint,     resolution)   /* texels on a side of the square */
+
+#define LIGHT_MEMBER(type, name) type name;
+typedef struct { LIGHT_FIELDS(LIGHT_MEMBER) } light;
 
 /* An entry of an alias table (Vose 1991): keep this one with probability `keep`, else take `other`. */
 typedef struct {

@@ -1,0 +1,51 @@
+#pragma once
+// The geometry of a Wavefront OBJ file, as it stands there.
+
+#include "diagnostics.h"
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eikonal {
+
+/// Indices from 0; none (-1): not given.
+struct ObjCorner { int position = -1, uv = -1, normal = -1; };
+
+struct ObjFace {
+    std::uint32_t firstCorner = 0, cornerCount = 0;  ///< in ObjGeometry::corners
+    std::uint32_t group = 0;                         ///< in ObjGeometry::groups
+    std::uint32_t smoothing = 0;                     ///< smoothing group; 0: flat
+    int line = 0;
+};
+
+/// The faces of one object that have one material. An object is what "o" names, or "g" in a file without any "o".
+struct ObjGroup { std::string object, material; int line = 0; };
+
+/// A name after mtllib.
+struct ObjLibrary { std::string name; SourceLocation where; };
+
+struct ObjGeometry {
+    std::vector<glm::dvec3> positions, normals;
+    std::vector<glm::dvec2> uvs;
+    std::vector<ObjCorner> corners;
+    std::vector<ObjFace> faces;
+    std::vector<ObjGroup> groups;
+    std::vector<ObjLibrary> libraries;
+
+    const ObjCorner* cornersOf(const ObjFace& face) const { return &corners[face.firstCorner]; }
+};
+
+/// Parses v vt vn f o g s usemtl mtllib. Positions are double precision, all indices checked. Lines, points, free-form surfaces and colours
+/// of vertices are reported to the diagnostics as unsupported. Throws SceneError at the line and column of what is wrong.
+ObjGeometry parseObj(std::string_view text, const std::shared_ptr<const std::string>& file, Diagnostics& diagnostics);
+
+/// Gives a normal to the corners without one: in smoothing groups the mean of the faces around the position, weighted by their angles there;
+/// elsewhere the face's, but only in groups where other corners have normals. A group without any normal stays without: its faces are flat.
+void completeNormals(ObjGeometry& geometry);
+
+}  // namespace eikonal

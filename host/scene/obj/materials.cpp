@@ -1,0 +1,337 @@
+#include "scene/obj/materials.h"
+
+#include "scene/image.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace eikonal {
+namespace {
+
+double maximum(const glm::dvec3& c) { return std::max({c.x, c.y, c.z}); }
+double mean(const glm::dvec3& c) { return (c.x + c.y + c.z) / 3; }
+
+/// The width of GGX microfacets whose highlight is as wide as that of a Blinn-Phong exponent: Walter et al. 2007.
+double widthOfExponent(double exponent) { return std::sqrt(2 / (std::max(exponent, 0.) + 2)); }
+
+/// The index of refraction that reflects 8 % times the specular color: the convention of Disney's "specular", which exporters follow.
+double indexOfSpecular(double specular) {
+    const double root = std::sqrt(0.08 * std::clamp(specular, 0., 1.));
+    return (1 + root) / (1 - root);
+}
+
+/// Builds the textures and materials of one MTL material.
+class Builder {
+public:
+    Builder(Scene& scene, const MtlMaterial& mtl, double textureSize, ObjFiles& files, Diagnostics& diagnostics)
+        : scene_(scene), mtl_(mtl), textureSize_(textureSize), files_(files), diagnostics_(diagnostics) {}
+
+    ObjMaterial build() {
+        reportUnknown();
+        ObjMaterial result;
+        const int surface = chooseSurface();
+        addRelief(surface);
+        result.material = surface;
+        result.alpha = opacity();
+        result.areaLight = light();
+        result.usesUvs = usesUvs_;
+        return result;
+    }
+
+private:
+    // ---- inputs -------------------------------------------------------------------------------------------------------------
+
+    Input constant(double value, const std::string& keyword) const { return {Spectrum::constant(value), none, mtl_.whereIs(keyword)}; }
+    Input color(const glm::dvec3& value, const std::string& keyword) const { return {Spectrum::rgb(value), none, mtl_.whereIs(keyword)}; }
+
+    Input addTexture(Texture texture) {
+        texture.where = texture.where.file ? texture.where : mtl_.where;
+        scene_.textures.push_back(std::move(texture));
+        return {Spectrum::constant(0), static_cast<int>(scene_.textures.size()) - 1, scene_.textures.back().where};
+    }
+
+    Input product(const Input& a, const Input& b, bool isFloat) {
+        return addTexture({.name = {}, .isFloat = isFloat, .kind = ScaleTexture{a, b}, .where = a.where});
+    }
+
+    int addImage(ImageFile image) {
+        const auto found = std::ranges::find(scene_.images, image);
+        if (found != scene_.images.end()) return static_cast<int>(found - scene_.images.begin());
+        scene_.images.push_back(std::move(image));
+        return static_cast<int>(scene_.images.size()) - 1;
+    }
+
+    /// The image that a keyword names, if it does and the file exists; what its options ask in vain is reported.
+    std::optional<std::pair<MtlTexture, ImageFile>> image(const std::string& keyword, ColorEncoding encoding) {
+        auto texture = mtl_.texture(keyword);
+        if (!texture) return {};
+        for (const std::string& option : texture->ignored)
+            diagnostics_.unsupported("mtl " + option.substr(0, option.find(' ')), texture->where, fmt::format("the option \"{}\" is not supported", option));
+        const std::string path = files_.require(texture->file, texture->where);
+        if (path.empty()) return {};
+        usesUvs_ = true;
+        ImageFile file{.path = path, .encoding = encoding};
+        file.wrap = texture->clamp ? WrapMode::clamp : WrapMode::repeat;
+        file.where = texture->where;
+        return std::pair{std::move(*texture), std::move(file)};
+    }
+
+    /// The texture of a keyword: base + gain times the image, as -mm says, times factor.
+    std::optional<Input> texture(const std::string& keyword, bool isFloat, double factor = 1) {
+        auto found = image(keyword, isFloat ? ColorEncoding::linear : ColorEncoding::automatic);
+        if (!found) return {};
+        const auto& [options, file] = *found;
+        const Mapping mapping{.uScale = options.scale.x, .vScale = options.scale.y, .uOffset = options.offset.x, .vOffset = options.offset.y};
+        const auto add = [&](double scale) {
+            return addTexture({.name = file.path, .isFloat = isFloat, .kind = ImagemapTexture{addImage(file), mapping, scale}, .where = options.where});
+        };
+        if (options.base == 0) return add(factor * options.gain);
+        // From base at 0 to base + gain at 1.
+        const Input low = constant(factor * options.base, keyword), high = constant(factor * (options.base + options.gain), keyword);
+        return addTexture({.name = file.path, .isFloat = isFloat, .kind = MixTexture{low, high, add(1)}, .where = options.where});
+    }
+
+    // ---- surfaces -----------------------------------------------------------------------------------------------------------
+
+    int add(MaterialKind kind, std::map<std::string, Input> inputs, bool remapRoughness = false) {
+        Material material;
+        material.kind = kind;
+        material.name = mtl_.name;
+        material.inputs = std::move(inputs);
+        material.remapRoughness = remapRoughness;
+        material.where = mtl_.where;
+        scene_.materials.push_back(std::move(material));
+        return static_cast<int>(scene_.materials.size()) - 1;
+    }
+
+    int diffuse(const Input& reflectance) { return add(MaterialKind::diffuse, {{"reflectance", reflectance}}); }
+
+    struct Widths { Input u, v; };
+
+    int conductor(const Input& reflectance, const Widths& widths) {
+        return add(MaterialKind::conductor, {{"reflectance", reflectance}, {"uroughness", widths.u}, {"vroughness", widths.v}});
+    }
+
+    int coated(const Input& reflectance, double eta, const Widths& widths) {
+        return add(MaterialKind::coatedDiffuse,
+                   {{"reflectance", reflectance}, {"uroughness", widths.u}, {"vroughness", widths.v}, {"eta", constant(eta, "ni")},
+                    {"thickness", {Spectrum::constant(0.01)}}, {"g", {Spectrum::constant(0)}}, {"albedo", {Spectrum::constant(0)}},
+                    {"maxdepth", {Spectrum::constant(10)}}, {"nsamples", {Spectrum::constant(1)}}});
+    }
+
+    int mix(int a, int b, const Input& amount) {
+        const int index = add(MaterialKind::mix, {{"amount", amount}});
+        scene_.materials[static_cast<std::size_t>(index)].mixed = {a, b};
+        return index;
+    }
+
+    glm::dvec3 specular() const { return glm::clamp(mtl_.color("ks").value_or(glm::dvec3(0)), 0., 1.); }
+
+    /// Kd, times map_Kd. Without both: black if something else says what the surface is, else grey.
+    Input diffuseColor() {
+        const bool isOtherwise = mtl_.has("ks") || mtl_.has("ke") || mtl_.has("map_ke") || mtl_.has("tf") || mtl_.has("map_ks");
+        const glm::dvec3 kd = glm::clamp(mtl_.color("kd").value_or(glm::dvec3(mtl_.has("map_kd") ? 1 : isOtherwise ? 0 : 0.5)), 0., 1.);
+        const auto map = texture("map_kd", false);
+        if (!map) return color(kd, "kd");
+        if (kd == glm::dvec3(1) || kd == glm::dvec3(0)) return *map;  // black times a map is an exporter's way to say "the map"
+        return product(*map, color(kd, "kd"), false);
+    }
+
+    bool isBlack(const std::string& keyword, const std::string& map) const {
+        return maximum(mtl_.color(keyword).value_or(glm::dvec3(0))) <= 0.05 && !mtl_.has(map);
+    }
+
+    int illumination() const { return static_cast<int>(mtl_.number("illum").value_or(2)); }
+
+    bool isRefractive() const {
+        const int illum = illumination();
+        if (illum == 6 || illum == 7) return true;
+        const bool isSeeThrough = illum == 4 || illum == 9 || dissolve() < 1;
+        return isSeeThrough && mtl_.number("ni").value_or(1) > 1 && isBlack("kd", "map_kd");
+    }
+
+    int chooseSurface() {
+        if (isRefractive()) return refractive();
+        for (const char* keyword : {"pr", "map_pr", "pm", "map_pm", "pc"})
+            if (mtl_.has(keyword)) return physicallyBased();
+        const int illum = illumination();
+        if (illum <= 1 || isBlack("ks", "map_ks")) return diffuse(diffuseColor());
+
+        const bool isMirror = illum == 3 || illum == 5 || illum == 8;
+        const double width = isMirror ? 0 : widthOfExponent(mtl_.number("ns").value_or(10));
+        const Widths widths{constant(width, "ns"), constant(width, "ns")};
+        if (isBlack("kd", "map_kd")) return conductor(specularColor(), widths);
+        if (isMirror) {
+            const double amount = mean(specular()) / (mean(specular()) + mean(mtl_.color("kd").value_or(glm::dvec3(1))));
+            return mix(diffuse(diffuseColor()), conductor(specularColor(), widths), constant(amount, "ks"));
+        }
+        const Input base = diffuseColor();
+        const int plastic = coated(base, indexOfSpecular(mtl_.has("ks") ? mean(specular()) : 0.5), widths);
+        const auto map = texture("map_ks", true);
+        return map ? mix(diffuse(base), plastic, *map) : plastic;
+    }
+
+    Input specularColor() {
+        const auto map = texture("map_ks", false);
+        const glm::dvec3 ks = mtl_.has("ks") ? specular() : glm::dvec3(1);
+        if (!map) return color(ks, "ks");
+        return ks == glm::dvec3(1) || ks == glm::dvec3(0) ? *map : product(*map, color(ks, "ks"), false);
+    }
+
+    int refractive() {
+        const double eta = mtl_.number("ni").value_or(1.5), width = std::pow(mtl_.number("pr").value_or(0), 2);
+        const glm::dvec3 filter = mtl_.color("tf").value_or(glm::dvec3(1));
+        if (maximum(filter) - std::min({filter.x, filter.y, filter.z}) > 0.05)
+            diagnostics_.unsupported("mtl tf", mtl_.whereIs("tf"), "colored transmission (\"Tf\") is not rendered; the glass is clear");
+        return add(MaterialKind::dielectric, {{"eta", constant(eta, "ni")}, {"uroughness", constant(width, "pr")}, {"vroughness", constant(width, "pr")}});
+    }
+
+    /// Pr Pm Pc Pcr aniso: a metal, a coated diffuse surface, or a mix of both.
+    int physicallyBased() {
+        for (const char* keyword : {"ps", "map_ps", "anisor"})
+            if (mtl_.has(keyword) && mtl_.number("ps").value_or(1) != 0)
+                diagnostics_.unsupported(std::string("mtl ") + keyword, mtl_.whereIs(keyword), fmt::format("\"{}\" is not rendered", keyword));
+        const double metallic = std::clamp(mtl_.number("pm").value_or(mtl_.has("map_pm") ? 1 : 0), 0., 1.);
+        const Input base = diffuseColor();
+        const double eta = mtl_.number("ni").value_or(1) > 1 ? *mtl_.number("ni") : 1.5;
+        const auto map = metallic > 0 ? texture("map_pm", true, metallic) : std::nullopt;
+        if (metallic == 0) return coated(base, eta, coatWidths());
+        if (metallic == 1 && !map) return conductor(base, roughness());
+        return mix(coated(base, eta, coatWidths()), conductor(base, roughness()), map ? *map : constant(metallic, "pm"));
+    }
+
+    /// Microfacet widths are the square of the roughness, stretched by aniso: Burley 2012.
+    Widths roughness() {
+        const double pr = std::clamp(mtl_.number("pr").value_or(mtl_.has("map_pr") ? 1 : 0.5), 0., 1.);
+        if (auto map = texture("map_pr", true, pr)) {
+            const Input width = product(*map, *map, true);
+            return {width, width};
+        }
+        const double aspect = std::sqrt(1 - 0.9 * std::clamp(mtl_.number("aniso").value_or(0), 0., 1.));
+        return {constant(pr * pr / aspect, "pr"), constant(pr * pr * aspect, "pr")};
+    }
+
+    /// A clear coat (Pc) is smoother than what it covers: it is what one sees.
+    Widths coatWidths() {
+        if (mtl_.number("pc").value_or(0) <= 0) return roughness();
+        const double width = std::pow(std::clamp(mtl_.number("pcr").value_or(0), 0., 1.), 2);
+        return {constant(width, "pcr"), constant(width, "pcr")};
+    }
+
+    // ---- relief, opacity, light ---------------------------------------------------------------------------------------------
+
+    /// Many exporters write a normal map as map_Bump: colored, and bluish on the whole.
+    static bool isNormalMap(const ImageData& image) {
+        if (image.channels < 3) return false;
+        glm::dvec3 sum(0);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) sum += glm::dvec3(image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2));
+        const glm::dvec3 average = sum / (double(image.width) * image.height);
+        return std::abs(average.x - 0.5) < 0.15 && std::abs(average.y - 0.5) < 0.15 && average.z > 0.7;
+    }
+
+    void addRelief(int material) {
+        if (auto normals = image("norm", ColorEncoding::linear)) setNormalMap(material, normals->second);
+        for (const char* keyword : {"map_bump", "bump", "map_disp", "disp"}) {
+            const auto found = image(keyword, ColorEncoding::linear);
+            if (!found) continue;
+            if (isNormalMap(*loadImage(found->second))) {
+                setNormalMap(material, found->second);
+                return;
+            }
+            if (std::string(keyword).find("disp") != std::string::npos)
+                diagnostics_.unsupported("mtl disp", found->first.where, fmt::format("\"{}\" is rendered as a bump map", keyword));
+            constexpr double heightOfWhite = 0.02;
+            setDisplacement(material, texture(keyword, true, heightOfWhite * textureSize_ * found->first.bumpMultiplier)->texture);
+            return;
+        }
+    }
+
+    /// Relief is on the surface itself: of a mix, on both.
+    template <class Set> void onSurfaces(int material, const Set& set) {
+        Material& target = scene_.materials[static_cast<std::size_t>(material)];
+        set(target);
+        if (target.kind == MaterialKind::mix)
+            for (const int part : target.mixed) onSurfaces(part, set);
+    }
+    void setNormalMap(int material, const ImageFile& file) {
+        const int image = addImage(file);
+        onSurfaces(material, [&](Material& target) { target.normalMap = image; });
+    }
+    void setDisplacement(int material, int texture) {
+        onSurfaces(material, [&](Material& target) { target.displacement = texture; });
+    }
+
+    /// d, or 1 - Tr where there is no d.
+    double dissolve() const {
+        if (const auto d = mtl_.number("d")) return std::clamp(*d, 0., 1.);
+        return 1 - std::clamp(mtl_.number("tr").value_or(0), 0., 1.);
+    }
+
+    Input opacity() {
+        if (isRefractive()) return constant(1, "d");
+        const std::string keyword = mtl_.has("d") ? "d" : "tr";
+        // An exporter's d = 0 beside a map means "the map".
+        const double d = mtl_.has("map_d") && dissolve() == 0 ? 1 : dissolve();
+        const auto map = texture("map_d", true, d);
+        return map ? *map : constant(d, keyword);
+    }
+
+    int light() {
+        glm::dvec3 Le = glm::max(mtl_.color("ke").value_or(glm::dvec3(mtl_.has("map_ke") ? 1 : 0)), 0.);
+        if (const auto map = maximum(Le) > 0 ? image("map_ke", ColorEncoding::automatic) : std::nullopt) {
+            diagnostics_.unsupported("mtl map_ke", map->first.where, "\"map_Ke\" is not rendered as an image; the surface emits its mean color");
+            Le *= meanColor(*loadImage(map->second));
+        }
+        if (maximum(Le) <= 0) return none;
+        AreaLight light;
+        light.L = Spectrum::rgb(Le);
+        light.where = mtl_.whereIs("ke");
+        scene_.areaLights.push_back(std::move(light));
+        return static_cast<int>(scene_.areaLights.size()) - 1;
+    }
+
+    static glm::dvec3 meanColor(const ImageData& image) {
+        glm::dvec3 sum(0);
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x)
+                for (int c = 0; c < 3; ++c) sum[c] += image.at(x, y, image.channels == 1 ? 0 : c);
+        return sum / (double(image.width) * image.height);
+    }
+
+    void reportUnknown() {
+        static const std::set<std::string> known{"ka", "kd", "ks", "ke", "ns", "ni", "tf", "d", "tr", "illum", "sharpness", "map_ka", "map_kd", "map_ks", "map_ke", "map_d",
+                                                 "map_bump", "bump", "norm", "disp", "map_disp", "pr", "pm", "ps", "pc", "pcr", "aniso", "anisor", "map_pr", "map_pm",
+                                                 "map_ps", "map_aat"};
+        for (const auto& [keyword, statement] : mtl_.statements)
+            if (!known.contains(keyword))
+                diagnostics_.unsupported("mtl " + keyword, statement.where, fmt::format("\"{}\" is not supported", keyword));
+    }
+
+    Scene& scene_;
+    const MtlMaterial& mtl_;
+    double textureSize_;
+    ObjFiles& files_;
+    Diagnostics& diagnostics_;
+    bool usesUvs_ = false;
+};
+
+}  // namespace
+
+ObjMaterial addMaterial(Scene& scene, const MtlMaterial& mtl, double textureSize, ObjFiles& files, Diagnostics& diagnostics) {
+    return Builder(scene, mtl, textureSize, files, diagnostics).build();
+}
+
+ObjMaterial addDefaultMaterial(Scene& scene) {
+    Material material;
+    material.kind = MaterialKind::diffuse;
+    material.inputs = {{"reflectance", {Spectrum::constant(0.5)}}};
+    scene.materials.push_back(std::move(material));
+    return {.material = static_cast<int>(scene.materials.size()) - 1};
+}
+
+}  // namespace eikonal

@@ -1,0 +1,163 @@
+#include "scene/pbrt/arguments.h"
+
+#include "scene/pbrt/version3.h"
+
+#include <algorithm>
+#include <cstring>
+#include <ranges>
+#include <stdexcept>
+
+namespace eikonal::pbrt {
+namespace {
+
+std::string parameterNames(const Kind& kind) {
+    std::string names;
+    for (const std::string& name : kind.parameters()) names += (names.empty() ? "" : ", ") + name;
+    return names.empty() ? "it has none" : "it has " + names;
+}
+
+/// Says what is wrong with a parameter that the kind does not read.
+void reject(Reading& reading, const Kind& kind, const Parameter& parameter) {
+    const std::string shown = "\"" + parameter.declaration() + "\"";
+    for (const Rule& rule : kind.rules)
+        if (rule.name == parameter.name || rule.orElse == parameter.name)
+            throw SceneError(parameter.where, shown + " found where " + kind.title() + " has " + acceptedDeclarations(rule, parameter.name));
+    if (const char* successor = successorOf("parameter", parameter.name)) throw Version3Error(parameter.where, shown, successor);
+    const std::string near = nearestWord(parameter.name, kind.parameters());
+    reading.unsupported("parameter " + kind.title() + " " + parameter.name, parameter.where,
+                        shown + " is ignored, since " + kind.title() + " has no such parameter" +
+                            (near.empty() ? "" : "; did you mean \"" + near + "\"?") + " (" + parameterNames(kind) + ")");
+}
+
+}  // namespace
+
+Arguments::Arguments(Reading& reading, const Kind& kind, SourceLocation where, ParameterList own,
+                     std::shared_ptr<const ParameterList> inherited, ColorSpace space)
+    : reading_(&reading), kind_(&kind), where_(std::move(where)), own_(std::move(own)), inherited_(std::move(inherited)), space_(space) {
+    for (const Parameter& parameter : own_) {
+        const bool wanted = std::ranges::any_of(kind.rules, [&](const Rule& rule) {
+            return (rule.name == parameter.name || rule.orElse == parameter.name) && accepts(rule, parameter.type);
+        });
+        if (!wanted) reject(reading, kind, parameter);
+    }
+}
+
+const Rule& Arguments::rule(const std::string& name) const {
+    const Rule* rule = kind_->rule(name);
+    if (!rule) throw std::logic_error(kind_->title() + " has no rule for \"" + name + "\"");
+    return *rule;
+}
+
+const Parameter* Arguments::given(const std::string& name) const {
+    const Rule& r = rule(name);
+    const auto last = [&](const ParameterList& list, const std::string& wanted) -> const Parameter* {
+        for (const Parameter& parameter : list | std::views::reverse)
+            if (parameter.name == wanted && accepts(r, parameter.type)) return &parameter;
+        return nullptr;
+    };
+    for (const std::string& wanted : {r.name, r.orElse}) {
+        if (wanted.empty()) continue;
+        if (const Parameter* found = last(own_, wanted)) return found;
+        if (const Parameter* found = inherited_ ? last(*inherited_, wanted) : nullptr) return found;
+    }
+    return nullptr;
+}
+
+const SourceLocation& Arguments::whereOf(const std::string& name) const {
+    const Parameter* parameter = given(name);
+    return parameter ? parameter->where : where_;
+}
+
+template <class T> const std::vector<T>* Arguments::values(const std::string& name) const {
+    const Parameter* parameter = given(name);
+    return parameter ? &std::get<std::vector<T>>(parameter->values) : nullptr;
+}
+
+template <class T> std::optional<T> Arguments::single(const std::string& name) const {
+    const std::vector<T>* all = values<T>(name);
+    if (!all) return std::nullopt;
+    if (all->size() != 1)
+        throw SceneError(whereOf(name), "\"" + given(name)->declaration() + "\" has " + std::to_string(all->size()) + " values; one is expected");
+    return static_cast<T>(all->front());
+}
+
+template <class V> std::vector<V> Arguments::vectors(const std::string& name) const {
+    const std::vector<float>* all = values<float>(name);
+    if (!all) return {};
+    constexpr size_t components = sizeof(V) / sizeof(float);
+    if (all->size() % components)
+        throw SceneError(whereOf(name), "\"" + given(name)->declaration() + "\" has " + std::to_string(all->size()) +
+                                            " values; a multiple of " + std::to_string(components) + " is expected");
+    std::vector<V> result(all->size() / components);
+    std::memcpy(static_cast<void*>(result.data()), all->data(), all->size() * sizeof(float));
+    return result;
+}
+
+bool Arguments::flag(const std::string& name) const { return single<bool>(name).value_or(rule(name).fallback == "true"); }
+
+double Arguments::number(const std::string& name) const {
+    const std::string& fallback = rule(name).fallback;
+    return number(name, fallback.empty() ? 0 : std::stod(fallback));
+}
+double Arguments::number(const std::string& name, double fallback) const { return single<double>(name).value_or(fallback); }
+
+int Arguments::integer(const std::string& name) const {
+    const std::string& fallback = rule(name).fallback;
+    return single<int>(name).value_or(fallback.empty() ? 0 : std::stoi(fallback));
+}
+
+std::string Arguments::text(const std::string& name) const { return single<std::string>(name).value_or(rule(name).fallback); }
+
+glm::dvec3 Arguments::vector(const std::string& name) const { return vector(name, glm::dvec3(0)); }
+glm::dvec3 Arguments::vector(const std::string& name, glm::dvec3 fallback) const {
+    if (!has(name)) return fallback;
+    const std::vector<glm::vec3> all = vectors3(name);
+    if (all.size() != 1)
+        throw SceneError(whereOf(name), "\"" + given(name)->declaration() + "\" has " + std::to_string(3 * all.size()) + " values; three are expected");
+    return all.front();
+}
+
+std::vector<double> Arguments::numbers(const std::string& name) const {
+    const auto* all = values<double>(name);
+    return all ? *all : std::vector<double>();
+}
+std::vector<int> Arguments::integers(const std::string& name) const {
+    const auto* all = values<int>(name);
+    return all ? *all : std::vector<int>();
+}
+std::vector<std::string> Arguments::texts(const std::string& name) const {
+    const auto* all = values<std::string>(name);
+    return all ? *all : std::vector<std::string>();
+}
+std::vector<glm::vec2> Arguments::vectors2(const std::string& name) const { return vectors<glm::vec2>(name); }
+std::vector<glm::vec3> Arguments::vectors3(const std::string& name) const { return vectors<glm::vec3>(name); }
+
+Spectrum Arguments::spectrum(const std::string& name, const Spectrum& fallback) const {
+    const Rule& r = rule(name);
+    if (const Parameter* parameter = given(name)) {
+        if (parameter->type == ParameterType::number) return Spectrum::constant(*single<double>(name));
+        const Spectrum spectrum = reading_->readSpectrum(*parameter);
+        if (r.wanted == Wanted::colorMap && parameter->type == ParameterType::rgb) {
+            const auto& rgb = std::get<std::vector<double>>(parameter->values);
+            if (std::ranges::any_of(rgb, [](double component) { return component > 1; }))
+                throw SceneError(parameter->where, "\"" + parameter->declaration() + "\" has a component above 1: it would reflect more light than it gets");
+        }
+        return spectrum;
+    }
+    if (r.fallback.empty()) return fallback;
+    if (auto curve = namedSpectrum(r.fallback)) return Spectrum::sampled(curve);
+    return Spectrum::constant(std::stod(r.fallback));
+}
+
+std::optional<std::string> Arguments::file(const std::string& name) const {
+    const std::string path = text(name);
+    return path.empty() ? std::nullopt : reading_->findFile(path, whereOf(name));
+}
+
+std::string typeOf(const ParameterList& parameters, const char* directive, const SourceLocation& where) {
+    for (const Parameter& parameter : parameters | std::views::reverse)
+        if (parameter.name == "type" && parameter.type == ParameterType::text) return std::get<std::vector<std::string>>(parameter.values).front();
+    throw SceneError(where, std::string(directive) + " needs a \"string type\"");
+}
+
+}  // namespace eikonal::pbrt

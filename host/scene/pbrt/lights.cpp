@@ -1,0 +1,117 @@
+#include "scene/pbrt/lights.h"
+
+#include <glm/gtc/constants.hpp>
+
+#include <cmath>
+
+namespace eikonal::pbrt {
+namespace {
+
+enum LightKind { pointKind, spotKind, distantKind, infiniteKind, otherKind };
+
+Spectrum whiteOf(const Arguments& arguments) { return Spectrum::rgb({1, 1, 1}, arguments.space()); }
+
+void readPoint(const Arguments& arguments, Light& light) {
+    light.kind = PointLight{arguments.spectrum("I", whiteOf(arguments)), arguments.vector("from")};
+    if (const double power = arguments.number("power"); power > 0) light.scale *= power / (4 * glm::pi<double>());
+}
+
+void readSpot(const Arguments& arguments, Light& light) {
+    SpotLight spot{arguments.spectrum("I", whiteOf(arguments)), arguments.vector("from"), arguments.vector("to", {0, 0, 1}),
+                   arguments.number("coneangle"), arguments.number("conedeltaangle")};
+    if (const double power = arguments.number("power"); power > 0) {
+        const double end = std::cos(glm::radians(spot.coneAngle)), start = std::cos(glm::radians(spot.coneAngle - spot.coneDeltaAngle));
+        light.scale *= power / (2 * glm::pi<double>() * ((1 - start) + (start - end) / 2));
+    }
+    light.kind = spot;
+}
+
+void readDistant(const Arguments& arguments, Light& light) {
+    light.kind = DistantLight{arguments.spectrum("L", whiteOf(arguments)), arguments.vector("from"), arguments.vector("to", {0, 0, 1})};
+    if (const double illuminance = arguments.number("illuminance"); illuminance > 0) light.scale *= illuminance;
+}
+
+/// False: it has an image that is missing.
+bool readInfinite(Reading& reading, TextureBook& textures, const Arguments& arguments, Light& light) {
+    const double illuminance = arguments.number("illuminance");
+    if (arguments.has("portal"))
+        reading.unsupported("portal", arguments.whereOf("portal"), "portals are not rendered yet; the light shines from everywhere");
+    if (arguments.has("filename")) {
+        if (arguments.has("L")) throw SceneError(arguments.whereOf("L"), "light \"infinite\" has either \"L\" or \"filename\", not both");
+        const std::optional<std::string> path = arguments.file("filename");
+        if (!path) return false;
+        ImageFile file{*path};
+        file.wrap = WrapMode::octahedral;
+        file.where = arguments.whereOf("filename");
+        light.kind = ImageInfiniteLight{textures.image(file)};
+        if (illuminance > 0) light.illuminance = illuminance;
+    } else {
+        light.kind = ConstantInfiniteLight{arguments.spectrum("L", whiteOf(arguments))};
+        if (illuminance > 0) light.scale *= illuminance / glm::pi<double>();
+    }
+    return true;
+}
+
+}  // namespace
+
+const KindTable& lightKinds() {
+    static const KindTable table("light", "float scale = 1", {
+        {"point", pointKind, "spectrum I; float power = -1; point3 from"},
+        {"spot", spotKind, "spectrum I; float power = -1; point3 from; point3 to; float coneangle = 30; float conedeltaangle = 5"},
+        {"distant", distantKind, "spectrum L; float illuminance = -1; point3 from; point3 to"},
+        {"infinite", infiniteKind, "spectrum L; file filename; float illuminance = -1; point3s portal"},
+        {"goniometric", otherKind, "spectrum I; file filename; float power = -1", "it is left out"},
+        {"projection", otherKind, "file filename; float power = -1; float fov = 90", "it is left out"},
+    });
+    return table;
+}
+
+const KindTable& areaLightKinds() {
+    static const KindTable table("area light", "", {
+        {"diffuse", 0, "spectrum L; float scale = 1; float power = -1; bool twosided = false; file filename"},
+    });
+    return table;
+}
+
+void addLight(Reading& reading, TextureBook& textures, const std::string& kindName, const GraphicsState& state, ParameterList parameters,
+              const SourceLocation& where) {
+    const Kind& kind = lightKinds().find(kindName, where);
+    const Arguments arguments(reading, kind, where, std::move(parameters), state.attributesOf(Target::light), state.space);
+    if (kind.standIn) {
+        reading.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
+        return;
+    }
+    if (state.transform[0] != state.transform[1])
+        reading.unsupported("moving light", where, "a light that moves is not rendered yet; it stays where it is when the shutter opens");
+    Light light;
+    light.where = where;
+    light.scale = arguments.number("scale");
+    light.worldFromLight = state.transform[0];
+    switch (kind.value) {
+        case pointKind: readPoint(arguments, light); break;
+        case spotKind: readSpot(arguments, light); break;
+        case distantKind: readDistant(arguments, light); break;
+        default:
+            if (!readInfinite(reading, textures, arguments, light)) return;
+    }
+    reading.scene.lights.push_back(std::move(light));
+}
+
+int addAreaLight(Reading& reading, const std::string& kindName, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
+    const Kind& kind = areaLightKinds().find(kindName, where);
+    const Arguments arguments(reading, kind, where, std::move(parameters), state.attributesOf(Target::light), state.space);
+    if (arguments.has("filename") && arguments.has("L"))
+        throw SceneError(arguments.whereOf("L"), "area light \"diffuse\" has either \"L\" or \"filename\", not both");
+    if (arguments.has("filename") && arguments.file("filename"))
+        reading.unsupported("area light image", arguments.whereOf("filename"), "an area light with an image is not rendered yet; it emits white evenly");
+    AreaLight light;
+    light.where = where;
+    light.L = arguments.spectrum("L", whiteOf(arguments));
+    light.scale = arguments.number("scale");
+    light.twoSided = arguments.flag("twosided");
+    if (const double power = arguments.number("power"); power > 0) light.power = power;
+    reading.scene.areaLights.push_back(std::move(light));
+    return static_cast<int>(reading.scene.areaLights.size()) - 1;
+}
+
+}  // namespace eikonal::pbrt

@@ -1,0 +1,18 @@
+#pragma once
+// Measured scattering of everyday substances.
+
+#include <glm/glm.hpp>
+
+#include <string>
+#include <vector>
+
+namespace eikonal::pbrt {
+
+/// Coefficients per mm, in linear sRGB.
+struct MediumPreset { const char* name; glm::dvec3 reducedSigmaS, sigmaA; };
+
+/// The substance of that name; null if there is none.
+const MediumPreset* mediumPreset(const std::string& name);
+std::vector<std::string> mediumPresetNames();
+
+}  // namespace eikonal::pbrt

@@ -1,0 +1,105 @@
+#include "scene/pbrt/parser.h"
+
+#include "scene/pbrt/directives.h"
+#include "scene/pbrt/source.h"
+
+namespace eikonal::pbrt {
+
+/// The next token, that of an included file where there is an Include.
+Token Parser::next() {
+    last_ = tokens_.next();
+    while (last_.kind == Token::Kind::word && last_.text == "Include") {
+        include(tokens_.locate(last_));
+        last_ = tokens_.next();
+    }
+    return last_;
+}
+
+SourceLocation Parser::read(const std::string& name, std::string text) {
+    tokens_.push(name, std::move(text));
+    while (true) {
+        tokens_.forget();
+        const Token token = next();
+        const SourceLocation where = tokens_.locate(token);
+        if (token.kind == Token::Kind::end) return where;
+        const Directive& directive = findDirective(token, where);
+        if (directive.place == Place::options && builder_.inWorld)
+            throw SceneError(where, std::string(directive.name) + " is only allowed before WorldBegin");
+        if (directive.place == Place::world && !builder_.inWorld)
+            throw SceneError(where, std::string(directive.name) + " is only allowed after WorldBegin");
+        directive.run(*this, builder_, where);
+    }
+}
+
+double Parser::number() { return tokens_.toNumber<double>(next(), "a number"); }
+
+Transform Parser::matrix() {
+    const auto expect = [&](Token::Kind kind, const char* what) {
+        const Token token = next();
+        if (token.kind != kind) throw SceneError(tokens_.locate(token), "\"" + std::string(token.text) + "\" found where \"" + what + "\" is expected");
+    };
+    expect(Token::Kind::open, "[");
+    Transform matrix;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) matrix[column][row] = number();
+    expect(Token::Kind::close, "]");
+    return matrix;
+}
+
+std::string Parser::word() {
+    const Token token = next();
+    if (token.kind != Token::Kind::word && token.kind != Token::Kind::quoted)
+        throw SceneError(tokens_.locate(token), "a word is expected here");
+    return std::string(token.text);
+}
+
+std::string Parser::quoted(const char* what) {
+    const Token token = next();
+    if (token.kind != Token::Kind::quoted)
+        throw SceneError(tokens_.locate(token), (token.kind == Token::Kind::end ? "the file ends" : "\"" + std::string(token.text) + "\" found") +
+                                                    " where " + what + " in quotes is expected");
+    return std::string(token.text);
+}
+
+std::string Parser::quotedOr(const std::string& otherwise) {
+    const Token token = next();
+    if (token.kind == Token::Kind::quoted) return std::string(token.text);
+    tokens_.putBack(token);
+    return otherwise;
+}
+
+ParameterList Parser::parameters() {
+    ParameterList list;
+    while (true) {
+        const Token token = next();
+        if (token.kind != Token::Kind::quoted) {
+            tokens_.putBack(token);
+            return list;
+        }
+        list.push_back(readParameter(tokens_, token));
+        list.back().space = builder_.state.space;
+    }
+}
+
+/// The name and text of the file that comes next in quotes; nothing, noted, if it is missing.
+std::optional<std::pair<std::string, std::string>> Parser::openNamedFile(const SourceLocation& where, const char* directive) {
+    const Token token = tokens_.next();
+    const SourceLocation place = tokens_.locate(token);
+    if (token.kind != Token::Kind::quoted) throw SceneError(place, std::string(directive) + " needs the name of a file in quotes");
+    const std::optional<std::string> path = builder_.reading.findFile(std::string(token.text), place);
+    if (!path) return std::nullopt;
+    if (tokens_.isOpen(*path)) throw SceneError(where, "\"" + *path + "\" includes itself");
+    return std::pair(*path, readTextFile(*path));
+}
+
+void Parser::include(const SourceLocation& where) {
+    if (auto file = openNamedFile(where, "Include")) tokens_.push(file->first, std::move(file->second));
+}
+
+void Parser::import(const SourceLocation& where) {
+    auto file = openNamedFile(where, "Import");
+    if (!file) return;
+    builder_.importing([&] { Parser(builder_).read(file->first, std::move(file->second)); });
+}
+
+}  // namespace eikonal::pbrt

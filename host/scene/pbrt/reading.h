@@ -1,0 +1,38 @@
+#pragma once
+// What the parts of the reader share while a scene is read.
+
+#include "diagnostics.h"
+#include "scene/pbrt/parameters.h"
+#include "scene/pbrt/problems.h"
+#include "scene/scene.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace eikonal::pbrt {
+
+struct Reading {
+    Reading(Diagnostics& diagnosticsToUse, std::string sceneFolder) : diagnostics(diagnosticsToUse), folder(std::move(sceneFolder)) {}
+
+    Diagnostics& diagnostics;
+    std::string folder;      ///< of the scene's own file: where relative names start
+    Problems problems;
+    Scene scene;
+
+    /// The path of a file that the scene names: as it is, or from the scene's folder, from the folder of the file that names it,
+    /// or from the current one. If there is none the problem is noted, and nothing returned.
+    std::optional<std::string> findFile(const std::string& name, const SourceLocation& where);
+
+    /// Something that is understood but not rendered; under --strict a problem.
+    void unsupported(const std::string& kind, const SourceLocation& where, const std::string& message);
+
+    /// The spectrum that a parameter of type rgb, spectrum or blackbody gives. Throws SceneError.
+    Spectrum readSpectrum(const Parameter& parameter);
+
+private:
+    std::map<std::string, std::shared_ptr<const SampledCurve>> spectrumFiles_;
+};
+
+}  // namespace eikonal::pbrt

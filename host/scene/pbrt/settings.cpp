@@ -1,0 +1,249 @@
+#include "scene/pbrt/settings.h"
+
+#include "spectra/sensor.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+
+namespace eikonal::pbrt {
+namespace {
+
+constexpr const char* screenParameters =
+    "float frameaspectratio; floats screenwindow; float lensradius = 0; float focaldistance = 1e6; float shutteropen = 0; float shutterclose = 1";
+constexpr const char* filmParameters =
+    "integer xresolution = 1280; integer yresolution = 720; floats cropwindow; integers pixelbounds; string filename; float diagonal = 35;"
+    "string sensor = cie1931; float iso = 100; float whitebalance = 0; float maxcomponentvalue = 0; bool savefp16 = true";
+constexpr const char* samplerParameters = "integer seed; string randomization";
+constexpr const char* instead = "\"path\" renders it";
+
+const KindTable& cameraKinds() {
+    static const KindTable table("camera", screenParameters, {
+        {"perspective", int(CameraKind::perspective), "float fov = 90"},
+        {"orthographic", int(CameraKind::orthographic), ""},
+        {"realistic", int(CameraKind::perspective),
+         "file lensfile; float aperturediameter = 1; float focusdistance = 10; string aperture; float fov = 90", "a perspective one takes the picture"},
+        {"spherical", int(CameraKind::perspective), "string mapping = equalarea; float fov = 90", "a perspective one takes the picture"},
+    });
+    return table;
+}
+
+const KindTable& filmKinds() {
+    static const KindTable table("film", filmParameters, {
+        {"rgb", 0, ""},
+        {"gbuffer", 0, "string coordinatesystem = camera", "\"rgb\" takes its place"},
+        {"spectral", 0, "integer nbuckets = 16; float lambdamin = 360; float lambdamax = 830", "\"rgb\" takes its place"},
+    });
+    return table;
+}
+
+const KindTable& filterKinds() {
+    static const KindTable table("pixel filter", "", {
+        {"box", int(FilterKind::box), "float xradius = 0.5; float yradius = 0.5"},
+        {"triangle", int(FilterKind::triangle), "float xradius = 2; float yradius = 2"},
+        {"gaussian", int(FilterKind::gaussian), "float xradius = 1.5; float yradius = 1.5; float sigma = 0.5"},
+        {"mitchell", int(FilterKind::mitchell), "float xradius = 2; float yradius = 2; float B; float C"},
+        {"sinc", int(FilterKind::sinc), "float xradius = 4; float yradius = 4; float tau = 3"},
+    });
+    return table;
+}
+
+const KindTable& samplerKinds() {
+    static const KindTable table("sampler", samplerParameters, {
+        {"zsobol", int(SamplerKind::sobol), "integer pixelsamples = 16"},
+        {"paddedsobol", int(SamplerKind::sobol), "integer pixelsamples = 16"},
+        {"sobol", int(SamplerKind::sobol), "integer pixelsamples = 16"},
+        {"halton", int(SamplerKind::sobol), "integer pixelsamples = 16"},
+        {"pmj02bn", int(SamplerKind::sobol), "integer pixelsamples = 16"},
+        {"stratified", int(SamplerKind::sobol), "integer xsamples = 4; integer ysamples = 4; bool jitter = true"},
+        {"independent", int(SamplerKind::independent), "integer pixelsamples = 4"},
+    });
+    return table;
+}
+
+// What "path" and "volpath" compute, the first rows only compute by simpler means.
+const KindTable& integratorKinds() {
+    static const KindTable table("integrator", "integer maxdepth = 5", {
+        {"path", 0, "string lightsampler; bool regularize = false"},
+        {"volpath", 0, "string lightsampler; bool regularize = false"},
+        {"simplepath", 0, "bool samplelights = true; bool samplebsdf = true"},
+        {"simplevolpath", 0, ""},
+        {"randomwalk", 0, ""},
+        {"lightpath", 0, "", instead},
+        {"bdpt", 0, "bool visualizestrategies = false; bool visualizeweights = false; bool regularize = false", instead},
+        {"mlt", 0,
+         "integer bootstrapsamples = 100000; integer chains = 1000; integer mutationsperpixel = 100; float largestepprobability = 0.3;"
+         "float sigma = 0.01; bool regularize = false", instead},
+        {"sppm", 0, "integer photonsperiteration = -1; float radius = 1; integer seed = 0", instead},
+        {"ambientocclusion", 0, "bool cossample = true; float maxdistance", instead},
+        {"function", 0, "string function = step; string filename; bool skipbad = true; string imagefilename", instead},
+    });
+    return table;
+}
+
+const KindTable& acceleratorKinds() {
+    static const KindTable table("accelerator", "", {
+        {"bvh", 0, "string splitmethod = sah; integer maxnodeprims = 4"},
+        {"kdtree", 0, "integer intersectcost = 5; integer traversalcost = 1; float emptybonus = 0.5; integer maxprims = 1; integer maxdepth = -1"},
+    });
+    return table;
+}
+
+/// Throws SceneError unless there are `count` values.
+template <class T> void expectCount(const Arguments& arguments, const std::string& name, const std::vector<T>& values, size_t count) {
+    if (values.size() != count)
+        throw SceneError(arguments.whereOf(name), "\"" + arguments.given(name)->declaration() + "\" has " + std::to_string(values.size()) +
+                                                      " values; " + std::to_string(count) + " are expected");
+}
+
+/// An option's name as pbrt-v4 compares it: without capitals, dashes and underscores.
+std::string plain(const std::string& name) {
+    std::string result;
+    for (const char c : name)
+        if (c != '-' && c != '_') result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return result;
+}
+
+}  // namespace
+
+std::vector<const KindTable*> settingKinds() {
+    return {&cameraKinds(), &filmKinds(), &filterKinds(), &samplerKinds(), &integratorKinds(), &acceleratorKinds()};
+}
+
+void Settings::set(Sort sort, const std::string& kindName, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
+    const Kind& kind = settingKinds()[static_cast<size_t>(sort)]->find(kindName, where);
+    given_[sort] = std::make_unique<Arguments>(reading_, kind, where, std::move(parameters), nullptr, state.space);
+    if (sort == Sort::camera) {
+        reading_.scene.camera.worldFromCamera = glm::inverse(state.transform[0]);
+        cameraMedium_ = state.outside;
+        if (state.transform[0] != state.transform[1])
+            reading_.unsupported("motion", where, "a camera that moves is not rendered yet; it stays where it is when the shutter opens");
+    }
+    if (sort == Sort::film) reading_.scene.film.colorSpace = state.space;
+    if (kind.standIn) reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
+}
+
+void Settings::setOption(const std::string& name, const std::string& value, const SourceLocation& where, const SourceLocation& valueWhere) {
+    // Those that change no pixel are only known; those that would are not rendered yet.
+    const std::vector<std::string> harmless = {"disablewavelengthjitter", "disabletexturefiltering", "msereferenceimage", "msereferenceout",
+                                               "pixelstats", "rendercoordsys", "wavefront", "displacementedgescale"};
+    const std::vector<std::string> missing = {"disablepixeljitter", "forcediffuse"};
+    const std::string option = plain(name);
+    if (option == "seed") {
+        const auto [stop, error] = std::from_chars(value.data(), value.data() + value.size(), seed_);
+        if (error != std::errc() || stop != value.data() + value.size()) throw SceneError(valueWhere, "\"" + value + "\" found where an integer is expected");
+    } else if (std::ranges::count(missing, option)) {
+        if (value != "false") reading_.unsupported("option " + option, where, "option \"" + name + "\" has no effect yet");
+    } else if (!std::ranges::count(harmless, option)) {
+        std::vector<std::string> all = {"seed"};
+        all.insert(all.end(), harmless.begin(), harmless.end());
+        all.insert(all.end(), missing.begin(), missing.end());
+        const std::string near = nearestWord(option, all);
+        throw SceneError(where, "there is no option \"" + name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+    }
+}
+
+void Settings::apply() {
+    using Step = void (Settings::*)(const Arguments&);
+    constexpr std::pair<Sort, Step> steps[] = {{Sort::camera, &Settings::applyCamera}, {Sort::film, &Settings::applyFilm},
+                                               {Sort::filter, &Settings::applyFilter}, {Sort::sampler, &Settings::applySampler},
+                                               {Sort::integrator, &Settings::applyIntegrator}};
+    reading_.scene.sampler.seed = seed_;
+    for (const auto& [sort, step] : steps)
+        if (given_.contains(sort)) reading_.problems.guard([&] { (this->*step)(*given_[sort]); });
+    FilmDescription& film = reading_.scene.film;
+    film.exposureTime = reading_.scene.camera.shutterClose - reading_.scene.camera.shutterOpen;
+}
+
+void Settings::finish(MediumBook& media) { reading_.scene.camera.medium = media.resolve(cameraMedium_, reading_.scene.camera.where); }
+
+void Settings::applyCamera(const Arguments& arguments) {
+    CameraDescription& camera = reading_.scene.camera;
+    camera.where = arguments.where();
+    camera.kind = static_cast<CameraKind>(arguments.kind().value);
+    if (camera.kind == CameraKind::perspective) camera.fov = arguments.number("fov");
+    if (arguments.has("frameaspectratio")) camera.frameAspectRatio = arguments.number("frameaspectratio");
+    if (arguments.has("screenwindow")) {
+        const std::vector<double> window = arguments.numbers("screenwindow");
+        expectCount(arguments, "screenwindow", window, 4);
+        camera.screenWindow = {window[0], window[1], window[2], window[3]};
+    }
+    camera.lensRadius = arguments.number("lensradius");
+    camera.focalDistance = arguments.number("focaldistance");
+    camera.shutterOpen = arguments.number("shutteropen");
+    camera.shutterClose = arguments.number("shutterclose");
+    if (!(camera.shutterClose > camera.shutterOpen))
+        throw SceneError(arguments.where(), "the shutter must close after it opens: shutteropen is " + std::to_string(camera.shutterOpen) +
+                                                ", shutterclose " + std::to_string(camera.shutterClose));
+}
+
+void Settings::applyFilm(const Arguments& arguments) {
+    FilmDescription& film = reading_.scene.film;
+    film.where = arguments.where();
+    film.width = arguments.integer("xresolution");
+    film.height = arguments.integer("yresolution");
+    if (film.width < 1 || film.height < 1)
+        throw SceneError(arguments.where(), "the image is " + std::to_string(film.width) + " x " + std::to_string(film.height) + " pixels; it needs one at least");
+    film.filename = arguments.text("filename");
+    film.iso = arguments.number("iso");
+    film.whiteBalance = arguments.number("whitebalance");
+    film.maxComponentValue = arguments.number("maxcomponentvalue");
+    film.sensor = arguments.text("sensor");
+    if (const auto names = sensorNames(); !std::ranges::count(names, film.sensor)) {
+        const std::string near = nearestWord(film.sensor, names);
+        throw SceneError(arguments.whereOf("sensor"), "there is no sensor \"" + film.sensor + "\"; " +
+                                                          (near.empty() ? "cie1931 is the usual one" : "did you mean \"" + near + "\"?"));
+    }
+    if (arguments.has("pixelbounds")) {
+        const std::vector<int> bounds = arguments.integers("pixelbounds");
+        expectCount(arguments, "pixelbounds", bounds, 4);
+        film.pixelBounds = PixelBounds{std::max(bounds[0], 0), std::min(bounds[1], film.width), std::max(bounds[2], 0), std::min(bounds[3], film.height)};
+        if (film.pixelBounds->x0 >= film.pixelBounds->x1 || film.pixelBounds->y0 >= film.pixelBounds->y1)
+            throw SceneError(arguments.whereOf("pixelbounds"), "\"integer pixelbounds\" has no pixel of the image; its values are x0 x1 y0 y1");
+    }
+    if (arguments.has("cropwindow")) {
+        const std::vector<double> window = arguments.numbers("cropwindow");
+        expectCount(arguments, "cropwindow", window, 4);
+        const auto clamp = [](double x) { return std::clamp(x, 0., 1.); };
+        film.cropWindow = {clamp(std::min(window[0], window[1])), clamp(std::max(window[0], window[1])), clamp(std::min(window[2], window[3])),
+                           clamp(std::max(window[2], window[3]))};
+        if (film.pixelBounds)
+            reading_.diagnostics.warn(arguments.whereOf("pixelbounds"), "\"pixelbounds\" is ignored, since there is a \"cropwindow\" as well");
+        film.pixelBounds.reset();
+    }
+}
+
+void Settings::applyFilter(const Arguments& arguments) {
+    FilterDescription& filter = reading_.scene.filter;
+    filter.where = arguments.where();
+    filter.kind = static_cast<FilterKind>(arguments.kind().value);
+    filter.xRadius = arguments.number("xradius");
+    filter.yRadius = arguments.number("yradius");
+    if (!(filter.xRadius > 0 && filter.yRadius > 0)) throw SceneError(arguments.where(), "a pixel filter's radii must be above 0");
+    if (filter.kind == FilterKind::gaussian) filter.sigma = arguments.number("sigma");
+    if (filter.kind == FilterKind::sinc) filter.tau = arguments.number("tau");
+    if (filter.kind == FilterKind::mitchell) {
+        filter.B = arguments.number("B", 1. / 3);
+        filter.C = arguments.number("C", 1. / 3);
+    }
+}
+
+void Settings::applySampler(const Arguments& arguments) {
+    SamplerDescription& sampler = reading_.scene.sampler;
+    sampler.where = arguments.where();
+    sampler.kind = static_cast<SamplerKind>(arguments.kind().value);
+    sampler.pixelSamples = arguments.kind().name == "stratified" ? arguments.integer("xsamples") * arguments.integer("ysamples")
+                                                                 : arguments.integer("pixelsamples");
+    if (sampler.pixelSamples < 1) throw SceneError(arguments.where(), "a pixel needs at least one sample");
+    if (arguments.has("seed")) sampler.seed = arguments.integer("seed");
+}
+
+void Settings::applyIntegrator(const Arguments& arguments) {
+    reading_.scene.integrator.where = arguments.where();
+    reading_.scene.integrator.maxDepth = arguments.integer("maxdepth");
+    if (reading_.scene.integrator.maxDepth < 0) throw SceneError(arguments.whereOf("maxdepth"), "\"integer maxdepth\" must not be negative");
+    if (arguments.kind().rule("regularize") && arguments.flag("regularize"))
+        reading_.unsupported("regularize", arguments.whereOf("regularize"), "\"regularize\" has no effect yet");
+}
+
+}  // namespace eikonal::pbrt

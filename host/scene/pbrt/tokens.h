@@ -1,0 +1,64 @@
+#pragma once
+// The words of a pbrt file, and of the files that it includes.
+
+#include "error.h"
+
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace eikonal::pbrt {
+
+struct Source;
+
+/// The smallest piece of text that has a meaning. Its text stays valid until TokenStream::forget is called.
+struct Token {
+    enum class Kind { word, quoted, open, close, end };
+    Kind kind = Kind::end;
+    std::string_view text;         ///< quoted: between the quotes, escapes resolved; end: empty
+    const Source* source = nullptr;
+    const char* at = nullptr;      ///< in the source's text
+};
+
+/// Splits a stack of texts into tokens: the one pushed last is read first, and where it ends the one below goes on.
+/// Errors in the text are thrown as SceneError.
+class TokenStream {
+public:
+    TokenStream();
+    ~TokenStream();
+    TokenStream(const TokenStream&) = delete;
+    TokenStream& operator=(const TokenStream&) = delete;
+
+    /// Reads `text` next. `name` is what messages call it.
+    void push(const std::string& name, std::string text);
+    /// Whether a text of that name is being read.
+    bool isOpen(const std::string& name) const;
+
+    Token next();
+    /// The next token again, later.
+    void putBack(const Token& token) { ahead_ = token; }
+
+    /// Line and column of a token. Cheap if asked in the order of the text.
+    SourceLocation locate(const Token& token) const;
+
+    /// Appends the numbers up to the closing bracket and consumes it; the opening one has just been. T: float, double, int.
+    template <class T> void readList(std::vector<T>& numbers);
+    /// The number that a token is. `wanted` completes "found where ... is expected".
+    template <class T> T toNumber(const Token& token, const char* wanted) const;
+
+    /// Frees the texts that have been read to their ends; tokens from them become invalid.
+    void forget();
+
+private:
+    Token take(Source& source, Token::Kind kind, const char* begin, const char* end);
+    Token takeQuoted(Source& source);
+
+    std::vector<std::unique_ptr<Source>> open_, finished_;
+    std::deque<std::string> unescaped_;
+    std::optional<Token> ahead_;
+};
+
+}  // namespace eikonal::pbrt
