@@ -117,7 +117,10 @@ int ProgramCache::clear() const {
     return count;
 }
 
-void preparePoclCache(const std::string& folder) {
+void preparePocl(const std::string& folder) {
+    /* Specialised to a size of grid, every kernel would be compiled once more; straight-line loops over a fixed group gain nothing by it
+       (docs/performance.md) */
+    setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0);
     if (std::getenv("POCL_CACHE_DIR") || folder.empty()) return;
     const fs::path pocl = fs::path(folder) / "pocl";
     if (writable(pocl)) setenv("POCL_CACHE_DIR", pocl.c_str(), 0);

@@ -35,8 +35,8 @@ private:
     std::string folder_;
 };
 
-/// Gives PoCL a cache folder that it can write, before the first call of OpenCL: it fails without one, and a damaged entry
-/// in a folder that others share would abort the program. Does nothing if POCL_CACHE_DIR is set.
-void preparePoclCache(const std::string& folder);
+/// Settings for PoCL, before the first call of OpenCL; what the environment sets already stays. A cache folder that it can write: it fails
+/// without one, and a damaged entry in a folder that others share would abort the program. One compiled variant of each kernel.
+void preparePocl(const std::string& folder);
 
 }  // namespace eikonal

@@ -37,7 +37,6 @@ public:
 
     const std::string& name() const { return program_->kernel; }
     const Program& program() const { return *program_; }
-    std::shared_ptr<Program> sharedProgram() const { return program_; }
 
     /// Enqueues `items` work-items, rounded up to whole groups of localSize, numbered from 0. Does not wait. `extra` holds arguments
     /// that `bindings` has not, or has otherwise. Throws a DeviceError that names an argument that is in neither.

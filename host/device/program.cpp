@@ -42,16 +42,6 @@ static std::vector<std::string> argumentNames(cl_program program, const std::str
 Compiler::Compiler(const Context& context, KernelFolders folders, std::string cacheFolder)
     : context_(context), folders_(std::move(folders)), cache_(std::move(cacheFolder)) {}
 
-Compiler::~Compiler() {
-    finishKeeping();
-    {
-        std::lock_guard lock(mutex_);
-        stop_ = true;
-    }
-    wake_.notify_all();
-    if (keeper_.joinable()) keeper_.join();
-}
-
 std::string Compiler::keyOf(const KernelSource& source, const std::string& options, const std::string& kernel) const {
     const DeviceInfo& d = context_.device();
     return fmt::format("{}\n{:016x}\n{}\n{}\n{}\n{}\n{}\n{}", kernel, source.hash(), source.text(), options, d.platformName, d.name, d.version, d.driver);
@@ -102,24 +92,10 @@ std::shared_ptr<Program> Compiler::build(const std::string& text, const std::str
                                           statusName(status), buildLog(program->handle, device), options));
         program->kernel = kernel;
         program->arguments = argumentNames(program->handle, kernel);
-        std::lock_guard lock(mutex_);
-        keys_[program.get()] = key;
+        program->cacheKey = key;
     }
     program->seconds = secondsSince(start);
     return program;
-}
-
-void Compiler::keep(std::shared_ptr<Program> program) {
-    if (program->fromCache || cache_.folder().empty()) return;
-    std::lock_guard lock(mutex_);
-    queue_.push_back(std::move(program));
-    if (!keeper_.joinable()) keeper_ = std::thread([this] { storeQueued(); });
-    wake_.notify_all();
-}
-
-void Compiler::finishKeeping() {
-    std::unique_lock lock(mutex_);
-    wake_.wait(lock, [this] { return queue_.empty() && !busy_; });
 }
 
 static std::vector<unsigned char> binaryOf(cl_program program) {
@@ -131,22 +107,10 @@ static std::vector<unsigned char> binaryOf(cl_program program) {
     return bytes;
 }
 
-void Compiler::storeQueued() {
-    std::unique_lock lock(mutex_);
-    for (;;) {
-        wake_.wait(lock, [this] { return stop_ || !queue_.empty(); });
-        if (queue_.empty()) return;
-        const std::shared_ptr<Program> program = queue_.front();
-        queue_.pop_front();
-        const std::string key = keys_[program.get()];
-        busy_ = true;
-        lock.unlock();
-        const std::vector<unsigned char> binary = binaryOf(program->handle);
-        if (!binary.empty()) cache_.store(key, {binary, program->arguments});
-        lock.lock();
-        busy_ = false;
-        wake_.notify_all();
-    }
+void Compiler::keep(const Program& program) const {
+    if (program.fromCache || cache_.folder().empty()) return;
+    const std::vector<unsigned char> binary = binaryOf(program.handle);
+    if (!binary.empty()) cache_.store(program.cacheKey, {binary, program.arguments});
 }
 
 }  // namespace eikonal

@@ -5,11 +5,7 @@
 #include "device/context.h"
 #include "device/source.h"
 
-#include <condition_variable>
-#include <deque>
 #include <memory>
-#include <mutex>
-#include <thread>
 
 namespace eikonal {
 
@@ -30,6 +26,7 @@ struct Program {
     std::vector<std::string> arguments;   ///< names of the kernel's arguments, in order
     bool fromCache = false;
     double seconds = 0;                   ///< to build or load
+    std::string cacheKey;                 ///< what the cache knows it by; empty if it comes from there
 };
 
 /// Builds programs for one device, and keeps their binaries in a cache.
@@ -37,16 +34,13 @@ class Compiler {
 public:
     /// cacheFolder empty: no cache.
     Compiler(const Context& context, KernelFolders folders, std::string cacheFolder);
-    ~Compiler();
 
     /// The program made of `text` (which includes files of the kernel folder) with kernel `kernel`.
     /// Throws a DeviceError with the build log, which names our files and lines.
     std::shared_ptr<Program> build(const std::string& text, const std::string& kernel, const BuildSettings& settings);
-    /// Keeps the program's binary for later starts. Returns at once; the work is done in the background, once the kernel has been
-    /// launched, since an implementation may compile at the first launch only.
-    void keep(std::shared_ptr<Program> program);
-    /// Waits until everything kept is on disk.
-    void finishKeeping();
+    /// Keeps the program's binary for later starts. Best once its kernel has been launched, since an implementation may compile at the
+    /// first launch only; and only while the device is idle: PoCL 3.1 aborts when a binary is asked for during a launch.
+    void keep(const Program& program) const;
 
     const KernelFolders& folders() const { return folders_; }
     const ProgramCache& cache() const { return cache_; }
@@ -54,17 +48,10 @@ public:
 private:
     std::string keyOf(const KernelSource& source, const std::string& options, const std::string& kernel) const;
     std::shared_ptr<Program> loadCached(const std::string& key, const std::string& kernel) const;
-    void storeQueued();
 
     const Context& context_;
     KernelFolders folders_;
     ProgramCache cache_;
-    std::map<const Program*, std::string> keys_;
-    std::deque<std::shared_ptr<Program>> queue_;
-    std::mutex mutex_;
-    std::condition_variable wake_;
-    bool stop_ = false, busy_ = false;
-    std::thread keeper_;
 };
 
 }  // namespace eikonal
