@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 namespace eikonal {
 
@@ -15,10 +17,13 @@ std::vector<char> readBytes(const std::string& path) {
     if (!file) throw ReadProblem(std::string("cannot be opened: ") + std::strerror(errno));
     gzbuffer(file, 1 << 20);
     std::vector<char> bytes;
+    std::error_code unknown;
+    const std::uintmax_t expected = std::filesystem::file_size(path, unknown);
+    if (!unknown) bytes.reserve(expected + (1 << 16));
     int got = 0;
     do {
         const std::size_t size = bytes.size();
-        const std::size_t room = std::clamp<std::size_t>(size, 1 << 16, 1 << 28);
+        const std::size_t room = std::clamp<std::size_t>(bytes.capacity() - size, 1 << 16, 1 << 24);
         bytes.resize(size + room);
         got = gzread(file, bytes.data() + size, static_cast<unsigned>(room));
         bytes.resize(size + static_cast<std::size_t>(std::max(got, 0)));

@@ -18,6 +18,13 @@ bool parseNumber(std::string_view word, double& value) {
     return error == std::errc{} && stop == word.data() + word.size();
 }
 
+ObjLines::ObjLines(std::string_view text, std::shared_ptr<const std::string> file) : text_(text), file_(std::move(file)) {
+    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
+    const std::size_t zero = text_.find('\0');
+    if (zero != text_.npos)
+        throw SceneError({file_, static_cast<int>(std::ranges::count(text_.substr(0, zero), '\n')) + 1, 0}, "a byte is zero: this is not a text file");
+}
+
 bool ObjLines::next() {
     const auto takeLine = [&] {
         const std::size_t end = std::min(text_.find_first_of("\n\r", at_), text_.size());

@@ -13,8 +13,8 @@ namespace eikonal {
 /// Goes through a text line by line. Lines end with \n, \r\n or \r; a backslash at the end of a line joins the next one to it.
 class ObjLines {
 public:
-    /// The text must outlive this and all words.
-    ObjLines(std::string_view text, std::shared_ptr<const std::string> file) : text_(text), file_(std::move(file)) {}
+    /// The text must outlive this and all words. A byte-order mark is skipped. Throws SceneError at a byte 0: that is no text.
+    ObjLines(std::string_view text, std::shared_ptr<const std::string> file);
 
     /// Goes to the next line that has a word; false at the end. A line's comment (a word that begins with #) is no part of it.
     bool next();

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 
 namespace eikonal {
 namespace {
@@ -25,7 +26,7 @@ std::string lower(std::string_view word) {
 
 double numberIn(const MtlMaterial::Statement& statement, std::string_view word) {
     double value = 0;
-    if (!parseNumber(word, value)) throw SceneError(statement.where, fmt::format("\"{}\" is not a number", word));
+    if (!parseNumber(word, value) || !std::isfinite(value)) throw SceneError(statement.where, fmt::format("\"{}\" is not a number", word));
     return value;
 }
 

@@ -151,7 +151,7 @@ Scene readObj(const std::string& path, const ObjOptions& options, Diagnostics& d
     if (geometry.faces.empty()) throw SceneError({file, 0, 0}, "there are no faces (\"f\") in this file");
     completeNormals(geometry);
     const ObjMeshes meshes = buildMeshes(geometry);
-    if (meshes.triangles == 0) throw SceneError({file, 0, 0}, "none of the faces has an area");
+    if (meshes.triangles == 0) throw SceneError({file, 0, 0}, "none of the faces has an area: a face needs three corners that are not on one line");
     if (meshes.degenerate > 0)
         diagnostics.warn({file, 0, 0}, fmt::format("{} of {} triangles have no area and are left out", meshes.degenerate, meshes.degenerate + meshes.triangles));
 

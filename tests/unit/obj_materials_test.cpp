@@ -1,0 +1,187 @@
+// Materials of MTL files: what docs/obj.md promises.
+
+#include "unit/obj_fixture.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace eikonal {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class ObjMaterials : public ObjTest {
+protected:
+    /// The material of the square's one shape.
+    static const Material& materialOf(const Scene& scene) { return scene.materials.at(static_cast<std::size_t>(scene.shapes.at(0).material)); }
+    static double number(const Material& material, const std::string& input) { return material.inputs.at(input).value.value(); }
+    static glm::dvec3 color(const Material& material, const std::string& input) { return material.inputs.at(input).value.albedo(); }
+    static const Texture& textureOf(const Scene& scene, const Input& input) { return scene.textures.at(static_cast<std::size_t>(input.texture)); }
+
+    /// A grey image of 2 x 1 texels, as the simplest file that OpenImageIO reads.
+    std::string writeImage(const std::string& name, const std::string& texels = "0 0 0 255 255 255") const {
+        return write(name, "P3\n2 1\n255\n" + texels + "\n");
+    }
+};
+
+TEST_F(ObjMaterials, areDiffuseWithoutAHighlight) {
+    for (const char* statements : {"Kd .2 .4 .6\n", "Kd .2 .4 .6\nKs 0 0 0\nNs 100\nillum 2\n", "kd .2 .4 .6\nKs 1 1 1\nillum 1\n"}) {
+        const Scene scene = loadMaterial(statements);
+        EXPECT_EQ(materialOf(scene).kind, MaterialKind::diffuse) << statements;
+        EXPECT_EQ(color(materialOf(scene), "reflectance"), glm::dvec3(.2, .4, .6)) << statements;
+        EXPECT_EQ(scene.shapes[0].areaLight, none);
+    }
+    EXPECT_EQ(number(materialOf(loadMaterial("Kd .3\n")), "reflectance"), .3);          // one number is a grey
+    EXPECT_EQ(color(materialOf(loadMaterial("illum 2\n")), "reflectance"), glm::dvec3(.5));  // nothing said: grey
+    EXPECT_EQ(materialOf(load(square + "f 1 2 3\n")).kind, MaterialKind::diffuse);
+}
+
+// Ks on a colored base is a coat, as wide as the exponent says: alpha^2 = 2 / (Ns + 2). Ks = 0.5 grey is the plastic of index 1.5.
+TEST_F(ObjMaterials, withAHighlightAreCoated) {
+    const Scene scene = loadMaterial("Kd .2 .4 .6\nKs .5 .5 .5\nNs 198\nillum 2\n");
+    const Material& material = materialOf(scene);
+    EXPECT_EQ(material.kind, MaterialKind::coatedDiffuse);
+    EXPECT_NEAR(number(material, "uroughness"), .1, 1e-9);
+    EXPECT_NEAR(number(material, "eta"), 1.5, 1e-9);
+    EXPECT_FALSE(material.remapRoughness);
+}
+
+TEST_F(ObjMaterials, withOnlyAHighlightAreMetal) {
+    const Scene glossy = loadMaterial("Kd 0 0 0\nKs .9 .8 .7\nNs 198\n"), mirror = loadMaterial("Kd 0 0 0\nKs .9 .8 .7\nNs 198\nillum 3\n");
+    EXPECT_EQ(materialOf(glossy).kind, MaterialKind::conductor);
+    EXPECT_NEAR(number(materialOf(glossy), "vroughness"), .1, 1e-9);
+    EXPECT_EQ(color(materialOf(glossy), "reflectance"), glm::dvec3(.9, .8, .7));
+    EXPECT_EQ(materialOf(mirror).kind, MaterialKind::conductor);
+    EXPECT_EQ(number(materialOf(mirror), "uroughness"), 0);
+}
+
+// A mirror (illum 3, 5, 8) over a color shows both, in the ratio of Ks to Kd.
+TEST_F(ObjMaterials, thatMirrorAndScatterAreMixed) {
+    const Scene scene = loadMaterial("Kd .6 .6 .6\nKs .2 .2 .2\nillum 5\n");
+    const Material& material = materialOf(scene);
+    ASSERT_EQ(material.kind, MaterialKind::mix);
+    EXPECT_NEAR(number(material, "amount"), .25, 1e-9);
+    EXPECT_EQ(scene.materials.at(static_cast<std::size_t>(material.mixed[0])).kind, MaterialKind::diffuse);
+    EXPECT_EQ(scene.materials.at(static_cast<std::size_t>(material.mixed[1])).kind, MaterialKind::conductor);
+}
+
+TEST_F(ObjMaterials, thatRefractAreGlass) {
+    for (const char* statements : {"illum 7\nNi 1.33\n", "illum 6\nKd .5 .5 .5\nNi 1.33\n", "illum 4\nKd 0 0 0\nNi 1.33\n", "Kd 0 0 0\nKs 1 1 1\nNi 1.33\nd 0\n",
+                                   "Kd 0 0 0\nNi 1.33\nTr 1\n"}) {
+        const Scene scene = loadMaterial(statements);
+        EXPECT_EQ(materialOf(scene).kind, MaterialKind::dielectric) << statements;
+        EXPECT_EQ(number(materialOf(scene), "eta"), 1.33) << statements;
+        EXPECT_EQ(scene.shapes[0].alpha.value.value(), 1) << statements;
+    }
+    loadMaterial("illum 7\nNi 1.5\nTf 1 .2 .2\n");
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.mtl:4: warning: colored transmission")));
+}
+
+// What is see-through but has a color of its own is covered only in part: d, or 1 - Tr. Where both stand, d counts: exporters disagree about Tr.
+TEST_F(ObjMaterials, thatDissolveCoverInPart) {
+    EXPECT_NEAR(loadMaterial("Kd 1 0 0\nd .25\n").shapes[0].alpha.value.value(), .25, 1e-9);
+    EXPECT_NEAR(loadMaterial("Kd 1 0 0\nTr .25\n").shapes[0].alpha.value.value(), .75, 1e-9);
+    EXPECT_NEAR(loadMaterial("Kd 1 0 0\nd 1\nTr 1\n").shapes[0].alpha.value.value(), 1, 1e-9);
+    EXPECT_NEAR(loadMaterial("Kd 1 0 0\nd -halo .5\n").shapes[0].alpha.value.value(), .5, 1e-9);
+}
+
+// The extension of physically based exporters: widths are squares of the roughness.
+TEST_F(ObjMaterials, withPrAndPmAreMetalOrCoated) {
+    const Scene metal = loadMaterial("Kd .9 .6 .3\nPm 1\nPr .4\n"), plastic = loadMaterial("Kd .9 .6 .3\nPm 0\nPr .4\nNi 1.6\n"), half = loadMaterial("Kd .9 .6 .3\nPm .3\nPr .4\n");
+    EXPECT_EQ(materialOf(metal).kind, MaterialKind::conductor);
+    EXPECT_NEAR(number(materialOf(metal), "uroughness"), .16, 1e-9);
+    EXPECT_EQ(color(materialOf(metal), "reflectance"), glm::dvec3(.9, .6, .3));
+    EXPECT_EQ(materialOf(plastic).kind, MaterialKind::coatedDiffuse);
+    EXPECT_EQ(number(materialOf(plastic), "eta"), 1.6);
+    ASSERT_EQ(materialOf(half).kind, MaterialKind::mix);
+    EXPECT_NEAR(number(materialOf(half), "amount"), .3, 1e-9);
+}
+
+// A flat lamp shines to both sides; a closed one only outwards, where its light can go.
+TEST_F(ObjMaterials, withKeEmit) {
+    const Scene flat = loadMaterial("Kd 0 0 0\nKe 17 12 4\n");
+    ASSERT_NE(flat.shapes[0].areaLight, none);
+    const AreaLight& light = flat.areaLights.at(static_cast<std::size_t>(flat.shapes[0].areaLight));
+    EXPECT_EQ(light.L.illuminant(), glm::dvec3(17, 12, 4));
+    EXPECT_TRUE(light.twoSided);
+    EXPECT_THAT(flat.lights, IsEmpty());  // no sky
+
+    const Scene closed = load("mtllib model.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+    EXPECT_FALSE(closed.areaLights.at(static_cast<std::size_t>(closed.shapes[0].areaLight)).twoSided);
+}
+
+TEST_F(ObjMaterials, haveImagesWithOptions) {
+    writeImage("my image.ppm");
+    const Scene scene = loadMaterial("Kd .5 .5 .5\nmap_Kd -s 2 3 1 -o .25 .5 -clamp on my image.ppm\n");
+    const Texture& product = textureOf(scene, materialOf(scene).inputs.at("reflectance"));
+    const auto& scale = std::get<ScaleTexture>(product.kind);
+    EXPECT_EQ(scale.scale.value.albedo(), glm::dvec3(.5));
+    const auto& map = std::get<ImagemapTexture>(textureOf(scene, scale.texture).kind);
+    EXPECT_EQ(map.mapping.uScale, 2);
+    EXPECT_EQ(map.mapping.vScale, 3);
+    EXPECT_EQ(map.mapping.uOffset, .25);
+    EXPECT_EQ(map.mapping.vOffset, .5);
+    const ImageFile& image = scene.images.at(static_cast<std::size_t>(map.image));
+    EXPECT_EQ(image.path, path("my image.ppm"));
+    EXPECT_EQ(image.wrap, WrapMode::clamp);
+    EXPECT_EQ(image.encoding, ColorEncoding::automatic);
+    EXPECT_THAT(warnings_, IsEmpty());
+}
+
+// Paths of other people's machines: folders that are not there, written with backslashes.
+TEST_F(ObjMaterials, findImagesBesideTheLibrary) {
+    writeImage("wood.ppm");
+    const Scene scene = loadMaterial("map_Kd \"C:\\work\\textures\\wood.ppm\"\n");
+    EXPECT_EQ(scene.images.at(0).path, path("wood.ppm"));
+}
+
+TEST_F(ObjMaterials, haveAlphaBumpAndNormalMaps) {
+    writeImage("grey.ppm");
+    writeImage("normal.ppm", "128 128 255 120 130 250");
+    const Scene scene = loadMaterial("Kd .5 .5 .5\nmap_d grey.ppm\nmap_Bump -bm .5 grey.ppm\n");
+    EXPECT_NE(scene.shapes[0].alpha.texture, none);
+    const int bump = materialOf(scene).displacement;
+    ASSERT_NE(bump, none);
+    // White is 2 % of the texture's side high; the texture is 1 wide here, and -bm halves it.
+    EXPECT_NEAR(std::get<ImagemapTexture>(scene.textures.at(static_cast<std::size_t>(bump)).kind).scale, .01, 1e-9);
+    EXPECT_EQ(materialOf(scene).normalMap, none);
+
+    for (const char* statement : {"map_Bump normal.ppm\n", "norm normal.ppm\n"}) {
+        const Scene other = loadMaterial(std::string("Kd .5 .5 .5\n") + statement);
+        EXPECT_EQ(materialOf(other).displacement, none) << statement;
+        ASSERT_NE(materialOf(other).normalMap, none) << statement;
+        EXPECT_EQ(other.images.at(static_cast<std::size_t>(materialOf(other).normalMap)).encoding, ColorEncoding::linear);
+    }
+}
+
+TEST_F(ObjMaterials, warnOfWhatIsMissingOrUnknown) {
+    const Scene noLibrary = load("mtllib a.mtl b.mtl\n" + square + "usemtl x\nf 1 2 3\n");
+    EXPECT_EQ(materialOf(noLibrary).kind, MaterialKind::diffuse);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:1: warning: there is no material library \"a.mtl\""), HasSubstr("\"b.mtl\"")));
+    write("model.mtl", "newmtl m\nKd 1 1 1\nwobble 3\n");
+    load("mtllib model.mtl\n" + square + "usemtl n\nf 1 2 3\nusemtl m\nf 1 2 4\n");
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:6: warning: there is no material \"n\""), HasSubstr("model.mtl:3: warning: \"wobble\" is not supported")));
+    writeImage("grey.ppm");
+    loadMaterial("map_Kd -t .1 .1 .1 grey.ppm\n");
+    EXPECT_THAT(warnings_, Contains(HasSubstr("the option \"-t .1 .1 .1\" is not supported")));
+}
+
+TEST_F(ObjMaterials, saysWhereTheyAreWrong) {
+    const auto errorIn = [&](const std::string& statements) { return errorOf([&] { loadMaterial(statements); }); };
+    EXPECT_EQ(errorIn("Kd 1 0\n"), "model.mtl:2: \"kd\" needs three numbers, and has 2");
+    EXPECT_EQ(errorIn("Kd red\n"), "model.mtl:2: \"red\" is not a number");
+    EXPECT_EQ(errorIn("Kd nan 0 0\n"), "model.mtl:2: \"nan\" is not a number");
+    EXPECT_EQ(errorIn("Ns\n"), "no error");  // Ns counts only where there is a highlight
+    EXPECT_EQ(errorIn("Kd .5 .5 .5\nKs 1 1 1\nNs\n"), "model.mtl:4: \"ns\" needs a number");
+    EXPECT_EQ(errorIn("map_Kd -s 2 2 2\n"), "model.mtl:2: \"map_kd\" names no image");
+    writeImage("wood.ppm");
+    EXPECT_EQ(errorIn("map_Kd wod.ppm\nmap_Ks stone.png\nKs 1 1 1\n"),
+              "model.mtl:2: there is no image \"wod.ppm\"; did you mean \"wood.ppm\"?\nmodel.mtl:3: there is no image \"stone.png\"");
+}
+
+}  // namespace
+}  // namespace eikonal
