@@ -1,1 +1,38 @@
-int main() { return 0; }
+// The program: reads the command line, runs one command, and turns errors into messages and exit statuses.
+
+#include "commands/commands.h"
+
+#include <cstdio>
+#include <new>
+
+using namespace eikonal;
+
+static int run(const Options& options) {
+    switch (options.command) {
+        case Command::print: std::fputs(options.text.c_str(), stdout); return static_cast<int>(ExitCode::success);
+        case Command::render: return renderCommand(options);
+        case Command::info: return infoCommand(options);
+        case Command::bench: return benchCommand(options);
+        case Command::cache: return cacheCommand(options);
+        case Command::listDevices: return listDevicesCommand(options);
+        case Command::compare: return compareCommand(options);
+    }
+    return static_cast<int>(ExitCode::usage);
+}
+
+static int fail(ExitCode code, const char* message) {
+    std::fprintf(stderr, "%s%s\n", code == ExitCode::scene ? "error: " : "eikonal: ", message);
+    return static_cast<int>(code);
+}
+
+int main(int argc, char** argv) {
+    try {
+        return run(parseOptions(std::vector<std::string>(argv, argv + argc)));
+    } catch (const Error& error) {
+        return fail(error.code(), error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::scene, "not enough memory; --log-level info says what is planned");
+    } catch (const std::exception& error) {
+        return fail(ExitCode::scene, error.what());
+    }
+}

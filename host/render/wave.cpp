@@ -11,17 +11,34 @@ static unsigned roundUp(unsigned n, unsigned multiple) { return (n + multiple - 
 /// Room for every path, for the segments of the hit queue to begin at multiples of the local size, and for paths that nobody has.
 static unsigned capacityFor(const StageShape& shape) { return roundUp(shape.wavePaths, shape.localSize) + (hops + 1) * shape.localSize; }
 
-Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile)
-    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), capacity_(capacityFor(shape)) {
+struct PlannedQueue { QueueLayout layout; size_t items; std::string name; };
+
+/// Every queue of a wave; those that nothing fills hold no items.
+static std::vector<PlannedQueue> queuesFor(const Features& features, bool hasMisses, size_t capacity) {
+    std::vector<PlannedQueue> list;
     for (QueueLayout layout : queueLayouts(features)) {
         if (layout.name == "hit") layout.words += bsdfWords(features);
         const bool unused = (layout.name == "scatter" && !features.has(Feature::MEDIA)) || (layout.name == "emission" && !features.has(Feature::EMITTERS)) ||
-                            (layout.name == "miss" && !stages.find("shade_misses"));
-        addQueue(layout, unused ? 0 : capacity_, layout.name);
-        if (layout.name != "ray") continue;
-        rays_[0] = &buffers_.back();
-        addQueue(layout, capacity_, "next_ray");
-        rays_[1] = &buffers_.back();
+                            (layout.name == "miss" && !hasMisses);
+        list.push_back({layout, unused ? 0 : capacity, layout.name});
+        if (layout.name == "ray") list.push_back({layout, capacity, "next_ray"});
+    }
+    return list;
+}
+
+size_t Wave::plannedBytes(const PackedScene& scene, const StageShape& shape) {
+    size_t bytes = 0;
+    for (const PlannedQueue& q : queuesFor(scene.features, scene.environments > 0, capacityFor(shape)))
+        bytes += q.items * static_cast<size_t>(q.layout.words) * sizeof(cl_uint);
+    return bytes;
+}
+
+Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile)
+    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), capacity_(capacityFor(shape)) {
+    for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), capacity_)) {
+        addQueue(queue.layout, queue.items, queue.name);
+        if (queue.name == "ray") rays_[0] = &buffers_.back();
+        if (queue.name == "next_ray") rays_[1] = &buffers_.back();
     }
     counts_ = Buffer(context, sizeof(Counts), "counts");
     cursors_ = Buffer(context, sizeof(Counts), "cursors");

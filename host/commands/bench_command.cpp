@@ -1,0 +1,122 @@
+#include "commands/clock.h"
+#include "commands/commands.h"
+#include "commands/session.h"
+#include "commands/statistics.h"
+#include "film/atomic_file.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace eikonal {
+namespace {
+
+struct Repeat { double seconds; std::map<std::string, StageProfile> stages; std::uint64_t rays, shadowRays, paths; };
+
+Repeat renderOnce(Session& session) {
+    const PackedScene& packed = session.packed();
+    Film film(static_cast<int>(packed.frame().width), static_cast<int>(packed.frame().height), packed.pixels, packed.features);
+    RenderControl control;
+    control.endSample = static_cast<unsigned>(packed.samples);
+    Profile& profile = session.profile();
+    profile.reset();
+    const Stopwatch time;
+    render(session.context(), session.wave(), film, session.shape(), profile, control);
+    const double seconds = time.seconds();
+    profile.collect();
+    return {seconds, profile.stages(), profile.rays, profile.shadowRays, profile.paths};
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const size_t n = values.size();
+    return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
+template <class F> double medianOf(const std::vector<Repeat>& repeats, F&& f) {
+    std::vector<double> values;
+    for (const Repeat& r : repeats) values.push_back(f(r));
+    return median(values);
+}
+
+/// How full a stage's queue was: of the slots that it ran over, how many held a real ray. 1 for the dense queues of shading.
+double occupancyOf(const std::string& stage, const Repeat& r, std::uint64_t slots) {
+    const auto share = [&](std::uint64_t real) { return slots ? static_cast<double>(real) / static_cast<double>(slots) : 1; };
+    if (stage == "intersect_rays") return share(r.rays);
+    if (stage == "test_shadows") return share(r.shadowRays);
+    return 1;
+}
+
+nlohmann::ordered_json measure(const Options& o, const Session& session, const std::vector<Repeat>& repeats) {
+    const Repeat& first = repeats.front();
+    const double seconds = medianOf(repeats, [](const Repeat& r) { return r.seconds; });
+    nlohmann::ordered_json json{{"scene", o.scene.path}, {"sceneHash", sceneHash(session.packed())}, {"device", session.context().device().name}, {"version", EIKONAL_VERSION},
+                                {"samples", session.packed().samples}, {"repeats", repeats.size()}, {"wavePaths", session.shape().wavePaths},
+                                {"localSize", session.shape().localSize}};
+    const SessionTimes& t = session.times();
+    json["loadSeconds"] = t.load;
+    json["packSeconds"] = t.pack;
+    json["buildSeconds"] = t.build;
+    json["uploadSeconds"] = t.upload;
+    json["compileSeconds"] = t.compile;
+    json["compiledKernels"] = session.compiledStages();
+    json["renderSeconds"] = seconds;
+    json["paths"] = first.paths;
+    json["rays"] = first.rays;
+    json["shadowRays"] = first.shadowRays;
+    const auto rate = [&](std::uint64_t n) { return static_cast<double>(n) / seconds; };
+    json["pathsPerSecond"] = rate(first.paths);
+    json["raysPerSecond"] = rate(first.rays);
+    json["shadowRaysPerSecond"] = rate(first.shadowRays);
+    for (const auto& [name, stage] : first.stages) {
+        const double stageSeconds = medianOf(repeats, [&, &key = name](const Repeat& r) { return r.stages.at(key).seconds; });
+        const double slots = static_cast<double>(stage.slots);
+        const double occupancy = occupancyOf(name, first, stage.slots);
+        json["stages"].push_back({{"stage", name}, {"launches", stage.launches}, {"slots", stage.slots}, {"seconds", stageSeconds},
+                                  {"nanosecondsPerSlot", slots > 0 ? stageSeconds / slots * 1e9 : 0}, {"occupancy", occupancy},
+                                  {"waveFill", slots / (static_cast<double>(stage.launches) * session.shape().wavePaths)}});
+    }
+    for (const Stage& s : session.stages().all())
+        json["kernels"].push_back({{"stage", s.name}, {"buildSeconds", s.compileSeconds}, {"firstLaunchSeconds", s.firstLaunchSeconds}, {"cached", s.kernel.program().fromCache}});
+    return json;
+}
+
+std::string asTable(const nlohmann::ordered_json& j) {
+    std::string text = fmt::format("{} on {}\nmedian of {} renders of {} samples: {:.3f} s; {:.2f} M paths/s\n", j["scene"].get<std::string>(), j["device"].get<std::string>(),
+                                   j["repeats"].get<int>(), j["samples"].get<int>(), j["renderSeconds"].get<double>(), j["pathsPerSecond"].get<double>() * 1e-6);
+    text += fmt::format("rays {} ({:.2f} M/s), shadow rays {} ({:.2f} M/s); {} kernels compiled in {:.2f} s, apart\n", j["rays"].get<std::uint64_t>(), j["raysPerSecond"].get<double>() * 1e-6,
+                        j["shadowRays"].get<std::uint64_t>(), j["shadowRaysPerSecond"].get<double>() * 1e-6, j["compiledKernels"].get<int>(), j["compileSeconds"].get<double>());
+    text += fmt::format("{:<28}{:>9}{:>13}{:>10}{:>9}{:>11}{:>11}{:>8}\n", "stage", "launches", "slots", "seconds", "share", "ns a slot", "occupancy", "fill");
+    double all = 0;
+    for (const auto& s : j["stages"]) all += s["seconds"].get<double>();
+    for (const auto& s : j["stages"])
+        text += fmt::format("{:<28}{:>9}{:>13}{:>10.3f}{:>8.1f}%{:>11.1f}{:>10.1f}%{:>7.1f}%\n", s["stage"].get<std::string>(), s["launches"].get<std::uint64_t>(), s["slots"].get<std::uint64_t>(),
+                            s["seconds"].get<double>(), s["seconds"].get<double>() / std::max(all, 1e-12) * 100, s["nanosecondsPerSlot"].get<double>(), s["occupancy"].get<double>() * 100,
+                            s["waveFill"].get<double>() * 100);
+    return text + fmt::format("{:<28}{:>32.3f}, of {:.3f} s of wall clock\n", "all stages", all, j["renderSeconds"].get<double>());
+}
+
+}  // namespace
+
+int benchCommand(const Options& o) {
+    Diagnostics diagnostics(o.log, o.scene.strict);
+    prepareOpenCl(o.device);
+    if (!o.jsonFile.empty()) checkFileWritable(o.jsonFile, 0);
+    Session session(o, diagnostics, true);
+    session.load();
+    session.pack(false);
+    session.prepare();
+    std::vector<Repeat> repeats;
+    for (int i = 0; i < o.repeats; ++i) repeats.push_back(renderOnce(session));
+    const nlohmann::ordered_json json = measure(o, session, repeats);
+    std::fputs(asTable(json).c_str(), stdout);
+    if (!o.jsonFile.empty()) {
+        const std::string text = json.dump(2) + "\n";
+        writeFileAtomically(o.jsonFile, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+    }
+    return static_cast<int>(ExitCode::success);
+}
+
+}  // namespace eikonal

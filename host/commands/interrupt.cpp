@@ -1,0 +1,31 @@
+#include "commands/interrupt.h"
+
+#include <csignal>
+#include <unistd.h>
+
+namespace eikonal {
+
+static volatile std::sig_atomic_t noted = 0;
+
+extern "C" void noteSignal(int number) {
+    if (noted) ::_exit(128 + number);
+    noted = number;
+}
+
+Interrupt::Interrupt() {
+    noted = 0;
+    struct sigaction action {};
+    action.sa_handler = noteSignal;
+    action.sa_flags = SA_RESTART;
+    ::sigaction(SIGINT, &action, nullptr);
+    ::sigaction(SIGTERM, &action, nullptr);
+}
+
+Interrupt::~Interrupt() {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+}
+
+int Interrupt::signal() { return noted; }
+
+}  // namespace eikonal

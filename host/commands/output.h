@@ -1,0 +1,14 @@
+#pragma once
+// The files that a render leaves.
+
+#include "film/image_file.h"
+#include "options.h"
+
+namespace eikonal {
+
+/// The files to write: those of -o, else the one that the scene names, else the scene's name with .exr. A single EXR gets a PNG beside it.
+std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& scene);
+/// Drops the channels that nobody asked for.
+void selectAovs(FilmImage& image, const Aovs& aovs);
+
+}  // namespace eikonal

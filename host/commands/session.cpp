@@ -1,0 +1,105 @@
+#include "commands/session.h"
+
+#include "commands/scene_loading.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <future>
+#include <thread>
+
+namespace eikonal {
+
+void prepareOpenCl(const DeviceOptions& options) {
+    preparePocl(ProgramCache::defaultFolder());
+    if (options.threads > 0) setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(options.threads).c_str(), 1);
+}
+
+std::string cacheFolderFor(const DeviceOptions& options) { return options.cache ? ProgramCache::defaultFolder() : std::string(); }
+
+StageShape shapeFor(const DeviceInfo& device, const DeviceOptions& options) {
+    StageShape shape = StageShape::forDevice(device);
+    if (options.localSize && *options.localSize > device.largestGroup)
+        throw UsageError(fmt::format("--local-size: \"{}\" has work-groups of at most {} items, not {}", device.name, device.largestGroup, *options.localSize));
+    if (options.localSize) shape.localSize = *options.localSize;
+    if (options.wavePaths) shape.wavePaths = *options.wavePaths;
+    return shape;
+}
+
+BuildSettings buildSettingsFor(const DeviceOptions& options) {
+    BuildSettings settings;
+    settings.contraction = options.contraction;
+    settings.dumpFolder = options.dumpFolder;
+    return settings;
+}
+
+Session::Session(const Options& options, Diagnostics& diagnostics, bool profiling)
+    : options_(options), diagnostics_(diagnostics), profiling_(profiling) {}
+
+Session::~Session() = default;
+
+void Session::load() {
+    /* Opening a device reads a whole compiler from disk: time to read the scene meanwhile */
+    auto opened = std::async(std::launch::async, [this] {
+        const Stopwatch time;
+        context_ = std::make_unique<Context>(chooseDevice(options_.device.device), profiling_);
+        compiler_ = std::make_unique<Compiler>(*context_, findKernelFolders(), cacheFolderFor(options_.device));
+        times_.device = time.seconds();
+    });
+    const Stopwatch time;
+    scene_ = loadScene(options_.scene, diagnostics_);
+    times_.load = time.seconds();
+    opened.get();
+    shape_ = shapeFor(context_->device(), options_.device);
+}
+
+void Session::pack(bool aovs) {
+    const Stopwatch time;
+    packed_ = packScene(scene_, diagnostics_);
+    if (aovs) packed_.require(Feature::AOVS, "--aov");
+    times_.pack = time.seconds();
+    times_.build = packed_.counts.buildSeconds;
+}
+
+MemoryPlan Session::plan() const {
+    const size_t pixels = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height());
+    return {packed_.tables.bytes(), Wave::plannedBytes(packed_, shape_), pixels * static_cast<size_t>(filmLayout(packed_.features).words) * sizeof(uint)};
+}
+
+void Session::prepare() {
+    const Stopwatch uploadTime;
+    deviceScene_ = std::make_unique<DeviceScene>(*context_, packed_);
+    times_.upload = uploadTime.seconds();
+    const Stopwatch compileTime;
+    stages_ = std::make_unique<Stages>(*context_, *compiler_, packed_, shape_, buildSettingsFor(options_.device));
+    wave_ = std::make_unique<Wave>(*context_, *deviceScene_, *stages_, shape_, packed_.features, profile_);
+    wave_->warmUp();
+    times_.compile = compileTime.seconds();
+    const Stopwatch keepTime;
+    for (const Stage& stage : stages_->all()) compiler_->keep(stage.kernel.program());
+    times_.keep = keepTime.seconds();
+    times_.firstRay = sinceStart_.seconds();
+}
+
+int Session::compiledStages() const {
+    int count = 0;
+    for (const Stage& stage : stages_->all()) count += !stage.kernel.program().fromCache;
+    return count;
+}
+
+std::string sceneHash(const PackedScene& scene) {
+    settings frame = scene.frame();
+    frame.seed = 0;
+    std::uint64_t hash = hashBytes({reinterpret_cast<const char*>(&frame), sizeof frame});
+    const auto add = [&](const auto& table) {
+        using Element = typename std::decay_t<decltype(table)>::value_type;
+        if constexpr (!std::is_same_v<Element, settings>)
+            hash = hashBytes({reinterpret_cast<const char*>(table.data()), table.size() * sizeof(Element)}, hash);
+    };
+#define HASH_TABLE(type, name) add(scene.tables.name);
+    SCENE_TABLES(HASH_TABLE)
+#undef HASH_TABLE
+    return fmt::format("{:016x}", hash);
+}
+
+}  // namespace eikonal

@@ -1,0 +1,86 @@
+#pragma once
+// What it takes to render a scene, made ready step by step, with the time that each step took.
+
+#include "commands/clock.h"
+#include "options.h"
+#include "pack/pack.h"
+#include "render/render.h"
+
+#include <memory>
+
+namespace eikonal {
+
+/// Sets what OpenCL implementations read from the environment. To be called before the first call of OpenCL.
+void prepareOpenCl(const DeviceOptions& options);
+/// Where compiled kernels are kept; empty: nowhere.
+std::string cacheFolderFor(const DeviceOptions& options);
+StageShape shapeFor(const DeviceInfo& device, const DeviceOptions& options);
+BuildSettings buildSettingsFor(const DeviceOptions& options);
+
+/// Seconds of each step. Steps that run at the same time count each in full.
+struct SessionTimes {
+    double device = 0;      ///< to find and open the device
+    double load = 0;        ///< to read the scene's files
+    double pack = 0;        ///< to load its images and fill its tables
+    double build = 0;       ///< of that: the acceleration structure
+    double upload = 0;      ///< tables to the device
+    double compile = 0;     ///< kernels: built and launched once
+    double keep = 0;        ///< to store them in the cache
+    double firstRay = 0;    ///< from the start of the program until the first ray could start
+};
+
+/// Bytes that a render takes, known before any of it is allocated.
+struct MemoryPlan {
+    size_t tables = 0;      ///< the scene, on the host and on the device
+    size_t queues = 0;      ///< a wave of paths, on the device
+    size_t film = 0;        ///< on the host
+};
+
+/// A scene on a device, with kernels that are compiled.
+class Session {
+public:
+    /// profiling: kernels are timed.
+    Session(const Options& options, Diagnostics& diagnostics, bool profiling = false);
+    ~Session();
+
+    /// Reads the scene, while the device opens.
+    void load();
+    /// Fills its tables; with aovs, the film keeps albedo, normal and depth.
+    void pack(bool aovs);
+    /// What prepare() is going to allocate.
+    MemoryPlan plan() const;
+    /// Uploads the tables and compiles the kernels.
+    void prepare();
+
+    const Scene& scene() const { return scene_; }
+    const PackedScene& packed() const { return packed_; }
+    const Context& context() const { return *context_; }
+    const Compiler& compiler() const { return *compiler_; }
+    const StageShape& shape() const { return shape_; }
+    const Stages& stages() const { return *stages_; }
+    Wave& wave() { return *wave_; }
+    Profile& profile() { return profile_; }
+    const SessionTimes& times() const { return times_; }
+    int compiledStages() const;      ///< how many were not in the cache
+
+private:
+    const Options& options_;
+    Diagnostics& diagnostics_;
+    const bool profiling_;
+    Stopwatch sinceStart_;
+    Scene scene_;
+    PackedScene packed_;
+    StageShape shape_;
+    SessionTimes times_;
+    Profile profile_;
+    std::unique_ptr<Context> context_;
+    std::unique_ptr<Compiler> compiler_;
+    std::unique_ptr<DeviceScene> deviceScene_;
+    std::unique_ptr<Stages> stages_;
+    std::unique_ptr<Wave> wave_;
+};
+
+/// A number that changes with anything in the scene but the seed and the number of samples.
+std::string sceneHash(const PackedScene& scene);
+
+}  // namespace eikonal

@@ -1,0 +1,15 @@
+#pragma once
+// Figures about a render, as lines of text.
+
+#include "commands/session.h"
+
+namespace eikonal {
+
+/// Bytes as people read them: "1.5 GiB".
+std::string readableBytes(double bytes);
+/// "scene tables 12.0 MiB, queues ...".
+std::string describe(const MemoryPlan& plan);
+/// What --stats prints: where time and memory went. `renderSeconds` and `writeSeconds` as measured by the caller.
+std::string describeRun(const Session& session, const Profile& profile, double renderSeconds, double writeSeconds);
+
+}  // namespace eikonal

@@ -1,0 +1,75 @@
+#pragma once
+// The command line: every option is declared once, in options.cpp, with its help and its check.
+
+#include "diagnostics.h"
+#include "film/tone_map.h"
+#include "scene/scene.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eikonal {
+
+enum class Command { print, render, info, bench, cache, listDevices, compare };
+
+/// What replaces what the scene file says. Unset: the file's.
+struct SceneOptions {
+    std::string path;
+    std::optional<int> spp;                           ///< samples a pixel, >= 1
+    std::optional<int> seed;
+    std::optional<SamplerKind> sampler;
+    std::optional<int> maxDepth;                      ///< bounces, >= 0
+    std::optional<std::array<int, 2>> resolution;     ///< width and height in pixels
+    std::optional<std::array<double, 4>> cropWindow;  ///< x0 x1 y0 y1, fractions of the image
+    std::optional<PixelBounds> pixelBounds;
+    std::optional<glm::dvec3> camera, lookAt, up;     ///< OBJ only, world space
+    std::optional<double> fov;                        ///< OBJ only, degrees along the shorter side, in (0, 180)
+    bool strict = false;
+};
+
+/// Where and how kernels run.
+struct DeviceOptions {
+    std::string device;                               ///< a number of --list-devices or a part of a name; empty: the best
+    int threads = 0;                                  ///< of the host and of PoCL; 0: one a core
+    bool cache = true;
+    std::string dumpFolder;                           ///< not empty: each program's text goes there
+    std::optional<unsigned> wavePaths, localSize;
+    bool contraction = true;
+};
+
+/// Channels of an EXR besides colour.
+struct Aovs { bool albedo = false, normal = false, depth = false, variance = false, sampleCount = false; };
+
+struct OutputOptions {
+    std::vector<std::string> files;                   ///< empty: the scene's name, .exr
+    Aovs aovs;
+    ToneMapping toneMapping;
+    std::optional<double> timeLimit;                  ///< seconds of rendering
+    bool stats = false;
+};
+
+struct Options {
+    Command command = Command::print;
+    std::string text;                                 ///< what Command::print prints
+    std::string commandLine;                          ///< as the user gave it
+    LogLevel log = LogLevel::warning;
+    bool quiet = false;
+    SceneOptions scene;
+    DeviceOptions device;
+    OutputOptions output;
+    bool json = false;                                ///< info: print JSON
+    std::string jsonFile;                             ///< bench: not empty, write JSON there
+    int repeats = 5;                                  ///< bench
+    bool clearCache = false, warmCache = false;       ///< cache
+    std::vector<std::string> scenes;                  ///< cache --warm
+    std::string image, reference;                     ///< compare
+};
+
+/// What the command line asks for. `arguments` begins with the program's name. Throws a UsageError that says what would have worked.
+Options parseOptions(const std::vector<std::string>& arguments);
+
+/// Every option of every command, long spelling, for the test that holds docs/command-line.md to it.
+std::vector<std::string> allOptionNames();
+
+}  // namespace eikonal
