@@ -144,14 +144,18 @@ Spectrum Arguments::spectrum(const std::string& name, const Spectrum& fallback) 
         }
         return spectrum;
     }
-    if (r.fallback.empty()) return fallback;
-    if (auto curve = namedSpectrum(r.fallback)) return Spectrum::sampled(curve);
-    return Spectrum::constant(std::stod(r.fallback));
+    return r.fallback.empty() ? fallback : defaultSpectrum(r);
 }
 
 std::optional<std::string> Arguments::file(const std::string& name) const {
     const std::string path = text(name);
     return path.empty() ? std::nullopt : reading_->findFile(path, whereOf(name));
+}
+
+Spectrum defaultSpectrum(const Rule& rule) {
+    if (rule.fallback.empty()) return Spectrum();
+    if (auto curve = namedSpectrum(rule.fallback)) return Spectrum::sampled(curve);
+    return Spectrum::constant(std::stod(rule.fallback));
 }
 
 std::string typeOf(const ParameterList& parameters, const char* directive, const SourceLocation& where) {

@@ -36,13 +36,13 @@ const KindTable& materialKinds() {
          "index interface.eta = 1.5 -> -; floatmap thickness = 0.01 -> -; floatmap g = 0 -> -; colormap albedo = 0 -> -;"
          "integer maxdepth = 10 -> -; integer nsamples = 1 -> -", "its conductor is rendered without the coat"},
         {"subsurface", kindOf(MaterialKind::coatedDiffuse),
-         "colormap reflectance = 0.5; floatmap uroughness | roughness = 0; floatmap vroughness | roughness = 0; index eta = 1.33;"
+         "colormap reflectance; floatmap uroughness | roughness = 0; floatmap vroughness | roughness = 0; index eta = 1.33;"
          "string name -> -; spectrummap sigma_a -> -; spectrummap sigma_s -> -; spectrummap mfp -> -; float scale = 1 -> -; float g = 0 -> -",
          "a coated diffuse surface stands in for it"},
         {"hair", kindOf(MaterialKind::diffuse),
-         "colormap reflectance | color = 0.5; spectrummap sigma_a -> -; floatmap eumelanin -> -; floatmap pheomelanin -> -; floatmap eta = 1.55 -> -;"
+         "colormap reflectance | color; spectrummap sigma_a -> -; floatmap eumelanin -> -; floatmap pheomelanin -> -; floatmap eta = 1.55 -> -;"
          "floatmap beta_m = 0.3 -> -; floatmap beta_n = 0.3 -> -; floatmap alpha = 2 -> -", "a diffuse surface stands in for it"},
-        {"measured", kindOf(MaterialKind::diffuse), "file filename -> -; colormap reflectance = 0.5", "a diffuse surface stands in for it"},
+        {"measured", kindOf(MaterialKind::diffuse), "file filename -> -", "a diffuse surface stands in for it"},
     });
     return table;
 }
@@ -134,6 +134,14 @@ void MaterialBook::readInputs(const Arguments& arguments, Material& material) {
         if (rule.wanted == Wanted::index && input.value.kind() == Spectrum::Kind::sampled)
             reading_.unsupported("dispersion", input.where, "an index of refraction that varies with the wavelength is not rendered yet; its mean counts");
         material.inputs[rule.as] = std::move(input);
+    }
+
+    // What stands in for a material may have inputs that the material does not.
+    if (!arguments.kind().standIn) return;
+    for (const Kind& kind : materialKinds().kinds()) {
+        if (kind.standIn || kind.value != arguments.kind().value) continue;
+        for (const Rule& rule : kind.rules)
+            if (rule.as != "-" && !rule.fallback.empty()) material.inputs.try_emplace(rule.as, Input{defaultSpectrum(rule)});
     }
 }
 

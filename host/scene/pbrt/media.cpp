@@ -2,6 +2,8 @@
 
 #include "scene/pbrt/medium_presets.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace eikonal::pbrt {
@@ -22,10 +24,10 @@ Grid readGrid(const Arguments& arguments, const std::string& name) {
     grid.nz = arguments.integer("nz");
     if (grid.nx < 1 || grid.ny < 1 || grid.nz < 1) throw SceneError(arguments.where(), "the grid's nx, ny and nz must be at least 1");
     const std::vector<double> values = arguments.numbers(name);
-    const long long expected = 1ll * grid.nx * grid.ny * grid.nz;
-    if (!values.empty() && static_cast<long long>(values.size()) != expected)
-        throw SceneError(arguments.whereOf(name), "\"float " + name + "\" has " + std::to_string(values.size()) + " values; nx * ny * nz = " +
-                                                      std::to_string(expected) + " are expected");
+    const double expected = double(grid.nx) * grid.ny * grid.nz;
+    if (!values.empty() && static_cast<double>(values.size()) != expected)
+        throw SceneError(arguments.whereOf(name), fmt::format("\"float {}\" has {} values; nx * ny * nz = {} * {} * {} = {:.0f} are expected", name,
+                                                              values.size(), grid.nx, grid.ny, grid.nz, expected));
     grid.values.assign(values.begin(), values.end());
     return grid;
 }

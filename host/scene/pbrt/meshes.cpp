@@ -38,8 +38,8 @@ std::shared_ptr<Mesh> readMesh(Reading& reading, const Arguments& arguments, int
                                                               " vertices, and \"P\" has " + std::to_string(count));
         return decltype(values)();
     };
-    mesh->normals = perVertex(arguments.vectors3("N"), "N");
-    mesh->uvs = perVertex(arguments.vectors2("uv"), "uv");
+    if (arguments.kind().rule("N")) mesh->normals = perVertex(arguments.vectors3("N"), "N");
+    if (arguments.kind().rule("uv")) mesh->uvs = perVertex(arguments.vectors2("uv"), "uv");
     return mesh;
 }
 

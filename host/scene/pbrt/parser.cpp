@@ -5,14 +5,10 @@
 
 namespace eikonal::pbrt {
 
-/// The next token, that of an included file where there is an Include.
-Token Parser::next() {
-    last_ = tokens_.next();
-    while (last_.kind == Token::Kind::word && last_.text == "Include") {
-        include(tokens_.locate(last_));
-        last_ = tokens_.next();
-    }
-    return last_;
+Parser::Parser(Builder& builder, const Parser* outer) : builder_(builder), outer_(outer) {
+    tokens_.onInclude([this](const Token& word) {
+        if (auto file = openNamedFile(tokens_.locate(word), "Include")) tokens_.push(file->first, std::move(file->second));
+    });
 }
 
 SourceLocation Parser::read(const std::string& name, std::string text) {
@@ -83,23 +79,19 @@ ParameterList Parser::parameters() {
 
 /// The name and text of the file that comes next in quotes; nothing, noted, if it is missing.
 std::optional<std::pair<std::string, std::string>> Parser::openNamedFile(const SourceLocation& where, const char* directive) {
-    const Token token = tokens_.next();
+    const Token token = tokens_.nextInText();
     const SourceLocation place = tokens_.locate(token);
     if (token.kind != Token::Kind::quoted) throw SceneError(place, std::string(directive) + " needs the name of a file in quotes");
     const std::optional<std::string> path = builder_.reading.findFile(std::string(token.text), place);
     if (!path) return std::nullopt;
-    if (tokens_.isOpen(*path)) throw SceneError(where, "\"" + *path + "\" includes itself");
+    if (isReading(*path)) throw SceneError(where, "\"" + *path + "\" includes itself");
     return std::pair(*path, readTextFile(*path));
-}
-
-void Parser::include(const SourceLocation& where) {
-    if (auto file = openNamedFile(where, "Include")) tokens_.push(file->first, std::move(file->second));
 }
 
 void Parser::import(const SourceLocation& where) {
     auto file = openNamedFile(where, "Import");
     if (!file) return;
-    builder_.importing([&] { Parser(builder_).read(file->first, std::move(file->second)); });
+    builder_.importing([&] { Parser(builder_, this).read(file->first, std::move(file->second)); });
 }
 
 }  // namespace eikonal::pbrt

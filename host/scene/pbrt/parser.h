@@ -13,7 +13,8 @@ namespace eikonal::pbrt {
 /// with the builder's problems, and reading goes on.
 class Parser {
 public:
-    Parser(Builder& builder) : builder_(builder) {}
+    /// outer: what reads the file that imports this one; null: none.
+    explicit Parser(Builder& builder, const Parser* outer = nullptr);
 
     /// Reads a whole text, and those that it includes. Returns where it ends.
     SourceLocation read(const std::string& name, std::string text);
@@ -29,14 +30,16 @@ public:
     ParameterList parameters();
     SourceLocation lastPlace() const { return tokens_.locate(last_); }
 
-    void include(const SourceLocation& where);
+    /// Reads the file that is named next, in a state of its own.
     void import(const SourceLocation& where);
 
 private:
-    Token next();
+    Token next() { return last_ = tokens_.next(); }
     std::optional<std::pair<std::string, std::string>> openNamedFile(const SourceLocation& where, const char* directive);
+    bool isReading(const std::string& path) const { return tokens_.isOpen(path) || (outer_ && outer_->isReading(path)); }
 
     Builder& builder_;
+    const Parser* outer_;
     TokenStream tokens_;
     Token last_;          ///< the last one that next() gave
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 
 namespace eikonal::pbrt {
 namespace {
@@ -114,6 +115,7 @@ void Settings::set(Sort sort, const std::string& kindName, const GraphicsState& 
     const Kind& kind = settingKinds()[static_cast<size_t>(sort)]->find(kindName, where);
     given_[sort] = std::make_unique<Arguments>(reading_, kind, where, std::move(parameters), nullptr, state.space);
     if (sort == Sort::camera) {
+        if (!(std::abs(glm::determinant(state.transform[0])) > 0)) throw SceneError(where, "the camera's transform cannot be inverted; is there a Scale of 0?");
         reading_.scene.camera.worldFromCamera = glm::inverse(state.transform[0]);
         cameraMedium_ = state.outside;
         if (state.transform[0] != state.transform[1])
@@ -232,9 +234,12 @@ void Settings::applySampler(const Arguments& arguments) {
     SamplerDescription& sampler = reading_.scene.sampler;
     sampler.where = arguments.where();
     sampler.kind = static_cast<SamplerKind>(arguments.kind().value);
-    sampler.pixelSamples = arguments.kind().name == "stratified" ? arguments.integer("xsamples") * arguments.integer("ysamples")
-                                                                 : arguments.integer("pixelsamples");
-    if (sampler.pixelSamples < 1) throw SceneError(arguments.where(), "a pixel needs at least one sample");
+    constexpr long long most = 1 << 30;
+    const bool isStratified = arguments.kind().name == "stratified";
+    const long long samples = isStratified ? 1ll * arguments.integer("xsamples") * arguments.integer("ysamples") : arguments.integer("pixelsamples");
+    if (samples < 1 || samples > most)
+        throw SceneError(arguments.where(), "a pixel has " + std::to_string(samples) + " samples; it can have 1 to " + std::to_string(most));
+    sampler.pixelSamples = static_cast<int>(samples);
     if (arguments.has("seed")) sampler.seed = arguments.integer("seed");
 }
 

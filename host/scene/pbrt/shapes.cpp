@@ -6,7 +6,7 @@
 namespace eikonal::pbrt {
 namespace {
 
-enum ShapeKind { sphereKind, diskKind, triangleMeshKind, bilinearMeshKind, plyMeshKind, otherKind };
+enum ShapeKind { sphereKind, diskKind, triangleMeshKind, bilinearMeshKind, plyMeshKind, loopSubdivKind, otherKind };
 
 Sphere readSphere(const Arguments& arguments) {
     const double radius = arguments.number("radius");
@@ -32,7 +32,8 @@ const KindTable& shapeKinds() {
         {"curve", otherKind,
          "point3s P; integer degree = 3; string basis = bezier; string type = flat; normals N; float width = 1; float width0; float width1;"
          "integer splitdepth = 3", "it is left out"},
-        {"loopsubdiv", otherKind, "integers indices; point3s P; integer levels = 3; string scheme = loop", "it is left out"},
+        {"loopsubdiv", loopSubdivKind, "integers indices; point3s P; integer levels = 3; string scheme = loop",
+         "the mesh that it starts from takes its place"},
     });
     return table;
 }
@@ -40,10 +41,8 @@ const KindTable& shapeKinds() {
 void ShapeBook::add(const std::string& kindName, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
     const Kind& kind = shapeKinds().find(kindName, where);
     const Arguments arguments(reading_, kind, where, std::move(parameters), state.attributesOf(Target::shape), state.space);
-    if (kind.standIn) {
-        reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
-        return;
-    }
+    if (kind.standIn) reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
+    if (kind.value == otherKind) return;
     if (state.transform[0] != state.transform[1])
         reading_.unsupported("motion", where, "a shape that moves is not rendered yet; it stays where it is when the shutter opens");
 
@@ -71,6 +70,7 @@ bool ShapeBook::readKind(const Arguments& arguments, Pending& pending) {
             if (arguments.has("S"))
                 reading_.unsupported("tangents", arguments.whereOf("S"), "tangents of meshes are not used yet; they follow the texture coordinates");
             break;
+        case loopSubdivKind: pending.shape.kind = TriangleMesh{readMesh(reading_, arguments, 3)}; break;
         case bilinearMeshKind:
             pending.shape.kind = BilinearMesh{readMesh(reading_, arguments, 4)};
             if (arguments.file("emissionfilename"))

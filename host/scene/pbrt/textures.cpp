@@ -1,6 +1,7 @@
 #include "scene/pbrt/textures.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 
 namespace eikonal::pbrt {
@@ -49,7 +50,9 @@ int choose(const Arguments& arguments, const std::string& name, std::initializer
 void readEncoding(const Arguments& arguments, ImageFile& file) {
     const std::string encoding = arguments.text("encoding");
     if (encoding.empty()) return;
-    const bool isPng = std::filesystem::path(file.path).extension() == ".png";
+    std::string ending = std::filesystem::path(file.path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    const bool isPng = ending == ".png";
     if (encoding == "sRGB") {
         if (isPng) file.encoding = ColorEncoding::srgb;
     } else if (encoding == "linear") {

@@ -4,7 +4,9 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <filesystem>
 #include <type_traits>
+#include <utility>
 
 namespace eikonal::pbrt {
 
@@ -30,8 +32,7 @@ const char* skipSpaceAndComments(const char* at, const char* end) {
         if (isSpace(*at)) {
             ++at;
         } else if (*at == '#') {
-            const void* newline = std::memchr(at, '\n', end - at);
-            at = newline ? static_cast<const char*>(newline) : end;
+            at = std::find_if(at, end, [](char c) { return c == '\n' || c == '\r'; });
         } else {
             break;
         }
@@ -96,13 +97,20 @@ void TokenStream::push(const std::string& name, std::string text) {
     open_.push_back(std::move(source));
 }
 
+/// Puts the text that has been read to its end aside.
+void TokenStream::close() {
+    finished_.push_back(std::move(open_.back()));
+    open_.pop_back();
+}
+
 void TokenStream::forget() {
-    finished_.clear();
-    unescaped_.clear();
+    std::erase_if(finished_, [&](const auto& source) { return !ahead_ || ahead_->source != source.get(); });
+    if (!ahead_) unescaped_.clear();
 }
 
 bool TokenStream::isOpen(const std::string& name) const {
-    return std::ranges::any_of(open_, [&](const auto& source) { return *source->name == name; });
+    const auto plain = [](const std::string& path) { return std::filesystem::path(path).lexically_normal(); };
+    return std::ranges::any_of(open_, [&](const auto& source) { return plain(*source->name) == plain(name); });
 }
 
 SourceLocation TokenStream::locate(const Token& token) const {
@@ -120,32 +128,31 @@ SourceLocation TokenStream::locate(const Token& token) const {
     return {source.name, source.line, static_cast<int>(token.at - lineBegin) + 1};
 }
 
-Token TokenStream::take(Source& source, Token::Kind kind, const char* begin, const char* end) {
+Token TokenStream::takeText(Source& source, Token::Kind kind, const char* begin, const char* end) {
     source.at = end;
     return {kind, {begin, static_cast<size_t>(end - begin)}, &source, begin};
 }
 
-Token TokenStream::next() {
-    if (ahead_) {
-        const Token token = *ahead_;
-        ahead_.reset();
-        return token;
-    }
+Token TokenStream::take(bool includes) {
+    if (ahead_) return *std::exchange(ahead_, std::nullopt);
     Token end;
     while (!open_.empty()) {
         Source& source = *open_.back();
         source.at = skipSpaceAndComments(source.at, source.end);
         if (source.at == source.end) {
             end = {Token::Kind::end, {}, &source, source.at};
-            finished_.push_back(std::move(open_.back()));
-            open_.pop_back();
+            close();
             continue;
         }
         switch (*source.at) {
-            case '[': return take(source, Token::Kind::open, source.at, source.at + 1);
-            case ']': return take(source, Token::Kind::close, source.at, source.at + 1);
+            case '[': return takeText(source, Token::Kind::open, source.at, source.at + 1);
+            case ']': return takeText(source, Token::Kind::close, source.at, source.at + 1);
             case '"': return takeQuoted(source);
-            default: return take(source, Token::Kind::word, source.at, endOfWord(source.at, source.end));
+            default: {
+                const Token word = takeText(source, Token::Kind::word, source.at, endOfWord(source.at, source.end));
+                if (!includes || !include_ || word.text != "Include") return word;
+                include_(word);
+            }
         }
     }
     return end;
@@ -192,30 +199,30 @@ template <class T> T TokenStream::toNumber(const Token& token, const char* wante
 }
 
 template <class T> void TokenStream::readList(std::vector<T>& numbers) {
-    if (ahead_ && ahead_->kind == Token::Kind::end) throw SceneError(locate(*ahead_), "the file ends within a list of numbers");
-    Source& source = *open_.back();
-    const char* at = ahead_ ? ahead_->at : source.at;
-    ahead_.reset();
-    const char* const end = source.end;
-    while (true) {
-        at = skipSpaceAndComments(at, end);
-        if (at == end) throw SceneError(locate({Token::Kind::end, {}, &source, at}), "the file ends within a list of numbers");
-        if (*at == ']') break;
+    if (ahead_ && ahead_->kind != Token::Kind::end) open_.back()->at = std::exchange(ahead_, std::nullopt)->at;
+    const size_t depth = open_.size();
+    while (!ahead_) {
+        // Read numbers for as long as they are of the usual form.
+        Source& source = *open_.back();
+        const char* const end = source.end;
+        const char* at = skipSpaceAndComments(source.at, end);
         T value;
-        if (const char* stop = readUsualNumber(at, end, value)) {
-            numbers.push_back(value);
-            at = stop;
-        } else {
-            const char* stopOfWord = *at == '"' ? at + 1 : endOfWord(at + (*at == '['), end);
-            const Token word{*at == '"' || *at == '[' ? Token::Kind::quoted : Token::Kind::word,
-                             {at, static_cast<size_t>(stopOfWord - at)}, &source, at};
-            if (word.kind == Token::Kind::quoted)
-                throw SceneError(locate(word), std::string(*at == '"' ? "a string" : "\"[\"") + " found where " + numberWord<T> + " is expected");
-            numbers.push_back(toUnusualNumber<T>(word.text, numberWord<T>, locate(word)));
-            at = stopOfWord;
+        for (const char* stop; at != end && (stop = readUsualNumber(at, end, value)); at = skipSpaceAndComments(stop, end)) numbers.push_back(value);
+        source.at = at;
+
+        // What comes now is the end of the text, the end of the list, or unusual.
+        if (at == end) {
+            if (open_.size() <= depth) break;
+            close();
+            continue;
         }
+        const Token token = next();
+        if (token.kind == Token::Kind::close) return;
+        if (token.kind == Token::Kind::end) putBack(token);
+        else numbers.push_back(toNumber<T>(token, numberWord<T>));
     }
-    source.at = at + 1;
+    const Token end = ahead_ ? *ahead_ : Token{Token::Kind::end, {}, open_.back().get(), open_.back()->end};
+    throw SceneError(locate(end), "the file ends within a list of numbers");
 }
 
 template void TokenStream::readList(std::vector<float>&);

@@ -4,6 +4,7 @@
 #include "error.h"
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -37,14 +38,21 @@ public:
     /// Whether a text of that name is being read.
     bool isOpen(const std::string& name) const;
 
-    Token next();
+    /// Wherever the word Include is, `include` is called with it, and what follows is read then: `include` may take the name of a
+    /// file with nextInText() and push its text. Without this, Include is a word as any other.
+    void onInclude(std::function<void(const Token&)> include) { include_ = std::move(include); }
+
+    Token next() { return take(true); }
+    /// The next token, even if it is the word Include.
+    Token nextInText() { return take(false); }
     /// The next token again, later.
     void putBack(const Token& token) { ahead_ = token; }
 
     /// Line and column of a token. Cheap if asked in the order of the text.
     SourceLocation locate(const Token& token) const;
 
-    /// Appends the numbers up to the closing bracket and consumes it; the opening one has just been. T: float, double, int.
+    /// Appends the numbers up to the closing bracket and consumes it; the opening one has just been. The list ends in the text that
+    /// it begins in. T: float, double, int.
     template <class T> void readList(std::vector<T>& numbers);
     /// The number that a token is. `wanted` completes "found where ... is expected".
     template <class T> T toNumber(const Token& token, const char* wanted) const;
@@ -53,12 +61,15 @@ public:
     void forget();
 
 private:
-    Token take(Source& source, Token::Kind kind, const char* begin, const char* end);
+    Token take(bool includes);
+    Token takeText(Source& source, Token::Kind kind, const char* begin, const char* end);
     Token takeQuoted(Source& source);
+    void close();
 
     std::vector<std::unique_ptr<Source>> open_, finished_;
     std::deque<std::string> unescaped_;
     std::optional<Token> ahead_;
+    std::function<void(const Token&)> include_;
 };
 
 }  // namespace eikonal::pbrt
