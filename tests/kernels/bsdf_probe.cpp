@@ -1,0 +1,101 @@
+#include "bsdf_probe.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+
+namespace eikonal {
+
+std::vector<BsdfKind> bsdfKinds() {
+    std::vector<BsdfKind> kinds;
+#define ADD_PARAMETER(q, type, name, FEATURE) kind.parameters.push_back({#type, #name, WORDS_##type});
+#define ADD_KIND(bsdf, FEATURE, PARAMETERS) { BsdfKind kind{#bsdf, {}}; PARAMETERS(ADD_PARAMETER, bsdf) if (hasKernelFile("bsdf/" #bsdf ".clh")) kinds.push_back(kind); }
+    BSDFS(ADD_KIND)
+#undef ADD_KIND
+#undef ADD_PARAMETER
+    return kinds;
+}
+
+static float pick(Random& random, std::initializer_list<float> values) { return values.begin()[random.below(static_cast<uint>(values.size()))]; }
+
+static float drawFloat(const BsdfParameter& p, Range range, Random& random) {
+    const bool smooth = range == Range::smooth;
+    const std::string& n = p.name;
+    if (n == "eta" && p.type == "float") return smooth ? (random.below(2) ? random.between(1.1f, 2.5f) : 1 / random.between(1.1f, 2.5f)) : pick(random, {1.0f, 1.0001f, 0.9999f, 3.0f, 0.3f, 1.5f});
+    if (n == "eta") return smooth ? random.between(0.1f, 4) : pick(random, {1e-3f, 0.05f, 1, 10});
+    if (n == "k") return smooth ? random.between(0, 8) : pick(random, {0, 1e-3f, 1, 30});
+    if (n.starts_with("alpha")) return smooth ? random.logBetween(0.15f, 1) : pick(random, {0, MIN_ALPHA, 0.01f, 0.3f, 1});
+    if (n == "thickness") return smooth ? random.between(0.001f, 0.2f) : pick(random, {0, 1e-6f, 10});
+    if (n == "g") return smooth ? random.between(-0.8f, 0.8f) : pick(random, {-0.99f, 0, 0.99f});
+    return smooth ? random.unit() : pick(random, {0, 1});
+}
+
+std::vector<uint> drawParameters(const BsdfKind& kind, Range range, Random& random) {
+    std::vector<uint> words;
+    float room = 1;   /* what reflectance leaves for transmittance */
+    for (const BsdfParameter& p : kind.parameters)
+        for (size_t w = 0; w < p.words; ++w) {
+            if (p.type == "uint") { words.push_back(p.name == "samples" ? 1 : range == Range::smooth ? 10 : 1 + random.below(100)); continue; }
+            float value = drawFloat(p, range, random);
+            if (p.name == "transmittance") value *= room;
+            else if (p.name == "reflectance") room = std::min(room, 1 - value);
+            words.push_back(std::bit_cast<uint>(value));
+        }
+    return words;
+}
+
+std::string describeParameters(const BsdfKind& kind, const std::vector<uint>& words) {
+    std::string text = kind.name + "(";
+    size_t at = 0;
+    for (const BsdfParameter& p : kind.parameters)
+        for (size_t w = 0; w < p.words; ++w, ++at)
+            text += p.type == "uint" ? fmt::format(" {} {}", p.name, words[at]) : fmt::format(" {} {}", p.name, std::bit_cast<float>(words[at]));
+    return text + ")";
+}
+
+void BsdfInputs::add(const std::vector<uint>& b, vec3 w, vec3 elsewhere, Random& random) {
+    parameters.words = b.size();
+    parameters.data.insert(parameters.data.end(), b.begin(), b.end());
+    wo.push_back(w);
+    lobe.push_back(random.unit());
+    u.push_back(random.square());
+    given.push_back(elsewhere);
+}
+
+static FunctionText probeText(const std::string& name) {
+    FunctionText text;
+    text.include = fmt::format("bsdf/{}.clh", name);
+    text.type = "bsdf_result";
+    text.inputs = {name + "_item b", "vec3 wo", "float lobe", "vec2 u", "vec3 given", "uint seed"};
+    text.declarations = fmt::format(R"(
+typedef struct {{
+    vec3 wi; spectrum weight; float pdf; int is_delta; float eta;
+    spectrum f, f_back; float pdf_here;
+    spectrum f_given; float pdf_given;
+    int kind_is_delta, is_stochastic;
+}} bsdf_result;
+#ifndef {0}_is_stochastic
+#define {0}_is_stochastic 0
+#endif
+)", name);
+    text.body = fmt::format(R"(
+    bsdf_sample s = sample_{0}(b, wo, lobe, u);
+    result.wi = s.wi; result.weight = s.weight; result.pdf = s.pdf; result.is_delta = s.is_delta; result.eta = s.eta;
+    result.f = eval_{0}(b, wo, s.wi);
+    result.f_back = eval_{0}(b, s.wi, wo);
+    result.pdf_here = pdf_{0}(b, wo, s.wi);
+    result.f_given = eval_{0}(b, wo, given);
+    result.pdf_given = pdf_{0}(b, wo, given);
+    result.kind_is_delta = {0}_is_delta;
+    result.is_stochastic = {0}_is_stochastic;)", name);
+    return text;
+}
+
+std::vector<uint> BsdfProbe::seedsFor(size_t n) {
+    Random random(5);
+    return generate(n, [&] { return random.word(); });
+}
+
+BsdfProbe::BsdfProbe(const std::string& name) : function_(probeText(name)) {}
+
+}  // namespace eikonal

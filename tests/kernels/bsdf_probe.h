@@ -1,0 +1,57 @@
+#pragma once
+// Every BSDF of the list BSDFS behind one call: parameters, a sample, and evaluations at it and elsewhere.
+
+#include "device_function.h"
+#include "eikonal/bsdfs.h"
+#include "random_inputs.h"
+
+#include <ostream>
+#include <string>
+
+namespace eikonal {
+
+/// One parameter of a BSDF, from its list.
+struct BsdfParameter { std::string type, name; size_t words; };
+struct BsdfKind { std::string name; std::vector<BsdfParameter> parameters; };
+inline void PrintTo(const BsdfKind& kind, std::ostream* out) { *out << kind.name; }
+/// All of BSDFS whose file exists.
+std::vector<BsdfKind> bsdfKinds();
+
+/// How parameters are drawn: within the range in which densities can be integrated on a grid, or at and beyond the ends of what
+/// scenes may hold.
+enum class Range { smooth, extreme };
+/// One set of parameters. A parameter of an unknown name is a number in [0, 1].
+std::vector<uint> drawParameters(const BsdfKind& kind, Range range, Random& random);
+
+/// What the device computes for one set of parameters, wo, (lobe, u) and another direction.
+struct BsdfResult {
+    vec3 wi; spectrum weight; float pdf; int isDelta; float eta;   ///< sample_x
+    spectrum f, fBack; float pdfHere;                              ///< eval_x(wo, wi), eval_x(wi, wo), pdf_x(wo, wi) at that wi
+    spectrum fGiven; float pdfGiven;                               ///< eval_x and pdf_x at (wo, given)
+    int kindIsDelta, isStochastic;                                 ///< x_is_delta; x_is_stochastic: eval_x is an unbiased random estimate
+};
+
+struct BsdfInputs {
+    WordArray parameters;
+    std::vector<vec3> wo;
+    std::vector<float> lobe;
+    std::vector<vec2> u;
+    std::vector<vec3> given;
+    size_t size() const { return wo.size(); }
+    void add(const std::vector<uint>& b, vec3 w, vec3 elsewhere, Random& random);
+};
+
+class BsdfProbe {
+public:
+    explicit BsdfProbe(const std::string& name);
+    std::vector<BsdfResult> operator()(const BsdfInputs& in) const { return function_(in.parameters, in.wo, in.lobe, in.u, in.given, seedsFor(in.size())); }
+
+private:
+    static std::vector<uint> seedsFor(size_t n);
+    DeviceFunction<BsdfResult> function_;
+};
+
+/// Words as text, for messages.
+std::string describeParameters(const BsdfKind& kind, const std::vector<uint>& words);
+
+}  // namespace eikonal
