@@ -1,0 +1,95 @@
+// Fresnel's equations and refraction against double precision with complex numbers.
+
+#include "device_function.h"
+#include "random_inputs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+
+namespace eikonal {
+namespace {
+
+/// Reflectance for unpolarised light at a boundary of relative index eta + i k (Born and Wolf, section 1.5.2), cosine in [0, 1].
+double reflectance(double cosine, std::complex<double> eta) {
+    const std::complex<double> sin2 = (1 - cosine * cosine) / (eta * eta), t = std::sqrt(1.0 - sin2);
+    const std::complex<double> parallel = (eta * cosine - t) / (eta * cosine + t), perpendicular = (cosine - eta * t) / (cosine + eta * t);
+    return (std::norm(parallel) + std::norm(perpendicular)) / 2;
+}
+
+struct Fresnel { float dielectric, conductor; };
+
+struct Inputs { std::vector<float> cosine, eta, k; };
+Inputs inputs() {
+    Inputs in;
+    Random random(31);
+    for (int i = 0; i < 20000; ++i) {
+        const float edges[] = {0, 1e-6f, 1e-3f, 0.5f, 1};
+        in.cosine.push_back(random.below(4) ? random.between(-1, 1) : edges[random.below(5)]);
+        in.eta.push_back(random.below(4) ? random.between(0.3f, 3) : 1 + random.between(-1e-3f, 1e-3f));
+        in.k.push_back(random.below(4) ? random.between(0, 8) : 0);
+    }
+    return in;
+}
+
+const std::vector<Fresnel>& onDevice() {
+    static const std::vector<Fresnel> results = [] {
+        const DeviceFunction<Fresnel> function({.include = "bsdf/fresnel.clh", .type = "fresnel",
+            .body = "result.dielectric = fresnel_dielectric(cosine, eta); result.conductor = fresnel_conductor(fabs(cosine), eta, k);",
+            .inputs = {"float cosine", "float eta", "float k"}, .declarations = "typedef struct { float dielectric, conductor; } fresnel;"});
+        const Inputs in = inputs();
+        return function(in.cosine, in.eta, in.k);
+    }();
+    return results;
+}
+
+/// Also from inside (a negative cosine), where the index is inverted and reflection can be total.
+TEST(Fresnel, DielectricIsAccurate) {
+    const Inputs in = inputs();
+    for (size_t i = 0; i < in.cosine.size(); ++i) {
+        const double c = in.cosine[i], eta = c < 0 ? 1 / static_cast<double>(in.eta[i]) : static_cast<double>(in.eta[i]);
+        /* At the critical angle a rounding of the sine moves the reflectance by its square root */
+        const double sin2 = (1 - c * c) / (eta * eta), tolerance = 2e-6 + 4e-6 / std::sqrt(std::max(std::abs(1 - sin2), 1e-7));
+        ASSERT_NEAR(onDevice()[i].dielectric, sin2 >= 1 ? 1 : reflectance(std::abs(c), eta), tolerance) << "cosine " << c << " eta " << in.eta[i];
+    }
+}
+
+TEST(Fresnel, ConductorIsAccurate) {
+    const Inputs in = inputs();
+    for (size_t i = 0; i < in.cosine.size(); ++i) {
+        const double c = std::abs(static_cast<double>(in.cosine[i])), eta = in.eta[i], k = in.k[i];
+        const double sin2 = (1 - c * c) / (eta * eta), tolerance = k > 0.05 ? 1e-5 : 1e-5 + 1e-5 / std::sqrt(std::max(std::abs(1 - sin2), 1e-6));
+        ASSERT_NEAR(onDevice()[i].conductor, reflectance(c, {eta, k}), tolerance) << "cosine " << c << " eta " << eta << " k " << k;
+    }
+}
+
+/// Snell's law in any orientation: the refracted direction has unit length, lies in the plane of incidence on the other side, its
+/// sine is that of w over the relative index, and it is absent exactly when that sine exceeds one.
+TEST(Fresnel, RefractionObeysSnell) {
+    struct Refraction { vec3 w; float eta; int ok; };
+    const DeviceFunction<Refraction> function({.include = "bsdf/fresnel.clh", .type = "refraction", .body = "result = refract_direction(w, n, eta);",
+                                               .inputs = {"vec3 w", "vec3 n", "float eta"}});
+    Random random(32);
+    const size_t n = 20000;
+    const auto w = generate(n, [&] { return random.direction(); }), normal = generate(n, [&] { return random.direction(); });
+    const auto eta = generate(n, [&] { return random.between(0.4f, 2.5f); });
+    const auto results = function(w, normal, eta);
+    for (size_t i = 0; i < n; ++i) {
+        const double c = dot(w[i], normal[i]), e = c < 0 ? 1 / static_cast<double>(eta[i]) : static_cast<double>(eta[i]), sine = std::sqrt(1 - c * c) / e;
+        if (std::abs(sine - 1) < 1e-5) continue;
+        ASSERT_EQ(results[i].ok != 0, sine < 1) << "cosine " << c << " eta " << eta[i];
+        if (!results[i].ok) continue;
+        const vec3 t = results[i].w;
+        const double ct = dot(t, normal[i]);
+        ASSERT_NEAR(results[i].eta, e, 1e-5 * e);
+        ASSERT_NEAR(dot(t, t), 1, 1e-5);
+        ASSERT_LT(ct * c, 1e-12);
+        /* The part along the surface is that of -w, divided by the index */
+        for (auto axis : {&vec3::x, &vec3::y, &vec3::z})
+            ASSERT_NEAR(t.*axis - ct * normal[i].*axis, -(w[i].*axis - c * normal[i].*axis) / e, 2e-6);
+    }
+}
+
+}  // namespace
+}  // namespace eikonal
