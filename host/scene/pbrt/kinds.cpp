@@ -107,6 +107,7 @@ std::vector<std::string> Kind::parameters() const {
 
 KindTable::KindTable(const char* noun, const char* common, std::initializer_list<Row> rows) : noun_(noun) {
     for (const Row& row : rows) {
+        if (!row.name) continue;
         Kind kind{noun, row.name, row.value, {}, row.standIn};
         parseRules(row.parameters, kind.rules);
         parseRules(common, kind.rules);

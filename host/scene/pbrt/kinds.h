@@ -44,7 +44,7 @@ struct Kind {
 };
 
 struct Row {
-    const char* name;
+    const char* name;        ///< null: this table does not have the row
     int value;
     /// "float radius = 1; floatmap uroughness | roughness = 0; floatmap conductor.roughness = 0 -> uroughness":
     /// a word, a name, then if wanted "| the parameter that it falls back to", "= default", "-> the scene's name for it".

@@ -12,8 +12,10 @@ enum TextureKind { constantKind, scaleKind, mixKind, imagemapKind, checkerboardK
 constexpr const char* mappingParameters =
     "string mapping = uv; float uscale = 1; float vscale = 1; float udelta = 0; float vdelta = 0; vector3 v1; vector3 v2";
 
-/// The kinds of textures of a type. map: a value or texture of that type; value: no texture.
-KindTable makeTable(const std::string& map, const std::string& value) {
+/// The kinds of float or of spectrum textures. map: a value or texture of that type; value: no texture.
+KindTable makeTable(bool isFloat, const std::string& map, const std::string& value) {
+    const auto floatOnly = [&](const char* name) { return isFloat ? name : nullptr; };
+    const auto spectrumOnly = [&](const char* name) { return isFloat ? nullptr : name; };
     const auto maps = [&](const char* first, const char* second) { return map + " " + first + "; " + map + " " + second + "; "; };
     const std::string corners = value + " v00 = 0; " + value + " v01 = 1; " + value + " v10 = 0; " + value + " v11 = 1; ";
     const std::string imagemap = "file filename; string wrap = repeat; string filter = bilinear; float maxanisotropy = 8; float scale = 1; "
@@ -28,10 +30,10 @@ KindTable makeTable(const std::string& map, const std::string& value) {
         {"directionmix", otherKind, (maps("tex1 = 0", "tex2 = 1") + "vector3 dir").c_str(), "tex1"},
         {"bilerp", otherKind, (corners + mappingParameters).c_str(), "v00"},
         {"dots", otherKind, (maps("inside = 1", "outside = 0") + mappingParameters).c_str(), "outside"},
-        {"fbm", otherKind, "integer octaves = 8; float roughness = 0.5", "0.5"},
-        {"wrinkled", otherKind, "integer octaves = 8; float roughness = 0.5", "0.5"},
-        {"windy", otherKind, "", "0.5"},
-        {"marble", otherKind, "integer octaves = 8; float roughness = 0.5; float scale = 1; float variation = 0.2", "0.5"},
+        {floatOnly("fbm"), otherKind, "integer octaves = 8; float roughness = 0.5", "0.5"},
+        {floatOnly("wrinkled"), otherKind, "integer octaves = 8; float roughness = 0.5", "0.5"},
+        {floatOnly("windy"), otherKind, "", "0.5"},
+        {spectrumOnly("marble"), otherKind, "integer octaves = 8; float roughness = 0.5; float scale = 1; float variation = 0.2", "0.5"},
         {"ptex", otherKind, "file filename; string encoding; float scale = 1", "0.5"},
     });
 }
@@ -86,8 +88,12 @@ Mapping readMapping(const Arguments& arguments, const Transform& worldFromTextur
 }  // namespace
 
 const KindTable& textureKinds(bool isFloat) {
-    static const KindTable tables[] = {makeTable("colormap", "spectrum"), makeTable("floatmap", "float")};
+    static const KindTable tables[] = {makeTable(false, "colormap", "spectrum"), makeTable(true, "floatmap", "float")};
     return tables[isFloat];
+}
+
+std::string textureStandIn(const Kind& kind) {
+    return (kind.rule(kind.standIn) ? "its \"" + std::string(kind.standIn) + "\"" : "a constant " + std::string(kind.standIn)) + " stands in for it";
 }
 
 void TextureBook::define(const std::string& name, bool isFloat, const std::string& kindName, const GraphicsState& state,
@@ -204,12 +210,9 @@ decltype(Texture::kind) TextureBook::makeImagemap(const Definition& definition) 
 }
 
 Input TextureBook::standIn(const Arguments& arguments) {
-    const std::string parameter = arguments.kind().standIn;
-    const bool isNumber = !arguments.kind().rule(parameter);
-    reading_.unsupported(arguments.kind().title(), arguments.where(),
-                         arguments.kind().title() + " is not rendered yet; " +
-                             (isNumber ? "a constant " + parameter : "its \"" + parameter + "\"") + " stands in for it");
-    return isNumber ? Input{Spectrum::constant(std::stod(parameter))} : input(arguments, parameter);
+    const Kind& kind = arguments.kind();
+    reading_.unsupported(kind.title(), arguments.where(), kind.title() + " is not rendered yet; " + textureStandIn(kind));
+    return kind.rule(kind.standIn) ? input(arguments, kind.standIn) : Input{Spectrum::constant(std::stod(kind.standIn))};
 }
 
 }  // namespace eikonal::pbrt

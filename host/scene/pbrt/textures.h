@@ -13,6 +13,8 @@ namespace eikonal::pbrt {
 
 /// The kinds of float or of spectrum textures.
 const KindTable& textureKinds(bool isFloat);
+/// What happens instead of a texture that is not rendered: the row's standIn, a parameter or a number, as a clause for a message.
+std::string textureStandIn(const Kind& kind);
 
 /// The textures of a scene. They may be used before they are defined, so they are built at the end, each when it is first used.
 class TextureBook {

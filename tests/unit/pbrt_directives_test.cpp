@@ -1,0 +1,142 @@
+// Directives: transforms, blocks, other files, and the order that they come in.
+
+#include "unit/pbrt_reading.h"
+
+#include <zlib.h>
+
+namespace eikonal {
+namespace {
+
+class PbrtDirectives : public PbrtTest {
+protected:
+    /// Where the origin and the point (1, 0, 0) of a sphere end up.
+    glm::dvec3 origin(const std::string& text) { return apply(world(text + " Shape \"sphere\"").shapes.at(0).worldFromObject, {0, 0, 0}); }
+    glm::dvec3 unitX(const std::string& text) { return apply(world(text + " Shape \"sphere\"").shapes.at(0).worldFromObject, {1, 0, 0}); }
+};
+
+TEST_F(PbrtDirectives, theLastTransformIsAppliedFirst) {
+    expectNear(unitX("Translate 0 0 5 Rotate 90 0 0 1 Scale 2 1 1"), {0, 2, 5});
+    expectNear(unitX("Scale 2 1 1 Translate 0 0 5 Identity Translate 1 1 1"), {2, 1, 1});
+    expectNear(unitX("Translate 9 9 9 Transform [0 1 0 0  1 0 0 0  0 0 1 0  5 6 7 1]"), {5, 7, 7});
+    expectNear(unitX("Translate 1 0 0 ConcatTransform [0 1 0 0  1 0 0 0  0 0 1 0  5 6 7 1]"), {6, 7, 7});
+}
+
+// LookAt makes a camera's transform: it takes where the camera looks at to the +z axis, at its distance.
+TEST_F(PbrtDirectives, lookAtIsTheViewOfACamera) {
+    expectNear(apply(glm::inverse(read("LookAt 1 2 3  1 2 8  0 1 0 Camera \"perspective\" WorldBegin").camera.worldFromCamera), {1, 2, 8}), {0, 0, 5});
+    // Looking along +z with y up, x is to the right: pbrt's spaces are left-handed.
+    expectNear(origin("LookAt 1 2 3  1 2 8  0 1 0"), {-1, -2, -3});
+    EXPECT_THAT(errorOfWorld("LookAt 0 0 0  0 1 0  0 1 0"), HasSubstr("along its up vector"));
+    EXPECT_THAT(errorOfWorld("Rotate 10 0 0 0"), HasSubstr("test.pbrt:2:1: Rotate has an axis of length 0"));
+}
+
+TEST_F(PbrtDirectives, aMirroredCameraStaysMirrored) {
+    const Transform world = read("Scale -1 1 1 LookAt 0 0 -5  0 0 0  0 1 0 Camera \"perspective\" WorldBegin").camera.worldFromCamera;
+    expectNear(apply(world, {1, 0, 0}), {-1, 0, -5});
+    EXPECT_LT(glm::determinant(world), 0);
+    EXPECT_THAT(errorOf("Scale 1 0 1 Camera \"perspective\" WorldBegin"), HasSubstr("cannot be inverted"));
+}
+
+TEST_F(PbrtDirectives, coordinateSystemsAreRemembered) {
+    expectNear(origin("Translate 1 2 3 CoordinateSystem \"here\" Translate 5 5 5 CoordSysTransform \"here\""), {1, 2, 3});
+    const Scene scene = read("Translate 0 0 7 Camera \"perspective\" WorldBegin CoordSysTransform \"camera\" Shape \"sphere\" "
+                             "CoordSysTransform \"world\" Shape \"sphere\"");
+    expectNear(apply(scene.shapes[0].worldFromObject, {0, 0, 0}), {0, 0, -7});
+    expectNear(apply(scene.shapes[1].worldFromObject, {0, 0, 0}), {0, 0, 0});
+    EXPECT_THAT(warningsOfWorld("CoordinateSystem \"lamp\" CoordSysTransform \"lamb\""), ElementsAre(HasSubstr("did you mean \"lamp\"?")));
+}
+
+TEST_F(PbrtDirectives, activeTransformChoosesTheTime) {
+    expectNear(origin("ActiveTransform EndTime Translate 1 0 0 ActiveTransform All Translate 0 1 0"), {0, 1, 0});
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a shape that moves is not rendered yet")));
+    expectNear(origin("ActiveTransform StartTime Translate 1 0 0 ActiveTransform EndTime Translate 1 0 0"), {1, 0, 0});
+    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_THAT(errorOfWorld("ActiveTransform Sometimes"), HasSubstr("\"Sometimes\" found where All, StartTime or EndTime is expected"));
+}
+
+TEST_F(PbrtDirectives, blocksRestoreEverything) {
+    const Scene scene = world(R"(
+        Material "diffuse"
+        AttributeBegin
+          Translate 1 1 1  ReverseOrientation  Material "conductor"  AreaLightSource "diffuse"
+          MakeNamedMedium "fog" "string type" "homogeneous"  MediumInterface "fog" ""
+          Shape "sphere"
+        AttributeEnd
+        Shape "sphere"
+        TransformBegin Translate 5 0 0 TransformEnd
+        Shape "sphere")");
+    const Shape &inner = scene.shapes[0], &outer = scene.shapes[1];
+    EXPECT_TRUE(inner.reverseOrientation);
+    EXPECT_EQ(scene.materials[inner.material].kind, MaterialKind::conductor);
+    EXPECT_EQ(inner.areaLight, 0);
+    EXPECT_TRUE(inner.interface.has_value());
+    EXPECT_FALSE(outer.reverseOrientation);
+    EXPECT_EQ(scene.materials[outer.material].kind, MaterialKind::diffuse);
+    EXPECT_EQ(outer.areaLight, none);
+    EXPECT_FALSE(outer.interface.has_value());
+    expectNear(apply(scene.shapes[2].worldFromObject, {0, 0, 0}), {0, 0, 0});
+}
+
+TEST_F(PbrtDirectives, blocksThatDoNotMatch) {
+    EXPECT_THAT(errorOfWorld("AttributeEnd"), HasSubstr("test.pbrt:2:1: AttributeEnd without an AttributeBegin"));
+    EXPECT_THAT(errorOfWorld("\nAttributeBegin"), HasSubstr("test.pbrt:3:1: AttributeBegin without an AttributeEnd"));
+    EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" AttributeEnd ObjectEnd"), HasSubstr("ObjectBegin at test.pbrt:2:1"));
+    EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" AttributeBegin ObjectEnd AttributeEnd ObjectEnd"), HasSubstr("AttributeBegin at test.pbrt:2:17"));
+    EXPECT_THAT(errorOfWorld("ObjectEnd"), HasSubstr("ObjectEnd"));
+}
+
+TEST_F(PbrtDirectives, includeGoesOnInTheSameState) {
+    write("inner.pbrt", "Translate 1 0 0");
+    expectNear(origin("Include \"inner.pbrt\""), {1, 0, 0});
+    write("settings.pbrt", "Film \"rgb\" \"integer xresolution\" 7\nWorldBegin");
+    EXPECT_EQ(read("Include \"settings.pbrt\" Shape \"sphere\"").film.width, 7);
+}
+
+TEST_F(PbrtDirectives, importHasAStateOfItsOwn) {
+    write("inner.pbrt", "Translate 1 0 0 Shape \"sphere\" MakeNamedMaterial \"red\" \"string type\" \"diffuse\"");
+    const Scene scene = world("Translate 0 1 0 Import \"inner.pbrt\" NamedMaterial \"red\" Shape \"sphere\"");
+    expectNear(apply(scene.shapes[0].worldFromObject, {0, 0, 0}), {1, 1, 0});
+    expectNear(apply(scene.shapes[1].worldFromObject, {0, 0, 0}), {0, 1, 0});
+    EXPECT_NE(scene.shapes[1].material, none);
+
+    write("open.pbrt", "AttributeBegin");
+    EXPECT_THAT(errorOfWorld("Import \"open.pbrt\""), HasSubstr("open.pbrt:1:1: AttributeBegin without an AttributeEnd"));
+    EXPECT_THAT(errorOf("Import \"inner.pbrt\" WorldBegin"), HasSubstr("Import is only allowed after WorldBegin"));
+}
+
+TEST_F(PbrtDirectives, filesThatIncludeThemselvesAreRefused) {
+    write("loop.pbrt", "Include \"loop.pbrt\"");
+    EXPECT_THAT(errorOfWorld("Include \"loop.pbrt\""), HasSubstr("includes itself"));
+    write("a.pbrt", "Import \"b.pbrt\"");
+    write("b.pbrt", "Import \"a.pbrt\"");
+    EXPECT_THAT(errorOfWorld("Import \"a.pbrt\""), HasSubstr("includes itself"));
+}
+
+TEST_F(PbrtDirectives, compressedFilesAreReadAsTheyAre) {
+    const gzFile file = gzopen(path("scene.pbrt.gz").c_str(), "wb");
+    gzputs(file, "Film \"rgb\" \"integer xresolution\" 9\nWorldBegin\n");
+    gzclose(file);
+    Diagnostics diagnostics(LogLevel::silent);
+    const Scene scene = readPbrt(path("scene.pbrt.gz"), diagnostics);
+    EXPECT_EQ(scene.film.width, 9);
+    EXPECT_EQ(scene.name, "scene");
+}
+
+TEST_F(PbrtDirectives, settingsComeBeforeTheWorld) {
+    EXPECT_THAT(errorOfWorld("Camera \"perspective\""), HasSubstr("test.pbrt:2:1: Camera is only allowed before WorldBegin"));
+    EXPECT_THAT(errorOf("Shape \"sphere\""), HasSubstr("test.pbrt:1:1: Shape is only allowed after WorldBegin"));
+    EXPECT_THAT(errorOf("# nothing\n"), HasSubstr("the file ends before WorldBegin"));
+    expectNear(apply(read("Translate 1 1 1 WorldBegin Shape \"sphere\"").shapes[0].worldFromObject, {0, 0, 0}), {0, 0, 0});
+}
+
+TEST_F(PbrtDirectives, options) {
+    EXPECT_EQ(read("Option \"seed\" 17 WorldBegin").sampler.seed, 17);
+    EXPECT_EQ(read("Option \"rendercoordsys\" \"world\" Option \"disable-wavelength-jitter\" true TransformTimes 0 1 WorldBegin").sampler.seed, 0);
+    EXPECT_THAT(warnings_, IsEmpty());
+    read("Option \"forcediffuse\" true WorldBegin");
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("has no effect yet")));
+    EXPECT_THAT(errorOf("Option \"sead\" 1 WorldBegin"), HasSubstr("did you mean \"seed\"?"));
+}
+
+}  // namespace
+}  // namespace eikonal

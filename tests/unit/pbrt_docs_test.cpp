@@ -1,0 +1,65 @@
+// docs/pbrt.md tells what is read and rendered: its table is that of the reader.
+
+#include "scene/pbrt/directives.h"
+#include "scene/pbrt/lights.h"
+#include "scene/pbrt/materials.h"
+#include "scene/pbrt/media.h"
+#include "scene/pbrt/settings.h"
+#include "scene/pbrt/shapes.h"
+#include "scene/pbrt/textures.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace eikonal::pbrt {
+namespace {
+
+std::string document() {
+    std::stringstream text;
+    text << std::ifstream(EIKONAL_SOURCE_DIR "/docs/pbrt.md").rdbuf();
+    return text.str();
+}
+
+/// A row: what a directive renders, and what happens instead of what it only reads.
+std::string row(const std::string& title, const KindTable& table, bool areTextures = false) {
+    std::string rendered;
+    std::vector<std::pair<std::string, std::string>> groups;  // kinds with the same stand-in
+    for (const Kind& kind : table.kinds()) {
+        const std::string name = kind.name.empty() ? "`\"\"`" : "`" + kind.name + "`";
+        if (!kind.standIn) {
+            rendered += ' ' + name;
+            continue;
+        }
+        const std::string instead = areTextures ? textureStandIn(kind) : kind.standIn;
+        const auto group = std::ranges::find(groups, instead, &std::pair<std::string, std::string>::second);
+        if (group == groups.end()) groups.emplace_back(name, instead);
+        else group->first += ' ' + name;
+    }
+    std::string read;
+    for (const auto& [names, instead] : groups) read += (read.empty() ? " " : "<br>") + names + ": " + instead;
+    return "| `" + title + "` |" + rendered + " |" + read + " |\n";
+}
+
+TEST(PbrtDocs, theTableOfKindsIsThatOfTheReader) {
+    std::string table = "| Directive | Rendered | Read; what happens instead |\n|---|---|---|\n";
+    const char* const settings[] = {"Camera", "Film", "PixelFilter", "Sampler", "Integrator", "Accelerator"};
+    const std::vector<const KindTable*> tables = settingKinds();
+    ASSERT_EQ(tables.size(), std::size(settings));
+    for (size_t i = 0; i < tables.size(); ++i) table += row(settings[i], *tables[i]);
+    table += row("LightSource", lightKinds()) + row("AreaLightSource", areaLightKinds()) + row("Shape", shapeKinds()) + row("Material", materialKinds()) +
+             row("Texture float", textureKinds(true), true) + row("Texture spectrum", textureKinds(false), true) + row("MakeNamedMedium", mediumKinds());
+
+    const std::string text = document();
+    EXPECT_NE(text.find(table), text.npos) << "docs/pbrt.md must hold this table:\n" << table;
+}
+
+TEST(PbrtDocs, everyDirectiveIsNamed) {
+    const std::string text = document();
+    for (const std::string& name : directiveNames()) EXPECT_NE(text.find('`' + name + '`'), text.npos) << "docs/pbrt.md does not name " << name;
+}
+
+}  // namespace
+}  // namespace eikonal::pbrt

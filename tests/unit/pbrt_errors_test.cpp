@@ -1,0 +1,133 @@
+// What is said about scenes that are wrong: where, what, and what would have worked. And that nothing else happens, whatever
+// the text.
+
+#include "unit/pbrt_reading.h"
+
+#include <random>
+
+namespace eikonal {
+namespace {
+
+using PbrtErrors = PbrtTest;
+
+int lines(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1; }
+
+TEST_F(PbrtErrors, unknownKindsNameTheKnownOnes) {
+    EXPECT_THAT(errorOfWorld("  Shape \"shpere\""), AllOf(HasSubstr("test.pbrt:2:3: there is no shape \"shpere\""), HasSubstr("did you mean \"sphere\"?")));
+    EXPECT_THAT(errorOf("PixelFilter \"lanczos\" WorldBegin"), HasSubstr("it can be \"box\", \"triangle\", \"gaussian\", \"mitchell\" or \"sinc\""));
+    EXPECT_THAT(errorOfWorld("Shpae \"sphere\""), HasSubstr("did you mean \"Shape\"?"));
+    EXPECT_THAT(errorOfWorld("\"Shape\" \"sphere\""), HasSubstr("found where a directive is expected"));
+    EXPECT_THAT(errorOfWorld("]"), HasSubstr("\"]\" found where a directive is expected"));
+}
+
+TEST_F(PbrtErrors, unknownParametersNameTheKnownOnes) {
+    EXPECT_THAT(warningsOfWorld("Shape \"disk\" \"float raduis\" 1"),
+                ElementsAre(AllOf(HasSubstr("test.pbrt:2:14: warning: \"float raduis\" is ignored"), HasSubstr("did you mean \"radius\"?"),
+                                  HasSubstr("it has radius, innerradius, height, phimax, alpha"))));
+    EXPECT_THAT(errorOfWorld("Shape \"disk\" \"float raduis\" 1", true), HasSubstr("test.pbrt:2:14: \"float raduis\" is ignored"));
+}
+
+TEST_F(PbrtErrors, whatIsNotRenderedIsAnErrorIfAskedFor) {
+    const std::string text = "LightSource \"projection\"\nShape \"curve\"\nShape \"curve\"";
+    EXPECT_EQ(warningsOfWorld(text).size(), 2u);
+    EXPECT_THAT(errorOfWorld(text, true), AllOf(HasSubstr("test.pbrt:2:1: light \"projection\" is not rendered yet"), HasSubstr("\ntest.pbrt:3:1: shape \"curve\"")));
+}
+
+TEST_F(PbrtErrors, allThatIsWrongIsListed) {
+    const std::string error = errorOfWorld("Shape \"a\"\nMaterial \"b\"\nRotate 1 0 0 0\nLightSource \"point\" \"float from\" 1");
+    for (const char* place : {"test.pbrt:2:1: ", "test.pbrt:3:1: ", "test.pbrt:4:1: ", "test.pbrt:5:21: "}) EXPECT_THAT(error, HasSubstr(place));
+    EXPECT_EQ(lines(error), 4);
+
+    std::string many;
+    for (int i = 0; i < 30; ++i) many += "Shape \"a\"\n";
+    EXPECT_THAT(errorOfWorld(many), HasSubstr("and 10 more"));
+}
+
+TEST_F(PbrtErrors, allMissingFilesAreListedOnce) {
+    const std::string error = errorOfWorld(R"(Include "a.pbrt"
+        Import "b.pbrt"
+        Shape "plymesh" "string filename" "c.ply"
+        Shape "plymesh" "string filename" "c.ply"
+        Texture "t" "float" "imagemap" "string filename" "d.png"
+        Material "diffuse" "spectrum reflectance" "e.spd" "string normalmap" "f.png"
+        LightSource "infinite" "string filename" "g.exr")");
+    for (const char* name : {"a.pbrt", "b.pbrt", "c.ply", "d.png", "e.spd", "f.png", "g.exr"})
+        EXPECT_THAT(error, HasSubstr("there is no file \"" + std::string(name) + "\""));
+    EXPECT_EQ(lines(error), 7);
+}
+
+TEST_F(PbrtErrors, aSceneThatIsNotThere) {
+    Diagnostics diagnostics(LogLevel::silent);
+    try {
+        readPbrt(path("nothing.pbrt"), diagnostics);
+        FAIL() << "read a file that is not there";
+    } catch (const SceneError& error) { EXPECT_THAT(error.what(), AllOf(HasSubstr("nothing.pbrt"), HasSubstr("cannot be opened"))); }
+}
+
+TEST_F(PbrtErrors, filesAreFoundFromTheSceneAndFromWhoNamesThem) {
+    std::filesystem::create_directory(folder_ / "parts");
+    write("parts/inner.pbrt", "Include \"rest.pbrt\" Include \"outer.pbrt\"");
+    write("parts/rest.pbrt", "Translate 1 0 0");
+    write("outer.pbrt", "Translate 0 1 0");
+    expectNear(apply(world("Include \"parts/inner.pbrt\" Shape \"sphere\"").shapes[0].worldFromObject, {0, 0, 0}), {1, 1, 0});
+}
+
+TEST_F(PbrtErrors, version3IsRecognised) {
+    const std::string advice = "Eikonal reads pbrt-v4. Convert the scene with pbrt-v4's own program: pbrt --upgrade";
+    EXPECT_THAT(errorOfWorld("Material \"matte\" \"rgb Kd\" [1 1 1]"), AllOf(HasSubstr("test.pbrt:2:1: material \"matte\" belongs to pbrt-v3"), HasSubstr("\"diffuse\""), HasSubstr(advice)));
+    EXPECT_THAT(errorOfWorld("WorldEnd"), HasSubstr(advice));
+    EXPECT_THAT(errorOf("Film \"image\" WorldBegin"), HasSubstr("pbrt-v4 has \"rgb\""));
+    EXPECT_THAT(errorOf("SurfaceIntegrator \"path\""), HasSubstr(advice));
+    EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"string mapname\" \"a.exr\""), HasSubstr("\"string filename\""));
+    EXPECT_THAT(errorOfWorld("Material \"diffuse\" \"color reflectance\" [1 1 1]"), HasSubstr("pbrt-v4 has \"rgb\""));
+    // One such word is enough: what else is wrong would only mislead.
+    EXPECT_EQ(lines(errorOfWorld("Shape \"plymesh\" \"string filename\" \"none.ply\"\nMaterial \"matte\"")), 1);
+}
+
+// A scene that has a bit of everything.
+const std::string scene = R"(LookAt 3 4 1.5  .5 .5 0  0 0 1  # a comment
+Camera "perspective" "float fov" 45 "float screenwindow" [ -1 1 -1 1 ]
+Sampler "halton" "integer pixelsamples" 128
+Film "rgb" "string filename" "simple.png" "integer xresolution" [400] "integer yresolution" [400]
+WorldBegin
+LightSource "infinite" "rgb L" [ .4 .45 .5 ]
+LightSource "distant" "point3 from" [ -30 40 100 ] "blackbody L" 3000 "float scale" 1.5
+AttributeBegin
+  Texture "t" "spectrum" "checkerboard" "float uscale" 16 "rgb tex1" .1 "texture tex2" "u"
+  Material "dielectric" "bool remaproughness" "true" "spectrum eta" [ 300 1.5 800 1.4 ]
+  ReverseOrientation
+  MakeNamedMedium "m" "string type" "uniformgrid" "integer nx" 2 "float density" [ 0 1 ]
+  MediumInterface "m" ""
+  Shape "sphere" "float radius" 1 "texture alpha" "a"
+AttributeEnd
+ObjectBegin "o"
+  Shape "bilinearmesh" "point3 P" [ -20 -20 0  20 -20 0  -20 20 0  20 20 0 ] "point2 uv" [ 0 0 1 0 1 1 0 1 ]
+ObjectEnd
+ConcatTransform [ 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1 ]
+ObjectInstance "o"
+Include "scene.pbrt" Import "other.pbrt")";
+
+TEST_F(PbrtErrors, noTextEndsInAnythingButASceneOrASceneError) {
+    write("other.pbrt", "AttributeBegin Import \"scene.pbrt\"");
+    write("scene.pbrt", scene);
+    for (size_t length = 0; length <= scene.size(); ++length) errorOf(scene.substr(0, length));
+
+    std::mt19937 random(1);
+    const auto below = [&](size_t n) { return random() % n; };
+    for (int i = 0; i < 1000; ++i) {
+        std::string text = scene;
+        for (int edits = 1 + below(3); edits > 0; --edits) {
+            const size_t at = below(text.size()), length = below(std::min<size_t>(text.size() - at, 20));
+            switch (below(4)) {
+                case 0: text[at] = static_cast<char>(random()); break;
+                case 1: text.erase(at, length); break;
+                case 2: text.insert(below(text.size()), text.substr(at, length)); break;
+                default: text[at] = "[]\"\\#-.9\n "[below(10)];
+            }
+        }
+        EXPECT_FALSE(errorOf(text, below(2)).empty()) << text;
+    }
+}
+
+}  // namespace
+}  // namespace eikonal

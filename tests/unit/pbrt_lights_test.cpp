@@ -1,0 +1,106 @@
+// Lights. Defaults and photometric scales are those of pbrt-v4's source (lights.cpp).
+
+#include "unit/pbrt_reading.h"
+
+#include <glm/gtc/constants.hpp>
+
+namespace eikonal {
+namespace {
+
+class PbrtLights : public PbrtTest {
+protected:
+    Light light(const std::string& text) { return world("LightSource " + text).lights.at(0); }
+    AreaLight area(const std::string& text) { return world("AreaLightSource \"diffuse\" " + text + " Shape \"sphere\"").areaLights.at(0); }
+};
+
+constexpr double pi = glm::pi<double>();
+
+TEST_F(PbrtLights, pointLights) {
+    const Light l = light("\"point\" \"rgb I\" [1 2 3] \"float scale\" 4 \"point3 from\" [5 6 7]");
+    expectNear(std::get<PointLight>(l.kind).I.illuminant(), {1, 2, 3});
+    expectNear(std::get<PointLight>(l.kind).from, {5, 6, 7});
+    EXPECT_EQ(l.scale, 4);
+    expectNear(std::get<PointLight>(light("\"point\"").kind).I.illuminant(), {1, 1, 1});
+}
+
+// A point light of intensity I emits 4 pi I.
+TEST_F(PbrtLights, powerOfAPointLight) { EXPECT_NEAR(light("\"point\" \"float power\" 100 \"float scale\" 2").scale, 2 * 100 / (4 * pi), 1e-9); }
+
+// A spot light of intensity I emits I times its cone's solid angle, the part that falls off counting half.
+TEST_F(PbrtLights, spotLights) {
+    const auto spot = std::get<SpotLight>(light("\"spot\"").kind);
+    EXPECT_EQ(spot.coneAngle, 30);
+    EXPECT_EQ(spot.coneDeltaAngle, 5);
+    expectNear(spot.to, {0, 0, 1});
+    const double end = std::cos(glm::radians(60.)), start = std::cos(glm::radians(50.));
+    EXPECT_NEAR(light("\"spot\" \"float power\" 10 \"float coneangle\" 60 \"float conedeltaangle\" 10").scale,
+                10 / (2 * pi * (1 - start) + pi * (start - end)), 1e-9);
+}
+
+TEST_F(PbrtLights, distantLights) {
+    const Light l = light("\"distant\" \"rgb L\" [1 1 1] \"float illuminance\" 500 \"point3 from\" [0 1 0] \"point3 to\" [0 0 0]");
+    EXPECT_EQ(l.scale, 500);
+    expectNear(std::get<DistantLight>(l.kind).from, {0, 1, 0});
+    expectNear(std::get<DistantLight>(light("\"distant\"").kind).to, {0, 0, 1});
+}
+
+// A sky of radiance L puts pi L on a level surface.
+TEST_F(PbrtLights, infiniteLights) {
+    expectNear(std::get<ConstantInfiniteLight>(light("\"infinite\"").kind).L.illuminant(), {1, 1, 1});
+    EXPECT_NEAR(light("\"infinite\" \"rgb L\" [1 1 1] \"float illuminance\" 10").scale, 10 / pi, 1e-9);
+    write("sky.exr", "an image");
+    const Scene scene = world("Rotate 90 1 0 0 LightSource \"infinite\" \"string filename\" \"sky.exr\" \"float scale\" 3 \"float illuminance\" 10");
+    const Light& sky = scene.lights.at(0);
+    EXPECT_EQ(scene.images[std::get<ImageInfiniteLight>(sky.kind).image].wrap, WrapMode::octahedral);
+    EXPECT_EQ(sky.scale, 3);
+    EXPECT_EQ(sky.illuminance, 10);
+    expectNear(apply(sky.worldFromLight, {0, 1, 0}), {0, 0, 1});
+    EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"rgb L\" [1 1 1] \"string filename\" \"sky.exr\""), HasSubstr("either \"L\" or \"filename\""));
+}
+
+TEST_F(PbrtLights, theWhiteOfALightIsThatOfItsColorSpace) {
+    // Both spaces have the white D65, so the defaults agree; ACES has a warmer one.
+    expectNear(std::get<PointLight>(world("ColorSpace \"rec2020\" LightSource \"point\"").lights[0].kind).I.illuminant(), {1, 1, 1}, 1e-3);
+    const glm::dvec3 aces = std::get<PointLight>(world("ColorSpace \"aces2065-1\" LightSource \"point\"").lights[0].kind).I.illuminant();
+    EXPECT_GT(aces.x, aces.z);
+}
+
+TEST_F(PbrtLights, areaLights) {
+    const AreaLight l = area("\"rgb L\" [1 2 3] \"float scale\" 2 \"bool twosided\" true");
+    expectNear(l.L.illuminant(), {1, 2, 3});
+    EXPECT_EQ(l.scale, 2);
+    EXPECT_TRUE(l.twoSided);
+    EXPECT_FALSE(l.power.has_value());
+    EXPECT_FALSE(area("").twoSided);
+    EXPECT_EQ(area("\"float power\" 60").power, 60);
+}
+
+// A measured spectrum says how the light is distributed; how much there is of it, the scale says: its luminance is 1.
+TEST_F(PbrtLights, measuredSpectraHaveLuminanceOne) {
+    const glm::dvec3 L = area("\"spectrum L\" \"stdillum-A\"").L.illuminant();
+    EXPECT_NEAR(glm::dot(L, glm::dvec3(0.2126, 0.7152, 0.0722)), 1, 1e-3);
+    EXPECT_GT(L.x, L.z);
+}
+
+TEST_F(PbrtLights, anAreaLightHoldsForTheShapesAfterIt) {
+    const Scene scene = world("AttributeBegin AreaLightSource \"diffuse\" Shape \"sphere\" Shape \"disk\" AttributeEnd Shape \"sphere\"");
+    EXPECT_EQ(scene.shapes[0].areaLight, scene.shapes[1].areaLight);
+    EXPECT_EQ(scene.shapes[2].areaLight, none);
+}
+
+TEST_F(PbrtLights, whatCannotEmit) {
+    EXPECT_EQ(world("AreaLightSource \"diffuse\" Material \"interface\" Shape \"sphere\"").shapes[0].areaLight, none);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("cannot emit")));
+    EXPECT_EQ(world("AreaLightSource \"diffuse\" ObjectBegin \"o\" Shape \"sphere\" ObjectEnd").objects[0].shapes[0].areaLight, none);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a shape of an object cannot emit")));
+}
+
+TEST_F(PbrtLights, whatIsNotRendered) {
+    EXPECT_THAT(world("LightSource \"projection\" LightSource \"projection\" LightSource \"goniometric\"").lights, IsEmpty());
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("test.pbrt:2:1: warning: light \"projection\" is not rendered yet; it is left out"), HasSubstr("goniometric")));
+    EXPECT_EQ(world("LightSource \"infinite\" \"point3 portal\" [0 0 0  1 0 0  1 1 0  0 1 0]").lights.size(), 1u);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("portals are not rendered yet")));
+}
+
+}  // namespace
+}  // namespace eikonal

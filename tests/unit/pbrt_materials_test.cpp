@@ -1,0 +1,123 @@
+// Materials. The defaults are those of pbrt-v4's source (materials.cpp).
+
+#include "scene/pbrt/materials.h"
+#include "unit/pbrt_reading.h"
+
+namespace eikonal {
+namespace {
+
+class PbrtMaterials : public PbrtTest {
+protected:
+    Material material(const std::string& text) { return world("Material " + text).materials.at(0); }
+    static double value(const Material& material, const std::string& input) { return material.inputs.at(input).value.value(); }
+    static std::vector<std::string> inputsOf(const Material& material) {
+        std::vector<std::string> names;
+        for (const auto& [name, input] : material.inputs) names.push_back(name);
+        return names;
+    }
+};
+
+TEST_F(PbrtMaterials, defaults) {
+    EXPECT_EQ(value(material("\"diffuse\""), "reflectance"), .5);
+    EXPECT_TRUE(material("\"dielectric\"").remapRoughness);
+    EXPECT_EQ(value(material("\"dielectric\""), "eta"), 1.5);
+    EXPECT_EQ(value(material("\"thindielectric\""), "eta"), 1.5);
+    EXPECT_EQ(value(material("\"diffusetransmission\""), "transmittance"), .25);
+    const Material coated = material("\"coateddiffuse\"");
+    const std::map<std::string, double> expected = {{"reflectance", .5}, {"uroughness", 0}, {"vroughness", 0}, {"thickness", .01}, {"eta", 1.5},
+                                                    {"g", 0},            {"albedo", 0},     {"maxdepth", 10},  {"nsamples", 1}};
+    EXPECT_EQ(coated.inputs.size(), expected.size());
+    for (const auto& [name, number] : expected) EXPECT_EQ(value(coated, name), number) << name;
+}
+
+TEST_F(PbrtMaterials, aConductorIsOfCopperOrOfAColor) {
+    const Material copper = material("\"conductor\"");
+    EXPECT_EQ(copper.inputs.at("eta").value.curve().values, namedSpectrum("metal-Cu-eta")->values);
+    EXPECT_EQ(copper.inputs.at("k").value.curve().values, namedSpectrum("metal-Cu-k")->values);
+    EXPECT_FALSE(copper.inputs.contains("reflectance"));
+    EXPECT_THAT(inputsOf(material("\"conductor\" \"rgb reflectance\" [.9 .6 .4]")), ElementsAre("reflectance", "uroughness", "vroughness"));
+    EXPECT_THAT(errorOfWorld("Material \"conductor\" \"rgb reflectance\" [1 1 1] \"spectrum k\" \"metal-Au-k\""), HasSubstr("either \"reflectance\" or \"k\""));
+}
+
+TEST_F(PbrtMaterials, roughnessGivesWhatItsDirectionsDoNot) {
+    const Material rough = material("\"conductor\" \"float roughness\" .3 \"float vroughness\" .1 \"bool remaproughness\" false");
+    EXPECT_EQ(value(rough, "uroughness"), .3);
+    EXPECT_EQ(value(rough, "vroughness"), .1);
+    EXPECT_FALSE(rough.remapRoughness);
+}
+
+TEST_F(PbrtMaterials, indicesOfRefraction) {
+    EXPECT_EQ(value(material("\"dielectric\" \"float eta\" 1.3"), "eta"), 1.3);
+    EXPECT_NEAR(value(material("\"dielectric\" \"spectrum eta\" \"glass-BK7\""), "eta"), 1.52, .01);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("an index of refraction that varies with the wavelength is not rendered yet")));
+}
+
+TEST_F(PbrtMaterials, namesMayBeUsedBeforeTheyAreMade) {
+    const Scene scene = world(R"(NamedMaterial "b" Shape "sphere"
+        MakeNamedMaterial "a" "string type" "diffuse"
+        MakeNamedMaterial "b" "string type" "dielectric")");
+    EXPECT_EQ(scene.materials[scene.shapes[0].material].name, "b");
+    EXPECT_EQ(scene.materials.size(), 2u);
+    EXPECT_THAT(errorOfWorld("NamedMaterial \"wood\"\nMakeNamedMaterial \"good\" \"string type\" \"diffuse\"\nShape \"sphere\""),
+                HasSubstr("test.pbrt:4:1: there is no material \"wood\"; did you mean \"good\"?"));
+    EXPECT_THAT(errorOfWorld("MakeNamedMaterial \"a\" \"string type\" \"diffuse\" MakeNamedMaterial \"a\" \"string type\" \"diffuse\""),
+                HasSubstr("there is already a material \"a\", at test.pbrt:2:1"));
+    EXPECT_THAT(errorOfWorld("MakeNamedMaterial \"a\" \"float eta\" 1"), HasSubstr("MakeNamedMaterial needs a \"string type\""));
+}
+
+TEST_F(PbrtMaterials, aShapeWithoutOneHasPbrtsDefault) { EXPECT_EQ(world("Shape \"sphere\"").shapes[0].material, none); }
+
+TEST_F(PbrtMaterials, mixes) {
+    const std::string parts = "MakeNamedMaterial \"a\" \"string type\" \"diffuse\" MakeNamedMaterial \"b\" \"string type\" \"conductor\" "
+                              "MakeNamedMaterial \"air\" \"string type\" \"interface\"\n";
+    const Scene scene = world(parts + "Material \"mix\" \"string materials\" [\"b\" \"a\"] Shape \"sphere\"");
+    const Material& mix = scene.materials[scene.shapes[0].material];
+    EXPECT_EQ(mix.kind, MaterialKind::mix);
+    EXPECT_EQ(value(mix, "amount"), .5);
+    EXPECT_EQ(scene.materials[mix.mixed[0]].name, "b");
+    EXPECT_EQ(scene.materials[mix.mixed[1]].name, "a");
+    EXPECT_THAT(errorOfWorld(parts + "Material \"mix\" \"string materials\" [\"a\"]"), HasSubstr("needs the names of two materials"));
+    EXPECT_THAT(errorOfWorld(parts + "Material \"mix\" \"string materials\" [\"a\" \"air\"]"), HasSubstr("cannot be a part of a mix"));
+    EXPECT_THAT(errorOfWorld(parts + "MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [\"a\" \"m\"]"), HasSubstr("is a mix of itself"));
+}
+
+TEST_F(PbrtMaterials, diffuseTransmissionIsScaled) {
+    const Scene scene = world(R"(Texture "t" "spectrum" "constant"
+        Material "diffusetransmission" "rgb reflectance" [.2 .4 .6] "texture transmittance" "t" "float scale" .5)");
+    const Material& m = scene.materials[0];
+    expectNear(m.inputs.at("reflectance").value.albedo(), {.1, .2, .3});
+    const auto& scaled = std::get<ScaleTexture>(scene.textures[m.inputs.at("transmittance").texture].kind);
+    EXPECT_EQ(scene.textures[scaled.texture.texture].name, "t");
+    EXPECT_EQ(scaled.scale.value.value(), .5);
+}
+
+TEST_F(PbrtMaterials, bumpsAndNormals) {
+    write("n.png", "an image");
+    const Scene scene = world("Texture \"bump\" \"float\" \"constant\" Material \"diffuse\" \"texture displacement\" \"bump\" \"string normalmap\" \"n.png\"");
+    EXPECT_EQ(scene.textures[scene.materials[0].displacement].name, "bump");
+    EXPECT_EQ(scene.images[scene.materials[0].normalMap].encoding, ColorEncoding::linear);
+}
+
+TEST_F(PbrtMaterials, interfacesInThreeSpellings) {
+    EXPECT_EQ(material("\"interface\"").kind, MaterialKind::interface);
+    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_EQ(material("\"\"").kind, MaterialKind::interface);
+    EXPECT_EQ(material("\"none\"").kind, MaterialKind::interface);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("deprecated")));
+}
+
+// Whatever stands in for a material that is not rendered has the inputs that its own kind has when it is asked for by name:
+// nothing that comes later need know the difference.
+TEST_F(PbrtMaterials, standInsAreComplete) {
+    std::map<int, std::vector<std::string>> inputs;
+    for (const pbrt::Kind& kind : pbrt::materialKinds().kinds()) {
+        if (kind.name == "mix") continue;  // it needs other materials
+        const std::vector<std::string> names = inputsOf(material('"' + kind.name + '"'));
+        EXPECT_EQ(!warnings_.empty(), kind.standIn || kind.name == "none" || kind.name.empty()) << kind.name;
+        const auto [place, isNew] = inputs.try_emplace(kind.value, names);
+        EXPECT_EQ(place->second, names) << kind.name;
+    }
+}
+
+}  // namespace
+}  // namespace eikonal

@@ -1,0 +1,133 @@
+// Cameras, films, filters, samplers and integrators. The defaults are those of pbrt-v4's source (cameras.cpp, film.cpp,
+// filters.cpp, samplers.cpp, cpu/integrators.cpp).
+
+#include "unit/pbrt_reading.h"
+
+namespace eikonal {
+namespace {
+
+class PbrtSettings : public PbrtTest {
+protected:
+    Scene settings(const std::string& text) { return read(text + "\nWorldBegin"); }
+    std::string errorOfSettings(const std::string& text) { return errorOf(text + "\nWorldBegin"); }
+    FilterDescription filter(const std::string& kind) { return settings("PixelFilter \"" + kind + "\"").filter; }
+    SamplerDescription sampler(const std::string& text) { return settings("Sampler " + text).sampler; }
+};
+
+TEST_F(PbrtSettings, aSceneThatSetsNothing) {
+    const Scene scene = settings("");
+    EXPECT_EQ(scene.name, "test");
+    EXPECT_EQ(scene.camera.kind, CameraKind::perspective);
+    EXPECT_EQ(scene.camera.fov, 90);
+    EXPECT_EQ(scene.camera.lensRadius, 0);
+    EXPECT_EQ(scene.film.width, 1280);
+    EXPECT_EQ(scene.film.height, 720);
+    EXPECT_EQ(scene.film.sensor, "cie1931");
+    EXPECT_EQ(scene.film.exposureTime, 1);
+    EXPECT_EQ(scene.filter.kind, FilterKind::gaussian);
+    EXPECT_EQ(scene.filter.xRadius, 1.5);
+    EXPECT_EQ(scene.sampler.kind, SamplerKind::sobol);
+    EXPECT_EQ(scene.sampler.pixelSamples, 16);
+    EXPECT_EQ(scene.integrator.maxDepth, 5);
+}
+
+TEST_F(PbrtSettings, cameras) {
+    const CameraDescription camera = settings(R"(Camera "perspective" "float fov" 40 "float frameaspectratio" 2 "float lensradius" .1
+        "float focaldistance" 7 "float shutteropen" .25 "float shutterclose" .75)").camera;
+    EXPECT_EQ(camera.fov, 40);
+    EXPECT_EQ(camera.frameAspectRatio, 2);
+    EXPECT_FALSE(camera.screenWindow.has_value());
+    EXPECT_EQ(camera.lensRadius, .1);
+    EXPECT_EQ(camera.focalDistance, 7);
+    EXPECT_EQ(camera.shutterClose, .75);
+    const CameraDescription flat = settings("Camera \"orthographic\" \"float screenwindow\" [-1 2 -3 4]").camera;
+    EXPECT_EQ(flat.kind, CameraKind::orthographic);
+    EXPECT_EQ(flat.screenWindow, (std::array<double, 4>{-1, 2, -3, 4}));
+    EXPECT_EQ(flat.focalDistance, 1e6);
+    EXPECT_THAT(errorOfSettings("Camera \"orthographic\" \"float screenwindow\" [-1 2]"), HasSubstr("has 2 values; 4 are expected"));
+    EXPECT_THAT(errorOfSettings("Camera \"orthographic\" \"float shutteropen\" 2"), HasSubstr("the shutter must close after it opens"));
+}
+
+TEST_F(PbrtSettings, theCamerasMediumMayBeMadeLater) {
+    const Scene scene = read("MediumInterface \"\" \"fog\" Camera \"perspective\" WorldBegin MakeNamedMedium \"fog\" \"string type\" \"homogeneous\"");
+    EXPECT_EQ(scene.camera.medium, 0);
+}
+
+TEST_F(PbrtSettings, films) {
+    const FilmDescription film = settings(R"(ColorSpace "rec2020"
+        Film "rgb" "integer xresolution" 200 "integer yresolution" [100] "string filename" "a.exr" "float iso" 400 "string sensor" "nikon_d850"
+        "float whitebalance" 5000 "float maxcomponentvalue" 10 "float diagonal" 20 "bool savefp16" false
+        Camera "perspective" "float shutterclose" .5)").film;
+    EXPECT_EQ(film.width, 200);
+    EXPECT_EQ(film.height, 100);
+    EXPECT_EQ(film.filename, "a.exr");
+    EXPECT_EQ(film.iso, 400);
+    EXPECT_EQ(film.exposureTime, .5);
+    EXPECT_EQ(film.whiteBalance, 5000);
+    EXPECT_EQ(film.sensor, "nikon_d850");
+    EXPECT_EQ(film.colorSpace, ColorSpace::rec2020);
+    EXPECT_EQ(film.maxComponentValue, 10);
+    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_THAT(errorOfSettings("Film \"rgb\" \"string sensor\" \"nikon_d85\""), HasSubstr("did you mean \"nikon_d850\"?"));
+    EXPECT_THAT(errorOfSettings("Film \"rgb\" \"integer xresolution\" 0"), HasSubstr("it needs one at least"));
+}
+
+TEST_F(PbrtSettings, cropsAreSortedAndClamped) {
+    const FilmDescription film = settings("Film \"rgb\" \"float cropwindow\" [.75 -1 .25 .5]").film;
+    EXPECT_EQ(film.cropWindow, (std::array<double, 4>{0, .75, .25, .5}));
+    const FilmDescription bounds = settings("Film \"rgb\" \"integer xresolution\" 100 \"integer pixelbounds\" [-5 500 10 20]").film;
+    EXPECT_EQ(bounds.pixelBounds->x0, 0);
+    EXPECT_EQ(bounds.pixelBounds->x1, 100);
+    EXPECT_EQ(bounds.pixelBounds->y0, 10);
+    EXPECT_EQ(bounds.pixelBounds->y1, 20);
+    EXPECT_THAT(errorOfSettings("Film \"rgb\" \"integer pixelbounds\" [5 5 0 1]"), HasSubstr("has no pixel of the image"));
+    // Both: the crop window counts, as in pbrt-v4.
+    EXPECT_FALSE(settings("Film \"rgb\" \"integer pixelbounds\" [0 5 0 5] \"float cropwindow\" [0 1 0 1]").film.pixelBounds.has_value());
+    EXPECT_EQ(warnings_.size(), 1u);
+}
+
+TEST_F(PbrtSettings, filtersHaveRadiiOfTheirOwn) {
+    EXPECT_EQ(filter("box").xRadius, .5);
+    EXPECT_EQ(filter("triangle").yRadius, 2);
+    EXPECT_EQ(filter("gaussian").xRadius, 1.5);
+    EXPECT_EQ(filter("gaussian").sigma, .5);
+    EXPECT_EQ(filter("mitchell").xRadius, 2);
+    EXPECT_NEAR(filter("mitchell").B, 1. / 3, 1e-7);
+    EXPECT_NEAR(filter("mitchell").C, 1. / 3, 1e-7);
+    EXPECT_EQ(filter("sinc").xRadius, 4);
+    EXPECT_EQ(filter("sinc").tau, 3);
+    EXPECT_THAT(errorOfSettings("PixelFilter \"box\" \"float xradius\" 0"), HasSubstr("must be above 0"));
+}
+
+TEST_F(PbrtSettings, samplers) {
+    for (const char* kind : {"zsobol", "paddedsobol", "sobol", "halton", "pmj02bn", "stratified"}) {
+        EXPECT_EQ(sampler('"' + std::string(kind) + '"').pixelSamples, 16) << kind;
+        EXPECT_EQ(sampler('"' + std::string(kind) + '"').kind, SamplerKind::sobol) << kind;
+    }
+    EXPECT_EQ(sampler("\"independent\"").pixelSamples, 4);
+    EXPECT_EQ(sampler("\"independent\"").kind, SamplerKind::independent);
+    EXPECT_EQ(sampler("\"stratified\" \"integer xsamples\" 3 \"integer ysamples\" 5").pixelSamples, 15);
+    EXPECT_EQ(sampler("\"zsobol\" \"integer pixelsamples\" 64 \"integer seed\" 5").seed, 5);
+    EXPECT_THAT(errorOfSettings("Sampler \"halton\" \"integer pixelsamples\" 0"), HasSubstr("a pixel has 0 samples"));
+    EXPECT_THAT(errorOfSettings("Sampler \"stratified\" \"integer xsamples\" 100000 \"integer ysamples\" 100000"), HasSubstr("10000000000 samples"));
+}
+
+TEST_F(PbrtSettings, integratorsThatAreNotRenderedAreNamed) {
+    EXPECT_EQ(settings("Integrator \"volpath\" \"integer maxdepth\" 100").integrator.maxDepth, 100);
+    EXPECT_EQ(settings("Integrator \"path\" \"string lightsampler\" \"bvh\" \"bool regularize\" false").integrator.maxDepth, 5);
+    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_EQ(settings("Integrator \"bdpt\" \"integer maxdepth\" 7").integrator.maxDepth, 7);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("test.pbrt:1:1: warning: integrator \"bdpt\" is not rendered yet; \"path\" renders it")));
+    EXPECT_THAT(errorOfSettings("Integrator \"path\" \"integer maxdepth\" -1"), HasSubstr("must not be negative"));
+}
+
+TEST_F(PbrtSettings, theLastOfASortCounts) {
+    const Scene scene = settings("PixelFilter \"sinc\" PixelFilter \"box\" Camera \"orthographic\" Camera \"perspective\" \"float fov\" 20");
+    EXPECT_EQ(scene.filter.kind, FilterKind::box);
+    EXPECT_EQ(scene.filter.xRadius, .5);
+    EXPECT_EQ(scene.camera.kind, CameraKind::perspective);
+    EXPECT_EQ(scene.camera.fov, 20);
+}
+
+}  // namespace
+}  // namespace eikonal

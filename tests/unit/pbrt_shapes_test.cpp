@@ -1,0 +1,116 @@
+// Shapes, objects and instances. The defaults are those of pbrt-v4's source (shapes.cpp).
+
+#include "unit/pbrt_reading.h"
+
+namespace eikonal {
+namespace {
+
+class PbrtShapes : public PbrtTest {
+protected:
+    Shape shape(const std::string& text) { return world("Shape " + text).shapes.at(0); }
+    template <class T> T kind(const std::string& text) { return std::get<T>(shape(text).kind); }
+};
+
+const std::string triangle = "\"trianglemesh\" \"point3 P\" [0 0 0  1 0 0  0 1 0] ";
+
+TEST_F(PbrtShapes, spheres) {
+    const auto whole = kind<Sphere>("\"sphere\"");
+    EXPECT_EQ(whole.radius, 1);
+    EXPECT_EQ(whole.zMin, -1);
+    EXPECT_EQ(whole.zMax, 1);
+    EXPECT_EQ(whole.phiMax, 360);
+    const auto part = kind<Sphere>("\"sphere\" \"float radius\" 2 \"float zmin\" 1 \"float zmax\" -5 \"float phimax\" 400");
+    EXPECT_EQ(part.zMin, -2);
+    EXPECT_EQ(part.zMax, 1);
+    EXPECT_EQ(part.phiMax, 360);
+}
+
+TEST_F(PbrtShapes, disks) {
+    const auto disk = kind<Disk>("\"disk\" \"float radius\" 2 \"float innerradius\" .5 \"float height\" 3 \"float phimax\" 90");
+    EXPECT_EQ(disk.radius, 2);
+    EXPECT_EQ(disk.innerRadius, .5);
+    EXPECT_EQ(disk.height, 3);
+    EXPECT_EQ(disk.phiMax, 90);
+}
+
+TEST_F(PbrtShapes, triangleMeshes) {
+    const auto mesh = kind<TriangleMesh>(triangle + "\"normal N\" [0 0 1 0 0 1 0 0 1] \"point2 uv\" [0 0 1 0 0 1]").mesh;
+    EXPECT_THAT(mesh->indices, ElementsAre(0, 1, 2));
+    EXPECT_EQ(mesh->positions[1], glm::vec3(1, 0, 0));
+    EXPECT_EQ(mesh->normals.size(), 3u);
+    EXPECT_EQ(mesh->uvs[2], glm::vec2(0, 1));
+    EXPECT_THAT(errorOfWorld("Shape \"trianglemesh\""), HasSubstr("needs its vertices, \"point3 P\""));
+    EXPECT_THAT(errorOfWorld("Shape \"trianglemesh\" \"point3 P\" [0 0]"), HasSubstr("a multiple of 3 is expected"));
+    EXPECT_THAT(errorOfWorld("Shape \"trianglemesh\" \"point3 P\" [0 0 0]"), HasSubstr("without \"integer indices\" it has 3"));
+    EXPECT_THAT(errorOfWorld("Shape " + triangle + "\"integer indices\" [0 1 3]"), HasSubstr("has a 3; \"P\" has vertices 0 to 2"));
+    EXPECT_THAT(errorOfWorld("Shape " + triangle + "\"integer indices\" [0 1 -1]"), HasSubstr("has a -1"));
+}
+
+TEST_F(PbrtShapes, meshesThatDoNotAddUpAreMended) {
+    EXPECT_EQ(kind<TriangleMesh>(triangle + "\"integer indices\" [0 1 2 0]").mesh->indices.size(), 3u);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("has 4 values, not a multiple of 3; the last are ignored")));
+    EXPECT_THAT(kind<TriangleMesh>(triangle + "\"point2 uv\" [0 0]").mesh->uvs, IsEmpty());
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"uv\" is ignored: it has 1 vertices, and \"P\" has 3")));
+}
+
+TEST_F(PbrtShapes, bilinearMeshes) {
+    const std::string corners = "\"bilinearmesh\" \"point3 P\" [0 0 0  1 0 0  0 1 0  1 1 0]";
+    EXPECT_THAT(kind<BilinearMesh>(corners).mesh->indices, ElementsAre(0, 1, 2, 3));
+    EXPECT_THAT(kind<BilinearMesh>(corners + " \"integer indices\" [3 2 1 0]").mesh->indices, ElementsAre(3, 2, 1, 0));
+}
+
+TEST_F(PbrtShapes, plyFilesAreReadOnce) {
+    write("m.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+                   "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n4 0 1 2 3\n");
+    const Scene scene = world("Shape \"plymesh\" \"string filename\" \"m.ply\" Translate 1 0 0 Shape \"plymesh\" \"string filename\" \"m.ply\"");
+    ASSERT_EQ(scene.shapes.size(), 4u);  // triangles and quadrilaterals apart, twice
+    EXPECT_EQ(std::get<TriangleMesh>(scene.shapes[0].kind).mesh, std::get<TriangleMesh>(scene.shapes[2].kind).mesh);
+    EXPECT_TRUE(std::holds_alternative<BilinearMesh>(scene.shapes[3].kind));
+    expectNear(apply(scene.shapes[3].worldFromObject, {0, 0, 0}), {1, 0, 0});
+    EXPECT_THAT(errorOfWorld("Shape \"plymesh\""), HasSubstr("needs a \"string filename\""));
+}
+
+TEST_F(PbrtShapes, alpha) {
+    EXPECT_EQ(shape("\"sphere\"").alpha.value.value(), 1);
+    EXPECT_EQ(shape("\"sphere\" \"float alpha\" .25").alpha.value.value(), .25);
+    const Scene scene = world("Texture \"leaf\" \"float\" \"constant\" Shape \"sphere\" \"texture alpha\" \"leaf\"");
+    EXPECT_EQ(scene.textures[scene.shapes[0].alpha.texture].name, "leaf");
+}
+
+TEST_F(PbrtShapes, reverseOrientationToggles) {
+    const Scene scene = world("ReverseOrientation Shape \"sphere\" ReverseOrientation Shape \"sphere\"");
+    EXPECT_TRUE(scene.shapes[0].reverseOrientation);
+    EXPECT_FALSE(scene.shapes[1].reverseOrientation);
+}
+
+TEST_F(PbrtShapes, objectsAndInstances) {
+    const Scene scene = world(R"(
+        ObjectInstance "o"
+        Translate 1 0 0
+        ObjectBegin "o" Translate 0 1 0 Shape "sphere" ObjectEnd
+        ObjectInstance "o")");
+    EXPECT_THAT(scene.shapes, IsEmpty());
+    ASSERT_EQ(scene.objects.size(), 1u);
+    expectNear(apply(scene.objects[0].shapes[0].worldFromObject, {0, 0, 0}), {1, 1, 0});  // what holds at ObjectBegin counts, as in pbrt-v4
+    ASSERT_EQ(scene.instances.size(), 2u);
+    expectNear(apply(scene.instances[0].worldFromObject, {0, 0, 0}), {0, 0, 0});
+    expectNear(apply(scene.instances[1].worldFromObject, {0, 0, 0}), {1, 0, 0});
+    EXPECT_EQ(scene.instances[0].object, 0);
+}
+
+TEST_F(PbrtShapes, objectsThatMakeNoSense) {
+    EXPECT_THAT(errorOfWorld("ObjectBegin \"tree\" ObjectEnd ObjectInstance \"treee\""), HasSubstr("there is no object \"treee\"; did you mean \"tree\"?"));
+    EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectBegin \"b\" ObjectEnd ObjectEnd"), HasSubstr("ObjectBegin inside of the object \"a\""));
+    EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectEnd ObjectBegin \"a\" ObjectEnd"), HasSubstr("there is already an object \"a\""));
+    EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectInstance \"a\" ObjectEnd"), HasSubstr("objects cannot hold instances"));
+}
+
+TEST_F(PbrtShapes, whatIsNotRendered) {
+    EXPECT_THAT(world("Shape \"cylinder\" Shape \"cylinder\" Shape \"curve\"").shapes, IsEmpty());
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("test.pbrt:2:1: warning: shape \"cylinder\" is not rendered yet; it is left out"), HasSubstr("curve")));
+    EXPECT_EQ(world("Shape \"loopsubdiv\" \"integer levels\" 2 \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2]").shapes.size(), 1u);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("the mesh that it starts from takes its place")));
+}
+
+}  // namespace
+}  // namespace eikonal

@@ -1,0 +1,114 @@
+// Textures. The defaults are those of pbrt-v4's source (textures.cpp).
+
+#include "unit/pbrt_reading.h"
+
+namespace eikonal {
+namespace {
+
+class PbrtTextures : public PbrtTest {
+protected:
+    PbrtTextures() {
+        write("a.png", "an image");
+        write("a.PNG", "an image");
+        write("a.jpg", "an image");
+    }
+    Texture texture(const std::string& text) { return world("Texture \"t\" " + text).textures.at(0); }
+    template <class T> T kind(const std::string& text) { return std::get<T>(texture(text).kind); }
+    ImageFile image(const std::string& parameters) { return world("Texture \"t\" \"spectrum\" \"imagemap\" " + parameters).images.at(0); }
+};
+
+TEST_F(PbrtTextures, defaults) {
+    EXPECT_EQ(kind<ConstantTexture>("\"float\" \"constant\"").value.value.value(), 1);
+    EXPECT_EQ(kind<ScaleTexture>("\"spectrum\" \"scale\"").texture.value.value(), 1);
+    const auto mix = kind<MixTexture>("\"spectrum\" \"mix\"");
+    EXPECT_EQ(mix.a.value.value(), 0);
+    EXPECT_EQ(mix.b.value.value(), 1);
+    EXPECT_EQ(mix.amount.value.value(), .5);
+    const auto board = kind<CheckerboardTexture>("\"float\" \"checkerboard\"");
+    EXPECT_EQ(board.a.value.value(), 1);
+    EXPECT_EQ(board.b.value.value(), 0);
+    EXPECT_EQ(board.dimensions, 2);
+    EXPECT_EQ(board.mapping.kind, TextureMapping::uv);
+    EXPECT_EQ(board.mapping.uScale, 1);
+}
+
+TEST_F(PbrtTextures, imagemaps) {
+    const auto map = kind<ImagemapTexture>(R"("spectrum" "imagemap" "string filename" "a.png" "float scale" 2 "bool invert" true "float uscale" 3 "float vdelta" .5)");
+    EXPECT_EQ(map.scale, 2);
+    EXPECT_TRUE(map.invert);
+    EXPECT_EQ(map.mapping.uScale, 3);
+    EXPECT_EQ(map.mapping.vOffset, .5);
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"imagemap\""), HasSubstr("needs a \"string filename\""));
+
+    const ImageFile file = image("\"string filename\" \"a.png\"");
+    EXPECT_EQ(file.path, path("a.png"));
+    EXPECT_EQ(file.encoding, ColorEncoding::automatic);
+    EXPECT_EQ(file.wrap, WrapMode::repeat);
+    EXPECT_EQ(file.filter, FilterMode::bilinear);
+    EXPECT_EQ(image("\"string filename\" \"a.png\" \"string wrap\" \"octahedralsphere\" \"string filter\" \"point\"").wrap, WrapMode::octahedral);
+    EXPECT_EQ(image("\"string filename\" \"a.png\" \"string filter\" \"point\"").filter, FilterMode::nearest);
+    EXPECT_EQ(image("\"string filename\" \"a.png\" \"string filter\" \"ewa\"").filter, FilterMode::bilinear);
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"imagemap\" \"string filename\" \"a.png\" \"string wrap\" \"mirror\""),
+                HasSubstr("it can be \"repeat\", \"black\", \"clamp\", \"octahedralsphere\""));
+}
+
+// pbrt-v4 passes the encoding to its reader of PNG files alone; other files of integers are sRGB.
+TEST_F(PbrtTextures, encodingsAreOfPngs) {
+    EXPECT_EQ(image("\"string filename\" \"a.png\" \"string encoding\" \"linear\"").encoding, ColorEncoding::linear);
+    EXPECT_EQ(image("\"string filename\" \"a.PNG\" \"string encoding\" \"sRGB\"").encoding, ColorEncoding::srgb);
+    EXPECT_EQ(image("\"string filename\" \"a.png\" \"string encoding\" \"gamma 2.2\"").gamma, 2.2);
+    EXPECT_EQ(image("\"string filename\" \"a.jpg\" \"string encoding\" \"linear\"").encoding, ColorEncoding::automatic);
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"imagemap\" \"string filename\" \"a.png\" \"string encoding\" \"log\""), HasSubstr("\"gamma 2.2\""));
+}
+
+TEST_F(PbrtTextures, anImageIsKeptOnce) {
+    const Scene scene = world("Texture \"a\" \"float\" \"imagemap\" \"string filename\" \"a.png\" Texture \"b\" \"spectrum\" \"imagemap\" \"string filename\" \"a.png\"");
+    EXPECT_EQ(scene.textures.size(), 2u);
+    EXPECT_EQ(scene.images.size(), 1u);
+}
+
+TEST_F(PbrtTextures, mappingsFollowTheTransform) {
+    const Scene scene = world("Translate 1 2 3 Texture \"t\" \"float\" \"checkerboard\" \"string mapping\" \"planar\" \"vector3 v1\" [0 0 2] \"float udelta\" 4");
+    const Mapping& mapping = std::get<CheckerboardTexture>(scene.textures[0].kind).mapping;
+    EXPECT_EQ(mapping.kind, TextureMapping::planar);
+    expectNear(mapping.planeU, {0, 0, 2});
+    expectNear(mapping.planeV, {0, 1, 0});
+    EXPECT_EQ(mapping.uOffset, 4);
+    expectNear(apply(mapping.worldFromTexture, {0, 0, 0}), {1, 2, 3});
+    EXPECT_EQ(kind<CheckerboardTexture>("\"float\" \"checkerboard\" \"string mapping\" \"spherical\"").mapping.kind, TextureMapping::spherical);
+    EXPECT_EQ(kind<CheckerboardTexture>("\"float\" \"checkerboard\" \"string mapping\" \"cylindrical\"").mapping.kind, TextureMapping::cylindrical);
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"checkerboard\" \"string mapping\" \"cubic\""), HasSubstr("it can be \"uv\", \"spherical\""));
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"checkerboard\" \"integer dimension\" 4"), HasSubstr("it can be 2 or 3"));
+}
+
+TEST_F(PbrtTextures, texturesAreMadeOfTextures) {
+    const Scene scene = world(R"(Texture "s" "spectrum" "scale" "texture tex" "t" "texture scale" "f"
+        Texture "t" "spectrum" "constant" "rgb value" [.1 .2 .3]
+        Texture "f" "float" "constant" "float value" .5
+        Material "diffuse" "texture reflectance" "s")");
+    const auto& scale = std::get<ScaleTexture>(scene.textures[scene.materials[0].inputs.at("reflectance").texture].kind);
+    EXPECT_EQ(scene.textures[scale.texture.texture].name, "t");
+    EXPECT_TRUE(scene.textures[scale.scale.texture].isFloat);
+}
+
+TEST_F(PbrtTextures, floatAndSpectrumTexturesHaveNamesOfTheirOwn) {
+    const std::string both = "Texture \"t\" \"float\" \"constant\" Texture \"t\" \"spectrum\" \"constant\" ";
+    EXPECT_EQ(world(both).textures.size(), 2u);
+    EXPECT_THAT(errorOfWorld(both + "Texture \"t\" \"float\" \"mix\""), HasSubstr("there is already a float texture \"t\", at test.pbrt:2:1"));
+    EXPECT_THAT(errorOfWorld("Texture \"u\" \"float\" \"constant\" Material \"diffuse\" \"texture reflectance\" \"u\""),
+                HasSubstr("there is no spectrum texture \"u\": \"u\" is a float texture"));
+    EXPECT_THAT(errorOfWorld("Texture \"wood\" \"spectrum\" \"constant\" Material \"diffuse\" \"texture reflectance\" \"woood\""), HasSubstr("did you mean \"wood\"?"));
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"scale\" \"texture tex\" \"t\""), HasSubstr("is made of itself"));
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"color\" \"constant\""), HasSubstr("pbrt-v3"));
+}
+
+TEST_F(PbrtTextures, whatIsNotRenderedIsNamedOnce) {
+    const Scene scene = world(R"(Texture "a" "float" "fbm" Texture "b" "float" "fbm" "integer octaves" 3
+        Texture "c" "spectrum" "bilerp" "rgb v00" [.1 .2 .3])");
+    EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("test.pbrt:2:1"), HasSubstr("texture \"fbm\" is not rendered yet; a constant 0.5 stands in for it")),
+                                       HasSubstr("its \"v00\" stands in for it")));
+    expectNear(std::get<ConstantTexture>(scene.textures[2].kind).value.value.albedo(), {.1, .2, .3});
+}
+
+}  // namespace
+}  // namespace eikonal
