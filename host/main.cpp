@@ -21,7 +21,7 @@ static int run(const Options& options) {
 }
 
 static int fail(ExitCode code, const char* message) {
-    std::fprintf(stderr, "%s%s\n", code == ExitCode::scene ? "error: " : "eikonal: ", message);
+    std::fprintf(stderr, "error: %s\n", message);
     return static_cast<int>(code);
 }
 

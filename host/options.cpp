@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <functional>
+#include <algorithm>
 #include <limits>
 
 namespace eikonal {
@@ -59,8 +59,8 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
           oneOf<SamplerKind>({{"independent", SamplerKind::independent}, {"sobol", SamplerKind::sobol}}))->group(group);
     value(app, "--max-depth", s.maxDepth, "N", "Bounces; interfaces between media do not count", integer(0))->group(group);
     value(app, "--resolution", s.resolution, "WxH", "Pixels of the whole image", parseResolution)->group(group);
-    auto* crop = value(app, "--cropwindow", s.cropWindow, "x0,x1,y0,y1", "Render a part, in fractions of the image", parseCropWindow)->group(group);
-    value(app, "--pixelbounds", s.pixelBounds, "x0,x1,y0,y1", "Render a part, in pixels: x0 <= x < x1", parsePixelBounds)->group(group)->excludes(crop);
+    value(app, "--cropwindow", s.cropWindow, "x0,x1,y0,y1", "Render a part, in fractions of the image", parseCropWindow)->group(group);
+    value(app, "--pixelbounds", s.pixelBounds, "x0,x1,y0,y1", "Render a part, in pixels: x0 <= x < x1", parsePixelBounds)->group(group);
     app->add_flag("--strict", s.strict, "What is not rendered yet is an error instead of a warning")->group(group);
     const std::string objGroup = "Camera of an OBJ";
     value(app, "--camera", s.camera, "x,y,z", "Where the eye is (default: where it sees everything)", parseVector)->group(objGroup);
@@ -122,8 +122,8 @@ struct Parser {
         addLogging(bench, options);
 
         auto* cache = add("cache", Command::cache, "Print, warm or clear the cache of compiled kernels");
-        auto* clear = cache->add_flag("--clear", options.clearCache, "Remove what is kept");
-        cache->add_flag("--warm", options.warmCache, "Compile the kernels of these scenes, or else the usual ones, and keep them")->excludes(clear);
+        cache->add_flag("--clear", options.clearCache, "Remove what is kept");
+        cache->add_flag("--warm", options.warmCache, "Compile the kernels of these scenes, or else of those that come with the program, and keep them; after --clear if both are given");
         cache->add_option("SCENE", options.scenes, "Scenes for --warm")->type_name("");
         addDevice(cache, options);
         addLogging(cache, options);
@@ -155,7 +155,7 @@ std::vector<std::string> optionsOf(const CLI::App* app) {
         if (near.empty())
             for (const auto& [other, id] : parser.commands)
                 for (const std::string& option : optionsOf(other))
-                    if (option == name) hint = fmt::format("; {} has it", other->get_name());
+                    if (option == name && hint.empty()) hint = fmt::format("; {} has it", other->get_name());
         throw UsageError(fmt::format("{} has no option {}{}\n{}", command == &parser.app ? "eikonal" : command->get_name(), name, hint, getHelp));
     }
     if (command != &parser.app) throw UsageError(fmt::format("{} has no use for another argument: \"{}\"\n{}", command->get_name(), argument, getHelp));
@@ -179,6 +179,7 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
         throw UsageError(fmt::format("compare needs two images: eikonal compare image.exr reference.exr\n{}", getHelp));
     if (o.command == Command::cache && !o.scenes.empty() && !o.warmCache)
         throw UsageError(fmt::format("cache has a use for scenes with --warm only: eikonal cache --warm {}\n{}", o.scenes.front(), getHelp));
+    if (o.scene.cropWindow && o.scene.pixelBounds) throw UsageError("--cropwindow and --pixelbounds both select a part of the image; give one of them");
     if (o.scene.camera && o.scene.lookAt && *o.scene.camera == *o.scene.lookAt) throw UsageError("--camera and --look-at must differ");
     if (o.scene.up && *o.scene.up == glm::dvec3(0)) throw UsageError("--up must not be 0,0,0");
 }
@@ -194,7 +195,7 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         parser.app.parse(reversed);
     } catch (const CLI::CallForHelp&) {
         const auto chosen = parser.app.get_subcommands();
-        options.text = chosen.empty() ? parser.app.help() : chosen.front()->help();
+        options.text = chosen.empty() ? parser.app.help() : chosen.front()->help("eikonal");
         return options;
     } catch (const CLI::CallForAllHelp&) {
         options.text = parser.app.help("", CLI::AppFormatMode::All);

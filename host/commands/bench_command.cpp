@@ -102,7 +102,6 @@ std::string asTable(const nlohmann::ordered_json& j) {
 
 int benchCommand(const Options& o) {
     Diagnostics diagnostics(o.log, o.scene.strict);
-    prepareOpenCl(o.device);
     if (!o.jsonFile.empty()) checkFileWritable(o.jsonFile, 0);
     Session session(o, diagnostics, true);
     session.load();

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -25,6 +26,18 @@ static void describeCache(const std::string& folder) {
     print(fmt::format("{}\n{} compiled kernels, {}\n", folder, entries, readableBytes(static_cast<double>(bytes))));
 }
 
+/// The scenes that come with the program: beside the kernels.
+static std::vector<std::string> ownScenes() {
+    const std::filesystem::path folder = std::filesystem::path(findKernelFolders().kernels).parent_path() / "scenes";
+    std::vector<std::string> scenes;
+    std::error_code error;
+    for (std::filesystem::directory_iterator i(folder, error), end; !error && i != end; i.increment(error))
+        if (i->path().extension() == ".pbrt") scenes.push_back(i->path().string());
+    if (scenes.empty()) throw UsageError(fmt::format("there are no scenes in {}; say which: eikonal cache --warm scene.pbrt", folder.string()));
+    std::sort(scenes.begin(), scenes.end());
+    return scenes;
+}
+
 /// Compiles what a scene requires; the kernels are on disk when this returns.
 static void warm(const Options& o, const std::string& scene, Diagnostics& diagnostics) {
     Options own = o;
@@ -38,12 +51,12 @@ static void warm(const Options& o, const std::string& scene, Diagnostics& diagno
 
 int cacheCommand(const Options& o) {
     Diagnostics diagnostics(o.log);
-    prepareOpenCl(o.device);
     const std::string folder = ProgramCache::defaultFolder();
     if (folder.empty()) throw Error(ExitCode::scene, "no folder for the cache can be written; set EIKONAL_CACHE_DIR to one");
     if (o.clearCache) print(fmt::format("removed {} compiled kernels from {}\n", ProgramCache(folder).clear(), folder));
-    else if (!o.warmCache) describeCache(folder);
-    for (const std::string& scene : o.scenes) warm(o, scene, diagnostics);
+    if (o.warmCache)
+        for (const std::string& scene : o.scenes.empty() ? ownScenes() : o.scenes) warm(o, scene, diagnostics);
+    if (!o.clearCache && !o.warmCache) describeCache(folder);
     return static_cast<int>(ExitCode::success);
 }
 

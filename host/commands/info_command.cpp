@@ -57,9 +57,8 @@ nlohmann::ordered_json asJson(const Options& o, const PackedScene& packed, const
 
 int infoCommand(const Options& o) {
     Diagnostics diagnostics(o.log, o.scene.strict);
-    prepareOpenCl(o.device);
     Session session(o, diagnostics);
-    session.load();
+    session.load(false);
     session.pack(false);
     const std::string text = o.json ? asJson(o, session.packed(), session.plan()).dump(2) + "\n" : asText(o, session.packed(), session.plan());
     std::fputs(text.c_str(), stdout);

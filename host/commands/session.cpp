@@ -1,6 +1,7 @@
 #include "commands/session.h"
 
 #include "commands/scene_loading.h"
+#include "commands/wait_notice.h"
 
 #include <fmt/format.h>
 
@@ -34,13 +35,18 @@ BuildSettings buildSettingsFor(const DeviceOptions& options) {
 }
 
 Session::Session(const Options& options, Diagnostics& diagnostics, bool profiling)
-    : options_(options), diagnostics_(diagnostics), profiling_(profiling) {}
+    : options_(options), diagnostics_(diagnostics), profiling_(profiling) {
+    times_.start = secondsSinceStart();
+    prepareOpenCl(options.device);
+    if (options.device.threads > 0) hostThreads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(options.device.threads));
+}
 
 Session::~Session() = default;
 
-void Session::load() {
+void Session::load(bool withDevice) {
     /* Opening a device reads a whole compiler from disk: time to read the scene meanwhile */
-    auto opened = std::async(std::launch::async, [this] {
+    auto opened = std::async(std::launch::async, [this, withDevice] {
+        if (!withDevice) return;
         const Stopwatch time;
         context_ = std::make_unique<Context>(chooseDevice(options_.device.device), profiling_);
         compiler_ = std::make_unique<Compiler>(*context_, findKernelFolders(), cacheFolderFor(options_.device));
@@ -50,12 +56,14 @@ void Session::load() {
     scene_ = loadScene(options_.scene, diagnostics_);
     times_.load = time.seconds();
     opened.get();
-    shape_ = shapeFor(context_->device(), options_.device);
+    if (context_) shape_ = shapeFor(context_->device(), options_.device);
 }
 
 void Session::pack(bool aovs) {
     const Stopwatch time;
     packed_ = packScene(scene_, diagnostics_);
+    scene_.shapes.clear();
+    scene_.objects.clear();
     if (aovs) packed_.require(Feature::AOVS, "--aov");
     times_.pack = time.seconds();
     times_.build = packed_.counts.buildSeconds;
@@ -70,6 +78,7 @@ void Session::prepare() {
     const Stopwatch uploadTime;
     deviceScene_ = std::make_unique<DeviceScene>(*context_, packed_);
     times_.upload = uploadTime.seconds();
+    const WaitNotice notice("compiling kernels for this device; they are kept for the next time", options_.log < LogLevel::warning);
     const Stopwatch compileTime;
     stages_ = std::make_unique<Stages>(*context_, *compiler_, packed_, shape_, buildSettingsFor(options_.device));
     wave_ = std::make_unique<Wave>(*context_, *deviceScene_, *stages_, shape_, packed_.features, profile_);
@@ -78,7 +87,7 @@ void Session::prepare() {
     const Stopwatch keepTime;
     for (const Stage& stage : stages_->all()) compiler_->keep(stage.kernel.program());
     times_.keep = keepTime.seconds();
-    times_.firstRay = sinceStart_.seconds();
+    times_.firstRay = secondsSinceStart();
 }
 
 int Session::compiledStages() const {

@@ -6,7 +6,10 @@
 #include "pack/pack.h"
 #include "render/render.h"
 
+#include <tbb/global_control.h>
+
 #include <memory>
+#include <optional>
 
 namespace eikonal {
 
@@ -19,6 +22,7 @@ BuildSettings buildSettingsFor(const DeviceOptions& options);
 
 /// Seconds of each step. Steps that run at the same time count each in full.
 struct SessionTimes {
+    double start = 0;       ///< to load the program and its libraries, up to the first line of the session
     double device = 0;      ///< to find and open the device
     double load = 0;        ///< to read the scene's files
     double pack = 0;        ///< to load its images and fill its tables
@@ -43,9 +47,9 @@ public:
     Session(const Options& options, Diagnostics& diagnostics, bool profiling = false);
     ~Session();
 
-    /// Reads the scene, while the device opens.
-    void load();
-    /// Fills its tables; with aovs, the film keeps albedo, normal and depth.
+    /// Reads the scene, while the device opens. Without a device, plan() supposes a processor.
+    void load(bool withDevice = true);
+    /// Fills its tables, and forgets the scene's meshes; with aovs, the film keeps albedo, normal and depth.
     void pack(bool aovs);
     /// What prepare() is going to allocate.
     MemoryPlan plan() const;
@@ -67,7 +71,7 @@ private:
     const Options& options_;
     Diagnostics& diagnostics_;
     const bool profiling_;
-    Stopwatch sinceStart_;
+    std::optional<tbb::global_control> hostThreads_;
     Scene scene_;
     PackedScene packed_;
     StageShape shape_;

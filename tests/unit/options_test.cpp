@@ -1,0 +1,172 @@
+// The command line as the program understands it. What it does then is tested in tests/render/cli_test.cpp.
+
+#include "commands/progress_bar.h"
+#include "options.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace eikonal {
+namespace {
+
+using testing::HasSubstr;
+
+/// Splits at spaces: no argument of these tests has any.
+Options parse(const std::string& line) {
+    std::istringstream words("eikonal " + line);
+    return parseOptions({std::istream_iterator<std::string>(words), {}});
+}
+
+std::string messageOf(const std::string& line) {
+    try {
+        parse(line);
+    } catch (const UsageError& error) {
+        EXPECT_EQ(error.code(), ExitCode::usage);
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(Options, WhatIsNotGivenStaysTheScenes) {
+    const Options o = parse("render a.pbrt");
+    EXPECT_EQ(o.command, Command::render);
+    EXPECT_EQ(o.scene.path, "a.pbrt");
+    EXPECT_FALSE(o.scene.spp || o.scene.seed || o.scene.sampler || o.scene.maxDepth || o.scene.resolution || o.scene.cropWindow || o.scene.pixelBounds);
+    EXPECT_FALSE(o.scene.camera || o.scene.lookAt || o.scene.up || o.scene.fov || o.output.timeLimit || o.device.wavePaths || o.device.localSize);
+    EXPECT_TRUE(o.output.files.empty());
+    EXPECT_EQ(o.log, LogLevel::warning);
+    EXPECT_TRUE(o.device.cache && o.device.contraction);
+    EXPECT_EQ(o.commandLine, "eikonal render a.pbrt");
+}
+
+TEST(Options, PbrtsSpellingsMeanWhatTheyMeanThere) {
+    const Options o = parse("render --spp 64 --seed 7 --outfile a.exr --nthreads 2 --cropwindow 0,0.5,.25,1 --quiet --log-level debug a.pbrt");
+    EXPECT_EQ(o.scene.spp, 64);
+    EXPECT_EQ(o.scene.seed, 7);
+    EXPECT_THAT(o.output.files, testing::ElementsAre("a.exr"));
+    EXPECT_EQ(o.device.threads, 2);
+    EXPECT_EQ(o.scene.cropWindow, (std::array<double, 4>{0, 0.5, 0.25, 1}));
+    EXPECT_EQ(o.log, LogLevel::error) << "--quiet wins";
+    const PixelBounds b = parse("render a.pbrt --pixelbounds 1,20,3,40").scene.pixelBounds.value();
+    EXPECT_EQ((std::array{b.x0, b.x1, b.y0, b.y1}), (std::array{1, 20, 3, 40}));
+}
+
+TEST(Options, ValuesOfEveryKindAreRead) {
+    const Options o = parse("render a.obj --camera -1,2.5,3e1 --look-at=0,0,0 --up 0,0,1 --fov 35 --resolution 640x480 --sampler independent --max-depth 0 "
+                            "--time-limit 1.5 --aov albedo,depth --tonemap filmic --exposure -1 --wave-paths 4096 --local-size 32 --contraction off --no-cache "
+                            "--dump-kernels k --device gpu --strict --stats -o a.exr -o b.png --seed -3");
+    EXPECT_EQ(o.scene.camera, glm::dvec3(-1, 2.5, 30));
+    EXPECT_EQ(o.scene.lookAt, glm::dvec3(0));
+    EXPECT_EQ(o.scene.up, glm::dvec3(0, 0, 1));
+    EXPECT_EQ(o.scene.fov, 35);
+    EXPECT_EQ(o.scene.resolution, (std::array{640, 480}));
+    EXPECT_EQ(o.scene.sampler, SamplerKind::independent);
+    EXPECT_EQ(o.scene.maxDepth, 0);
+    EXPECT_EQ(o.scene.seed, -3);
+    EXPECT_EQ(o.output.timeLimit, 1.5);
+    EXPECT_TRUE(o.output.aovs.albedo && o.output.aovs.depth);
+    EXPECT_FALSE(o.output.aovs.normal || o.output.aovs.variance || o.output.aovs.sampleCount);
+    EXPECT_EQ(o.output.toneMapping.curve, ToneCurve::filmic);
+    EXPECT_EQ(o.output.toneMapping.exposure, -1);
+    EXPECT_EQ(o.device.wavePaths, 4096u);
+    EXPECT_EQ(o.device.localSize, 32u);
+    EXPECT_FALSE(o.device.contraction || o.device.cache);
+    EXPECT_EQ(o.device.dumpFolder, "k");
+    EXPECT_EQ(o.device.device, "gpu");
+    EXPECT_TRUE(o.scene.strict && o.output.stats);
+    EXPECT_THAT(o.output.files, testing::ElementsAre("a.exr", "b.png"));
+}
+
+TEST(Options, AllAovsAtOnce) {
+    const Aovs a = parse("render a.pbrt --aov all").output.aovs;
+    EXPECT_TRUE(a.albedo && a.normal && a.depth && a.variance && a.sampleCount);
+}
+
+struct BadValue { const char *line, *message; };
+void PrintTo(const BadValue& bad, std::ostream* out) { *out << "eikonal " << bad.line; }
+class BadValues : public testing::TestWithParam<BadValue> {};
+
+/// A message names the option, what was found, and what would have worked.
+TEST_P(BadValues, AreRefusedWithWhatWouldHaveWorked) { EXPECT_THAT(messageOf(GetParam().line), HasSubstr(GetParam().message)); }
+
+INSTANTIATE_TEST_SUITE_P(Options, BadValues, testing::Values(
+    BadValue{"render a.pbrt --spp 0", "--spp takes a whole number of at least 1, not \"0\""},
+    BadValue{"render a.pbrt --spp 1.5", "--spp takes a whole number of at least 1, not \"1.5\""},
+    BadValue{"render a.pbrt --spp 99999999999", "not \"99999999999\""},
+    BadValue{"render a.pbrt --spp", "--spp"},
+    BadValue{"render a.pbrt --seed x", "--seed takes a whole number, not \"x\""},
+    BadValue{"render a.pbrt --nthreads 0", "--nthreads takes a whole number from 1 to 4096"},
+    BadValue{"render a.pbrt --resolution 640", "like 800x600, not \"640\""},
+    BadValue{"render a.pbrt --resolution 0x5", "like 800x600, not \"0x5\""},
+    BadValue{"render a.pbrt --cropwindow 0,1,1,0", "0 <= y0 < y1 <= 1"},
+    BadValue{"render a.pbrt --cropwindow 0,1,0", "not \"0,1,0\""},
+    BadValue{"render a.pbrt --cropwindow 0,2,0,1", "not \"0,2,0,1\""},
+    BadValue{"render a.pbrt --pixelbounds 5,5,0,1", "0 <= x0 < x1"},
+    BadValue{"render a.pbrt --pixelbounds 0,1,0,1 --cropwindow 0,1,0,1", "give one of them"},
+    BadValue{"render a.pbrt --sampler sobl", "independent, sobol, not \"sobl\"; did you mean sobol?"},
+    BadValue{"render a.pbrt --time-limit 0", "--time-limit takes a number greater than 0"},
+    BadValue{"render a.pbrt --time-limit nan", "not \"nan\""},
+    BadValue{"render a.pbrt --time-limit inf", "not \"inf\""},
+    BadValue{"render a.pbrt --aov albdo", "did you mean albedo?"},
+    BadValue{"render a.pbrt --local-size 48", "a power of two"},
+    BadValue{"render a.pbrt --contraction maybe", "one of on, off"},
+    BadValue{"render a.pbrt --log-level loud", "silent, error, warning, info, debug"},
+    BadValue{"render a.obj --fov 180", "a number between 0 and 180, not \"180\""},
+    BadValue{"render a.obj --camera 1,2", "three numbers with commas"},
+    BadValue{"render a.obj --camera 1,2,3 --look-at 1,2,3", "must differ"},
+    BadValue{"render a.obj --up 0,0,0", "must not be 0,0,0"},
+    BadValue{"bench a.pbrt --repeats 0", "--repeats takes a whole number from 1 to 1000"}));
+
+INSTANTIATE_TEST_SUITE_P(Commands, BadValues, testing::Values(
+    BadValue{"", "eikonal render scene.pbrt -o image.exr"},
+    BadValue{"rendr a.pbrt", "did you mean render?"},
+    BadValue{"a.pbrt", "did you mean `eikonal render a.pbrt`?"},
+    BadValue{"frobnicate", "there are render, info, bench, cache, list-devices, compare"},
+    BadValue{"render", "needs a scene"},
+    BadValue{"render a.pbrt b.pbrt", "\"b.pbrt\""},
+    BadValue{"render a.pbrt --sp 3", "did you mean --spp?"},
+    BadValue{"info a.pbrt --wave-paths 3", "info has no option --wave-paths; render has it"},
+    BadValue{"--nonsense-of-all-kinds", "eikonal has no option --nonsense-of-all-kinds"},
+    BadValue{"cache a.pbrt", "eikonal cache --warm a.pbrt"},
+    BadValue{"compare a.exr", "needs two images"}));
+
+TEST(Options, OtherCommands) {
+    EXPECT_EQ(parse("--list-devices").command, Command::listDevices);
+    EXPECT_EQ(parse("list-devices").command, Command::listDevices);
+    EXPECT_TRUE(parse("info a.pbrt --json").json);
+    EXPECT_EQ(parse("bench a.pbrt --json f.json --repeats 3").jsonFile, "f.json");
+    EXPECT_EQ(parse("bench a.pbrt --repeats 3").repeats, 3);
+    const Options cache = parse("cache --clear --warm a.pbrt b.pbrt");
+    EXPECT_TRUE(cache.clearCache && cache.warmCache);
+    EXPECT_THAT(cache.scenes, testing::ElementsAre("a.pbrt", "b.pbrt"));
+    EXPECT_EQ(parse("compare a.exr b.exr").reference, "b.exr");
+}
+
+TEST(Options, HelpAndVersionAreTextToPrint) {
+    for (const char* line : {"--help", "--help-all", "render --help", "--version"}) EXPECT_EQ(parse(line).command, Command::print) << line;
+    EXPECT_EQ(parse("--version").text, "eikonal " EIKONAL_VERSION "\n");
+    EXPECT_THAT(parse("--help").text, HasSubstr("render"));
+    EXPECT_THAT(parse("render --help").text, HasSubstr("--spp"));
+    const std::string all = parse("--help-all").text;
+    for (const std::string& name : allOptionNames()) EXPECT_THAT(all, HasSubstr(name));
+}
+
+TEST(Options, TheManualHasEveryOption) {
+    std::ifstream file(EIKONAL_SOURCE_DIR "/docs/command-line.md");
+    const std::string manual{std::istreambuf_iterator<char>(file), {}};
+    ASSERT_FALSE(manual.empty());
+    for (const std::string& name : allOptionNames()) EXPECT_THAT(manual, testing::ContainsRegex("`(-o, )?" + name + "[` ]"));
+}
+
+TEST(ProgressBar, TimesReadLikeAClock) {
+    EXPECT_EQ(clockTime(0.9), "0:00");
+    EXPECT_EQ(clockTime(75.4), "1:15");
+    EXPECT_EQ(clockTime(4000), "1:06:40");
+}
+
+}  // namespace
+}  // namespace eikonal
