@@ -81,8 +81,8 @@ def smooth(low, high, x):
 
 def sky(d):
     """Radiance (linear sRGB) from a direction; z is up, the sun stands 20 degrees high towards +x -y."""
-    high = mix((.95, .62, .38), (.13, .25, .52), max(0, d[2]) ** .45)
-    base = mix((.12, .1, .09), high, smooth(-.03, .03, d[2]))
+    high = mix((.95, .62, .38), (.13, .25, .52), 1 - (1 - max(0, d[2])) ** 3)
+    base = mix((.12, .1, .09), high, smooth(-.5, 0, d[2]))  # no edge at the horizon: the mapping would make teeth of it
     sun = (math.cos(math.radians(20)) * .6, -math.cos(math.radians(20)) * .8, math.sin(math.radians(20)))
     angle = math.degrees(math.acos(max(-1, min(1, sum(a * b for a, b in zip(d, sun))))))
     glow = .8 * math.exp(-angle / 14)
@@ -190,22 +190,16 @@ def make_cloud(nx=32, ny=20, nz=24):
 
 # ---- the hero's spheres ----------------------------------------------------------------------------------------------------
 
-def make_spiral(count=420):
-    """Balls on a bowl, each turned by the golden angle from the one before, as seeds in a sunflower (Vogel 1979)."""
-    rng = random.Random(11)
+def make_spiral(count=400):
+    """Balls on a floor, each turned by the golden angle from the one before, as the seeds of a sunflower (Vogel 1979)."""
     golden = math.pi * (3 - math.sqrt(5))
-    lines = ["# Made by make_assets.py: Vogel's spiral on a shallow bowl."]
-    for i in range(8, count):
+    kinds = {0: "gold", 5: "gold", 8: "glass", 2: "coral", 7: "coral", 10: "coral", 3: "night", 11: "night"}
+    lines = ["# Made by make_assets.py: Vogel's spiral. Every thirteenth ball is of one kind, for Fibonacci's numbers are its arms."]
+    for i in range(6, count):
         t = i / count
-        r, angle = 4.2 * math.sqrt(t), i * golden
-        radius = .075 + .105 * math.sqrt(t)
-        y = .16 * r * r * .6 + radius
-        arm = i % 13
-        kind = "gold" if arm in (0, 5) else "glass" if arm == 8 else "coral" if arm in (2, 7, 10) else "night" if arm in (3, 11) else "pearl"
-        if rng.random() < .03:
-            kind = "glass"
-        lines.append(f'AttributeBegin Translate {r * math.cos(angle):.4f} {y:.4f} {r * math.sin(angle):.4f} '
-                     f'Scale {radius:.4f} {radius:.4f} {radius:.4f} ObjectInstance "{kind}" AttributeEnd')
+        r, angle, radius = 4.1 * math.sqrt(t), i * golden, .1 + .085 * math.sqrt(t)
+        lines.append(f'AttributeBegin Translate {r * math.cos(angle):.4f} {radius:.4f} {r * math.sin(angle):.4f} '
+                     f'Scale {radius:.4f} {radius:.4f} {radius:.4f} ObjectInstance "{kinds.get(i % 13, "pearl")}" AttributeEnd')
     (FOLDER / "spiral.pbrt").write_text("\n".join(lines) + "\n")
 
 
