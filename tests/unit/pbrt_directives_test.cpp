@@ -99,6 +99,10 @@ TEST_F(PbrtDirectives, importHasAStateOfItsOwn) {
     expectNear(apply(scene.shapes[1].worldFromObject, {0, 0, 0}), {0, 1, 0});
     EXPECT_NE(scene.shapes[1].material, none);
 
+    write("names.pbrt", "CoordinateSystem \"inside\"");
+    world("Import \"names.pbrt\" CoordSysTransform \"inside\"");
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("there is no coordinate system \"inside\"")));
+
     write("open.pbrt", "AttributeBegin");
     EXPECT_THAT(errorOfWorld("Import \"open.pbrt\""), HasSubstr("open.pbrt:1:1: AttributeBegin without an AttributeEnd"));
     EXPECT_THAT(errorOf("Import \"inner.pbrt\" WorldBegin"), HasSubstr("Import is only allowed after WorldBegin"));

@@ -52,12 +52,14 @@ struct Builder {
     /// Calls `body`, which reads another file, in a state of its own; blocks that it leaves open are closed, and noted.
     template <class Body> void importing(Body&& body) {
         const GraphicsState saved = state;
+        const auto savedSystems = coordinateSystems_;
         std::vector<Block> outer;
         std::swap(outer, blocks_);
         body();
         closeBlocks();
         std::swap(outer, blocks_);
         state = saved;
+        coordinateSystems_ = savedSystems;
     }
 
     /// Builds what could not be built before everything was read, and gives the scene away. Throws SceneError with all problems.
