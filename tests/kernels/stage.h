@@ -1,0 +1,73 @@
+#pragma once
+// Running one stage alone: queues in, queues out.
+//
+//     StageBench bench(scene, 256);
+//     bench.write("ray", rays);
+//     bench.run("intersect_rays", 256);
+//     QueueWords flights = bench.read("flight");
+
+#include "queue_words.h"
+#include "test_device.h"
+
+#include "eikonal/stages.h"
+#include "render/device_scene.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace eikonal {
+
+/// What new_x() and the benches fill memory with: a word that no stage may leave in an item that is alive.
+constexpr uint poison = 0x7fc0deadu;
+
+/// The scene of some pbrt text. Throws for anything that the reader or the packer complains about.
+PackedScene packText(const std::string& text);
+
+/// A scene on the device, a queue of each kind, and any stage to run over them.
+class StageBench {
+public:
+    /// Queues have room for `paths`, as in a wave (host/render/wave.cpp). Items are poisoned by the device, and all words of all
+    /// queues are poison at first; paths hold zeros.
+    StageBench(const PackedScene& scene, unsigned paths);
+
+    /// "ray" "next_ray" "flight" "hit" "scatter" "miss" "emission" "shadow" "path" "film" as on the host.
+    QueueWords read(const std::string& queue) const;
+    void write(const std::string& queue, const QueueWords& words);
+    /// One with the layout of a queue, all poison.
+    QueueWords empty(const std::string& queue) const;
+    void clear(const std::string& queue, uint word = poison) { QueueWords words = empty(queue); std::fill(words.words().begin(), words.words().end(), word); write(queue, words); }
+
+    /// A number that stages take as an argument: "tile_x", "samples" ...
+    void set(const std::string& name, uint number) { bindings_.set(name, number); }
+    /// Sets `first` and `count`, and runs the stage over `count` slots. "shade_hits diffuse" is that stage for a BSDF.
+    void run(const std::string& stage, unsigned count, unsigned first = 0);
+
+    /// Counters by hop, of classify_flights; and its cursors.
+    std::vector<uint> counts() const { return readWords("counts"); }
+    std::vector<uint> tally() const { return readWords("tally"); }
+    /// Zeroes counts, cursors and tally.
+    void resetCounters();
+
+    unsigned capacity() const { return capacity_; }
+    const PackedScene& scene() const { return scene_; }
+
+private:
+    std::vector<uint> readWords(const std::string& buffer) const;
+    const PackedScene& scene_;
+    unsigned capacity_;
+    DeviceScene onDevice_;
+    std::map<std::string, Buffer> buffers_;
+    std::map<std::string, std::pair<QueueLayout, size_t>> layouts_;   ///< and items
+    Bindings bindings_;
+    std::map<std::string, Kernel> kernels_;
+};
+
+/// The kernel of a stage, as stages.cpp builds it: "intersect_rays", "shade_hits diffuse".
+struct StageText { std::string kernel, text; };
+StageText stageText(const std::string& stage);
+bool isTracingStage(const std::string& stage);
+/// Every stage of STAGES whose file exists, shade_hits once for each BSDF whose file exists.
+std::vector<std::string> allStages();
+
+}  // namespace eikonal
