@@ -59,7 +59,7 @@ static void meetSphere(const quadric& q, glm::dvec3 o, glm::dvec3 d, uint elemen
     const double half = std::sqrt(std::max(inside, 0.0)) * r / std::sqrt(a), blur = 2e-5 * std::max(1.0, glm::length(o)) / std::sqrt(a);
     for (double t : {b - half, b + half}) {
         const glm::dvec3 p = o + t * d;
-        double margin = inside - 2e-3;
+        double margin = inside < 2e-3 ? 0 : inside;   /* a ray that grazes may hit or miss */
         if (q.z_min > -q.radius) margin = std::min(margin, (p.z - q.z_min) / r);
         if (q.z_max < q.radius) margin = std::min(margin, (q.z_max - p.z) / r);
         if (q.phi_max < static_cast<float>(2 * M_PI)) {
@@ -130,7 +130,7 @@ void BruteForce::meetGroup(const Group& group, uint instance, glm::dvec3 o, glm:
     std::vector<Candidate> all;
     for (uint e : group.elements) meetElement(e, instance, o, d, all);
     for (const Candidate& c : all)
-        if (c.margin > -slack && c.t > 0) found.push_back(c);
+        if (c.margin > -1 && c.t > -c.tolerance) found.push_back(c);
 }
 
 std::vector<Candidate> BruteForce::meet(vec3 o, vec3 d) const {
@@ -143,11 +143,12 @@ std::vector<Candidate> BruteForce::meet(vec3 o, vec3 d) const {
     return found;
 }
 
-static std::string describe(const std::vector<Candidate>& all) {
+/// What is near a ray's end: candidates in the order of their distance from it.
+static std::string describe(const std::vector<Candidate>& all, double end) {
     std::vector<Candidate> sorted = all;
-    std::sort(sorted.begin(), sorted.end(), [](const Candidate& a, const Candidate& b) { return a.t < b.t; });
+    std::sort(sorted.begin(), sorted.end(), [end](const Candidate& a, const Candidate& b) { return std::abs(a.t - end) < std::abs(b.t - end); });
     std::string text;
-    for (size_t i = 0; i < sorted.size() && i < 4; ++i)
+    for (size_t i = 0; i < sorted.size() && i < 5; ++i)
         text += fmt::format("\n  element {} instance {} at t {} margin {} tolerance {}", sorted[i].element, static_cast<int>(sorted[i].instance), sorted[i].t, sorted[i].margin, sorted[i].tolerance);
     return text;
 }
@@ -155,19 +156,19 @@ static std::string describe(const std::vector<Candidate>& all) {
 std::string judgeHit(const std::vector<Candidate>& all, uint element, uint instance, double t) {
     const double reached = element == NONE ? 1e29 : t;
     for (const Candidate& c : all)
-        if (c.margin > BruteForce::slack && c.t > c.tolerance && c.t + c.tolerance < reached) return fmt::format("missed an element; found {} at {}", static_cast<int>(element), t) + describe(all);
+        if (c.margin > BruteForce::slack && c.t > c.tolerance && c.t + c.tolerance < reached) return fmt::format("missed an element; found {} at {}", static_cast<int>(element), t) + describe(all, t);
     if (element == NONE) return {};
     for (const Candidate& c : all)
-        if (c.element == element && c.instance == instance && std::abs(c.t - t) <= c.tolerance) return {};
-    return fmt::format("found element {} instance {} at {}, where it is not", static_cast<int>(element), static_cast<int>(instance), t) + describe(all);
+        if (c.element == element && c.instance == instance && c.margin > -BruteForce::slack && std::abs(c.t - t) <= c.tolerance) return {};
+    return fmt::format("found element {} instance {} at {}, where it is not", static_cast<int>(element), static_cast<int>(instance), t) + describe(all, t);
 }
 
 std::string judgeShadow(const std::vector<Candidate>& all, double tMax, bool blocked) {
     for (const Candidate& c : all) {
-        if (blocked && c.t - c.tolerance < tMax) return {};
-        if (!blocked && c.margin > BruteForce::slack && c.t > c.tolerance && c.t + c.tolerance < tMax) return "passed through an element" + describe(all);
+        if (blocked && c.margin > -BruteForce::slack && c.t - c.tolerance < tMax) return {};
+        if (!blocked && c.margin > BruteForce::slack && c.t > c.tolerance && c.t + c.tolerance < tMax) return "passed through an element" + describe(all, tMax);
     }
-    return blocked ? "blocked by nothing" + describe(all) : std::string();
+    return blocked ? "blocked by nothing" + describe(all, tMax) : std::string();
 }
 
 }  // namespace eikonal

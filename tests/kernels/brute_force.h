@@ -21,7 +21,7 @@ class BruteForce {
 public:
     explicit BruteForce(const PackedScene& scene);
 
-    /// All with margin > -slack and t > 0.
+    /// All with margin > -1; those above -slack may count as hits, those above slack must.
     std::vector<Candidate> meet(vec3 o, vec3 d) const;
     /// Elements of the world and of all objects, as the hierarchy holds them.
     size_t elements() const { return elements_; }

@@ -44,14 +44,14 @@ std::vector<std::string> allStages() {
     return stages;
 }
 
-StageBench::StageBench(const PackedScene& scene, unsigned paths)
-    : scene_(scene), capacity_((paths + testLocalSize - 1) / testLocalSize * testLocalSize + (hops + 1) * testLocalSize), onDevice_(testContext(), scene) {
+StageBench::StageBench(const PackedScene& scene, unsigned paths, bool poisonItems, unsigned filmPixels)
+    : scene_(scene), capacity_((paths + testLocalSize - 1) / testLocalSize * testLocalSize + (hops + 1) * testLocalSize), poisonItems_(poisonItems), onDevice_(testContext(), scene) {
     for (QueueLayout layout : queueLayouts(scene.features)) {
         if (layout.name == "hit") layout.words += bsdfWords(scene.features);
         layouts_[layout.name] = {layout, capacity_};
         if (layout.name == "ray") layouts_["next_ray"] = {layout, capacity_};
     }
-    layouts_["film"] = {filmLayout(scene.features), paths};
+    layouts_["film"] = {filmLayout(scene.features), filmPixels ? filmPixels : paths};
     for (const auto& [name, layout] : layouts_) {
         buffers_[name] = Buffer(testContext(), static_cast<size_t>(layout.first.words) * layout.second * sizeof(uint), "queue " + name);
         bindings_.set(name, buffers_[name]);
@@ -89,7 +89,7 @@ void StageBench::resetCounters() {
 void StageBench::run(const std::string& stage, unsigned count, unsigned first) {
     if (!kernels_.count(stage)) {
         BuildSettings settings = shippedSettings(scene_.features);
-        settings.poison = true;
+        settings.poison = poisonItems_;
         settings.constants["ENVIRONMENTS"] = scene_.environments;
         const auto [kernel, text] = stageText(stage);
         kernels_[stage] = Kernel(testCompiler().build(text, kernel, settings));

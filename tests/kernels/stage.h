@@ -27,9 +27,9 @@ PackedScene packText(const std::string& text);
 /// A scene on the device, a queue of each kind, and any stage to run over them.
 class StageBench {
 public:
-    /// Queues have room for `paths`, as in a wave (host/render/wave.cpp). Items are poisoned by the device, and all words of all
-    /// queues are poison at first; paths hold zeros.
-    StageBench(const PackedScene& scene, unsigned paths);
+    /// Queues have room for `paths`, as in a wave (host/render/wave.cpp). All words of all queues are poison at first, but paths and
+    /// film (of as many pixels as there are paths, or `filmPixels`), which hold zeros. poisonItems: the device poisons new items, too.
+    StageBench(const PackedScene& scene, unsigned paths, bool poisonItems = true, unsigned filmPixels = 0);
 
     /// "ray" "next_ray" "flight" "hit" "scatter" "miss" "emission" "shadow" "path" "film" as on the host.
     QueueWords read(const std::string& queue) const;
@@ -56,6 +56,7 @@ private:
     std::vector<uint> readWords(const std::string& buffer) const;
     const PackedScene& scene_;
     unsigned capacity_;
+    bool poisonItems_;
     DeviceScene onDevice_;
     std::map<std::string, Buffer> buffers_;
     std::map<std::string, std::pair<QueueLayout, size_t>> layouts_;   ///< and items

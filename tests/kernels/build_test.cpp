@@ -1,0 +1,59 @@
+// Every stage builds without a warning, whatever a scene requires: nothing, everything, or one feature alone.
+
+#include "stage.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace eikonal {
+namespace {
+
+/// The stage's kernel builds; nothing is launched, and nothing is kept.
+void expectBuilds(const std::string& stage, Features features, const std::string& what) {
+    const auto [kernel, text] = stageText(stage);
+    /* A stage is only built for a scene that has what it is for */
+#define REQUIRE_STAGE(name, drains, fills, FEATURE) if (kernel == #name && featureNamed(#FEATURE) != Feature::count) features.require(featureNamed(#FEATURE));
+    STAGES(REQUIRE_STAGE)
+#undef REQUIRE_STAGE
+    for (int environments : {0, 2}) {
+        if (kernel == "shade_misses" && environments == 0) continue;
+        BuildSettings settings = shippedSettings(features);
+        settings.constants["ENVIRONMENTS"] = environments;
+        try { testCompiler().build(text, kernel, settings); }
+        catch (const std::exception& error) { ADD_FAILURE() << stage << " with " << what << " and " << environments << " environments: " << std::string(error.what()).substr(0, 1500); }
+        if (what != "all features") break;
+    }
+}
+
+class Builds : public testing::TestWithParam<std::string> {};
+
+TEST_P(Builds, WithNothingAndWithEverything) {
+    expectBuilds(GetParam(), Features(), "no feature");
+    expectBuilds(GetParam(), Features::all(), "all features");
+}
+
+/// Takes minutes, so it runs only where EIKONAL_SLOW_TESTS is set (CTest: --label slow).
+TEST_P(Builds, WithEachFeatureAloneSLOW) {
+    if (!std::getenv("EIKONAL_SLOW_TESTS")) GTEST_SKIP() << "slow; set EIKONAL_SLOW_TESTS=1 to run it";
+    for (size_t f = 0; f < featureCount; ++f) expectBuilds(GetParam(), Features().require(static_cast<Feature>(f)), featureName(static_cast<Feature>(f)));
+}
+
+/// A program with its own poison of new items builds too: what the stage tests run.
+TEST(BuildsPoisoned, EveryStageWithEverything) {
+    for (const std::string& stage : allStages()) {
+        const auto [kernel, text] = stageText(stage);
+        BuildSettings settings = shippedSettings(Features::all());
+        settings.poison = true;
+        EXPECT_NO_THROW(testCompiler().build(text, kernel, settings)) << stage;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, Builds, testing::ValuesIn(allStages()), [](const auto& info) {
+    std::string name = info.param;
+    for (char& c : name) if (c == ' ') c = '_';
+    return name;
+});
+
+}  // namespace
+}  // namespace eikonal

@@ -1,0 +1,120 @@
+// Queues and structs lie alike on both sides: a kernel that expands the same lists reports slots, sizes and offsets as the
+// device's compiler sees them, for minimal and full sets of features and each general feature alone.
+
+#include "test_device.h"
+
+#include "device/layout.h"
+#include "pack/tables.h"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+
+namespace eikonal {
+namespace {
+
+/// Members of the structs of the scene's tables, all of them.
+#define STRUCT_MEMBERS(M) \
+    M(material, hop) M(material, first_input) M(material, input_count) M(material, displacement) M(material, normal_map) M(material, mix_a) M(material, mix_b) \
+    M(material, mix_amount) M(material_input, texture) M(material_input, slot) M(material_input, words) M(material_input, value) \
+    M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) M(settings, max_depth) M(settings, light_count) \
+    M(settings, world_scale) M(settings, max_component_value) \
+    M(camera, kind) M(camera, scene_from_camera) M(camera, screen_x) M(camera, screen_y) M(camera, step_x) M(camera, step_y) M(camera, lens_radius) \
+    M(camera, focal_distance) M(camera, medium) M(filter, radius_x) M(filter, radius_y) \
+    M(light, kind) M(light, two_sided) M(light, pmf) M(light, inverse_area) M(light, extent) M(light, p) M(light, a) M(light, b) M(light, c) M(light, n) \
+    M(light, radius) M(light, cos_inner) M(light, cos_outer) M(light, L) M(light, first_texel) M(light, first_alias) M(light, resolution) \
+    M(alias_entry, keep) M(alias_entry, other) M(alias_entry, pmf) \
+    M(shape, kind) M(shape, flags) M(shape, first_element) M(shape, first_index) M(shape, first_vertex) M(shape, first_normal) M(shape, first_uv) \
+    M(shape, quadric) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, inside) M(shape, outside) \
+    M(quadric, object_from_scene) M(quadric, scene_from_object) M(quadric, radius) M(quadric, inner_radius) M(quadric, z_min) M(quadric, z_max) M(quadric, phi_max) \
+    M(instance, object_from_scene) M(instance, scene_from_object) M(instance, root) \
+    M(bvh_node, bounds) M(bvh_node, child) M(triangle_block, corner) M(triangle_block, element) \
+    M(texture_instruction, kind) M(texture_instruction, mapping) M(texture_instruction, flags) M(texture_instruction, image) M(texture_instruction, value) \
+    M(texture_instruction, texture_from_scene) M(texture_program, first) M(texture_program, count) \
+    M(image, width) M(image, height) M(image, channels) M(image, format) M(image, wrap) M(image, filter) M(image, first) \
+    M(medium, kind) M(medium, sigma_a) M(medium, sigma_s) M(medium, Le) M(medium, g) M(medium, grid_from_scene) M(medium, nx) M(medium, ny) M(medium, nz) \
+    M(medium, first_density) M(medium, first_Le) M(medium, first_majorant)
+
+/// What both sides report, in the same order.
+struct Report {
+    std::vector<std::string> names;
+    std::vector<uint> values;
+    void add(const std::string& name, size_t value) { names.push_back(name); values.push_back(static_cast<uint>(value)); }
+};
+
+Report hostReport(const Features& features) {
+    Report r;
+    const auto addLayout = [&](const QueueLayout& l) {
+        for (const FieldLayout& f : l.fields) {
+            r.add(l.name + "." + f.name + " slot", static_cast<size_t>(f.slot));
+            r.add(l.name + "." + f.name + " words", static_cast<size_t>(f.words));
+        }
+        r.add(l.name + " words", static_cast<size_t>(l.words));
+    };
+    for (const QueueLayout& l : queueLayouts(features)) addLayout(l);
+    addLayout(filmLayout(features));
+#define ADD_SIZE(type, name) r.add("sizeof " #type, sizeof(type));
+    SCENE_TABLES(ADD_SIZE)
+#define ADD_OFFSET(type, member) r.add("offset of " #type "." #member, offsetof(type, member));
+    STRUCT_MEMBERS(ADD_OFFSET)
+    return r;
+}
+
+std::string probeText() {
+    std::string text = R"(
+#include "queue.clh"
+#include "scene.clh"
+#include "eikonal/film.h"
+DEFINE_ITEM(film, FILM_FIELDS, 0)
+#define PUT(x) words[n++] = (uint)(x);
+#define PUT_FIELD(q, type, name, FEATURE) PUT(q##_##name##_slot) PUT(WORDS_##type * HAS_##FEATURE)
+#define PUT_QUEUE(q, FIELDS) FIELDS(PUT_FIELD, q) PUT(q##_words)
+#define PUT_SIZE(type, name) PUT(sizeof(type))
+STAGE layout_probe(__global uint *words) {
+    uint n = 0;
+    if (get_global_id(0) > 0) return;
+    QUEUES(PUT_QUEUE)
+    PUT_QUEUE(film, FILM_FIELDS)
+    SCENE_TABLES(PUT_SIZE)
+)";
+#define TEXT_OFFSET(type, member) text += "    PUT(__builtin_offsetof(" #type ", " #member "))\n";
+    STRUCT_MEMBERS(TEXT_OFFSET)
+    return text + "}\n";
+}
+
+void expectEqualLayout(const Features& features, const std::string& what) {
+    const Report host = hostReport(features);
+    const Kernel kernel(testCompiler().build(probeText(), "layout_probe", shippedSettings(features)));
+    Buffer words(testContext(), host.values.size() * sizeof(uint), "layout");
+    Bindings arguments;
+    arguments.set("words", words);
+    kernel.launch(testContext(), arguments, {}, 1, testLocalSize);
+    testContext().finish();
+    testCompiler().keep(kernel.program());
+    std::vector<uint> device(host.values.size());
+    words.read(testContext(), device.data(), device.size() * sizeof(uint));
+    for (size_t i = 0; i < device.size(); ++i) EXPECT_EQ(device[i], host.values[i]) << host.names[i] << ", features: " << what;
+}
+
+TEST(Layout, IsEqualOnBothSides) {
+    expectEqualLayout(Features(), "none");
+    expectEqualLayout(Features::all(), "all");
+}
+
+/// Each feature that some field of a queue names, alone.
+TEST(Layout, IsEqualForEachFeatureOfAField) {
+    for (Feature f : {Feature::MEDIA, Feature::INTERFACE, Feature::TRANSMISSION, Feature::INSTANCES, Feature::ANISOTROPY, Feature::AOVS})
+        expectEqualLayout(Features().require(f), featureName(f));
+}
+
+/// Only words: no padding anywhere, so a struct's size is the sum of its members' words.
+TEST(Layout, TheLastMemberEndsEachStruct) {
+    EXPECT_EQ(sizeof(material), offsetof(material, mix_amount) + 4);
+    EXPECT_EQ(sizeof(light), offsetof(light, resolution) + 4);
+    EXPECT_EQ(sizeof(shape), offsetof(shape, outside) + 4);
+    EXPECT_EQ(sizeof(settings), offsetof(settings, max_component_value) + 4);
+    EXPECT_EQ(sizeof(medium), offsetof(medium, first_majorant) + 4);
+}
+
+}  // namespace
+}  // namespace eikonal
