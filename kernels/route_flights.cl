@@ -1,8 +1,20 @@
-/* flight, ray -> hit, scatter, miss, emission, next ray.  Makes the item that each flight's next stage wants, in that stage's
+/* flight, ray -> hit, scatter, miss, emission, next ray, shadow.  Makes the item that each flight's next stage wants, in that stage's
    dense segment. Tracing: space is reserved once for a run, not once for an item. */
 #include "queue.clh"
 #include "route.clh"
 #include "route_items.clh"
+
+/* Rays that pass an interface have no shadow ray, and nothing lives in the slots after the last of them. */
+FN void store_passage(__global uint *next_ray, __global uint *shadow, uint capacity, uint slot, ray_item r) {
+    store_ray(next_ray, capacity, slot, r);
+    STORE_FIELD(shadow, float, t_max, shadow, capacity, slot, -1.0f);
+}
+FN void end_passages(__global uint *next_ray, __global uint *shadow, uint capacity, uint count) {
+    for (uint slot = count; slot % LOCAL_SIZE != 0; ++slot) {
+        STORE_FIELD(ray, float, t_max, next_ray, capacity, slot, -1.0f);
+        STORE_FIELD(shadow, float, t_max, shadow, capacity, slot, -1.0f);
+    }
+}
 
 /* Segments of the hit queue begin at multiples of the local size, so that shading needs no guard (stages.h has the order). */
 FN uint segment_start(__global const uint *counts, uint hop) {
@@ -15,7 +27,7 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
                     __global const uint *ray, __global const uint *flight, uint capacity, uint count,
                     __global const uint *counts, __global uint *cursors,
                     __global uint *hit, __global uint *scatter, __global uint *miss, __global uint *emission, __global uint *next_ray,
-                    __global uint *path) {
+                    __global uint *shadow, __global uint *path) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
@@ -39,6 +51,7 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
     }
 
     /* Fill it */
+    if (HAS_INTERFACE && first == 0) end_passages(next_ray, shadow, capacity, counts[hop_passage]);
     for (size_t i = first; i < last; ++i) {
         if (LOAD_FIELD(flight, float, t, flight, capacity, i) < 0.0f) continue;
         flight_item f = load_flight(flight, capacity, i);
@@ -49,7 +62,7 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
         if (HAS_MEDIA && f.hop == hop_scatter) { store_scatter(scatter, capacity, at[hop_scatter]++, make_scatter(medium_set, r, f)); continue; }
         surface s = flight_surface(g, tables, r, f);
         if (emits) store_emission(emission, capacity, at[hop_emission]++, make_emission(g, light_set, r, f, s));
-        if (HAS_INTERFACE && f.hop == hop_passage) store_ray(next_ray, capacity, at[hop_passage]++, make_passage(g, r, f, s));
+        if (HAS_INTERFACE && f.hop == hop_passage) store_passage(next_ray, shadow, capacity, at[hop_passage]++, make_passage(g, r, f, s));
         else if (f.hop < hop_miss) {
             uint slot = at[f.hop]++;
             material m = material_set.materials[f.material];

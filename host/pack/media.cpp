@@ -40,7 +40,7 @@ static medium packMedium(Packer& packer, const Medium& description) {
     m.sigma_a = toSpectrum(description.sigmaA.albedo() / packer.space.scale);
     m.sigma_s = toSpectrum(description.sigmaS.albedo() / packer.space.scale);
     m.Le = toSpectrum(description.Le.illuminant());
-    m.g = static_cast<float>(description.g);
+    m.g = static_cast<float>(std::clamp(description.g, -0.99, 0.99));
     m.first_density = m.first_Le = m.first_majorant = NONE;
     if (description.kind == MediumKind::homogeneous) return m;
 

@@ -2,7 +2,7 @@
 
 namespace eikonal {
 
-DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) {
+DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : maxDepth_(scene.frame().max_depth) {
     const auto upload = [&](const auto& table, const char* name) {
         using Element = typename std::decay_t<decltype(table)>::value_type;
         buffers_.push_back(Buffer::of<Element>(context, table, std::string("table ") + name));

@@ -33,8 +33,12 @@ size_t Wave::plannedBytes(const PackedScene& scene, const StageShape& shape) {
     return bytes;
 }
 
+/// Interfaces between media do not count as depth: a path that has passed so many is lost between two that touch.
+constexpr unsigned mostPassages = 1024;
+
 Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile)
-    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), capacity_(capacityFor(shape)) {
+    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), capacity_(capacityFor(shape)),
+      mostHops_(scene.maxDepth() + 1 + mostPassages) {
     for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), capacity_)) {
         addQueue(queue.layout, queue.items, queue.name);
         if (queue.name == "ray") rays_[0] = &buffers_.back();
@@ -113,7 +117,8 @@ void Wave::trace(const Tile& tile, int endX, int endY) {
     tally_.clear(context_, 0, tallies * sizeof(cl_uint));
 
     run(stages_.find("generate_rays"), tile.paths(), {});
-    for (unsigned rays = tile.paths(); rays > 0;) {
+    unsigned rays = tile.paths();
+    for (unsigned hop = 0; rays > 0 && hop < mostHops_; ++hop) {
         run(stages_.find("intersect_rays"), rays, segment(0, rays));     // ray -> flight
         run(stages_.find("extinguish_rays"), rays, segment(0, rays));    // flight -> flight, if there are media
         const Counts counts = countAndRoute(rays);                       // flight -> hit, scatter, miss, emission, next ray

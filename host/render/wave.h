@@ -54,6 +54,7 @@ private:
     StageShape shape_;
     Profile& profile_;
     unsigned capacity_;
+    unsigned mostHops_;   ///< after so many a path ends, wherever it is
     std::list<Buffer> buffers_;
     Buffer counts_, cursors_, tally_;
     Bindings bindings_;

@@ -11,7 +11,7 @@ CONTRACT_BEGIN
     S(intersect_rays,   "ray",    "flight",                           ALWAYS) \
     S(extinguish_rays,  "flight", "flight ray path",                  MEDIA) \
     S(classify_flights, "flight", "flight",                           ALWAYS) \
-    S(route_flights,    "flight", "hit scatter miss emission ray",    ALWAYS) \
+    S(route_flights,    "flight", "hit scatter miss emission ray shadow", ALWAYS) \
     S(shade_misses,     "miss",   "path",                             ALWAYS) \
     S(shade_emitters,   "emission", "path",                           EMITTERS) \
     S(shade_hits,       "hit",    "ray shadow",                       ALWAYS) \

@@ -1,0 +1,54 @@
+/* scatter -> ray, shadow, slot i to slot i.  Scatters each path at a point in a medium: a shadow ray to one light, and a ray on.
+   Straight-line. */
+#include "scatter.clh"
+#include "medium/phase.clh"
+
+FN scattering shade_scatter(light_tables lights, __global const settings *frame, scatter_item s, int alive) {
+    scattering out;
+
+    /* Light from one light, seen by the phase function */
+    shadow_item shadow = no_shadow(s.path);
+    if (HAS_LIGHTS) {
+        light_sample l = sample_light_at(lights, frame, s.seed, s.sample, s.depth, s.p);
+        float phase = eval_phase(s.g, s.wo, l.wi);
+        shadow.seed = s.seed; shadow.sample = s.sample; shadow.depth = s.depth;
+        shadow.o = s.p;
+        shadow.medium = s.medium;
+        shadow = light_contribution(shadow, s.beta, s.r_u, l, uniform_spectrum(phase), phase, alive);
+    }
+    out.shadow = shadow;
+
+    /* On along the phase function, which is its own density */
+    vec2 u = sample_2d(s.seed, s.sample, bounce_dimension_of(s.depth, dimension_direction));
+    vec3 wi = sample_phase(s.g, s.wo, u);
+    float roll = sample_1d(s.seed, s.sample, bounce_dimension_of(s.depth, dimension_roulette));
+    roulette game = play_roulette(s.beta, s.r_u, HAS_TRANSMISSION ? s.eta_scale : 1.0f, s.depth, roll);
+    ray_item r = new_ray();
+    r.path = s.path; r.seed = s.seed; r.sample = s.sample;
+    r.depth = s.depth + 1;
+    r.eta_scale = s.eta_scale;
+    r.beta = game.beta;
+    r.o = s.p;
+    r.d = wi;
+    r.t_max = alive & game.survives ? FAR_AWAY : -1.0f;
+    r.pdf = eval_phase(s.g, s.wo, wi);
+    r.traveled = 0.0f;
+    r.medium = s.medium;
+    r.r_u = s.r_u;
+    r.r_l = mul(s.r_u, 1.0f / max1(r.pdf, 1e-30f));
+    out.ray = r;
+    return out;
+}
+
+#ifndef AS_LIBRARY
+STAGE shade_scatters(LIGHT_ARGUMENTS
+                     __global const settings *frame, __global const uint *scatter, __global uint *next_ray, __global uint *shadow, uint capacity,
+                     uint first, uint count) {
+    light_tables light_set = BIND_LIGHTS;
+    size_t at = get_global_id(0), i = first + at;
+    scattering out = shade_scatter(light_set, frame, load_scatter(scatter, capacity, i), at < count);
+    store_ray(next_ray, capacity, i, out.ray);
+    if (HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
+    else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
+}
+#endif
