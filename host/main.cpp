@@ -1,6 +1,7 @@
 // The program: reads the command line, runs one command, and turns errors into messages and exit statuses.
 
 #include "commands/commands.h"
+#include "commands/kernel_workers.h"
 
 #include <cstdio>
 #include <new>
@@ -15,6 +16,7 @@ static int run(const Options& options) {
         case Command::bench: return benchCommand(options);
         case Command::cache: return cacheCommand(options);
         case Command::listDevices: return listDevicesCommand(options);
+        case Command::compileKernels: return compileKernelsCommand(options);
         case Command::compare: return compareCommand(options);
     }
     return static_cast<int>(ExitCode::usage);

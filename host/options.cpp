@@ -130,6 +130,14 @@ struct Parser {
 
         add("list-devices", Command::listDevices, "Print the OpenCL devices");
 
+        /* The program's own: see commands/kernel_workers.h */
+        auto* compile = add("compile-kernels", Command::compileKernels, "Compile a part of the kernels")->group("");
+        compile->add_option("FEATURES", options.compile.features);
+        compile->add_option("ENVIRONMENTS", options.compile.environments);
+        compile->add_option("PART", options.compile.part);
+        compile->add_option("PARTS", options.compile.parts)->check(CLI::PositiveNumber);
+        addDevice(compile, options);
+
         auto* compare = add("compare", Command::compare, "Print how far an image is from another");
         compare->add_option("IMAGE", options.image, "An image file")->type_name("");
         compare->add_option("REFERENCE", options.reference, "What it should be")->type_name("");
@@ -160,7 +168,8 @@ std::vector<std::string> optionsOf(const CLI::App* app) {
     }
     if (command != &parser.app) throw UsageError(fmt::format("{} has no use for another argument: \"{}\"\n{}", command->get_name(), argument, getHelp));
     std::vector<std::string> names;
-    for (const auto& [other, id] : parser.commands) names.push_back(other->get_name());
+    for (const auto& [other, id] : parser.commands)
+        if (!other->get_group().empty()) names.push_back(other->get_name());
     const std::string near = nearestWord(argument, names);
     const bool isScene = argument.find(".pbrt") != std::string::npos || argument.find(".obj") != std::string::npos;
     throw UsageError(fmt::format("\"{}\" is no command; {}\n{}", argument,

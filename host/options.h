@@ -11,7 +11,7 @@
 
 namespace eikonal {
 
-enum class Command { print, render, info, bench, cache, listDevices, compare };
+enum class Command { print, render, info, bench, cache, listDevices, compare, compileKernels };
 
 /// What replaces what the scene file says. Unset: the file's.
 struct SceneOptions {
@@ -49,6 +49,9 @@ struct OutputOptions {
     bool stats = false;
 };
 
+/// What a worker of commands/kernel_workers.h compiles: every `parts`-th stage from the `part`-th on, of scenes with these features.
+struct CompileRequest { std::string features; int environments = 0; unsigned part = 0, parts = 1; };
+
 struct Options {
     Command command = Command::print;
     std::string text;                                 ///< what Command::print prints
@@ -64,6 +67,7 @@ struct Options {
     bool clearCache = false, warmCache = false;       ///< cache
     std::vector<std::string> scenes;                  ///< cache --warm
     std::string image, reference;                     ///< compare
+    CompileRequest compile;
 };
 
 /// What the command line asks for. `arguments` begins with the program's name. Throws a UsageError that says what would have worked.

@@ -1,5 +1,6 @@
 #include "commands/session.h"
 
+#include "commands/kernel_workers.h"
 #include "commands/scene_loading.h"
 #include "commands/wait_notice.h"
 
@@ -80,7 +81,11 @@ void Session::prepare() {
     times_.upload = uploadTime.seconds();
     const WaitNotice notice("compiling kernels for this device; they are kept for the next time", options_.log < LogLevel::warning);
     const Stopwatch compileTime;
-    stages_ = std::make_unique<Stages>(*context_, *compiler_, packed_, shape_, buildSettingsFor(options_.device));
+    const BuildSettings settings = buildSettingsFor(options_.device);
+    missing_ = Stages::missing(*compiler_, packed_, shape_, settings);
+    if (options_.device.cache && context_->device().isCpu) compileInWorkers(options_.device, packed_, missing_);
+    times_.workers = compileTime.seconds();
+    stages_ = std::make_unique<Stages>(*context_, *compiler_, packed_, shape_, settings);
     wave_ = std::make_unique<Wave>(*context_, *deviceScene_, *stages_, shape_, packed_.features, profile_);
     wave_->warmUp();
     times_.compile = compileTime.seconds();
@@ -88,12 +93,6 @@ void Session::prepare() {
     for (const Stage& stage : stages_->all()) compiler_->keep(stage.kernel.program());
     times_.keep = keepTime.seconds();
     times_.firstRay = secondsSinceStart();
-}
-
-int Session::compiledStages() const {
-    int count = 0;
-    for (const Stage& stage : stages_->all()) count += !stage.kernel.program().fromCache;
-    return count;
 }
 
 std::string sceneHash(const PackedScene& scene) {

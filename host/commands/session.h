@@ -29,6 +29,7 @@ struct SessionTimes {
     double build = 0;       ///< of that: the acceleration structure
     double upload = 0;      ///< tables to the device
     double compile = 0;     ///< kernels: built and launched once
+    double workers = 0;     ///< of that: in processes of their own, on all cores
     double keep = 0;        ///< to store them in the cache
     double firstRay = 0;    ///< from the start of the program until the first ray could start
 };
@@ -65,7 +66,7 @@ public:
     Wave& wave() { return *wave_; }
     Profile& profile() { return profile_; }
     const SessionTimes& times() const { return times_; }
-    int compiledStages() const;      ///< how many were not in the cache
+    int compiledStages() const { return missing_; }   ///< how many were not in the cache before
 
 private:
     const Options& options_;
@@ -77,6 +78,7 @@ private:
     StageShape shape_;
     SessionTimes times_;
     Profile profile_;
+    int missing_ = 0;
     std::unique_ptr<Context> context_;
     std::unique_ptr<Compiler> compiler_;
     std::unique_ptr<DeviceScene> deviceScene_;

@@ -32,6 +32,7 @@ std::string describeRun(const Session& session, const Profile& profile, double r
     line("fill the tables", t.pack, fmt::format("of it {:.3f} s for the acceleration structure", t.build));
     line("upload the tables", t.upload);
     line("compile the kernels", t.compile, fmt::format("{} compiled, {} from the cache", session.compiledStages(), static_cast<int>(session.stages().all().size()) - session.compiledStages()));
+    if (session.compiledStages() > 0) line("  in worker processes", t.workers);
     for (const Stage& s : session.stages().all())
         text += fmt::format("    {:<26}{:8.3f} s  build {:.3f}, first launch {:.3f}{}\n", s.name, s.compileSeconds + s.firstLaunchSeconds, s.compileSeconds,
                             s.firstLaunchSeconds, s.kernel.program().fromCache ? ", cached" : "");

@@ -69,12 +69,20 @@ static void dumpProgram(const std::string& folder, const std::string& name, cons
     std::ofstream(std::filesystem::path(folder) / (name + ".cl")) << "/* options: " << options << " */\n" << text;
 }
 
+static std::string optionsFor(const KernelSource& source, const BuildSettings& settings) {
+    return fmt::format("{}{} -DNO_CONTRACTION={} -DPOISON_ITEMS={} ", languageOptions, settings.warningsAreErrors ? " -Werror" : "", settings.contraction ? 0 : 1,
+                       settings.poison ? 1 : 0) + source.options(settings.features, settings.constants);
+}
+
+bool Compiler::isKept(const std::string& text, const std::string& kernel, const BuildSettings& settings) const {
+    const KernelSource source(folders_, text);
+    return cache_.load(keyOf(source, optionsFor(source, settings), kernel)).has_value();
+}
+
 std::shared_ptr<Program> Compiler::build(const std::string& text, const std::string& kernel, const BuildSettings& settings) {
     const auto start = std::chrono::steady_clock::now();
     const KernelSource source(folders_, text);
-    std::string options = fmt::format("{}{} -DNO_CONTRACTION={} -DPOISON_ITEMS={} ", languageOptions, settings.warningsAreErrors ? " -Werror" : "",
-                                      settings.contraction ? 0 : 1, settings.poison ? 1 : 0);
-    options += source.options(settings.features, settings.constants);
+    const std::string options = optionsFor(source, settings);
     const std::string key = keyOf(source, options, kernel);
     if (!settings.dumpFolder.empty()) dumpProgram(settings.dumpFolder, fmt::format("{}-{:08x}", kernel, static_cast<std::uint32_t>(hashBytes(key))), text, options);
 

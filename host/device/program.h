@@ -38,6 +38,8 @@ public:
     /// The program made of `text` (which includes files of the kernel folder) with kernel `kernel`.
     /// Throws a DeviceError with the build log, which names our files and lines.
     std::shared_ptr<Program> build(const std::string& text, const std::string& kernel, const BuildSettings& settings);
+    /// Whether build() would find that program in the cache.
+    bool isKept(const std::string& text, const std::string& kernel, const BuildSettings& settings) const;
     /// Keeps the program's binary for later starts. Best once its kernel has been launched, since an implementation may compile at the
     /// first launch only; and only while the device is idle: PoCL 3.1 aborts when a binary is asked for during a launch.
     void keep(const Program& program) const;

@@ -47,14 +47,28 @@ static std::vector<StageRequest> requiredStages(const PackedScene& scene) {
     return list;
 }
 
-Stages::Stages(const Context& context, Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings) {
-    (void)context;
-    shading_.fill(-1);
+static BuildSettings settingsFor(BuildSettings settings, const PackedScene& scene, const StageShape& shape) {
     settings.features = settings.features | scene.features;
     settings.constants["LOCAL_SIZE"] = static_cast<int>(shape.localSize);
     settings.constants["RUN"] = static_cast<int>(shape.run);
     settings.constants["ENVIRONMENTS"] = scene.environments;
+    return settings;
+}
+
+int Stages::missing(const Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings) {
+    settings = settingsFor(std::move(settings), scene, shape);
+    int count = 0;
+    for (const StageRequest& request : requiredStages(scene)) count += !compiler.isKept(request.text, request.kernel, settings);
+    return count;
+}
+
+Stages::Stages(const Context& context, Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part) {
+    (void)context;
+    shading_.fill(-1);
+    settings = settingsFor(std::move(settings), scene, shape);
+    unsigned index = 0;
     for (const StageRequest& request : requiredStages(scene)) {
+        if (index++ % part.of != part.index) continue;
         Stage stage;
         stage.name = request.name;
         stage.kernel = Kernel(compiler.build(request.text, request.kernel, settings));

@@ -28,9 +28,15 @@ struct Stage {
     double compileSeconds = 0, firstLaunchSeconds = 0;
 };
 
+/// Which of a scene's stages to build: every `of`-th, from the `index`-th on.
+struct StagePart { unsigned index = 0, of = 1; };
+
 class Stages {
 public:
-    Stages(const Context& context, Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings);
+    Stages(const Context& context, Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part = {});
+
+    /// How many of the stages that a scene requires are not in the compiler's cache.
+    static int missing(const Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings);
 
     /// The stage called so; null if the scene does not require it.
     const Stage* find(const std::string& name) const;

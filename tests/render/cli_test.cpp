@@ -2,6 +2,7 @@
 
 #include "run_program.h"
 
+#include "feature_set.h"
 #include "film/image_file.h"
 
 #include <gmock/gmock.h>
@@ -279,6 +280,16 @@ TEST_F(Cli, TheCacheIsWarmedUsedDamagedAndCleared) {
 
     EXPECT_THAT(run({"cache", "--clear"}, own).out, testing::ContainsRegex("removed [1-9][0-9]* compiled kernels"));
     EXPECT_THAT(run({"cache"}, own).out, HasSubstr("0 compiled kernels"));
+}
+
+TEST_F(Cli, AWorkerCompilesEveryKernelThatASceneNeeds) {
+    std::string bits(featureCount, '0');
+    const auto info = nlohmann::json::parse(run({"info", "tiny.pbrt", "--json"}).out);
+    for (const auto& feature : info.at("features"))
+        bits.at(static_cast<size_t>(featureNamed(feature.at("name")))) = '1';
+    const Environment own{{"EIKONAL_CACHE_DIR", path("cache")}};
+    EXPECT_EQ(run({"compile-kernels", bits, "0", "0", "1"}, own).status, 0);
+    EXPECT_THAT(run({"render", "tiny.pbrt", "--stats"}, own).out, HasSubstr(" 0 compiled, "));
 }
 
 TEST_F(Cli, ACacheThatCannotBeWrittenIsNoError) {
