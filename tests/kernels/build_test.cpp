@@ -33,8 +33,8 @@ TEST_P(Builds, WithNothingAndWithEverything) {
     expectBuilds(GetParam(), Features::all(), "all features");
 }
 
-/// Takes minutes, so it runs only where EIKONAL_SLOW_TESTS is set (CTest: --label slow).
-TEST_P(Builds, WithEachFeatureAloneSLOW) {
+/// Takes minutes, so it only runs where EIKONAL_SLOW_TESTS is set.
+TEST_P(Builds, WithEachFeatureAlone) {
     if (!std::getenv("EIKONAL_SLOW_TESTS")) GTEST_SKIP() << "slow; set EIKONAL_SLOW_TESTS=1 to run it";
     for (size_t f = 0; f < featureCount; ++f) expectBuilds(GetParam(), Features().require(static_cast<Feature>(f)), featureName(static_cast<Feature>(f)));
 }
