@@ -1,5 +1,5 @@
 /* hit -> ray, shadow, slot i to slot i.  Scatters each path at a surface: a shadow ray to one light, and a ray on.
-   Built once for each BSDF (the macro BSDF), over that BSDF's own segment of the hit queue. Straight-line. */
+   Built once for each BSDF (the macro BSDF), over that BSDF's own segment of the hit queue. Straight-line, unless the BSDF loops. */
 #include "scatter.clh"
 
 #define JOIN_(a, b) a##b
@@ -10,6 +10,7 @@
 #define PDF_BSDF      JOIN(pdf_, BSDF)
 #define SAMPLE_BSDF   JOIN(sample_, BSDF)
 #define BSDF_IS_DELTA JOIN(BSDF, _is_delta)
+#define BSDF_LOOPS    JOIN(BSDF, _loops)
 
 FN scattering JOIN(shade_, BSDF)(light_tables lights, __global const settings *frame, hit_item h, BSDF_ITEM b, int alive) {
     frame3 shading = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
@@ -40,6 +41,12 @@ STAGE shade_hits(LIGHT_ARGUMENTS
     light_tables light_set = BIND_LIGHTS;
     size_t at = get_global_id(0), i = first + at;
     int alive = at < count;
+    if (BSDF_LOOPS && !alive) {
+        /* Nobody knows what such a slot would have it do */
+        STORE_FIELD(ray, float, t_max, next_ray, capacity, i, -1.0f);
+        STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
+        return;
+    }
     scattering out = JOIN(shade_, BSDF)(light_set, frame, load_hit(hit, capacity, i), LOAD_BSDF(hit, capacity, i), alive);
     store_ray(next_ray, capacity, i, out.ray);
     if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
