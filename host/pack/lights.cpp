@@ -45,6 +45,8 @@ static light newLight(light_kind kind, spectrum L) {
     l.L = L;
     l.pmf = 1;
     l.extent = 1;
+    /* Straight-line sampling computes every kind for every light: an image of one texel is harmless, one of none is not */
+    l.resolution = 1;
     return l;
 }
 

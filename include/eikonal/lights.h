@@ -47,7 +47,7 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
     F(spectrum, L) \
     F(uint,     first_texel)  /* in `environment_texels`: resolution^2 of them */ \
     F(uint,     first_alias)  /* in `environment_aliases`: one entry a row, then the entries of each row */ \
-    F(uint,     resolution)   /* texels on a side of the square */
+    F(uint,     resolution)   /* texels on a side of the square; 1 for other kinds, which straight-line code looks up as well */
 
 #define LIGHT_MEMBER(type, name) type name;
 typedef struct { LIGHT_FIELDS(LIGHT_MEMBER) } light;

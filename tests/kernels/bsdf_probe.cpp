@@ -66,7 +66,7 @@ static FunctionText probeText(const std::string& name) {
     FunctionText text;
     text.include = fmt::format("bsdf/{}.clh", name);
     text.type = "bsdf_result";
-    text.inputs = {name + "_item b", "vec3 wo", "float lobe", "vec2 u", "vec3 given", "uint seed"};
+    text.inputs = {name + "_item b", "vec3 wo", "float lobe", "vec2 u", "vec3 given"};
     text.declarations = fmt::format(R"(
 typedef struct {{
     vec3 wi; spectrum weight; float pdf; int is_delta; float eta;
@@ -74,8 +74,8 @@ typedef struct {{
     spectrum f_given; float pdf_given;
     int kind_is_delta, is_stochastic;
 }} bsdf_result;
-#ifndef {0}_is_stochastic
-#define {0}_is_stochastic 0
+#ifndef {0}_loops
+#define {0}_loops 0
 #endif
 )", name);
     text.body = fmt::format(R"(
@@ -87,13 +87,8 @@ typedef struct {{
     result.f_given = eval_{0}(b, wo, given);
     result.pdf_given = pdf_{0}(b, wo, given);
     result.kind_is_delta = {0}_is_delta;
-    result.is_stochastic = {0}_is_stochastic;)", name);
+    result.is_stochastic = {0}_loops;)", name);
     return text;
-}
-
-std::vector<uint> BsdfProbe::seedsFor(size_t n) {
-    Random random(5);
-    return generate(n, [&] { return random.word(); });
 }
 
 BsdfProbe::BsdfProbe(const std::string& name) : function_(probeText(name)) {}

@@ -28,7 +28,7 @@ struct BsdfResult {
     vec3 wi; spectrum weight; float pdf; int isDelta; float eta;   ///< sample_x
     spectrum f, fBack; float pdfHere;                              ///< eval_x(wo, wi), eval_x(wi, wo), pdf_x(wo, wi) at that wi
     spectrum fGiven; float pdfGiven;                               ///< eval_x and pdf_x at (wo, given)
-    int kindIsDelta, isStochastic;                                 ///< x_is_delta; x_is_stochastic: eval_x is an unbiased random estimate
+    int kindIsDelta, isStochastic;                                 ///< x_is_delta; x_loops: a random walk, whose eval_x is an unbiased random estimate
 };
 
 struct BsdfInputs {
@@ -44,10 +44,9 @@ struct BsdfInputs {
 class BsdfProbe {
 public:
     explicit BsdfProbe(const std::string& name);
-    std::vector<BsdfResult> operator()(const BsdfInputs& in) const { return function_(in.parameters, in.wo, in.lobe, in.u, in.given, seedsFor(in.size())); }
+    std::vector<BsdfResult> operator()(const BsdfInputs& in) const { return function_(in.parameters, in.wo, in.lobe, in.u, in.given); }
 
 private:
-    static std::vector<uint> seedsFor(size_t n);
     DeviceFunction<BsdfResult> function_;
 };
 

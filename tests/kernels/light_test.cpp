@@ -76,6 +76,7 @@ light newLight(light_kind kind) {
     l.kind = kind;
     l.pmf = 1;
     l.extent = 1;
+    l.resolution = 1;
     l.L = {1, 2, 3};
     return l;
 }
@@ -324,6 +325,40 @@ TEST(ImageEnvironment, SamplesFollowTheImage) {
     double integral = 0;
     for (const spectrum& t : scene.tables.environment_texels) integral += static_cast<double>(t.r) * 4 * M_PI / (n * n);
     EXPECT_NEAR(red.estimate().mean, integral, 4 * red.estimate().error);
+}
+
+/// Straight-line code computes every kind for every light and selects: lights of other kinds beside an image must not make it read
+/// outside of the tables, nor change what the image gives.
+TEST(ImageEnvironment, BesideOtherLights) {
+    Scene description;
+    auto pixels = std::make_shared<ImageData>();
+    pixels->width = pixels->height = 2;
+    pixels->channels = 1;
+    pixels->floats = {1, 2, 3, 4};
+    ImageFile file;
+    file.pixels = pixels;
+    description.images.push_back(file);
+    for (int i = 0; i < 3; ++i) {
+        Light l;
+        if (i == 0) l.kind = PointLight{Spectrum::constant(1), {0, 0, 5}};
+        else if (i == 1) l.kind = ConstantInfiniteLight{Spectrum::constant(1)};
+        else l.kind = ImageInfiniteLight{0};
+        description.lights.push_back(l);
+    }
+    Diagnostics diagnostics(LogLevel::silent);
+    const PackedScene scene = packScene(description, diagnostics);
+    for (const light& l : scene.tables.lights) EXPECT_GE(l.resolution, 1u) << "an index modulo nothing";
+    Random random(51);
+    const auto u = generate(4096, [&] { return random.unit(); });
+    const auto v = generate(4096, [&] { return random.square(); });
+    std::array<int, 3> seen{};
+    for (const LightResult& r : sample(scene, {0, 0, 0}, u, v)) {
+        ASSERT_LT(r.index, 3u);
+        ++seen[r.index];
+        ASSERT_TRUE(std::isfinite(r.pdf) && std::isfinite(r.L.r) && std::isfinite(r.Le.r));
+        ASSERT_GT(r.pdf, 0);
+    }
+    for (int n : seen) EXPECT_GT(n, 0);
 }
 
 /// The equal-area mapping on the device is the host's, both ways, to a millionth.
