@@ -13,10 +13,17 @@ namespace {
 
 bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+/// The sum of the variances of both images at pixel (x, y), whose luminance they are of.
+double varianceAt(const FilmImage& image, const FilmImage& reference, int x, int y) {
+    const double own = image.variance[image.index(x, y)];
+    return own + (reference.variance.empty() ? own : reference.variance[reference.index(x, y)]);
+}
+
 /// Sums over some pixels.
 struct Sums {
     double count = 0;
     glm::dvec3 image{0}, reference{0}, difference{0}, squares{0};
+    double variance = 0;  ///< of the luminance
 
     void add(const glm::dvec3& a, const glm::dvec3& b) {
         ++count;
@@ -25,8 +32,14 @@ struct Sums {
         difference += a - b;
         squares += (a - b) * (a - b);
     }
+    /// Of the mean difference, from the variance: a channel's noise is to the luminance's as the channel is to the luminance.
+    glm::dvec3 knownError() const {
+        const glm::dvec3 both = image + reference;
+        const double luminance = glm::dot(both, glm::dvec3(0.2126, 0.7152, 0.0722));
+        return luminance > 0 ? std::sqrt(variance) / count * glm::abs(both) / luminance : glm::dvec3(0);
+    }
     /// Of the mean difference: the differences' standard deviation over the root of their number.
-    glm::dvec3 standardError() const {
+    glm::dvec3 scatterError() const {
         if (count < 2) return glm::dvec3(0);
         const glm::dvec3 mean = difference / count;
         return glm::sqrt(glm::max(squares / count - mean * mean, 0.) / (count - 1));
@@ -35,9 +48,12 @@ struct Sums {
 
 }  // namespace
 
-double BlockDifference::excess(double relative, double sigmas) const {
-    const glm::dvec3 miss = glm::abs(image - reference) - (relative * glm::abs(reference) + sigmas * standardError);
-    return std::max({miss.x, miss.y, miss.z});
+double BlockDifference::distance(double relative, double sigmas) const {
+    double worst = 0;
+    for (int c = 0; c < 3; ++c)
+        if (const double off = std::abs(image[c] - reference[c]); off > 0)
+            worst = std::max(worst, off / (relative * std::abs(reference[c]) + sigmas * standardError[c]));
+    return worst;
 }
 
 double Comparison::worstMean() const {
@@ -52,7 +68,7 @@ double Comparison::worstMean() const {
 }
 
 const BlockDifference& Comparison::worstBlock(double relative, double sigmas) const {
-    return *std::ranges::max_element(blocks, {}, [&](const BlockDifference& block) { return block.excess(relative, sigmas); });
+    return *std::ranges::max_element(blocks, {}, [&](const BlockDifference& block) { return block.distance(relative, sigmas); });
 }
 
 Comparison compare(const FilmImage& image, const FilmImage& reference, int blockSize) {
@@ -63,6 +79,7 @@ Comparison compare(const FilmImage& image, const FilmImage& reference, int block
     const PixelBounds both{std::max(a.x0, b.x0), std::min(a.x1, b.x1), std::max(a.y0, b.y0), std::min(a.y1, b.y1)};
     if (both.x0 >= both.x1 || both.y0 >= both.y1) throw Error(ExitCode::scene, "the images have no pixel in common");
 
+    const bool noiseKnown = !image.variance.empty();
     Comparison result;
     Sums whole;
     double relativeSquares = 0;
@@ -74,11 +91,12 @@ Comparison compare(const FilmImage& image, const FilmImage& reference, int block
                     const glm::vec3 &p = image.color[image.index(x, y)], &q = reference.color[reference.index(x, y)];
                     if (!isFinite(p) || !isFinite(q)) { ++result.invalid; continue; }
                     block.add(p, q);
+                    if (noiseKnown) block.variance += varianceAt(image, reference, x, y);
                     whole.add(p, q);
                     for (int c = 0; c < 3; ++c) relativeSquares += std::pow(double(p[c]) - q[c], 2) / (double(q[c]) * q[c] + 0.01);
                 }
             const double count = std::max(block.count, 1.);
-            result.blocks.push_back({x0, y0, block.image / count, block.reference / count, block.standardError()});
+            result.blocks.push_back({x0, y0, block.image / count, block.reference / count, noiseKnown ? block.knownError() : block.scatterError()});
         }
     const double count = std::max(whole.count, 1.);
     result.mean = whole.image / count;

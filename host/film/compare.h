@@ -13,10 +13,11 @@ namespace eikonal {
 struct BlockDifference {
     int x = 0, y = 0;                 ///< its upper left pixel
     glm::dvec3 image{0}, reference{0};
-    glm::dvec3 standardError{0};      ///< of image - reference, estimated from the scatter of the pixels' differences within the block
+    glm::dvec3 standardError{0};      ///< of image - reference
 
-    /// By how much the worst channel misses: |image - reference| - (relative * reference + sigmas * standardError). <= 0: it agrees.
-    double excess(double relative, double sigmas) const;
+    /// How far the worst channel is off, in units of what is allowed: |image - reference| / (relative * |reference| + sigmas *
+    /// standardError). Up to 1 it agrees; what is equal counts 0, also where nothing is allowed, what is not is infinite there.
+    double distance(double relative, double sigmas) const;
 };
 
 struct Comparison {
@@ -27,11 +28,13 @@ struct Comparison {
 
     /// The largest |mean / referenceMean - 1| of the three channels; a channel that is black in both counts 0, in one only infinity.
     double worstMean() const;
-    /// The block with the largest excess. There is at least one block.
+    /// The block with the largest distance. There is at least one block.
     const BlockDifference& worstBlock(double relative, double sigmas) const;
 };
 
-/// Compares the pixels that both images have. Throws Error (ExitCode::scene) if the images differ in size or share no pixel.
+/// Compares the pixels that both images have. Standard errors come from the variances that an image carries, a channel's share being
+/// that of its brightness; a reference without variances is taken to be as noisy as the image. Where the image has none either they are
+/// estimated from the scatter of the pixels' differences within the block, which a difference that varies from pixel to pixel adds to. Throws Error (ExitCode::scene) if the images differ in size or share no pixel.
 Comparison compare(const FilmImage& image, const FilmImage& reference, int blockSize = 8);
 
 }  // namespace eikonal

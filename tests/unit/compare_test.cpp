@@ -29,7 +29,7 @@ TEST(Compare, equalImagesAgree) {
     ASSERT_EQ(result.blocks.size(), 6u);  // 3 x 2 blocks, the last of 4 x 4 pixels
     EXPECT_EQ(result.blocks[5].x, 16);
     EXPECT_EQ(result.blocks[5].y, 8);
-    EXPECT_LE(result.worstBlock(0, 0).excess(0, 0), 0);
+    EXPECT_EQ(result.worstBlock(0, 0).distance(0, 0), 0);
 }
 
 TEST(Compare, meansAndRelativeMse) {
@@ -48,7 +48,7 @@ TEST(Compare, findsTheBlockThatIsOff) {
     const BlockDifference& worst = result.worstBlock(.05, 4);
     EXPECT_EQ(worst.x, 16);
     EXPECT_EQ(worst.y, 8);
-    EXPECT_NEAR(worst.excess(.05, 4), .05, 1e-6);  // off by 0.1, the same in every pixel, 0.05 of it allowed
+    EXPECT_NEAR(worst.distance(.05, 4), 2, 1e-5);  // off by 0.1, the same in every pixel, 0.05 of it allowed
 }
 
 TEST(Compare, theStandardErrorIsThatOfTheMeanOfABlock) {
@@ -66,7 +66,20 @@ TEST(Compare, theStandardErrorIsThatOfTheMeanOfABlock) {
     }
     EXPECT_NEAR(sum, .0722, .002);
     EXPECT_NEAR(squares, 1, .15);  // blocks scatter by as much as their standard errors say; 1024 blocks: 1 +- 0.05
-    EXPECT_LE(result.worstBlock(0, 6).excess(0, 6), 0);
+    EXPECT_LE(result.worstBlock(0, 6).distance(0, 6), 1);
+}
+
+TEST(Compare, theStandardErrorIsThatOfTheVariancesWhereTheImageHasThem) {
+    // 64 pixels, each known to 0.1 in luminance: their mean to 0.1 / 8, and that less another such mean to sqrt(2) of it.
+    FilmImage image = flat(8, 8, {2, 1, .5f}), reference = image;
+    for (int i = 0; i < 64; i += 2) image.color[i] *= 1.2f, image.color[i + 1] *= .8f;  // scatter that the variances do not know of
+    image.variance.assign(64, .01f);
+    const double luminance = 2 * .2126 + .7152 + .5 * .0722, expected = .1 / 8 * std::sqrt(2) / luminance;
+    const BlockDifference known = compare(image, reference).blocks[0];
+    EXPECT_NEAR(known.standardError.x, 2 * expected, 1e-6);
+    EXPECT_NEAR(known.standardError.z, .5 * expected, 1e-6);
+    reference.variance.assign(64, .03f);  // 0.01 + 0.03 is twice 0.01 + 0.01
+    EXPECT_NEAR(compare(image, reference).blocks[0].standardError.y, std::sqrt(2) * expected, 1e-6);
 }
 
 TEST(Compare, leavesOutWhatIsNotFinite) {
