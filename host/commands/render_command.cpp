@@ -5,6 +5,7 @@
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "commands/statistics.h"
+#include "film/exposure.h"
 
 #include <fmt/format.h>
 
@@ -99,6 +100,7 @@ int renderCommand(const Options& o) {
 
     const Stopwatch writeTime;
     FilmImage image = film.develop(packed.worldScale);
+    expose(image, session.scene().film);
     selectAovs(image, o.output.aovs);
     writeAll(files, image, metadataOf(o, session, film.samples().fewest, renderSeconds, hash.get()), o.output.toneMapping);
     const double writeSeconds = writeTime.seconds();
