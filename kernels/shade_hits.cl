@@ -1,4 +1,4 @@
-/* hit -> ray, shadow, slot i to slot i.  Scatters each path at a surface: a shadow ray to one light, and a ray on.
+/* hit -> ray, shadow, slot i to slot i; path.  Scatters each path at a surface: a shadow ray to one light, and a ray on.
    Built once for each BSDF (the macro BSDF), over that BSDF's own segment of the hit queue. Straight-line, unless the BSDF loops. */
 #include "scatter.clh"
 
@@ -8,6 +8,7 @@
 #define LOAD_BSDF     JOIN(load_, BSDF)
 #define EVAL_BSDF     JOIN(eval_, BSDF)
 #define PDF_BSDF      JOIN(pdf_, BSDF)
+#define ALBEDO_BSDF   JOIN(albedo_, BSDF)
 #define SAMPLE_BSDF   JOIN(sample_, BSDF)
 #define BSDF_IS_DELTA JOIN(BSDF, _is_delta)
 #define BSDF_LOOPS    JOIN(BSDF, _loops)
@@ -36,8 +37,8 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, __global const settings *f
 
 #ifndef AS_LIBRARY
 STAGE shade_hits(LIGHT_ARGUMENTS
-                 __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, uint capacity,
-                 uint first, uint count) {
+                 __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, __global uint *path,
+                 uint capacity, uint first, uint count) {
     light_tables light_set = BIND_LIGHTS;
     size_t at = get_global_id(0), i = first + at;
     int alive = at < count;
@@ -47,9 +48,16 @@ STAGE shade_hits(LIGHT_ARGUMENTS
         STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
         return;
     }
-    scattering out = JOIN(shade_, BSDF)(light_set, frame, load_hit(hit, capacity, i), LOAD_BSDF(hit, capacity, i), alive);
+    hit_item h = load_hit(hit, capacity, i);
+    BSDF_ITEM b = LOAD_BSDF(hit, capacity, i);
+    scattering out = JOIN(shade_, BSDF)(light_set, frame, h, b, alive);
     store_ray(next_ray, capacity, i, out.ray);
     if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
     else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
+    if (HAS_AOVS) {
+        /* Of the first surface only; for all others, a path that nobody has */
+        size_t p = alive & (h.depth == 0u) ? h.path : capacity - LOCAL_SIZE + get_local_id(0);
+        STORE_FIELD(path, spectrum, albedo, path, capacity, p, ALBEDO_BSDF(b));
+    }
 }
 #endif

@@ -276,7 +276,21 @@ private:
     /// Illuminance of a surface that faces +z, as pbrt-v4 measures an environment.
     static double upwardIlluminance(const std::vector<spectrum>& texels, int n);
 
+    /// What lies infinitely far away has no power that could be compared with a lamp's: each has the probability of all lamps together,
+    /// which share theirs by power (as pbrt-v4's light BVH has it).
+    void weighInfiniteLights() {
+        const auto isInfinite = [](const light& l) {
+            return l.kind == kind_distant_light || l.kind == kind_constant_environment || l.kind == kind_image_environment;
+        };
+        double finite = 0;
+        for (size_t i = 0; i < powers_.size(); ++i)
+            if (!isInfinite(tables_.lights[i])) finite += powers_[i];
+        for (size_t i = 0; i < powers_.size(); ++i)
+            if (isInfinite(tables_.lights[i]) && powers_[i] > 0) powers_[i] = finite > 0 ? finite : 1;
+    }
+
     void makeSampler() {
+        weighInfiniteLights();
         double total = 0;
         for (double p : powers_) total += p;
         if (powers_.empty()) return;

@@ -14,7 +14,7 @@ CONTRACT_BEGIN
     S(route_flights,    "flight", "hit scatter miss emission ray shadow", ALWAYS) \
     S(shade_misses,     "miss",   "path",                             ALWAYS) \
     S(shade_emitters,   "emission", "path",                           EMITTERS) \
-    S(shade_hits,       "hit",    "ray shadow",                       ALWAYS) \
+    S(shade_hits,       "hit",    "ray shadow path",                  ALWAYS) \
     S(shade_scatters,   "scatter", "ray shadow",                      MEDIA) \
     S(test_shadows,     "shadow", "path",                             ALWAYS) \
     S(resolve_film,     "path",   "film",                             ALWAYS)
