@@ -52,7 +52,7 @@ double BlockDifference::distance(double relative, double sigmas) const {
     double worst = 0;
     for (int c = 0; c < 3; ++c)
         if (const double off = std::abs(image[c] - reference[c]); off > 0)
-            worst = std::max(worst, off / (relative * std::abs(reference[c]) + sigmas * standardError[c]));
+            worst = std::max(worst, off / (relative * std::abs(reference[c]) + sigmas * standardError[c] + negligible[c]));
     return worst;
 }
 
@@ -102,6 +102,7 @@ Comparison compare(const FilmImage& image, const FilmImage& reference, int block
     result.mean = whole.image / count;
     result.referenceMean = whole.reference / count;
     result.relativeMse = relativeSquares / (3 * count);
+    for (BlockDifference& block : result.blocks) block.negligible = 1e-4 * glm::abs(result.referenceMean);
     return result;
 }
 

@@ -14,9 +14,10 @@ struct BlockDifference {
     int x = 0, y = 0;                 ///< its upper left pixel
     glm::dvec3 image{0}, reference{0};
     glm::dvec3 standardError{0};      ///< of image - reference
+    glm::dvec3 negligible{0};         ///< what no eye sees beside the rest: a ten-thousandth of the reference's mean
 
     /// How far the worst channel is off, in units of what is allowed: |image - reference| / (relative * |reference| + sigmas *
-    /// standardError). Up to 1 it agrees; what is equal counts 0, also where nothing is allowed, what is not is infinite there.
+    /// standardError + negligible). Up to 1 it agrees; what is equal counts 0, also where nothing is allowed, what is not is infinite there.
     double distance(double relative, double sigmas) const;
 };
 

@@ -48,7 +48,7 @@ TEST(Compare, findsTheBlockThatIsOff) {
     const BlockDifference& worst = result.worstBlock(.05, 4);
     EXPECT_EQ(worst.x, 16);
     EXPECT_EQ(worst.y, 8);
-    EXPECT_NEAR(worst.distance(.05, 4), 2, 1e-5);  // off by 0.1, the same in every pixel, 0.05 of it allowed
+    EXPECT_NEAR(worst.distance(.05, 4), 2, 5e-3);  // off by 0.1, the same in every pixel, 0.05 of it allowed
 }
 
 TEST(Compare, theStandardErrorIsThatOfTheMeanOfABlock) {
@@ -80,6 +80,14 @@ TEST(Compare, theStandardErrorIsThatOfTheVariancesWhereTheImageHasThem) {
     EXPECT_NEAR(known.standardError.z, .5 * expected, 1e-6);
     reference.variance.assign(64, .03f);  // 0.01 + 0.03 is twice 0.01 + 0.01
     EXPECT_NEAR(compare(image, reference).blocks[0].standardError.y, std::sqrt(2) * expected, 1e-6);
+}
+
+// A sample that is hit once in a million in the dark makes no block differ, though it is off by all of it.
+TEST(Compare, forgivesWhatIsNegligibleBesideTheRest) {
+    FilmImage image = flat(16, 8, glm::vec3(1)), reference = image;
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) image.color[image.index(x, y)] = glm::vec3(0), reference.color[image.index(x, y)] = glm::vec3(2e-5f);
+    EXPECT_LE(compare(image, reference).worstBlock(.05, 4).distance(.05, 4), .5);
 }
 
 TEST(Compare, leavesOutWhatIsNotFinite) {
