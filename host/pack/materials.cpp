@@ -187,7 +187,7 @@ static void packMaterial(Packer& packer, const Material& description, material& 
     requireBsdf(packer, h, inputs.why());
     if (description.displacement != none) {
         packer.packed.require(Feature::BUMP, inputs.why());
-        m.displacement = packTexture(packer, description.displacement);
+        m.displacement = packTexture(packer, description.displacement, TextureUse::displacement);
     }
     if (description.normalMap != none) {
         packer.packed.require(Feature::NORMAL_MAP, inputs.why());

@@ -37,7 +37,7 @@ void packGeometry(Packer&);
 void packLights(Packer&);
 
 /// What becomes of a texture's value.
-enum class TextureUse { asItIs, roughness /* its square root */, metal /* a reflectance to an index of refraction */ };
+enum class TextureUse { asItIs, roughness /* its square root */, metal /* a reflectance to an index of refraction */, displacement /* world units to scene units */ };
 /// The program of a texture, made when first asked for.
 uint packTexture(Packer&, int texture, TextureUse use = TextureUse::asItIs);
 /// The same of a texture or a plain number.

@@ -68,6 +68,10 @@ public:
     void use(TextureUse use) {
         if (use == TextureUse::roughness) pop(instruction(kind_sqrt_texture, Feature::TEXTURE_SQRT, {}), 1);
         if (use == TextureUse::metal) pop(instruction(kind_metal_texture, Feature::TEXTURE_METAL, {}), 1);
+        if (use == TextureUse::displacement && packer_.space.scale != 1) {
+            input({Spectrum::constant(packer_.space.scale)});
+            pop(instruction(kind_scale_texture, Feature::TEXTURE_SCALE, {}), 2);
+        }
     }
 
     uint finish(const SourceLocation& where) {
