@@ -5,6 +5,24 @@
 #include "camera/camera.clh"
 #include "film/pixel.clh"
 
+typedef struct { ray_item ray; path_item path; } camera_path;
+
+/* The ray and the path of a slot; `inside` says whether it belongs to the image. */
+FN camera_path start_path(camera_tables tables, __global const settings *frame, uint x, uint y, uint sample_index, uint slot, int inside) {
+    camera_sample sample = generate_ray(tables, frame, x, y, sample_index, slot);
+    camera_path p;
+    p.ray = sample.ray;
+    p.ray.t_max = inside ? p.ray.t_max : -1.0f;
+    p.path = new_path();
+    p.path.L = uniform_spectrum(0.0f);
+    p.path.weight = inside ? sample.weight : 0.0f;
+    p.path.albedo = uniform_spectrum(0.0f);
+    p.path.normal = make_vec3(0.0f, 0.0f, 0.0f);
+    p.path.distance = FAR_AWAY;
+    return p;
+}
+
+#ifndef AS_LIBRARY
 STAGE generate_rays(CAMERA_ARGUMENTS
                     __global const settings *frame, __global uint *ray, __global uint *path, uint capacity,
                     uint tile_x, uint tile_y, uint tile_log2_width, uint tile_log2_height,  /* pixels, whole image */
@@ -15,17 +33,8 @@ STAGE generate_rays(CAMERA_ARGUMENTS
     tile_position at = locate_slot((uint)i, tile_log2_width, tile_log2_height);
     uint x = tile_x + at.x, y = tile_y + at.y;
     int inside = (x < end_x) & (y < end_y) & (at.sample < samples);
-
-    camera_sample sample = generate_ray(tables, frame, x, y, first_sample + at.sample, (uint)i);
-    ray_item r = sample.ray;
-    r.t_max = inside ? r.t_max : -1.0f;
-    store_ray(ray, capacity, i, r);
-
-    path_item state = new_path();
-    state.L = uniform_spectrum(0.0f);
-    state.weight = inside ? sample.weight : 0.0f;
-    state.albedo = uniform_spectrum(0.0f);
-    state.normal = make_vec3(0.0f, 0.0f, 0.0f);
-    state.distance = FAR_AWAY;
-    store_path(path, capacity, i, state);
+    camera_path p = start_path(tables, frame, x, y, first_sample + at.sample, (uint)i, inside);
+    store_ray(ray, capacity, i, p.ray);
+    store_path(path, capacity, i, p.path);
 }
+#endif

@@ -66,11 +66,8 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
         else if (f.hop < hop_miss) {
             uint slot = at[f.hop]++;
             material m = material_set.materials[f.material];
-            if (HAS_BUMP && m.displacement != NONE) s = displace_normal(tables, m.displacement, s);
-            if (HAS_NORMAL_MAP && m.normal_map != NONE) s = map_normal(tables, m.normal_map, s);
-            store_hit(hit, capacity, slot, make_hit(g, r, f, s));
-            bsdf_words parameters = eval_parameters(tables, material_set, m, s);
-            for (uint w = 0; w < parameters.count; ++w) hit[(hit_words + w) * (size_t)capacity + slot] = parameters.word[w];
+            s = relieve_surface(tables, m, s);
+            store_shading(hit, capacity, slot, tables, material_set, m, make_hit(g, r, f, s), s);
             if (HAS_AOVS && r.depth == 0) store_first_surface(path, capacity, r, f, s);
         }
     }

@@ -2,6 +2,7 @@
    Built once for each BSDF (the macro BSDF), over that BSDF's own segment of the hit queue. Straight-line, unless the BSDF loops. */
 #include "scatter.clh"
 
+#ifndef JOIN
 #define JOIN_(a, b) a##b
 #define JOIN(a, b) JOIN_(a, b)
 #define BSDF_ITEM     JOIN(BSDF, _item)
@@ -12,6 +13,7 @@
 #define SAMPLE_BSDF   JOIN(sample_, BSDF)
 #define BSDF_IS_DELTA JOIN(BSDF, _is_delta)
 #define BSDF_LOOPS    JOIN(BSDF, _loops)
+#endif
 
 FN scattering JOIN(shade_, BSDF)(light_tables lights, __global const settings *frame, hit_item h, BSDF_ITEM b, int alive) {
     frame3 shading = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
@@ -56,7 +58,7 @@ STAGE shade_hits(LIGHT_ARGUMENTS
     else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
     if (HAS_AOVS) {
         /* Of the first surface only; for all others, a path that nobody has */
-        size_t p = alive & (h.depth == 0u) ? h.path : capacity - LOCAL_SIZE + get_local_id(0);
+        size_t p = (alive & (h.depth == 0u)) ? h.path : capacity - LOCAL_SIZE + get_local_id(0);
         STORE_FIELD(path, spectrum, albedo, path, capacity, p, ALBEDO_BSDF(b));
     }
 }

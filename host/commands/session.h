@@ -5,6 +5,7 @@
 #include "options.h"
 #include "pack/pack.h"
 #include "render/render.h"
+#include "render/wave.h"
 
 #include <tbb/global_control.h>
 

@@ -38,7 +38,7 @@ static Pass nextPass(unsigned done, unsigned left, const PixelRect& rect, const 
     return {tilePixels, std::min(left, std::max(shape.wavePaths / tilePixels, 1u))};
 }
 
-unsigned render(const Context& context, Wave& wave, Film& film, const StageShape& shape, Profile& profile, const RenderControl& control) {
+unsigned render(const Context& context, Tracer& tracer, Film& film, const StageShape& shape, Profile& profile, const RenderControl& control) {
     const PixelRect& rect = film.pixels();
     const auto start = std::chrono::steady_clock::now();
     const double allSamples = control.endSample - control.firstSample;
@@ -57,8 +57,8 @@ unsigned render(const Context& context, Wave& wave, Film& film, const StageShape
                 const Tile tile{x, y, size.log2Width, size.log2Height, control.firstSample + done, samples};
                 const PixelRect part{x, y, std::min(x + width, rect.x1), std::min(y + height, rect.y1)};
                 film.upload(context, tileFilm, part, width, height);
-                wave.trace(tile, rect.x1, rect.y1);
-                wave.resolve(tile, tileFilm);
+                tracer.trace(tile, rect.x1, rect.y1);
+                tracer.resolve(tile, tileFilm);
                 film.download(context, tileFilm, part, width, height);
                 profile.paths += static_cast<std::uint64_t>(part.width()) * static_cast<std::uint64_t>(part.height()) * samples;
                 ++tiles;

@@ -47,7 +47,7 @@ static std::vector<StageRequest> requiredStages(const PackedScene& scene) {
     return list;
 }
 
-static BuildSettings settingsFor(BuildSettings settings, const PackedScene& scene, const StageShape& shape) {
+BuildSettings completeSettings(BuildSettings settings, const PackedScene& scene, const StageShape& shape) {
     settings.features = settings.features | scene.features;
     settings.constants["LOCAL_SIZE"] = static_cast<int>(shape.localSize);
     settings.constants["RUN"] = static_cast<int>(shape.run);
@@ -56,7 +56,7 @@ static BuildSettings settingsFor(BuildSettings settings, const PackedScene& scen
 }
 
 int Stages::missing(const Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings) {
-    settings = settingsFor(std::move(settings), scene, shape);
+    settings = completeSettings(std::move(settings), scene, shape);
     int count = 0;
     for (const StageRequest& request : requiredStages(scene)) count += !compiler.isKept(request.text, request.kernel, settings);
     return count;
@@ -65,7 +65,7 @@ int Stages::missing(const Compiler& compiler, const PackedScene& scene, const St
 Stages::Stages(const Context& context, Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part) {
     (void)context;
     shading_.fill(-1);
-    settings = settingsFor(std::move(settings), scene, shape);
+    settings = completeSettings(std::move(settings), scene, shape);
     unsigned index = 0;
     for (const StageRequest& request : requiredStages(scene)) {
         if (index++ % part.of != part.index) continue;

@@ -20,6 +20,9 @@ struct StageShape {
     static StageShape forDevice(const DeviceInfo& device);
 };
 
+/// What every program of a scene is built with: its features, and the constants of the shape.
+BuildSettings completeSettings(BuildSettings settings, const PackedScene& scene, const StageShape& shape);
+
 /// A stage that a scene requires. shade_hits is there once for each BSDF.
 struct Stage {
     std::string name;        ///< for people and profiles: "shade_hits diffuse"

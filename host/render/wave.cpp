@@ -33,12 +33,9 @@ size_t Wave::plannedBytes(const PackedScene& scene, const StageShape& shape) {
     return bytes;
 }
 
-/// Interfaces between media do not count as depth: a path that has passed so many is lost between two that touch.
-constexpr unsigned mostPassages = 1024;
-
 Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile)
     : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), capacity_(capacityFor(shape)),
-      mostHops_(scene.maxDepth() + 1 + mostPassages) {
+      mostHops_(mostHops(scene)) {
     for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), capacity_)) {
         addQueue(queue.layout, queue.items, queue.name);
         if (queue.name == "ray") rays_[0] = &buffers_.back();
@@ -103,15 +100,7 @@ unsigned Wave::shade(const Counts& counts) {
 }
 
 void Wave::trace(const Tile& tile, int endX, int endY) {
-    bindings_.set("tile_x", static_cast<cl_uint>(tile.x));
-    bindings_.set("tile_y", static_cast<cl_uint>(tile.y));
-    bindings_.set("tile_log2_width", static_cast<cl_uint>(tile.log2Width));
-    bindings_.set("tile_log2_height", static_cast<cl_uint>(tile.log2Height));
-    bindings_.set("end_x", static_cast<cl_uint>(endX));
-    bindings_.set("end_y", static_cast<cl_uint>(endY));
-    bindings_.set("first_sample", tile.firstSample);
-    bindings_.set("samples", tile.samples);
-    bindings_.set("tile_pixels", tile.pixels());
+    bindTile(bindings_, tile, endX, endY);
     bindings_.set("ray", *rays_[0]);
     bindings_.set("next_ray", *rays_[1]);
     tally_.clear(context_, 0, tallies * sizeof(cl_uint));

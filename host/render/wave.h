@@ -5,37 +5,24 @@
 #include "render/device_scene.h"
 #include "render/profile.h"
 #include "render/stages.h"
+#include "render/tracer.h"
 
 #include <array>
 #include <list>
 
 namespace eikonal {
 
-/// The samples of a tile of pixels that one wave takes. Tiles are powers of two wide and high; what reaches beyond the
-/// pixels that are wanted stays empty.
-struct Tile {
-    int x = 0, y = 0;                 ///< upper left pixel
-    int log2Width = 0, log2Height = 0;
-    unsigned firstSample = 0, samples = 1;
-    int width() const { return 1 << log2Width; }
-    int height() const { return 1 << log2Height; }
-    unsigned pixels() const { return 1u << (log2Width + log2Height); }
-    unsigned paths() const { return pixels() * samples; }
-};
-
 /// Queues for a number of paths, and the stages that run over them.
-class Wave {
+class Wave : public Tracer {
 public:
     Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile);
 
     /// Runs every kernel once over nothing, so that an implementation that compiles at the first launch does it now.
     void warmUp();
 
-    /// Follows every path of a tile from the camera to its end. Enqueues; waits only for one small read a bounce.
-    void trace(const Tile& tile, int endX, int endY);
-
-    /// Adds the traced paths to the tile of the film in `film`.
-    void resolve(const Tile& tile, const Buffer& film);
+    /// Waits only for one small read a bounce.
+    void trace(const Tile& tile, int endX, int endY) override;
+    void resolve(const Tile& tile, const Buffer& film) override;
 
     size_t bytes() const { return bytes_; }
     /// What bytes() will be, before anything is allocated.

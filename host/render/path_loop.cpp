@@ -1,0 +1,51 @@
+#include "render/path_loop.h"
+
+#include "device/layout.h"
+
+#include <fmt/format.h>
+
+namespace eikonal {
+
+/// The text that has the functions of every BSDF that the scene has, and then the loop.
+static std::string loopText(const Features& features) {
+    std::string text = "#define AS_LIBRARY\n", list = "#define SCENE_BSDFS(B)";
+    const auto include = [&](const char* bsdf) {
+        text += fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"shade_hits.cl\"\n#undef BSDF\n", bsdf);
+        list += fmt::format(" B({})", bsdf);
+    };
+#define INCLUDE_BSDF(bsdf, FEATURE, PARAMETERS) \
+    if (features.has(Feature::FEATURE)) include(#bsdf);
+    BSDFS(INCLUDE_BSDF)
+#undef INCLUDE_BSDF
+    return text + list + "\n#include \"loop.cl\"\n";
+}
+
+PathLoop::PathLoop(const Context& context, Compiler& compiler, const DeviceScene& deviceScene, const PackedScene& scene, const StageShape& shape,
+                   const BuildSettings& settings, Profile& profile)
+    : context_(context), scene_(deviceScene), shape_(shape), profile_(profile) {
+    const BuildSettings complete = completeSettings(settings, scene, shape);
+    loop_ = Kernel(compiler.build(loopText(complete.features), "loop", complete));
+    resolve_ = Kernel(compiler.build("#include \"resolve_film.cl\"\n", "resolve_film", complete));
+    const unsigned capacity = (shape.wavePaths + shape.localSize - 1) / shape.localSize * shape.localSize;
+    const auto words = [&](int count) { return static_cast<size_t>(capacity) * static_cast<size_t>(count) * sizeof(cl_uint); };
+    hit_ = Buffer(context, words(queueLayout("hit", complete.features).words + bsdfWords(complete.features)), "hits");
+    path_ = Buffer(context, words(queueLayout("path", complete.features).words), "paths");
+    bindings_.set("hit", hit_);
+    bindings_.set("path", path_);
+    bindings_.set("capacity", capacity);
+    bindings_.set("most_hops", mostHops(deviceScene));
+}
+
+void PathLoop::trace(const Tile& tile, int endX, int endY) {
+    bindTile(bindings_, tile, endX, endY);
+    profile_.add("loop", tile.paths(), loop_.launch(context_, scene_.bindings(), bindings_, tile.paths(), shape_.localSize));
+    context_.finish();
+}
+
+void PathLoop::resolve(const Tile& tile, const Buffer& film) {
+    Bindings own = bindings_;
+    own.set("film", film);
+    profile_.add("resolve_film", tile.pixels(), resolve_.launch(context_, scene_.bindings(), own, tile.pixels(), shape_.localSize));
+}
+
+}  // namespace eikonal

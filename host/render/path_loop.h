@@ -1,0 +1,28 @@
+#pragma once
+// The plain way: one kernel that follows each path in a loop (kernels/loop.cl), over the same functions as the stages. What the wavefront
+// is tested against, and measured against.
+
+#include "render/profile.h"
+#include "render/stages.h"
+#include "render/tracer.h"
+
+namespace eikonal {
+
+class PathLoop : public Tracer {
+public:
+    PathLoop(const Context& context, Compiler& compiler, const DeviceScene& deviceScene, const PackedScene& scene, const StageShape& shape,
+             const BuildSettings& settings, Profile& profile);
+    void trace(const Tile& tile, int endX, int endY) override;
+    void resolve(const Tile& tile, const Buffer& film) override;
+
+private:
+    const Context& context_;
+    const DeviceScene& scene_;
+    StageShape shape_;
+    Profile& profile_;
+    Kernel loop_, resolve_;
+    Buffer hit_, path_;
+    Bindings bindings_;
+};
+
+}  // namespace eikonal
