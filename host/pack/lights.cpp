@@ -152,6 +152,9 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
             [&](const Sphere& q) { return sphereLight(packer, s, packed, q, m, L); },
             [&](const Disk& q) { return diskLight(packed, q, m, L); }}, s.kind);
         l.two_sided = description.twoSided ? 1 : 0;
+        /* Cut out altogether, it shines unseen (as in pbrt-v4); cut out in part, it is left to rays, which see where */
+        if (s.alpha.texture == none && s.alpha.value.value() <= 0) l.invisible = 1;
+        else if (packed.alpha != NONE) l.pmf = 0;
         /* A power in watts is that of the whole shape, through each of its elements alike (pbrt-v4) */
         if (description.power && l.inverse_area > 0) {
             const double area = 1 / (l.inverse_area * packer.space.scale * packer.space.scale);
