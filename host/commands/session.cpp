@@ -45,18 +45,20 @@ Session::Session(const Options& options, Diagnostics& diagnostics, bool profilin
 Session::~Session() = default;
 
 void Session::load(bool withDevice) {
-    /* Opening a device reads a whole compiler from disk: time to read the scene meanwhile */
-    auto opened = std::async(std::launch::async, [this, withDevice] {
-        if (!withDevice) return;
+    /* Opening a device reads a whole compiler from disk: time to read the scene meanwhile. The device is opened on the thread that uses
+       it: Oclgrind 21.10 keeps its memory apart for each thread */
+    auto loaded = std::async(std::launch::async, [this] {
+        const Stopwatch time;
+        scene_ = loadScene(options_.scene, diagnostics_);
+        times_.load = time.seconds();
+    });
+    if (withDevice) {
         const Stopwatch time;
         context_ = std::make_unique<Context>(chooseDevice(options_.device.device), profiling_);
         compiler_ = std::make_unique<Compiler>(*context_, findKernelFolders(), cacheFolderFor(options_.device));
         times_.device = time.seconds();
-    });
-    const Stopwatch time;
-    scene_ = loadScene(options_.scene, diagnostics_);
-    times_.load = time.seconds();
-    opened.get();
+    }
+    loaded.get();
     if (context_) shape_ = shapeFor(context_->device(), options_.device);
 }
 
