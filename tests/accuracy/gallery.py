@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""Renders the feature gallery, compares each image with pbrt-v4's own, and writes the table of docs/accuracy.md.
+
+    ./dev accuracy                           all of ../shared/gallery
+    ./dev accuracy --only film               the scenes with "film" in their name, printed instead of written
+    ./dev accuracy --renders DIR --keep      compare the images that are in DIR already
+
+A scene agrees if each channel's mean is within 1 % of the reference's and no block of 8 x 8 pixels is further off than 5 % and four
+standard errors. Exits with 1 if a scene differs for no reason that REASONS knows, or cannot be rendered.
+"""
+
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs" / "accuracy.md"
+BEGIN, END = "<!-- table: made by tests/accuracy/gallery.py -->\n", "<!-- end of table -->\n"
+MEAN_LIMIT = 0.01
+
+# Why a scene differs that is rendered: found out by hand, shown in docs/accuracy.md.
+REASONS = {
+    "film-sensor": "RGB: the camera's response is fitted to a colour chart, see below",
+    "light-blackbody": "RGB: the lamp's spectrum is far from white, see below",
+    "material-diffuse-imagemap": "RGB: the dark channel of a saturated yellow, see below",
+    "medium-absorb": "RGB: exp(-x) of three numbers, see below",
+    "medium-in-glass": "RGB: exp(-x) of three numbers, see below",
+    "medium-camera-inside": "noise of both images next to a point light, see below",
+}
+
+
+def render(program, scene, image, samples):
+    """Renders a scene into `image`, and what the program says into a .log beside it."""
+    command = [program, "render", scene, "--spp", samples, "--aov", "variance", "--stats", "-o", image]
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+    image.with_suffix(".log").write_text(done.stdout + done.stderr)
+    return done.returncode == 0
+
+
+def compare(program, image, reference):
+    done = subprocess.run([str(program), "compare", "--json", str(image), str(reference)], capture_output=True, text=True)
+    return json.loads(done.stdout) if done.returncode == 0 else None
+
+
+def ratio(value, reference):
+    return value / reference if reference else 1.0 if value == 0 else float("inf")
+
+
+def judge(name, log, numbers):
+    """The cells of a scene's row, its kind (agrees, differs, unexplained, missing, failed) first."""
+    seconds = re.search(r"^  render +([0-9.]+) s", log, re.MULTILINE)
+    seconds = f"{float(seconds[1]):.1f}" if seconds else ""
+    missing = [found[1] for found in re.finditer(r"warning: (.* not rendered yet.*)", log)]
+    if not numbers:
+        return "failed", name, "", "", "", "**failed**: " + (log.strip().splitlines() or ["?"])[-1], seconds
+
+    ratios = [ratio(*pair) for pair in zip(numbers["mean"], numbers["referenceMean"])]
+    block = numbers["worstBlock"]
+    agrees = max(abs(r - 1) for r in ratios) <= MEAN_LIMIT and numbers["blocksOff"] == 0 and numbers["invalidPixels"] == 0
+    if missing:
+        kind, verdict = "missing", "not rendered yet: " + "; ".join(missing)
+    elif agrees:
+        kind, verdict = "agrees", "agrees"
+    elif name in REASONS:
+        kind, verdict = "differs", "differs: " + REASONS[name]
+    else:
+        kind, verdict = "unexplained", "**differs**"
+    return (kind, name, " ".join(f"{r:.4f}" for r in ratios), f"{block['distance']:.2f} at {block['x']}, {block['y']}",
+            f"{numbers['blocksOff']} of {numbers['blocks']}", verdict, seconds)
+
+
+def table(rows, samples):
+    count = lambda kind: sum(row[0] == kind for row in rows)
+    wrong = count("unexplained") + count("failed")
+    lines = [f"**{count('agrees')} of {len(rows)} scenes agree**, {count('differs')} differ for a known reason, "
+             f"{count('missing')} need what is not rendered yet, {wrong} are wrong. {samples} samples a pixel.", "",
+             "| scene | mean / reference: R G B | worst block | blocks off | verdict | seconds |", "|---|---|---|---|---|--:|"]
+    lines += ["| " + " | ".join(row[1:]) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("gallery", nargs="?", type=pathlib.Path, default=ROOT.parent / "shared" / "gallery",
+                         help="folder of scenes with their references in reference/ (../shared/gallery)")
+    options.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "eikonal")
+    options.add_argument("--spp", type=int, default=1024)
+    options.add_argument("--only", metavar="WORD", default="", help="scenes with this in their name; prints the table, writes nothing")
+    options.add_argument("--renders", type=pathlib.Path, default=ROOT / "build" / "accuracy", help="where images and logs go (build/accuracy)")
+    options.add_argument("--keep", action="store_true", help="do not render what is there already")
+    o = options.parse_args()
+
+    scenes = sorted(scene for scene in o.gallery.glob("*.pbrt") if o.only in scene.stem)
+    if not scenes:
+        sys.exit(f"gallery.py: no scene *{o.only}*.pbrt in {o.gallery}")
+    o.renders.mkdir(parents=True, exist_ok=True)
+    rows = []
+    for scene in scenes:
+        image, log = o.renders / (scene.stem + ".exr"), o.renders / (scene.stem + ".log")
+        rendered = (o.keep and image.exists() and log.exists()) or render(o.program, scene, image, o.spp)
+        numbers = compare(o.program, image, o.gallery / "reference" / (scene.stem + ".exr")) if rendered else None
+        rows.append(judge(scene.stem, log.read_text(), numbers))
+        print("  ".join(cell for cell in rows[-1][1:] if cell), file=sys.stderr, flush=True)
+
+    text = table(rows, o.spp)
+    if o.only:
+        print(text, end="")
+    else:
+        page = PAGE.read_text()
+        head, rest = page.split(BEGIN)
+        PAGE.write_text(head + BEGIN + text + END + rest.split(END)[1])
+        print(text.splitlines()[0])
+    sys.exit(any(row[0] in ("unexplained", "failed") for row in rows))
+
+
+if __name__ == "__main__":
+    main()
