@@ -1,0 +1,126 @@
+// Furnaces: light from everywhere and matter that loses none of it. Then the radiance is the same everywhere, whatever stands there.
+
+#include "rendering.h"
+
+#include <cmath>
+
+namespace eikonal {
+namespace {
+
+/// A ball under a sky of radiance 1, seen in its middle and a little aside (so that angles are not special).
+Rendered underWhiteSky(const std::string& material, const std::string& shape = "Shape \"sphere\" \"float radius\" 1", int maxDepth = 100) {
+    View view;
+    view.lookAt = "0 0 -4  .4 .3 0  0 1 0";
+    view.maxDepth = maxDepth;
+    return render(sceneText(view, "LightSource \"infinite\" \"rgb L\" [1 1 1]\n" + material + "\n" + shape), surfaces());
+}
+
+// A sphere of radius 1 that reflects rho = 1/2, I = pi in its middle: direct irradiance E = I, and every bounce spreads evenly over the sphere,
+// whose points see each other all alike, so L = rho E / (pi (1 - rho)) = 1.
+TEST(Furnace, AClosedDiffuseSphereAroundAPointLightIsOne) {
+    View view;
+    view.lookAt = ".3 -.2 -.4  0 0 1  0 1 0";
+    view.fov = 90;
+    view.maxDepth = 60;
+    expectRadiance(render(sceneText(view, R"(LightSource "point" "rgb I" [3.14159265 3.14159265 3.14159265]
+        Material "diffuse" "rgb reflectance" [.5 .5 .5] Shape "sphere")"), surfaces()), 1, 0.003);
+}
+
+// Radiance 1 from everywhere solves the transport equation for whatever reflects or transmits everything.
+TEST(Furnace, WhiteDiffuse) { expectRadiance(underWhiteSky("Material \"diffuse\" \"rgb reflectance\" [1 1 1]"), 1, 0.002); }
+
+// The whole image at once: a bowl, in which light goes round, a ball, a tent. Light left in the bowl after 100 bounces: below 2^-50.
+TEST(Furnace, WhiteThingsOfEveryShapeCannotBeSeen) {
+    View view;
+    view.lookAt = "0 3 -5  0 .4 0  0 1 0";
+    view.fov = 40;
+    view.maxDepth = 100;
+    expectRadiance(render(sceneText(view, R"(LightSource "infinite" "rgb L" [1 1 1]
+        Material "diffuse" "rgb reflectance" [1 1 1]
+        AttributeBegin Translate -.8 1 0 Rotate -90 1 0 0 Shape "sphere" "float radius" 1 "float zmin" -1 "float zmax" 0 AttributeEnd
+        AttributeBegin Translate 1.2 .5 .4 Shape "sphere" "float radius" .5 Shape "disk" "float radius" .8 "float height" .5 AttributeEnd
+        Shape "trianglemesh" "integer indices" [0 1 2 1 0 3] "point3 P" [.5 1.2 -1  1.7 1.2 -1  1.1 .2 -.4  1.1 .2 -1.6]
+        Shape "bilinearmesh" "point3 P" [-1 0 -1  1 .3 -1  -1 .3 1  1 0 1])"), surfaces()), 1, 0.002);
+}
+
+TEST(Furnace, WhiteDiffuseOnBothSides) {
+    expectRadiance(underWhiteSky("Material \"diffusetransmission\" \"rgb reflectance\" [.4 .4 .4] \"rgb transmittance\" [.6 .6 .6]"), 1, 0.005);
+}
+
+// A mirror of reflectance r has the k of a metal that reflects min(r, 0.9999) straight on (as in pbrt-v4); every path has that weight once,
+// a little more at an angle.
+TEST(Furnace, AMirrorReflectsAllButATenThousandth) {
+    const Estimate e = estimate(underWhiteSky("Material \"conductor\" \"rgb reflectance\" [1 1 1] \"float roughness\" 0").image);
+    EXPECT_NEAR(e.mean.g, 0.9999, 5e-5);
+}
+
+// One bounce off microfacets loses what would bounce again: nothing to speak of where they are flat, never a gain.
+TEST(Furnace, RoughMetalNeverGains) {
+    for (const char* roughness : {".001", ".01", ".1", ".3", "1"}) {
+        const Rendered r = underWhiteSky("Material \"conductor\" \"rgb reflectance\" [1 1 1] \"bool remaproughness\" false \"float roughness\" " + std::string(roughness));
+        const Estimate e = estimate(r.image);
+        EXPECT_LE(e.mean.g, 1 + standardErrors * e.error.g) << roughness;
+        EXPECT_GE(e.mean.g, std::atof(roughness) < 0.2 ? 0.98 : 0.3) << roughness;
+        EXPECT_EQ(r.invalid.count, 0u);
+    }
+}
+
+// Radiance is squeezed by eta^2 on its way in and stretched by the same on its way out; Fresnel's parts add up to one.
+TEST(Furnace, ClearGlassCannotBeSeen) { expectRadiance(underWhiteSky("Material \"dielectric\" \"float eta\" 1.5"), 1, 0.005); }
+TEST(Furnace, AnAirBubbleCannotBeSeen) { expectRadiance(underWhiteSky("Material \"dielectric\" \"float eta\" .7"), 1, 0.005); }
+TEST(Furnace, ThinGlassCannotBeSeen) { expectRadiance(underWhiteSky("Material \"thindielectric\" \"float eta\" 1.8"), 1, 0.005); }
+
+TEST(Furnace, RoughGlassNeverGains) {
+    for (const char* roughness : {".01", ".1", ".5"}) {
+        const Rendered r = underWhiteSky("Material \"dielectric\" \"float eta\" 1.5 \"bool remaproughness\" false \"float roughness\" " + std::string(roughness));
+        const Estimate e = estimate(r.image);
+        EXPECT_LE(e.mean.g, 1 + standardErrors * e.error.g) << roughness;
+        EXPECT_GE(e.mean.g, std::atof(roughness) < 0.2 ? 0.97 : 0.6) << roughness;
+        EXPECT_EQ(r.invalid.count, 0u);
+    }
+}
+
+// The walk between coat and base is cut off, and each passage through a rough coat loses what its microfacets would pass on among themselves; nothing
+// of it can gain light.
+TEST(Furnace, WhiteUnderACoatNeverGains) {
+    for (const char* roughness : {"0", ".1"}) {
+        const Rendered r = underWhiteSky("Material \"coateddiffuse\" \"rgb reflectance\" [1 1 1] \"integer maxdepth\" 100 \"float roughness\" " + std::string(roughness));
+        const Estimate e = estimate(r.image);
+        EXPECT_LE(e.mean.g, 1 + standardErrors * e.error.g) << roughness;
+        EXPECT_GE(e.mean.g, std::atof(roughness) == 0 ? 0.9 : 0.6) << roughness;
+        EXPECT_EQ(r.invalid.count, 0u);
+    }
+}
+
+TEST(Furnace, AMixOfWhiteMaterialsIsWhite) {
+    expectRadiance(underWhiteSky(R"(MakeNamedMaterial "a" "string type" "diffuse" "rgb reflectance" [1 1 1]
+        MakeNamedMaterial "b" "string type" "dielectric"
+        MakeNamedMaterial "c" "string type" "mix" "string materials" ["a" "b"] "float amount" .3
+        Material "mix" "string materials" ["c" "a"] "float amount" .5)"), 1, 0.005);
+}
+
+// Inside of a shining wall (L_e = 1) that reflects rho = 1/2 each bounce adds half of the one before: with maxdepth n, L = 2 - 2^-n.
+TEST(Furnace, EveryDepthAddsItsTerm) {
+    for (int depth : {0, 1, 2, 3, 20}) {
+        SCOPED_TRACE(depth);
+        View view;
+        view.lookAt = ".3 -.2 -.4  0 0 1  0 1 0";
+        view.fov = 90;
+        view.maxDepth = depth;
+        expectRadiance(render(sceneText(view, R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [.5 .5 .5]
+            ReverseOrientation Shape "sphere")"), surfaces()), 2 - std::ldexp(1., -depth), 0.002);
+    }
+}
+
+// The same wall in the three channels, rho = 0.8, 0.5, 0.1: roulette follows the brightest channel and must keep the others right.
+TEST(Furnace, RouletteKeepsEveryChannelRight) {
+    View view;
+    view.lookAt = ".3 -.2 -.4  0 0 1  0 1 0";
+    view.fov = 90;
+    view.maxDepth = 200;
+    expectRadiance(render(sceneText(view, R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [.8 .5 .1]
+        ReverseOrientation Shape "sphere")"), surfaces()), {1 / .2, 1 / .5, 1 / .9}, 0.003);
+}
+
+}  // namespace
+}  // namespace eikonal

@@ -1,0 +1,162 @@
+#include "rendering.h"
+
+#include "device/cache.h"
+#include "render/wave.h"
+#include "scene/pbrt/read_pbrt.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+namespace eikonal {
+
+/// Beside the program, as for the tests that run it.
+static std::string cacheFolder() { return std::filesystem::path(EIKONAL_BINARY).parent_path() / "test-cache"; }
+
+const Context& device() {
+    static const Context context([] {
+        preparePocl(cacheFolder());
+        if (const char* wanted = std::getenv("EIKONAL_TEST_DEVICE")) return chooseDevice(wanted);
+        return chooseDevice("Portable Computing Language");
+    }());
+    return context;
+}
+
+static Compiler& compiler() {
+    static Compiler compiler(device(), findKernelFolders(), cacheFolder());
+    return compiler;
+}
+
+std::string sceneText(const View& view, const std::string& world) {
+    return fmt::format("LookAt {}\nCamera \"perspective\" \"float fov\" {}\nFilm \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {}\n"
+                       "PixelFilter \"box\"\nSampler \"{}\" \"integer pixelsamples\" {}\nIntegrator \"volpath\" \"integer maxdepth\" {}\n{}\nWorldBegin\n{}\n",
+                       view.lookAt, view.fov, view.width, view.height, view.sampler, view.samples, view.maxDepth, view.more, world);
+}
+
+PackedScene packScene(const std::string& text) {
+    Diagnostics diagnostics(LogLevel::silent, true);
+    PackedScene packed = packScene(readPbrtText(text, "test.pbrt", ".", diagnostics), diagnostics);
+    if (!diagnostics.warnings().empty()) throw std::invalid_argument("the scene of a test gives a warning: " + diagnostics.warnings().front());
+    return packed;
+}
+
+Features surfaceFeatures() {
+    using enum Feature;
+    const Features others = Features().require(MEDIA).require(AOVS).require(SOBOL).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
+        .require(CAMERA_ORTHOGRAPHIC).require(LIGHT_IMAGE_ENVIRONMENT).require(TEXTURE_IMAGEMAP).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID);
+    Features features;
+    for (size_t i = 0; i < featureCount; ++i)
+        if (!others.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));
+    return features;
+}
+Features mediumFeatures() {
+    using enum Feature;
+    return surfaceFeatures().require(MEDIA).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID);
+}
+static RenderSetup forcing(const Features& features) {
+    RenderSetup setup;
+    setup.forced = features;
+    return setup;
+}
+RenderSetup surfaces() { return forcing(surfaceFeatures()); }
+RenderSetup media() { return forcing(mediumFeatures()); }
+
+/// Straight-line code for kinds that a scene has none of still reads a first element; what it makes of it is not used.
+static void fillEmptyTables(SceneTables& tables) {
+    constexpr size_t elements = 1024;
+#define FILL_IF_EMPTY(type, name) if (tables.name.empty()) tables.name.resize(elements);
+    SCENE_TABLES(FILL_IF_EMPTY)
+#undef FILL_IF_EMPTY
+}
+
+Rendered render(PackedScene scene, const RenderSetup& setup) {
+    if (setup.edit) setup.edit(scene);
+    const Features built = scene.features | setup.forced;
+    if (!(built == scene.features)) fillEmptyTables(scene.tables);
+    if (setup.allStages) scene.features = built;
+
+    BuildSettings settings;
+    settings.features = setup.forced;
+    settings.contraction = setup.contraction;
+    const DeviceScene onDevice(device(), scene);
+    Profile profile;
+    Stages stages(device(), compiler(), scene, setup.shape, settings);
+    Wave wave(device(), onDevice, stages, setup.shape, built, profile);
+    wave.warmUp();
+    for (const Stage& stage : stages.all()) compiler().keep(stage.kernel.program());
+
+    Film film(static_cast<int>(scene.frame().width), static_cast<int>(scene.frame().height), scene.pixels, built);
+    std::vector<unsigned> ends = setup.splits;
+    ends.push_back(static_cast<unsigned>(scene.samples));
+    RenderControl control;
+    for (unsigned end : ends) {
+        control.endSample = end;
+        control.firstSample = render(device(), wave, film, setup.shape, profile, control);
+    }
+    return {film.develop(scene.worldScale), film.invalid()};
+}
+
+Estimate estimate(const FilmImage& image) {
+    glm::dvec3 sum(0), squares(0);
+    const double n = static_cast<double>(image.color.size());
+    for (const glm::vec3& c : image.color) sum += glm::dvec3(c);
+    const glm::dvec3 mean = sum / n;
+    for (const glm::vec3& c : image.color) squares += (glm::dvec3(c) - mean) * (glm::dvec3(c) - mean);
+    return {mean, glm::sqrt(squares / (n * (n - 1)))};
+}
+
+static constexpr const char* channels = "RGB";
+constexpr double rounding = 1e-5;
+
+void expectRadiance(const Rendered& rendered, glm::dvec3 expected, double resolution) {
+    const Estimate e = estimate(rendered.image);
+    EXPECT_EQ(rendered.invalid.count, 0u);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_LE(std::abs(e.mean[c] - expected[c]), standardErrors * e.error[c] + rounding * expected[c])
+            << channels[c] << " is " << e.mean[c] << " +- " << e.error[c] << ", not " << expected[c];
+        EXPECT_LE(e.error[c], resolution * expected[c]) << "too few samples to tell";
+    }
+}
+
+void expectEqualMeans(const Rendered& a, const Rendered& b, double resolution) {
+    const Estimate x = estimate(a.image), y = estimate(b.image);
+    EXPECT_EQ(a.invalid.count + b.invalid.count, 0u);
+    for (int c = 0; c < 3; ++c) {
+        const double error = std::hypot(x.error[c], y.error[c]);
+        EXPECT_LE(std::abs(x.mean[c] - y.mean[c]), standardErrors * error + rounding * x.mean[c])
+            << channels[c] << " is " << x.mean[c] << " and " << y.mean[c] << ", +- " << error;
+        EXPECT_LE(error, resolution * x.mean[c]) << "too few samples to tell";
+    }
+}
+
+void expectSameBits(const FilmImage& a, const FilmImage& b, const std::string& what) {
+    size_t compared = 0, different = 0;
+    std::string first;
+    for (int y = std::max(a.bounds.y0, b.bounds.y0); y < std::min(a.bounds.y1, b.bounds.y1); ++y)
+        for (int x = std::max(a.bounds.x0, b.bounds.x0); x < std::min(a.bounds.x1, b.bounds.x1); ++x) {
+            const size_t i = a.index(x, y), j = b.index(x, y);
+            const auto bits = [](const FilmImage& f, size_t k) {
+                return std::array{std::bit_cast<std::uint32_t>(f.color[k].r), std::bit_cast<std::uint32_t>(f.color[k].g), std::bit_cast<std::uint32_t>(f.color[k].b),
+                                  std::bit_cast<std::uint32_t>(f.variance[k]), std::bit_cast<std::uint32_t>(f.sampleCount[k])};
+            };
+            ++compared;
+            if (bits(a, i) == bits(b, j)) continue;
+            if (!different++) first = fmt::format("({}, {}): {:.9g} {:.9g} {:.9g} and {:.9g} {:.9g} {:.9g}", x, y, a.color[i].r, a.color[i].g, a.color[i].b, b.color[j].r, b.color[j].g, b.color[j].b);
+        }
+    EXPECT_GT(compared, 0u) << what;
+    EXPECT_EQ(different, 0u) << what << ": of " << compared << " pixels; the first is " << first;
+}
+
+void expectFinite(const Rendered& rendered, const std::string& what) {
+    EXPECT_EQ(rendered.invalid.count, 0u) << what << ": invalid samples, the first in pixel (" << rendered.invalid.x << ", " << rendered.invalid.y << ")";
+    size_t bad = 0;
+    for (const glm::vec3& c : rendered.image.color)
+        for (int k = 0; k < 3; ++k) bad += !(c[k] >= 0 && std::isfinite(c[k]));
+    EXPECT_EQ(bad, 0u) << what << ": values that are negative, infinite or not a number";
+}
+
+}  // namespace eikonal
