@@ -53,7 +53,7 @@ def judge(name, log, numbers):
     """The cells of a scene's row, its kind (agrees, differs, unexplained, missing, failed) first."""
     seconds = re.search(r"^  render +([0-9.]+) s", log, re.MULTILINE)
     seconds = f"{float(seconds[1]):.1f}" if seconds else ""
-    missing = [found[1] for found in re.finditer(r"warning: (.* not rendered yet.*)", log)]
+    missing = [f"{found[1]} ({found[2]})" for found in re.finditer(r"warning: (.*) (?:is|are) not rendered yet; (.*)", log)]
     if not numbers:
         return "failed", name, "", "", "", "**failed**: " + (log.strip().splitlines() or ["?"])[-1], seconds
 
@@ -61,7 +61,7 @@ def judge(name, log, numbers):
     block = numbers["worstBlock"]
     agrees = max(abs(r - 1) for r in ratios) <= MEAN_LIMIT and numbers["blocksOff"] == 0 and numbers["invalidPixels"] == 0
     if missing:
-        kind, verdict = "missing", "not rendered yet: " + "; ".join(missing)
+        kind, verdict = "missing", "not rendered yet: " + ", ".join(missing)
     elif agrees:
         kind, verdict = "agrees", "agrees"
     elif name in REASONS:
