@@ -27,14 +27,15 @@ STAGE generate_rays(CAMERA_ARGUMENTS
                     __global const settings *frame, __global uint *ray, __global uint *path, uint capacity,
                     uint tile_x, uint tile_y, uint tile_log2_width, uint tile_log2_height,  /* pixels, whole image */
                     uint end_x, uint end_y,                                                 /* no pixel from here on */
-                    uint first_sample, uint samples) {
+                    uint first_sample, uint samples, uint count) {
     camera_tables tables = BIND_CAMERA;
-    size_t i = get_global_id(0);
-    tile_position at = locate_slot((uint)i, tile_log2_width, tile_log2_height);
-    uint x = tile_x + at.x, y = tile_y + at.y;
-    int inside = (x < end_x) & (y < end_y) & (at.sample < samples);
-    camera_path p = start_path(tables, frame, x, y, first_sample + at.sample, (uint)i, inside);
-    store_ray(ray, capacity, i, p.ray);
-    store_path(path, capacity, i, p.path);
+    FOR_EACH_SLOT(i, count) {
+        tile_position at = locate_slot((uint)i, tile_log2_width, tile_log2_height);
+        uint x = tile_x + at.x, y = tile_y + at.y;
+        int inside = (x < end_x) & (y < end_y) & (at.sample < samples);
+        camera_path p = start_path(tables, frame, x, y, first_sample + at.sample, (uint)i, inside);
+        store_ray(ray, capacity, i, p.ray);
+        store_path(path, capacity, i, p.path);
+    }
 }
 #endif

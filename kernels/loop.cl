@@ -1,5 +1,5 @@
 /* pixels -> path.  The same functions as the stages', in a plain loop for each path: what the wavefront is held to, bit by bit, and measured
-   against (docs/performance.md). One path a work-item. Its program defines AS_LIBRARY, includes shade_hits.cl for each BSDF of the
+   against (docs/performance.md). A run of paths for each work-item. Its program defines AS_LIBRARY, includes shade_hits.cl for each BSDF of the
    scene, and lists them: SCENE_BSDFS(B) calls B(name) for each. */
 #include "generate_rays.cl"
 #include "intersect_rays.cl"
@@ -28,68 +28,70 @@ FN spectrum albedo_any(__global const uint *hit, uint capacity, uint slot, uint 
 STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS MEDIUM_ARGUMENTS CAMERA_ARGUMENTS
            __global const settings *frame, __global uint *hit, __global uint *path, uint capacity,
            uint tile_x, uint tile_y, uint tile_log2_width, uint tile_log2_height, uint end_x, uint end_y, uint first_sample, uint samples,
-           uint most_hops) {
+           uint most_hops, uint count) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
     light_tables light_set = BIND_LIGHTS;
     medium_tables medium_set = BIND_MEDIA;
     camera_tables camera_set = BIND_CAMERA;
-    uint slot = (uint)get_global_id(0);
-    tile_position at = locate_slot(slot, tile_log2_width, tile_log2_height);
-    uint x = tile_x + at.x, y = tile_y + at.y;
-    int inside = (x < end_x) & (y < end_y) & (at.sample < samples);
-    camera_path started = start_path(camera_set, frame, x, y, first_sample + at.sample, slot, inside);
-    store_path(path, capacity, slot, started.path);
+    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
+    for (uint slot = (uint)first; slot < last; ++slot) {
+        tile_position at = locate_slot(slot, tile_log2_width, tile_log2_height);
+        uint x = tile_x + at.x, y = tile_y + at.y;
+        int inside = (x < end_x) & (y < end_y) & (at.sample < samples);
+        camera_path started = start_path(camera_set, frame, x, y, first_sample + at.sample, slot, inside);
+        store_path(path, capacity, slot, started.path);
 
-    ray_item r = started.ray;
-    for (uint hop = 0; r.t_max >= 0.0f && hop < most_hops; ++hop) {
-        /* Where the ray ends, and what comes next */
-        flight_item f = intersect_ray(g, tables, r);
-        f.hop = hop_none;
-        f.material = NONE;
-        if (HAS_MEDIA && r.medium != NONE) {
-            extinguished e = extinguish_ray(medium_set, r, f);
-            r = e.ray;
-            f = e.flight;
-            if (!is_black(e.L)) add_radiance(path, capacity, slot, e.L);
-        }
-        next_hop next = classify_flight(g, tables, material_set, frame, r, f);
-        f.hop = next.hop;
-        f.material = next.material;
-
-        /* Shade it */
-        scattering out;
-        out.ray = r;
-        out.ray.t_max = -1.0f;
-        out.shadow = no_shadow(slot);
-        if (ENVIRONMENTS && f.hop == hop_miss) add_radiance(path, capacity, slot, shade_miss(light_set, make_miss(r)));
-        else if (HAS_MEDIA && f.hop == hop_scatter) out = shade_scatter(light_set, frame, make_scatter(medium_set, r, f), 1);
-        else if (f.element != NONE) {
-            surface s = flight_surface(g, tables, r, f);
-            if (HAS_EMITTERS && flight_emits(g, f)) {
-                emission_item e = make_emission(g, light_set, r, f, s);
-                add_radiance(path, capacity, slot, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
+        ray_item r = started.ray;
+        for (uint hop = 0; r.t_max >= 0.0f && hop < most_hops; ++hop) {
+            /* Where the ray ends, and what comes next */
+            flight_item f = intersect_ray(g, tables, r);
+            f.hop = hop_none;
+            f.material = NONE;
+            if (HAS_MEDIA && r.medium != NONE) {
+                extinguished e = extinguish_ray(medium_set, r, f);
+                r = e.ray;
+                f = e.flight;
+                if (!is_black(e.L)) add_radiance(path, capacity, slot, e.L);
             }
-            if (HAS_INTERFACE && f.hop == hop_passage) out.ray = make_passage(g, r, f, s);
-            else if (f.hop < hop_miss) {
-                material m = material_set.materials[f.material];
-                s = relieve_surface(tables, m, s);
-                hit_item h = make_hit(g, r, f, s);
-                store_shading(hit, capacity, slot, tables, material_set, m, h, s);
-                out = shade_any(light_set, frame, hit, capacity, slot, f.hop, h);
-                if (HAS_AOVS && r.depth == 0) {
-                    store_first_surface(path, capacity, r, f, s);
-                    STORE_FIELD(path, spectrum, albedo, path, capacity, slot, albedo_any(hit, capacity, slot, f.hop));
+            next_hop next = classify_flight(g, tables, material_set, frame, r, f);
+            f.hop = next.hop;
+            f.material = next.material;
+
+            /* Shade it */
+            scattering out;
+            out.ray = r;
+            out.ray.t_max = -1.0f;
+            out.shadow = no_shadow(slot);
+            if (ENVIRONMENTS && f.hop == hop_miss) add_radiance(path, capacity, slot, shade_miss(light_set, make_miss(r)));
+            else if (HAS_MEDIA && f.hop == hop_scatter) out = shade_scatter(light_set, frame, make_scatter(medium_set, r, f), 1);
+            else if (f.element != NONE) {
+                surface s = flight_surface(g, tables, r, f);
+                if (HAS_EMITTERS && flight_emits(g, f)) {
+                    emission_item e = make_emission(g, light_set, r, f, s);
+                    add_radiance(path, capacity, slot, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
+                }
+                if (HAS_INTERFACE && f.hop == hop_passage) out.ray = make_passage(g, r, f, s);
+                else if (f.hop < hop_miss) {
+                    material m = material_set.materials[f.material];
+                    s = relieve_surface(tables, m, s);
+                    hit_item h = make_hit(g, r, f, s);
+                    store_shading(hit, capacity, slot, tables, material_set, m, h, s);
+                    out = shade_any(light_set, frame, hit, capacity, slot, f.hop, h);
+                    if (HAS_AOVS && r.depth == 0) {
+                        store_first_surface(path, capacity, r, f, s);
+                        STORE_FIELD(path, spectrum, albedo, path, capacity, slot, albedo_any(hit, capacity, slot, f.hop));
+                    }
                 }
             }
-        }
 
-        /* Light from one light, and on */
-        if (out.shadow.t_max >= 0.0f) {
-            spectrum L = test_shadow(g, tables, medium_set, out.shadow);
-            if (!is_black(L)) add_radiance(path, capacity, slot, L);
+            /* Light from one light, and on */
+            if (out.shadow.t_max >= 0.0f) {
+                spectrum L = test_shadow(g, tables, medium_set, out.shadow);
+                if (!is_black(L)) add_radiance(path, capacity, slot, L);
+            }
+            r = out.ray;
         }
-        r = out.ray;
     }
 }

@@ -1,4 +1,4 @@
-/* path -> film.  Adds a wave's samples to their pixels, in the order of the samples. One pixel of the tile a work-item. */
+/* path -> film.  Adds a wave's samples to their pixels, in the order of the samples. A run of pixels of the tile for each work-item. */
 #include "queue.clh"
 #include "scene.clh"
 #include "eikonal/film.h"
@@ -32,14 +32,15 @@ FN film_item add_sample(film_item f, path_item p, float max_component_value) {
 }
 
 STAGE resolve_film(__global const settings *frame, __global const uint *path, uint capacity, __global uint *film, uint tile_pixels, uint samples) {
-    size_t pixel = get_global_id(0);
-    if (pixel >= tile_pixels) return;
-    film_item f = load_film(film, tile_pixels, pixel);
-    for (uint s = 0; s < samples; ++s) {
-        path_item p = load_path(path, capacity, (size_t)s * tile_pixels + pixel);
-        if (p.weight == 0.0f && is_black(p.L)) continue;
-        if (!is_finite(p.L)) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
-        f = add_sample(f, p, frame->max_component_value);
+    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)tile_pixels);
+    for (size_t pixel = first; pixel < last; ++pixel) {
+        film_item f = load_film(film, tile_pixels, pixel);
+        for (uint s = 0; s < samples; ++s) {
+            path_item p = load_path(path, capacity, (size_t)s * tile_pixels + pixel);
+            if (p.weight == 0.0f && is_black(p.L)) continue;
+            if (!is_finite(p.L)) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
+            f = add_sample(f, p, frame->max_component_value);
+        }
+        store_film(film, tile_pixels, pixel, f);
     }
-    store_film(film, tile_pixels, pixel, f);
 }

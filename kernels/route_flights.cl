@@ -10,16 +10,16 @@ FN void store_passage(__global uint *next_ray, __global uint *shadow, uint capac
     STORE_FIELD(shadow, float, t_max, shadow, capacity, slot, -1.0f);
 }
 FN void end_passages(__global uint *next_ray, __global uint *shadow, uint capacity, uint count) {
-    for (uint slot = count; slot % LOCAL_SIZE != 0; ++slot) {
+    for (uint slot = count; slot % GROUP_SLOTS != 0; ++slot) {
         STORE_FIELD(ray, float, t_max, next_ray, capacity, slot, -1.0f);
         STORE_FIELD(shadow, float, t_max, shadow, capacity, slot, -1.0f);
     }
 }
 
-/* Segments of the hit queue begin at multiples of the local size, so that shading needs no guard (stages.h has the order). */
+/* Segments of the hit queue begin at multiples of a group's slots, so that shading needs no guard (stages.h has the order). */
 FN uint segment_start(__global const uint *counts, uint hop) {
     uint start = 0;
-    for (uint h = 0; h < hop; ++h) start += (counts[h] + LOCAL_SIZE - 1u) & ~(LOCAL_SIZE - 1u);
+    for (uint h = 0; h < hop; ++h) start += (counts[h] + GROUP_SLOTS - 1u) & ~(GROUP_SLOTS - 1u);
     return start;
 }
 

@@ -42,24 +42,22 @@ STAGE shade_hits(LIGHT_ARGUMENTS
                  __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, __global uint *path,
                  uint capacity, uint first, uint count) {
     light_tables light_set = BIND_LIGHTS;
-    size_t at = get_global_id(0), i = first + at;
-    int alive = at < count;
-    if (BSDF_LOOPS && !alive) {
-        /* Nobody knows what such a slot would have it do */
-        STORE_FIELD(ray, float, t_max, next_ray, capacity, i, -1.0f);
-        STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
-        return;
-    }
-    hit_item h = load_hit(hit, capacity, i);
-    BSDF_ITEM b = LOAD_BSDF(hit, capacity, i);
-    scattering out = JOIN(shade_, BSDF)(light_set, frame, h, b, alive);
-    store_ray(next_ray, capacity, i, out.ray);
-    if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
-    else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
-    if (HAS_AOVS) {
-        /* Of the first surface only; for all others, a path that nobody has */
-        size_t p = (alive & (h.depth == 0u)) ? h.path : capacity - LOCAL_SIZE + get_local_id(0);
-        STORE_FIELD(path, spectrum, albedo, path, capacity, p, ALBEDO_BSDF(b));
+    FOR_EACH_SLOT(at, count) {
+        size_t i = first + at;
+        int alive = at < count;
+        if (BSDF_LOOPS && !alive) {
+            /* Nobody knows what such a slot would have it do */
+            STORE_FIELD(ray, float, t_max, next_ray, capacity, i, -1.0f);
+            STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
+            continue;
+        }
+        hit_item h = load_hit(hit, capacity, i);
+        BSDF_ITEM b = LOAD_BSDF(hit, capacity, i);
+        scattering out = JOIN(shade_, BSDF)(light_set, frame, h, b, alive);
+        store_ray(next_ray, capacity, i, out.ray);
+        if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
+        else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
+        if (HAS_AOVS && alive && h.depth == 0) STORE_FIELD(path, spectrum, albedo, path, capacity, h.path, ALBEDO_BSDF(b));
     }
 }
 #endif

@@ -29,11 +29,10 @@ FN spectrum shade_miss(light_tables lights, miss_item m) {
 #ifndef AS_LIBRARY
 STAGE shade_misses(LIGHT_ARGUMENTS __global const uint *miss, __global uint *path, uint capacity, uint count) {
     light_tables light_set = BIND_LIGHTS;
-    size_t i = get_global_id(0);
-    miss_item m = load_miss(miss, capacity, i);
-    spectrum L = shade_miss(light_set, m);
-    /* Beyond the last item: a path that nobody has */
-    size_t p = i < count ? m.path : capacity - LOCAL_SIZE + get_local_id(0);
-    add_radiance(path, capacity, p, L);
+    FOR_EACH_SLOT(i, count) {
+        miss_item m = load_miss(miss, capacity, i);
+        spectrum L = shade_miss(light_set, m);
+        add_radiance(path, capacity, i < count ? m.path : NOBODYS_PATH(i), L);
+    }
 }
 #endif

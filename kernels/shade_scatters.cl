@@ -45,10 +45,12 @@ STAGE shade_scatters(LIGHT_ARGUMENTS
                      __global const settings *frame, __global const uint *scatter, __global uint *next_ray, __global uint *shadow, uint capacity,
                      uint first, uint count) {
     light_tables light_set = BIND_LIGHTS;
-    size_t at = get_global_id(0), i = first + at;
-    scattering out = shade_scatter(light_set, frame, load_scatter(scatter, capacity, i), at < count);
-    store_ray(next_ray, capacity, i, out.ray);
-    if (HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
-    else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
+    FOR_EACH_SLOT(at, count) {
+        size_t i = first + at;
+        scattering out = shade_scatter(light_set, frame, load_scatter(scatter, capacity, i), at < count);
+        store_ray(next_ray, capacity, i, out.ray);
+        if (HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
+        else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
+    }
 }
 #endif

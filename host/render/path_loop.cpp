@@ -26,7 +26,7 @@ PathLoop::PathLoop(const Context& context, Compiler& compiler, const DeviceScene
     const BuildSettings complete = completeSettings(settings, scene, shape);
     loop_ = Kernel(compiler.build(loopText(complete.features), "loop", complete));
     resolve_ = Kernel(compiler.build("#include \"resolve_film.cl\"\n", "resolve_film", complete));
-    const unsigned capacity = (shape.wavePaths + shape.localSize - 1) / shape.localSize * shape.localSize;
+    const unsigned capacity = shape.padded(shape.wavePaths);
     const auto words = [&](int count) { return static_cast<size_t>(capacity) * static_cast<size_t>(count) * sizeof(cl_uint); };
     hit_ = Buffer(context, words(queueLayout("hit", complete.features).words + bsdfWords(complete.features)), "hits");
     path_ = Buffer(context, words(queueLayout("path", complete.features).words), "paths");
@@ -38,14 +38,15 @@ PathLoop::PathLoop(const Context& context, Compiler& compiler, const DeviceScene
 
 void PathLoop::trace(const Tile& tile, int endX, int endY) {
     bindTile(bindings_, tile, endX, endY);
-    profile_.add("loop", tile.paths(), loop_.launch(context_, scene_.bindings(), bindings_, tile.paths(), shape_.localSize));
+    bindings_.set("count", tile.paths());
+    profile_.add("loop", tile.paths(), loop_.launch(context_, scene_.bindings(), bindings_, shape_.workItems(tile.paths()), shape_.localSize));
     context_.finish();
 }
 
 void PathLoop::resolve(const Tile& tile, const Buffer& film) {
     Bindings own = bindings_;
     own.set("film", film);
-    profile_.add("resolve_film", tile.pixels(), resolve_.launch(context_, scene_.bindings(), own, tile.pixels(), shape_.localSize));
+    profile_.add("resolve_film", tile.pixels(), resolve_.launch(context_, scene_.bindings(), own, shape_.workItems(tile.pixels()), shape_.localSize));
 }
 
 }  // namespace eikonal

@@ -2,24 +2,18 @@
 
 #include <fmt/format.h>
 
-#include <set>
 
 namespace eikonal {
 
 StageShape StageShape::forDevice(const DeviceInfo& device) {
     StageShape shape;
     if (!device.isCpu) {
+        shape.localSize = 64;
         shape.run = 1;
         shape.wavePaths = 1u << 20;
     }
     shape.localSize = static_cast<unsigned>(std::min<size_t>(shape.localSize, device.largestGroup));
     return shape;
-}
-
-/// Stages that loop over a run of slots; the others are straight-line (DESIGN: two kinds of SIMD).
-static bool isTracingStage(const std::string& name) {
-    static const std::set<std::string> tracing{"intersect_rays", "extinguish_rays", "classify_flights", "route_flights", "test_shadows"};
-    return tracing.count(name) != 0;
 }
 
 struct StageRequest { std::string name, kernel, text; uint hop; };
@@ -72,7 +66,6 @@ Stages::Stages(const Context& context, Compiler& compiler, const PackedScene& sc
         Stage stage;
         stage.name = request.name;
         stage.kernel = Kernel(compiler.build(request.text, request.kernel, settings));
-        stage.isTracing = isTracingStage(request.kernel);
         stage.compileSeconds = stage.kernel.program().seconds;
         if (request.hop < hops) shading_[request.hop] = static_cast<int>(stages_.size());
         stages_.push_back(std::move(stage));

@@ -13,9 +13,15 @@ namespace eikonal {
 
 /// How stages are laid over a device. None of this changes a bit of the image.
 struct StageShape {
-    unsigned localSize = 64;   ///< work-items in a group, a power of two
-    unsigned run = 64;         ///< slots that a work-item of a tracing stage handles
-    unsigned wavePaths = 65472;  ///< paths in flight; on PoCL, launches below 65,535 items share one compiled variant
+    unsigned localSize = 1;    ///< work-items in a group, a power of two
+    unsigned run = 64;         ///< slots that a work-item handles, a power of two: on a CPU SIMD is inside of the work-item
+    unsigned wavePaths = 65472;  ///< paths in flight
+    /// Slots of a group: segments of queues begin at multiples of it.
+    unsigned group() const { return localSize * run; }
+    /// `slots`, rounded up to whole groups.
+    unsigned padded(unsigned slots) const { return (slots + group() - 1) / group() * group(); }
+    /// Work-items for so many slots.
+    unsigned workItems(unsigned slots) const { return (slots + run - 1) / run; }
     /// What measured best for a kind of device (docs/performance.md).
     static StageShape forDevice(const DeviceInfo& device);
 };
@@ -27,7 +33,6 @@ BuildSettings completeSettings(BuildSettings settings, const PackedScene& scene,
 struct Stage {
     std::string name;        ///< for people and profiles: "shade_hits diffuse"
     Kernel kernel;
-    bool isTracing = false;  ///< one work-item a run of slots, not one a slot
     double compileSeconds = 0, firstLaunchSeconds = 0;
 };
 

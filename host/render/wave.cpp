@@ -6,10 +6,8 @@
 
 namespace eikonal {
 
-static unsigned roundUp(unsigned n, unsigned multiple) { return (n + multiple - 1) / multiple * multiple; }
-
-/// Room for every path, for the segments of the hit queue to begin at multiples of the local size, and for paths that nobody has.
-static unsigned capacityFor(const StageShape& shape) { return roundUp(shape.wavePaths, shape.localSize) + (hops + 1) * shape.localSize; }
+/// Room for every path, for the segments of the hit queue to begin at multiples of a group, and for paths that nobody has.
+static unsigned capacityFor(const StageShape& shape) { return shape.padded(shape.wavePaths) + (hops + 1) * shape.group(); }
 
 struct PlannedQueue { QueueLayout layout; size_t items; std::string name; };
 
@@ -61,8 +59,7 @@ void Wave::run(const Stage* stage, unsigned items, const Bindings& extra) {
     /* Scene tables come first, then queues, then what this launch has of its own */
     Bindings arguments = bindings_;
     arguments.add(extra);
-    const unsigned workItems = stage->isTracing ? (items + shape_.run - 1) / shape_.run : items;
-    profile_.add(stage->name, items, stage->kernel.launch(context_, scene_, arguments, workItems, shape_.localSize));
+    profile_.add(stage->name, items, stage->kernel.launch(context_, scene_, arguments, shape_.workItems(items), shape_.localSize));
 }
 
 static Bindings segment(unsigned first, unsigned count) {
@@ -94,7 +91,7 @@ unsigned Wave::shade(const Counts& counts) {
     for (uint hop = 0; hop < hop_miss; ++hop) {
         const Stage* stage = hop == hop_scatter ? stages_.find("shade_scatters") : stages_.shading(hop);
         if (counts[hop]) run(stage, counts[hop], segment(first, counts[hop]));
-        first += roundUp(counts[hop], shape_.localSize);
+        first += shape_.padded(counts[hop]);
     }
     return first;
 }
@@ -105,7 +102,7 @@ void Wave::trace(const Tile& tile, int endX, int endY) {
     bindings_.set("next_ray", *rays_[1]);
     tally_.clear(context_, 0, tallies * sizeof(cl_uint));
 
-    run(stages_.find("generate_rays"), tile.paths(), {});
+    run(stages_.find("generate_rays"), tile.paths(), segment(0, tile.paths()));
     unsigned rays = tile.paths();
     for (unsigned hop = 0; rays > 0 && hop < mostHops_; ++hop) {
         run(stages_.find("intersect_rays"), rays, segment(0, rays));     // ray -> flight

@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
 #include <stdexcept>
 
 namespace eikonal {
@@ -24,11 +23,6 @@ StageText stageText(const std::string& stage) {
     return {kernel, fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"{1}.cl\"\n", bsdf, kernel)};
 }
 
-bool isTracingStage(const std::string& stage) {
-    static const std::set<std::string> tracing{"intersect_rays", "extinguish_rays", "classify_flights", "route_flights", "test_shadows"};
-    return tracing.count(stage) != 0;
-}
-
 std::vector<std::string> allStages() {
     std::vector<std::string> stages;
     const auto add = [&](const std::string& name) {
@@ -45,7 +39,7 @@ std::vector<std::string> allStages() {
 }
 
 StageBench::StageBench(const PackedScene& scene, unsigned paths, bool poisonItems, unsigned filmPixels)
-    : scene_(scene), capacity_((paths + testLocalSize - 1) / testLocalSize * testLocalSize + (hops + 1) * testLocalSize), poisonItems_(poisonItems), onDevice_(testContext(), scene) {
+    : scene_(scene), capacity_((paths + testGroup - 1) / testGroup * testGroup + (hops + 1) * testGroup), poisonItems_(poisonItems), onDevice_(testContext(), scene) {
     for (QueueLayout layout : queueLayouts(scene.features)) {
         if (layout.name == "hit") layout.words += bsdfWords(scene.features);
         layouts_[layout.name] = {layout, capacity_};
@@ -97,7 +91,7 @@ void StageBench::run(const std::string& stage, unsigned count, unsigned first) {
     Bindings arguments = bindings_;
     arguments.set("first", first);
     arguments.set("count", count);
-    const unsigned items = isTracingStage(stage) ? (count + testRun - 1) / testRun : count;
+    const unsigned items = (count + testRun - 1) / testRun;
     kernels_[stage].launch(testContext(), onDevice_.bindings(), arguments, items, testLocalSize);
     testContext().finish();
     testCompiler().keep(kernels_[stage].program());

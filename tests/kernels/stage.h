@@ -67,7 +67,6 @@ private:
 /// The kernel of a stage, as stages.cpp builds it: "intersect_rays", "shade_hits diffuse".
 struct StageText { std::string kernel, text; };
 StageText stageText(const std::string& stage);
-bool isTracingStage(const std::string& stage);
 /// Every stage of STAGES whose file exists, shade_hits once for each BSDF whose file exists.
 std::vector<std::string> allStages();
 

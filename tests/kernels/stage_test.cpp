@@ -82,7 +82,7 @@ protected:
     /// First slot of a hop's segment of the hit queue, as the host finds it.
     unsigned segmentStart(uint hop) const {
         unsigned start = 0;
-        for (uint h = 0; h < hop; ++h) start += (bench.counts()[h] + testLocalSize - 1) / testLocalSize * testLocalSize;
+        for (uint h = 0; h < hop; ++h) start += (bench.counts()[h] + testGroup - 1) / testGroup * testGroup;
         return start;
     }
 };
@@ -293,14 +293,14 @@ TEST_F(StageTest, ShadeHitsAnswersSlotBySlot) {
     const auto shade = [&](const std::string& bsdf, uint hop, Feature feature) {
         const std::string stage = "shade_hits " + bsdf;
         if (!scene().features.has(feature) || !hasKernelFile("bsdf/" + bsdf + ".clh")) return;
-        const unsigned start = segmentStart(hop), count = counts[hop], end = (count + testLocalSize - 1) / testLocalSize * testLocalSize;
+        const unsigned start = segmentStart(hop), count = counts[hop], end = (count + testGroup - 1) / testGroup * testGroup;
         for (unsigned n : {0u, std::min(count, 1u), count}) {
             bench.clear("next_ray");
             bench.clear("shadow");
             bench.run(stage, n, start);
             const QueueWords next = bench.read("next_ray"), shadow = bench.read("shadow");
-            for (unsigned i = start; i < start + std::max(end, testLocalSize) && i < bench.capacity(); ++i) {
-                if (i >= start + (n + testLocalSize - 1) / testLocalSize * testLocalSize) continue;
+            for (unsigned i = start; i < start + std::max(end, testGroup) && i < bench.capacity(); ++i) {
+                if (i >= start + (n + testGroup - 1) / testGroup * testGroup) continue;
                 const bool alive = i < start + n;
                 for (const QueueWords* q : {&next, &shadow}) {
                     const float tMax = q->get<float>("t_max", i);
@@ -420,7 +420,7 @@ std::vector<uint> traceWave(StageBench& bench) {
 #undef NAME_STAGE
             if (hop == hop_scatter) for (unsigned i = first; i < first + counts[hop]; ++i) expectClean(scatters, i);
             if (counts[hop] && !stage.empty()) bench.run(stage, counts[hop], first);
-            first += (counts[hop] + testLocalSize - 1) / testLocalSize * testLocalSize;
+            first += (counts[hop] + testGroup - 1) / testGroup * testGroup;
         }
         rays = first;
         bench.run("test_shadows", rays);

@@ -19,7 +19,7 @@ const std::string& testCacheFolder();
 BuildSettings shippedSettings(const Features& features);
 
 /// Work-items in a group, and slots in a run of a tracing stage, in all kernel tests.
-constexpr unsigned testLocalSize = 64, testRun = 16;
+constexpr unsigned testLocalSize = 4, testRun = 16, testGroup = testLocalSize * testRun;
 
 /// Whether kernels/<name> exists: tests that walk a list of kinds pass over those that are not written yet.
 bool hasKernelFile(const std::string& name);
