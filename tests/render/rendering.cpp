@@ -26,7 +26,7 @@ const Context& device() {
     return context;
 }
 
-static Compiler& compiler() {
+Compiler& compiler() {
     static Compiler compiler(device(), findKernelFolders(), cacheFolder());
     return compiler;
 }

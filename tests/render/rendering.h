@@ -73,5 +73,7 @@ void expectFinite(const Rendered& rendered, const std::string& what);
 
 /// The device of all render tests: PoCL's first, or $EIKONAL_TEST_DEVICE.
 const Context& device();
+/// Builds programs for it, with a cache that tests share.
+Compiler& compiler();
 
 }  // namespace eikonal

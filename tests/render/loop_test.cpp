@@ -1,0 +1,66 @@
+// The wavefront against the same functions in a plain loop for each path (kernels/loop.cl): queues, routing and compaction must not show.
+
+#include "rendering.h"
+
+#include "render/path_loop.h"
+
+#include <gtest/gtest.h>
+
+namespace eikonal {
+namespace {
+
+View view() {
+    View v;
+    v.lookAt = "0 1 -5  0 0 0  0 1 0";
+    v.fov = 40;
+    v.width = 24; v.height = 20;
+    v.samples = 8;
+    return v;
+}
+
+FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {
+    BuildSettings settings;
+    settings.contraction = setup.contraction;
+    const DeviceScene onDevice(device(), scene);
+    Profile profile;
+    PathLoop loop(device(), compiler(), onDevice, scene, setup.shape, settings, profile);
+    Film film(static_cast<int>(scene.frame().width), static_cast<int>(scene.frame().height), scene.pixels, scene.features);
+    RenderControl control;
+    control.endSample = static_cast<unsigned>(scene.samples);
+    render(device(), loop, film, setup.shape, profile, control);
+    return film.develop(scene.worldScale);
+}
+
+const char* const worlds[] = {
+    R"(LightSource "infinite" "rgb L" [.3 .4 .5]
+AttributeBegin AreaLightSource "diffuse" "rgb L" [9 8 7] Translate 0 3 0 Rotate 90 1 0 0 Shape "disk" AttributeEnd
+Material "diffuse" "rgb reflectance" [.5 .6 .7] Shape "trianglemesh" "point3 P" [-5 -1 -5  5 -1 -5  5 -1 5  -5 -1 5] "integer indices" [0 1 2 0 2 3]
+Material "coateddiffuse" "float roughness" .2 Shape "sphere"
+AttributeBegin Translate 1.5 0 0 Material "conductor" "float uroughness" .1 "float vroughness" .4 Shape "sphere" "float radius" .5 AttributeEnd
+AttributeBegin Translate -1.5 0 0 Material "dielectric" "float roughness" .3 Shape "sphere" "float radius" .5 AttributeEnd)",
+    R"(LightSource "point" "rgb I" [9 9 9] "point3 from" [2 3 -3]
+MakeNamedMedium "m" "string type" "homogeneous" "rgb sigma_a" [.1 .5 1] "rgb sigma_s" [3 2 1] "float g" .5
+Material "diffuse" Shape "trianglemesh" "point3 P" [-5 -1 -5  5 -1 -5  5 -1 5  -5 -1 5] "integer indices" [0 1 2 0 2 3]
+MediumInterface "m" "" Material "interface" Shape "sphere" Translate 2 0 0 Material "dielectric" Shape "sphere" "float radius" .5)"};
+
+TEST(Loop, GivesTheSameBitsAsTheWavefront) {
+    for (const char* world : worlds) {
+        const PackedScene scene = packScene(sceneText(view(), world));
+        RenderSetup setup;
+        setup.contraction = false;
+        expectSameBits(render(scene, setup).image, renderInLoop(scene, setup), world);
+    }
+}
+
+// With the shipped flags a*b+c may be fused in one program and not in the other.
+TEST(Loop, AgreesWithTheShippedFlags) {
+    for (const char* world : worlds) {
+        const PackedScene scene = packScene(sceneText(view(), world));
+        const RenderSetup setup;
+        const Estimate wave = estimate(render(scene, setup).image), loop = estimate(renderInLoop(scene, setup));
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(loop.mean[c] / wave.mean[c], 1, 1e-4) << world;
+    }
+}
+
+}  // namespace
+}  // namespace eikonal
