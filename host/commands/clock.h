@@ -13,7 +13,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Seconds since the program was started: the time to load its libraries counts.
+/// Seconds since the program was loaded.
 double secondsSinceStart();
 
 }  // namespace eikonal
