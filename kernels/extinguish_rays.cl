@@ -7,8 +7,8 @@
 
 typedef struct { ray_item ray; flight_item flight; spectrum L; } extinguished;
 
-FN extinguished extinguish_ray(medium_tables media, ray_item r, flight_item f) {
-    tracked_path path = {hero_channel(r.seed, r.sample), r.beta, r.r_u, r.r_l, {0.0f, 0.0f, 0.0f}};
+FN extinguished extinguish_ray(medium_tables media, color_tables colors, ray_item r, flight_item f) {
+    tracked_path path = {hero_channel(r.seed, r.sample), r.beta, r.r_u, r.r_l, uniform_spectrum(0.0f)};
     /* Behind an interface the way goes on: with other numbers, which depend on where it does */
     random_stream more = make_stream(r.seed, r.sample, bounce_dimension_of(r.depth, dimension_distance));
     float first = sample_1d(r.seed, r.sample, bounce_dimension_of(r.depth, dimension_distance));
@@ -16,7 +16,7 @@ FN extinguished extinguish_ray(medium_tables media, ray_item r, flight_item f) {
         more.key = hash_uint(more.key, as_uint(r.traveled));
         first = next_random(&more);
     }
-    track end = sample_medium(media, r.medium, r.o, r.d, f.t, first, &more, &path);
+    track end = sample_medium(media, path_palette(colors, r.seed, r.sample), r.medium, r.o, r.d, f.t, first, &more, &path);
     r.beta = path.beta; r.r_u = path.r_u; r.r_l = path.r_l;
     if (end.end != track_passes) {
         f.hop = end.end == track_scattered ? hop_scatter : hop_absorbed;
@@ -28,13 +28,14 @@ FN extinguished extinguish_ray(medium_tables media, ray_item r, flight_item f) {
 }
 
 #ifndef AS_LIBRARY
-STAGE extinguish_rays(MEDIUM_ARGUMENTS __global uint *ray, __global uint *flight, __global uint *path, uint capacity, uint count) {
+STAGE extinguish_rays(MEDIUM_ARGUMENTS COLOR_ARGUMENTS __global uint *ray, __global uint *flight, __global uint *path, uint capacity, uint count) {
     medium_tables medium_set = BIND_MEDIA;
+    color_tables color_set = BIND_COLORS;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
     for (size_t i = first; i < last; ++i) {
         if (LOAD_FIELD(ray, float, t_max, ray, capacity, i) < 0.0f) continue;
         if (LOAD_FIELD(ray, uint, medium, ray, capacity, i) == NONE) continue;
-        extinguished e = extinguish_ray(medium_set, load_ray(ray, capacity, i), load_flight(flight, capacity, i));
+        extinguished e = extinguish_ray(medium_set, color_set, load_ray(ray, capacity, i), load_flight(flight, capacity, i));
         store_ray(ray, capacity, i, e.ray);
         store_flight(flight, capacity, i, e.flight);
         if (!is_black(e.L)) add_radiance(path, capacity, e.ray.path, e.L);

@@ -10,8 +10,8 @@
 #include "shade_scatters.cl"
 #include "test_shadows.cl"
 
-#define SHADE_CASE(name) if (hop == hop_##name) return JOIN(shade_, name)(lights, frame, h, JOIN(load_, name)(hit, capacity, slot), 1);
-FN scattering shade_any(light_tables lights, __global const settings *frame, __global const uint *hit, uint capacity, uint slot, uint hop, hit_item h) {
+#define SHADE_CASE(name) if (hop == hop_##name) return JOIN(shade_, name)(lights, colors, frame, h, JOIN(load_, name)(hit, capacity, slot), 1);
+FN scattering shade_any(light_tables lights, color_tables colors, __global const settings *frame, __global const uint *hit, uint capacity, uint slot, uint hop, hit_item h) {
     SCENE_BSDFS(SHADE_CASE)
     scattering nothing;
     nothing.ray.t_max = -1.0f;
@@ -25,7 +25,7 @@ FN spectrum albedo_any(__global const uint *hit, uint capacity, uint slot, uint 
     return uniform_spectrum(0.0f);
 }
 
-STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS MEDIUM_ARGUMENTS CAMERA_ARGUMENTS
+STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS CAMERA_ARGUMENTS
            __global const settings *frame, __global uint *hit, __global uint *path, uint capacity,
            uint tile_x, uint tile_y, uint tile_log2_width, uint tile_log2_height, uint end_x, uint end_y, uint first_sample, uint samples,
            uint most_hops, uint count) {
@@ -34,6 +34,7 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
     material_tables material_set = BIND_MATERIALS;
     light_tables light_set = BIND_LIGHTS;
     medium_tables medium_set = BIND_MEDIA;
+    color_tables color_set = BIND_COLORS;
     camera_tables camera_set = BIND_CAMERA;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
     for (uint slot = (uint)first; slot < last; ++slot) {
@@ -50,7 +51,7 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
             f.hop = hop_none;
             f.material = NONE;
             if (HAS_MEDIA && r.medium != NONE) {
-                extinguished e = extinguish_ray(medium_set, r, f);
+                extinguished e = extinguish_ray(medium_set, color_set, r, f);
                 r = e.ray;
                 f = e.flight;
                 if (!is_black(e.L)) add_radiance(path, capacity, slot, e.L);
@@ -64,12 +65,12 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
             out.ray = r;
             out.ray.t_max = -1.0f;
             out.shadow = no_shadow(slot);
-            if (ENVIRONMENTS && f.hop == hop_miss) add_radiance(path, capacity, slot, shade_miss(light_set, make_miss(r)));
-            else if (HAS_MEDIA && f.hop == hop_scatter) out = shade_scatter(light_set, frame, make_scatter(medium_set, r, f), 1);
+            if (ENVIRONMENTS && f.hop == hop_miss) add_radiance(path, capacity, slot, shade_miss(light_set, color_set, make_miss(r)));
+            else if (HAS_MEDIA && f.hop == hop_scatter) out = shade_scatter(light_set, color_set, frame, make_scatter(medium_set, r, f), 1);
             else if (f.element != NONE) {
                 surface s = flight_surface(g, tables, r, f);
                 if (HAS_EMITTERS && flight_emits(g, f)) {
-                    emission_item e = make_emission(g, light_set, r, f, s);
+                    emission_item e = make_emission(g, light_set, color_set, r, f, s);
                     add_radiance(path, capacity, slot, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
                 }
                 if (HAS_INTERFACE && f.hop == hop_passage) out.ray = make_passage(g, r, f, s);
@@ -77,8 +78,8 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
                     material m = material_set.materials[f.material];
                     s = relieve_surface(tables, m, s);
                     hit_item h = make_hit(g, r, f, s);
-                    store_shading(hit, capacity, slot, tables, material_set, m, h, s);
-                    out = shade_any(light_set, frame, hit, capacity, slot, f.hop, h);
+                    store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
+                    out = shade_any(light_set, color_set, frame, hit, capacity, slot, f.hop, h);
                     if (HAS_AOVS && r.depth == 0) {
                         store_first_surface(path, capacity, r, f, s);
                         STORE_FIELD(path, spectrum, albedo, path, capacity, slot, albedo_any(hit, capacity, slot, f.hop));
@@ -88,7 +89,7 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
 
             /* Light from one light, and on */
             if (out.shadow.t_max >= 0.0f) {
-                spectrum L = test_shadow(g, tables, medium_set, out.shadow);
+                spectrum L = test_shadow(g, tables, medium_set, color_set, out.shadow);
                 if (!is_black(L)) add_radiance(path, capacity, slot, L);
             }
             r = out.ray;

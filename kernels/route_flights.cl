@@ -23,7 +23,7 @@ FN uint segment_start(__global const uint *counts, uint hop) {
     return start;
 }
 
-STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS MEDIUM_ARGUMENTS
+STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS
                     __global const uint *ray, __global const uint *flight, uint capacity, uint count,
                     __global const uint *counts, __global uint *cursors,
                     __global uint *hit, __global uint *scatter, __global uint *miss, __global uint *emission, __global uint *next_ray,
@@ -33,6 +33,7 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
     material_tables material_set = BIND_MATERIALS;
     light_tables light_set = BIND_LIGHTS;
     medium_tables medium_set = BIND_MEDIA;
+    color_tables color_set = BIND_COLORS;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
 
     /* Count what this run sends to each queue, and reserve it */
@@ -61,13 +62,13 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
         if (ENVIRONMENTS && f.hop == hop_miss) { store_miss(miss, capacity, at[hop_miss]++, make_miss(r)); continue; }
         if (HAS_MEDIA && f.hop == hop_scatter) { store_scatter(scatter, capacity, at[hop_scatter]++, make_scatter(medium_set, r, f)); continue; }
         surface s = flight_surface(g, tables, r, f);
-        if (emits) store_emission(emission, capacity, at[hop_emission]++, make_emission(g, light_set, r, f, s));
+        if (emits) store_emission(emission, capacity, at[hop_emission]++, make_emission(g, light_set, color_set, r, f, s));
         if (HAS_INTERFACE && f.hop == hop_passage) store_passage(next_ray, shadow, capacity, at[hop_passage]++, make_passage(g, r, f, s));
         else if (f.hop < hop_miss) {
             uint slot = at[f.hop]++;
             material m = material_set.materials[f.material];
             s = relieve_surface(tables, m, s);
-            store_shading(hit, capacity, slot, tables, material_set, m, make_hit(g, r, f, s), s);
+            store_shading(hit, capacity, slot, tables, color_set, material_set, m, make_hit(g, r, f, s), s);
             if (HAS_AOVS && r.depth == 0) store_first_surface(path, capacity, r, f, s);
         }
     }

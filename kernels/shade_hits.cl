@@ -15,7 +15,7 @@
 #define BSDF_LOOPS    JOIN(BSDF, _loops)
 #endif
 
-FN scattering JOIN(shade_, BSDF)(light_tables lights, __global const settings *frame, hit_item h, BSDF_ITEM b, int alive) {
+FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __global const settings *frame, hit_item h, BSDF_ITEM b, int alive) {
     frame3 shading = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
     vec3 wo = to_local(shading, h.wo);
     scattering out;
@@ -23,7 +23,7 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, __global const settings *f
     /* Light from one light, seen by the BSDF */
     light_sample l = no_light();
     if (!BSDF_IS_DELTA && HAS_LIGHTS) {
-        l = sample_light_at(lights, frame, h.seed, h.sample, h.depth, h.p);
+        l = sample_light_at(lights, path_palette(colors, h.seed, h.sample), frame, h.seed, h.sample, h.depth, h.p);
         vec3 wi = to_local(shading, l.wi);
         spectrum f = mul(EVAL_BSDF(b, wo, wi), fabs(wi.z));
         out.shadow = light_from_surface(h, l, f, PDF_BSDF(b, wo, wi), alive);
@@ -38,10 +38,11 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, __global const settings *f
 }
 
 #ifndef AS_LIBRARY
-STAGE shade_hits(LIGHT_ARGUMENTS
+STAGE shade_hits(LIGHT_ARGUMENTS COLOR_ARGUMENTS
                  __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, __global uint *path,
                  uint capacity, uint first, uint count) {
     light_tables light_set = BIND_LIGHTS;
+    color_tables color_set = BIND_COLORS;
     FOR_EACH_SLOT(at, count) {
         size_t i = first + at;
         int alive = at < count;
@@ -53,7 +54,7 @@ STAGE shade_hits(LIGHT_ARGUMENTS
         }
         hit_item h = load_hit(hit, capacity, i);
         BSDF_ITEM b = LOAD_BSDF(hit, capacity, i);
-        scattering out = JOIN(shade_, BSDF)(light_set, frame, h, b, alive);
+        scattering out = JOIN(shade_, BSDF)(light_set, color_set, frame, h, b, alive);
         store_ray(next_ray, capacity, i, out.ray);
         if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
         else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);

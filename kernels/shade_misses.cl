@@ -3,20 +3,21 @@
 #include "light/light.clh"
 #include "emission.clh"
 
-FN spectrum shade_miss(light_tables lights, miss_item m) {
+FN spectrum shade_miss(light_tables lights, color_tables color_set, miss_item m) {
+    palette colors = path_palette(color_set, m.seed, m.sample);
     spectrum sum = uniform_spectrum(0.0f);
     for (int e = 0; e < ENVIRONMENTS; ++e) {
         light l = fetch(lights.lights + lights.environments[e]);
-        spectrum Le = uniform_spectrum(0.0f);
+        spectrum L = eval_color(colors, l.L), Le = uniform_spectrum(0.0f);
         float pdf = 0.0f;
         if (HAS_LIGHT_CONSTANT_ENVIRONMENT) {
             int is = l.kind == kind_constant_environment;
-            Le = choose(is, eval_constant_environment(l), Le);
+            Le = choose(is, eval_constant_environment(L), Le);
             pdf = is ? pdf_constant_environment() : pdf;
         }
         if (HAS_LIGHT_IMAGE_ENVIRONMENT) {
             int is = l.kind == kind_image_environment;
-            spectrum texel = eval_image_environment(lights, l, m.d);
+            spectrum texel = eval_image_environment(lights, colors, l, L, m.d);
             float density = pdf_image_environment(lights, l, m.d);
             Le = choose(is, texel, Le);
             pdf = is ? density : pdf;
@@ -27,11 +28,12 @@ FN spectrum shade_miss(light_tables lights, miss_item m) {
 }
 
 #ifndef AS_LIBRARY
-STAGE shade_misses(LIGHT_ARGUMENTS __global const uint *miss, __global uint *path, uint capacity, uint count) {
+STAGE shade_misses(LIGHT_ARGUMENTS COLOR_ARGUMENTS __global const uint *miss, __global uint *path, uint capacity, uint count) {
     light_tables light_set = BIND_LIGHTS;
+    color_tables color_set = BIND_COLORS;
     FOR_EACH_SLOT(i, count) {
         miss_item m = load_miss(miss, capacity, i);
-        spectrum L = shade_miss(light_set, m);
+        spectrum L = shade_miss(light_set, color_set, m);
         add_radiance(path, capacity, i < count ? m.path : NOBODYS_PATH(i), L);
     }
 }

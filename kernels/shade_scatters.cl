@@ -3,13 +3,13 @@
 #include "scatter.clh"
 #include "medium/phase.clh"
 
-FN scattering shade_scatter(light_tables lights, __global const settings *frame, scatter_item s, int alive) {
+FN scattering shade_scatter(light_tables lights, color_tables colors, __global const settings *frame, scatter_item s, int alive) {
     scattering out;
 
     /* Light from one light, seen by the phase function */
     shadow_item shadow = no_shadow(s.path);
     if (HAS_LIGHTS) {
-        light_sample l = sample_light_at(lights, frame, s.seed, s.sample, s.depth, s.p);
+        light_sample l = sample_light_at(lights, path_palette(colors, s.seed, s.sample), frame, s.seed, s.sample, s.depth, s.p);
         float phase = eval_phase(s.g, s.wo, l.wi);
         shadow.seed = s.seed; shadow.sample = s.sample; shadow.depth = s.depth;
         shadow.o = s.p;
@@ -41,13 +41,14 @@ FN scattering shade_scatter(light_tables lights, __global const settings *frame,
 }
 
 #ifndef AS_LIBRARY
-STAGE shade_scatters(LIGHT_ARGUMENTS
+STAGE shade_scatters(LIGHT_ARGUMENTS COLOR_ARGUMENTS
                      __global const settings *frame, __global const uint *scatter, __global uint *next_ray, __global uint *shadow, uint capacity,
                      uint first, uint count) {
     light_tables light_set = BIND_LIGHTS;
+    color_tables color_set = BIND_COLORS;
     FOR_EACH_SLOT(at, count) {
         size_t i = first + at;
-        scattering out = shade_scatter(light_set, frame, load_scatter(scatter, capacity, i), at < count);
+        scattering out = shade_scatter(light_set, color_set, frame, load_scatter(scatter, capacity, i), at < count);
         store_ray(next_ray, capacity, i, out.ray);
         if (HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
         else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);

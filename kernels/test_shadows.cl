@@ -9,8 +9,9 @@
 #define MOST_INTERFACES 256
 
 /* The light that is left after the media on the way; nothing else is in the way. Surfaces of glass block, as in pbrt-v4. */
-FN spectrum attenuate_shadow(geometry g, texture_tables tables, medium_tables media, shadow_item s) {
-    tracked_path path = {hero_channel(s.seed, s.sample), s.Ld, s.r_u, s.r_l, {0.0f, 0.0f, 0.0f}};
+FN spectrum attenuate_shadow(geometry g, texture_tables tables, medium_tables media, color_tables color_set, shadow_item s) {
+    tracked_path path = {hero_channel(s.seed, s.sample), s.Ld, s.r_u, s.r_l, uniform_spectrum(0.0f)};
+    palette colors = path_palette(color_set, s.seed, s.sample);
     random_stream more = make_stream(s.seed, s.sample, bounce_dimension_of(s.depth, dimension_transmittance));
     vec3 o = s.o;
     float left = s.t_max;
@@ -19,7 +20,7 @@ FN spectrum attenuate_shadow(geometry g, texture_tables tables, medium_tables me
         nearest_hit boundary;
         boundary.t_max = left;
         int found = HAS_INTERFACE && walk_bvh(g, tables, o, s.d, walk_interface, &boundary);
-        if (medium_here != NONE) attenuate_medium(media, medium_here, o, s.d, found ? boundary.t_max : left, &more, &path);
+        if (medium_here != NONE) attenuate_medium(media, colors, medium_here, o, s.d, found ? boundary.t_max : left, &more, &path);
         if (is_black(path.beta)) return path.beta;
         if (!found) return mul(path.beta, 1.0f / max1(mean_component(add(path.r_u, path.r_l)), 1e-30f));
 
@@ -34,26 +35,27 @@ FN spectrum attenuate_shadow(geometry g, texture_tables tables, medium_tables me
     return uniform_spectrum(0.0f);
 }
 
-FN spectrum test_shadow(geometry g, texture_tables tables, medium_tables media, shadow_item s) {
+FN spectrum test_shadow(geometry g, texture_tables tables, medium_tables media, color_tables colors, shadow_item s) {
     nearest_hit any;
     any.t_max = s.t_max;
     if (walk_bvh(g, tables, s.o, s.d, walk_blocker, &any)) return uniform_spectrum(0.0f);
-    return HAS_MEDIA ? attenuate_shadow(g, tables, media, s) : s.Ld;
+    return HAS_MEDIA ? attenuate_shadow(g, tables, media, colors, s) : s.Ld;
 }
 
 #ifndef AS_LIBRARY
-STAGE test_shadows(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MEDIUM_ARGUMENTS
+STAGE test_shadows(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS
                    __global const uint *shadow, __global uint *path, uint capacity, uint count, __global uint *tally) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     medium_tables medium_set = BIND_MEDIA;
+    color_tables color_set = BIND_COLORS;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
     uint tested = 0;
     for (size_t i = first; i < last; ++i) {
         if (LOAD_FIELD(shadow, float, t_max, shadow, capacity, i) < 0.0f) continue;
         ++tested;
         shadow_item s = load_shadow(shadow, capacity, i);
-        spectrum L = test_shadow(g, tables, medium_set, s);
+        spectrum L = test_shadow(g, tables, medium_set, color_set, s);
         if (!is_black(L)) add_radiance(path, capacity, s.path, L);
     }
     if (tested) atomic_add(tally + tally_shadow_rays, tested);

@@ -10,7 +10,7 @@ namespace eikonal {
 
 template <class... F> struct Overloaded : F... { using F::operator()...; };
 
-static double luminanceOf(spectrum s) { return 0.2126 * s.r + 0.7152 * s.g + 0.0722 * s.b; }
+static double luminanceOf(glm::vec3 s) { return 0.2126 * s.r + 0.7152 * s.g + 0.0722 * s.b; }
 static glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
 
 std::vector<alias_entry> makeAliasTable(const std::vector<double>& weights) {
@@ -39,7 +39,7 @@ std::vector<alias_entry> makeAliasTable(const std::vector<double>& weights) {
     return table;
 }
 
-static light newLight(light_kind kind, spectrum L) {
+static light newLight(light_kind kind, const color& L) {
     light l{};
     l.kind = kind;
     l.L = L;
@@ -60,7 +60,7 @@ static glm::dvec3 emittingNormal(const SceneTables& tables, const shape& s, glm:
     return glm::dot(sum, n) < 0 ? -n : n;
 }
 
-static light triangleLight(const SceneTables& tables, const shape& s, size_t element, spectrum L) {
+static light triangleLight(const SceneTables& tables, const shape& s, size_t element, const color& L) {
     const uint* corner = &tables.indices[s.first_index + 3 * element];
     const vec3* p = &tables.positions[s.first_vertex];
     const glm::dvec3 a = toGlm(p[corner[0]]), b = toGlm(p[corner[1]]), c = toGlm(p[corner[2]]);
@@ -75,7 +75,7 @@ static light triangleLight(const SceneTables& tables, const shape& s, size_t ele
     return l;
 }
 
-static light bilinearLight(const SceneTables& tables, const shape& s, size_t element, spectrum L) {
+static light bilinearLight(const SceneTables& tables, const shape& s, size_t element, const color& L) {
     const uint* corner = &tables.indices[s.first_index + 4 * element];
     const vec3* p = &tables.positions[s.first_vertex];
     const glm::dvec3 p00 = toGlm(p[corner[0]]), p10 = toGlm(p[corner[1]]), p01 = toGlm(p[corner[2]]), p11 = toGlm(p[corner[3]]);
@@ -105,7 +105,7 @@ static double uniformScale(const glm::dmat4& m) {
     return std::max({std::abs(x - y), std::abs(y - z), skew / x}) < 1e-4 * x ? x : 0;
 }
 
-static light sphereLight(Packer& packer, const Shape& description, const shape& s, const Sphere& sphere, const glm::dmat4& m, spectrum L) {
+static light sphereLight(Packer& packer, const Shape& description, const shape& s, const Sphere& sphere, const glm::dmat4& m, const color& L) {
     light l = newLight(kind_sphere_light, L);
     const double scale = uniformScale(m), radius = sphere.radius * scale;
     l.p = toVec3(transformPoint(m, glm::dvec3(0)));
@@ -122,7 +122,7 @@ static light sphereLight(Packer& packer, const Shape& description, const shape& 
     return l;
 }
 
-static light diskLight(const shape& s, const Disk& disk, const glm::dmat4& m, spectrum L) {
+static light diskLight(const shape& s, const Disk& disk, const glm::dmat4& m, const color& L) {
     light l = newLight(kind_disk_light, L);
     const glm::dvec3 a = transformVector(m, {disk.radius, 0, 0}), b = transformVector(m, {0, disk.radius, 0});
     l.p = toVec3(transformPoint(m, {0, 0, disk.height}));
@@ -137,13 +137,13 @@ static light diskLight(const shape& s, const Disk& disk, const glm::dmat4& m, sp
 }
 
 /// Emitted power in scene units: what the sampler's probabilities follow.
-static double areaPower(const light& l) { return l.pmf > 0 ? M_PI * luminanceOf(l.L) / l.inverse_area * (l.two_sided ? 2 : 1) : 0; }
+static double areaPower(const light& l, double luminance) { return l.pmf > 0 ? M_PI * luminance / l.inverse_area * (l.two_sided ? 2 : 1) : 0; }
 
 void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dmat4& m, size_t elements) {
     const AreaLight& description = packer.scene.areaLights[static_cast<size_t>(s.areaLight)];
     std::vector<light>& lights = packer.packed.tables.lights;
     packed.first_light = static_cast<uint>(lights.size());
-    const spectrum L = toSpectrum(description.L.illuminant() * description.scale);
+    const color L = packEmission(packer, description.L, description.scale);
     const SceneTables& tables = packer.packed.tables;
     for (size_t e = 0; e < elements; ++e) {
         light l = std::visit(Overloaded{
@@ -156,10 +156,13 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
         if (s.alpha.texture == none && s.alpha.value.value() <= 0) l.invisible = 1;
         else if (packed.alpha != NONE) l.pmf = 0;
         /* A power in watts is that of the whole shape, through each of its elements alike (pbrt-v4) */
+        double factor = description.scale;
         if (description.power && l.inverse_area > 0) {
             const double area = 1 / (l.inverse_area * packer.space.scale * packer.space.scale);
-            l.L = toSpectrum(description.L.illuminant() * description.scale * *description.power / (M_PI * area * (description.twoSided ? 2 : 1)));
+            factor = description.scale * *description.power / (M_PI * area * (description.twoSided ? 2 : 1));
+            l.L = packEmission(packer, description.L, factor);
         }
+        packer.areaPowers.push_back(areaPower(l, luminanceOf(description.L, factor)));
         lights.push_back(l);
     }
     const std::string why = description.where.toString() + ": area light";
@@ -176,7 +179,7 @@ public:
     explicit LightPacker(Packer& packer) : packer_(packer), tables_(packer.packed.tables) {}
 
     void pack() {
-        for (const light& l : tables_.lights) powers_.push_back(areaPower(l));
+        powers_ = packer_.areaPowers;
         for (const Light& description : packer_.scene.lights) std::visit([&](const auto& kind) { add(description, kind); }, description.kind);
         makeSampler();
     }
@@ -194,35 +197,38 @@ private:
 
     void add(const Light& d, const PointLight& k) {
         const double watts = d.power ? *d.power / (4 * M_PI) : 1;
-        light l = newLight(kind_point_light, toSpectrum(k.I.illuminant() * (d.scale * watts * intensityScale())));
+        const double factor = d.scale * watts * intensityScale();
+        light l = newLight(kind_point_light, packEmission(packer_, k.I, factor));
         l.p = toVec3(transformPoint(packer_.space.sceneFromWorld() * d.worldFromLight, k.from));
-        push(d, l, 4 * M_PI * luminanceOf(l.L), Feature::LIGHT_POINT);
+        push(d, l, 4 * M_PI * luminanceOf(k.I, factor), Feature::LIGHT_POINT);
     }
 
     void add(const Light& d, const SpotLight& k) {
         const double outer = std::cos(glm::radians(k.coneAngle)), inner = std::cos(glm::radians(k.coneAngle - k.coneDeltaAngle));
         const double solidAngle = 2 * M_PI * ((1 - inner) + (inner - outer) / 2);
         const double watts = d.power ? *d.power / solidAngle : 1;
-        light l = newLight(kind_spot_light, toSpectrum(k.I.illuminant() * (d.scale * watts * intensityScale())));
+        const double factor = d.scale * watts * intensityScale();
+        light l = newLight(kind_spot_light, packEmission(packer_, k.I, factor));
         l.p = toVec3(transformPoint(packer_.space.sceneFromWorld() * d.worldFromLight, k.from));
         l.n = toVec3(glm::normalize(transformVector(d.worldFromLight, k.to - k.from)));
         l.cos_inner = static_cast<float>(inner);
         l.cos_outer = static_cast<float>(outer);
         packer_.packed.require(Feature::LIGHT_POINT, d.where.toString());
-        push(d, l, solidAngle * luminanceOf(l.L), Feature::LIGHT_SPOT);
+        push(d, l, solidAngle * luminanceOf(k.I, factor), Feature::LIGHT_SPOT);
     }
 
     void add(const Light& d, const DistantLight& k) {
-        light l = newLight(kind_distant_light, toSpectrum(k.L.illuminant() * (d.scale * d.illuminance.value_or(1))));
+        const double factor = d.scale * d.illuminance.value_or(1);
+        light l = newLight(kind_distant_light, packEmission(packer_, k.L, factor));
         l.n = toVec3(glm::normalize(transformVector(d.worldFromLight, k.from - k.to)));
-        push(d, l, M_PI * sceneRadius() * sceneRadius() * luminanceOf(l.L), Feature::LIGHT_DISTANT);
+        push(d, l, M_PI * sceneRadius() * sceneRadius() * luminanceOf(k.L, factor), Feature::LIGHT_DISTANT);
     }
 
     void add(const Light& d, const ConstantInfiniteLight& k) {
         const double scale = d.scale * (d.illuminance ? *d.illuminance / M_PI : 1);
-        const light l = newLight(kind_constant_environment, toSpectrum(k.L.illuminant() * scale));
+        const light l = newLight(kind_constant_environment, packEmission(packer_, k.L, scale));
         tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
-        push(d, l, 4 * M_PI * M_PI * sceneRadius() * sceneRadius() * luminanceOf(l.L), Feature::LIGHT_CONSTANT_ENVIRONMENT);
+        push(d, l, 4 * M_PI * M_PI * sceneRadius() * sceneRadius() * luminanceOf(k.L, scale), Feature::LIGHT_CONSTANT_ENVIRONMENT);
     }
 
     void add(const Light& d, const ImageInfiniteLight& k) {
@@ -230,9 +236,9 @@ private:
         if (image.width != image.height)
             throw SceneError(d.where, "the image of this infinite light is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                                           "; it must be square, in the equal-area mapping. pbrt-v4's `imgtool makeequiarea` converts latitude-longitude images.");
-        light l = newLight(kind_image_environment, {1, 1, 1});
+        light l = newLight(kind_image_environment, packNumber(1));
         l.resolution = static_cast<uint>(image.width);
-        l.first_texel = static_cast<uint>(tables_.environment_texels.size());
+        l.first_texel = static_cast<uint>(tables_.environment_texels.size() / TEXEL_WORDS);
         l.first_alias = static_cast<uint>(tables_.environment_aliases.size());
         const glm::dmat4 m = d.worldFromLight;
         l.a = toVec3(glm::normalize(glm::dvec3(m[0]))); l.b = toVec3(glm::normalize(glm::dvec3(m[1]))); l.n = toVec3(glm::normalize(glm::dvec3(m[2])));
@@ -246,7 +252,7 @@ private:
     double addTexels(const ImageData& image, const Light& d) {
         const int n = image.width;
         double scale = d.scale, sum = 0;
-        std::vector<spectrum> texels;
+        std::vector<glm::vec3> texels;
         for (int y = 0; y < n; ++y)
             for (int x = 0; x < n; ++x) {
                 const auto channel = [&](int c) { return std::max(image.at(x, y, image.channels == 1 ? 0 : c), 0.0f); };
@@ -258,7 +264,7 @@ private:
         for (int y = 0; y < n; ++y) {
             std::vector<double> row;
             for (int x = 0; x < n; ++x) {
-                spectrum& t = texels[static_cast<size_t>(y) * n + x];
+                glm::vec3& t = texels[static_cast<size_t>(y) * n + x];
                 t = {static_cast<float>(t.r * scale), static_cast<float>(t.g * scale), static_cast<float>(t.b * scale)};
                 row.push_back((t.r + t.g + t.b) / 3);
                 sum += luminanceOf(t);
@@ -272,12 +278,12 @@ private:
         const auto aliases = makeAliasTable(rows);
         tables_.environment_aliases.insert(tables_.environment_aliases.end(), aliases.begin(), aliases.end());
         tables_.environment_aliases.insert(tables_.environment_aliases.end(), columns.begin(), columns.end());
-        tables_.environment_texels.insert(tables_.environment_texels.end(), texels.begin(), texels.end());
+        for (const glm::vec3& t : texels) tables_.environment_texels.insert(tables_.environment_texels.end(), {t.r, t.g, t.b});
         return sum / (static_cast<double>(n) * n);
     }
 
     /// Illuminance of a surface that faces +z, as pbrt-v4 measures an environment.
-    static double upwardIlluminance(const std::vector<spectrum>& texels, int n);
+    static double upwardIlluminance(const std::vector<glm::vec3>& texels, int n);
 
     /// What lies infinitely far away has no power that could be compared with a lamp's: each has the probability of all lamps together,
     /// which share theirs by power (as pbrt-v4's light BVH has it).
@@ -312,7 +318,7 @@ private:
     std::vector<double> powers_;
 };
 
-double LightPacker::upwardIlluminance(const std::vector<spectrum>& texels, int n) {
+double LightPacker::upwardIlluminance(const std::vector<glm::vec3>& texels, int n) {
     double sum = 0;
     for (int y = 0; y < n; ++y)
         for (int x = 0; x < n; ++x) {

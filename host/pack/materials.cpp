@@ -26,29 +26,34 @@ public:
 
     void spectrum(uint slot, const char* name) {
         const Input& in = get(name);
-        add(slot, 3, in.value.isConstant() ? glm::dvec3(in.value.value()) : in.value.albedo(), in.texture == none ? NONE : texture(in.texture));
+        add(slot, input_spectrum, packReflectance(packer_, in.value), in.texture == none ? NONE : texture(in.texture));
     }
-    void spectrum(uint slot, glm::dvec3 value) { add(slot, 3, value, NONE); }
+    /// One that may be larger than 1.
+    void coefficient(uint slot, const char* name) {
+        const Input& in = get(name);
+        add(slot, input_spectrum, packCoefficient(packer_, in.value), in.texture == none ? NONE : texture(in.texture));
+    }
+    void spectrum(uint slot, glm::dvec3 value) { add(slot, input_spectrum, packRgb(value), NONE); }
     /// The k of a metal with eta = 1 that has this reflectance.
     void metal(uint slot, const char* name) {
         const Input& in = get(name);
         const glm::dvec3 r = glm::clamp(in.value.isConstant() ? glm::dvec3(in.value.value()) : in.value.albedo(), 0.0, 0.9999);
-        add(slot, 3, 2.0 * glm::sqrt(r / (1.0 - r)), in.texture == none ? NONE : texture(in.texture, TextureUse::metal));
+        add(slot, input_spectrum, packRgb(2.0 * glm::sqrt(r / (1.0 - r))), in.texture == none ? NONE : texture(in.texture, TextureUse::metal));
     }
     void number(uint slot, const char* name) {
         const Input& in = get(name);
-        add(slot, 1, glm::dvec3(in.value.value()), in.texture == none ? NONE : texture(in.texture));
+        add(slot, input_number, packNumber(in.value.value()), in.texture == none ? NONE : texture(in.texture));
     }
-    void number(uint slot, double value) { add(slot, 1, glm::dvec3(value), NONE); }
+    void number(uint slot, double value) { add(slot, input_number, packNumber(value), NONE); }
     void count(uint slot, const char* name) {
-        material_input i{NONE, slot, 1, {static_cast<uint>(std::max(get(name).value.value(), 0.0)), 0, 0}};
+        material_input i{NONE, slot, input_count, static_cast<uint>(std::max(get(name).value.value(), 0.0)), {}};
         packer_.packed.tables.material_inputs.push_back(i);
     }
     /// A roughness as a microfacet width.
     void width(uint slot, const char* name) {
         const Input& in = get(name);
         const double value = in.value.value();
-        add(slot, 1, glm::dvec3(description_.remapRoughness ? std::sqrt(std::max(value, 0.0)) : value),
+        add(slot, input_number, packNumber(description_.remapRoughness ? std::sqrt(std::max(value, 0.0)) : value),
             in.texture == none ? NONE : texture(in.texture, description_.remapRoughness ? TextureUse::roughness : TextureUse::asItIs));
     }
     /// Whether both roughnesses are so small everywhere that the surface is a mirror.
@@ -72,13 +77,8 @@ private:
         packer_.packed.require(Feature::TEXTURED, why());
         return packTexture(packer_, index, use);
     }
-    void add(uint slot, uint words, glm::dvec3 value, uint texture) {
-        material_input i{texture, slot, words, {}};
-        for (int c = 0; c < 3; ++c) {
-            const float x = static_cast<float>(value[c]);
-            std::memcpy(&i.value[c], &x, sizeof x);
-        }
-        packer_.packed.tables.material_inputs.push_back(i);
+    void add(uint slot, input_kind kind, const color& value, uint texture) {
+        packer_.packed.tables.material_inputs.push_back({texture, slot, kind, 0, value});
     }
     Packer& packer_;
     const Material& description_;
@@ -101,8 +101,8 @@ static void packMetal(InputWriter& in, uint etaSlot, uint kSlot) {
         in.spectrum(etaSlot, glm::dvec3(1));
         in.metal(kSlot, "reflectance");
     } else if (in.get("eta").texture != none || in.get("k").texture != none) {
-        in.spectrum(etaSlot, "eta");
-        in.spectrum(kSlot, "k");
+        in.coefficient(etaSlot, "eta");
+        in.coefficient(kSlot, "k");
     } else {
         const ConductorIndices metal = conductorIndices(in.get("eta").value, in.get("k").value);
         in.spectrum(etaSlot, metal.eta);

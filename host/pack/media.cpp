@@ -37,9 +37,9 @@ static medium packMedium(Packer& packer, const Medium& description) {
     SceneTables& tables = packer.packed.tables;
     medium m{};
     m.kind = description.kind == MediumKind::homogeneous ? kind_homogeneous_medium : kind_uniformgrid_medium;
-    m.sigma_a = toSpectrum(description.sigmaA.albedo() / packer.space.scale);
-    m.sigma_s = toSpectrum(description.sigmaS.albedo() / packer.space.scale);
-    m.Le = toSpectrum(description.Le.illuminant());
+    m.sigma_a = packCoefficient(packer, description.sigmaA, 1 / packer.space.scale);
+    m.sigma_s = packCoefficient(packer, description.sigmaS, 1 / packer.space.scale);
+    m.Le = packEmission(packer, description.Le);
     m.g = static_cast<float>(std::clamp(description.g, -0.99, 0.99));
     m.first_density = m.first_Le = m.first_majorant = NONE;
     if (description.kind == MediumKind::homogeneous) return m;

@@ -2,6 +2,7 @@
 // What the parts of packing share. One function for each group of tables, in the order in which they depend on each other.
 
 #include "diagnostics.h"
+#include "pack/colors.h"
 #include "pack/space.h"
 #include "pack/tables.h"
 #include "scene/image.h"
@@ -27,6 +28,7 @@ struct Packer {
     std::map<std::pair<int, int>, uint> packedPrograms{};     ///< (texture, TextureUse) -> `programs`
     std::vector<uint> materialIndices{};                      ///< scene.materials -> `materials`
     uint defaultMaterial = NONE;
+    std::vector<double> areaPowers{};                         ///< of the lights that geometry brought: what the light sampler goes by
 };
 
 void packCamera(Packer&);

@@ -43,6 +43,5 @@ bool swapsHandedness(const glm::dmat4& m);
 
 affine toAffine(const glm::dmat4& m);
 inline vec3 toVec3(glm::dvec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
-inline spectrum toSpectrum(glm::dvec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
 }  // namespace eikonal

@@ -48,7 +48,9 @@ public:
     void input(const Input& in) {
         if (in.texture != none) { texture(in.texture); return; }
         texture_instruction i = instruction(kind_constant_texture, Feature::TEXTURE_CONSTANT, in.where);
-        i.value = isFloat_ || in.value.isConstant() ? spectrum{f(in.value.value()), f(in.value.value()), f(in.value.value())} : toSpectrum(in.value.albedo());
+        const bool isNumber = isFloat_ || in.value.isConstant();
+        i.value = isNumber ? packNumber(in.value.value()) : packReflectance(packer_, in.value);
+        i.flags = isNumber ? static_cast<uint>(texture_number) : 0u;
         push(i);
     }
 
@@ -128,8 +130,8 @@ private:
     void imagemap(const ImagemapTexture& k, const Texture& t) {
         texture_instruction i = instruction(kind_imagemap_texture, Feature::TEXTURE_IMAGEMAP, t.where);
         i.image = packImage(packer_, k.image, t.isFloat);
-        i.value = {f(k.scale), f(k.scale), f(k.scale)};
-        i.flags = k.invert ? static_cast<uint>(texture_invert) : 0u;
+        i.value = packNumber(k.scale);
+        i.flags = (k.invert ? static_cast<uint>(texture_invert) : 0u) | (t.isFloat ? static_cast<uint>(texture_number) : 0u);
         map(i, k.mapping);
         push(i);
     }

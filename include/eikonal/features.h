@@ -11,6 +11,7 @@
 #include "eikonal/textures.h"
 
 #define GENERAL_FEATURES(F) \
+    F(SPECTRAL,         "rendering at wavelengths instead of in RGB") \
     F(MEDIA,            "a participating medium") \
     F(INTERFACE,        "a surface of material \"interface\"") \
     F(INSTANCES,        "object instances") \

@@ -45,8 +45,8 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
     F(float,    radius) \
     F(float,    cos_inner) \
     F(float,    cos_outer) \
-    F(spectrum, L) \
-    F(uint,     first_texel)  /* in `environment_texels`: resolution^2 of them */ \
+    F(color,    L) \
+    F(uint,     first_texel)  /* in `environment_texels`: resolution^2 texels */ \
     F(uint,     first_alias)  /* in `environment_aliases`: one entry a row, then the entries of each row */ \
     F(uint,     resolution)   /* texels on a side of the square; 1 for other kinds, which straight-line code looks up as well */
 

@@ -16,8 +16,8 @@ enum medium_kind { MEDIA_KINDS(MEDIUM_KIND) medium_kinds };
 
 typedef struct {
     uint kind;                 /* enum medium_kind */
-    spectrum sigma_a, sigma_s; /* per unit of scene space; a grid's density multiplies them */
-    spectrum Le;               /* emitted radiance per unit of sigma_a */
+    color sigma_a, sigma_s;    /* per unit of scene space; a grid's density multiplies them */
+    color Le;                  /* emitted radiance per unit of sigma_a */
     float g;                   /* Henyey-Greenstein: mean cosine, in [-0.99, 0.99] */
     affine grid_from_scene;    /* grids: the unit cube is the grid */
     uint nx, ny, nz;           /* grids: samples along each side */

@@ -23,8 +23,17 @@ using uint = std::uint32_t;
 typedef struct { float x, y; } vec2;
 typedef struct { float x, y, z; } vec3;
 
-/* A distribution over wavelengths: three linear sRGB channels. No stage knows how many channels there are. */
+/* A distribution over wavelengths as a path carries it: throughput, radiance, a BSDF's parameter. Three linear sRGB channels.
+   Only kernels/spectrum.clh and queue.clh know how many channels there are. */
 typedef struct { float r, g, b; } spectrum;
+
+/* A distribution over wavelengths as a table holds it: eval_color (kernels/color.clh) makes a spectrum of it. Linear sRGB, with
+   which of the curves it is to be multiplied. */
+typedef struct {
+    float c0, c1, c2;    /* red, green, blue */
+    float scale;         /* the value of a number: what is the same in all channels */
+    uint curve;          /* in `curves` */
+} color;
 
 /* Rows of an affine map from one space to another: p' = (dot(row_x.xyz, p) + row_x.w, ...). */
 typedef struct { float xx, xy, xz, xw, yx, yy, yz, yw, zx, zy, zz, zw; } affine;

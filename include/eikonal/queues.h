@@ -66,6 +66,8 @@
 /* A ray that left the scene: filled by route_flights, drained by shade_misses. Dense. */
 #define MISS_FIELDS(F, q) \
     F(q, uint,     path,       ALWAYS) \
+    F(q, uint,     seed,       SPECTRAL) \
+    F(q, uint,     sample,     SPECTRAL) \
     F(q, uint,     depth,      ALWAYS) \
     F(q, spectrum, beta,       ALWAYS) \
     F(q, spectrum, r_u,        MEDIA) \

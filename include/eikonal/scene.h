@@ -22,12 +22,15 @@ typedef struct {
     uint mix_amount;     /* hop_mix: in `programs`: the probability of b */
 } material;
 
-/* One parameter of a material: a texture, or else a value. Bits, since a parameter may be a uint. */
+enum input_kind { input_number, input_count, input_spectrum };
+
+/* One parameter of a material: a texture, or else a value. */
 typedef struct {
     uint texture;        /* in `programs`; NONE: use value */
     uint slot;           /* which word of its BSDF's parameters it fills first */
-    uint words;          /* 1 or 3 */
-    uint value[3];
+    uint kind;           /* enum input_kind */
+    uint count;          /* input_count: the value */
+    color value;         /* otherwise; a number is its scale */
 } material_input;
 
 /* What traversal reads. */
@@ -62,7 +65,7 @@ typedef struct {
     T(light,          lights) \
     T(alias_entry,    light_aliases)         /* the light sampler: one entry a light */ \
     T(uint,           environments)          /* those of `lights` that surround the scene */ \
-    T(spectrum,       environment_texels) \
+    T(float,          environment_texels)    /* TEXEL_WORDS for each texel */ \
     T(alias_entry,    environment_aliases)
 
 #define MEDIUM_TABLES(T) \
@@ -70,13 +73,20 @@ typedef struct {
     T(float,          densities) \
     T(float,          majorants)
 
+/* What reading colours takes (kernels/color.clh). */
+#define COLOR_TABLES(T) \
+    T(float,          curves)                /* CURVE_WORDS values each, at 360, 361 ... 830 nm; the first is 1 everywhere */
+
+#define CURVE_WORDS 471
+#define TEXEL_WORDS 3
+
 /* What ray generation reads. */
 #define CAMERA_TABLES(T) \
     T(alias_entry,    filter_aliases) \
     T(float,          filter_values)         /* value over density, for each cell of filter_aliases */
 
 #define SCENE_TABLES(T) \
-    GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) MEDIUM_TABLES(T) CAMERA_TABLES(T) \
+    GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) MEDIUM_TABLES(T) COLOR_TABLES(T) CAMERA_TABLES(T) \
     T(settings,       frame)
 
 /* What holds for a whole render; a table of one element. */

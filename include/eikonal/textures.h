@@ -9,7 +9,7 @@ CONTRACT_BEGIN
 /*    name                  FEATURE                 pops, then pushes one */
 #define TEXTURES(T) \
     T(constant_texture,     TEXTURE_CONSTANT)     /* 0: `value` */ \
-    T(imagemap_texture,     TEXTURE_IMAGEMAP)     /* 0: a filtered lookup of `image`, times value.r; inverted with texture_invert */ \
+    T(imagemap_texture,     TEXTURE_IMAGEMAP)     /* 0: a filtered lookup of `image`, times value.scale; inverted with texture_invert */ \
     T(scale_texture,        TEXTURE_SCALE)        /* 2: a * b */ \
     T(mix_texture,          TEXTURE_MIX)          /* 3: a, b, amount: (1 - amount) a + amount b */ \
     T(checkerboard_texture, TEXTURE_CHECKERBOARD) /* 2: a where the sum of the cell's numbers is even, else b */ \
@@ -23,14 +23,14 @@ enum texture_kind { TEXTURES(TEXTURE_KIND) texture_kinds };
 #define TEXTURE_STACK 8
 
 enum texture_mapping { mapping_uv, mapping_spherical, mapping_cylindrical, mapping_planar, mapping_point };
-enum texture_flag { texture_invert = 1 };
+enum texture_flag { texture_invert = 1, texture_number = 2 /* not a colour: value.scale, or the texels as they are */ };
 
 typedef struct {
     uint kind;           /* enum texture_kind */
     uint mapping;        /* enum texture_mapping */
     uint flags;          /* enum texture_flag */
     uint image;          /* in `images` */
-    spectrum value;
+    color value;
     affine texture_from_scene; /* uv: (xx u + xw, yy v + yw); others: of the point */
 } texture_instruction;
 

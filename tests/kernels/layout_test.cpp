@@ -16,7 +16,7 @@ namespace {
 /// Members of the structs of the scene's tables, all of them.
 #define STRUCT_MEMBERS(M) \
     M(material, hop) M(material, first_input) M(material, input_count) M(material, displacement) M(material, normal_map) M(material, mix_a) M(material, mix_b) \
-    M(material, mix_amount) M(material_input, texture) M(material_input, slot) M(material_input, words) M(material_input, value) \
+    M(material, mix_amount) M(material_input, texture) M(material_input, slot) M(material_input, kind) M(material_input, count) M(material_input, value) M(color, c0) M(color, c1) M(color, c2) M(color, scale) M(color, curve) \
     M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) M(settings, max_depth) M(settings, light_count) \
     M(settings, world_scale) M(settings, max_component_value) \
     M(camera, kind) M(camera, scene_from_camera) M(camera, screen_x) M(camera, screen_y) M(camera, step_x) M(camera, step_y) M(camera, lens_radius) \

@@ -27,7 +27,9 @@ struct LightResult {
 const DeviceFunction<LightResult>& sampler() {
     static const DeviceFunction<LightResult> function({.include = "route_items.clh", .type = "light_result", .body = R"(
         light_tables tables = BIND_LIGHTS;
-        light_sample s = sample_light(tables, count, p, u, v);
+        color_tables color_set = BIND_COLORS;
+        palette colors = path_palette(color_set, 0u, 0u);
+        light_sample s = sample_light(tables, colors, count, p, u, v);
         result.L = s.L; result.wi = s.wi; result.distance = s.distance; result.pdf = s.pdf; result.is_delta = s.is_delta;
         result.index = sample_light_index(tables, count, u);
         light l = fetch(tables.lights + result.index);
@@ -41,12 +43,12 @@ const DeviceFunction<LightResult>& sampler() {
         f.t = s.distance; f.u = v.x; f.v = v.y;
         result.pdf_hit = pdf_light_here(l, r, f, at);
         int image = l.kind == kind_image_environment;
-        result.Le = eval_constant_environment(l);
+        result.Le = eval_constant_environment(eval_color(colors, l.L));
         result.pdf_environment = pdf_constant_environment();
-        if (image) { result.Le = eval_image_environment(tables, l, s.wi); result.pdf_environment = pdf_image_environment(tables, l, s.wi); })",
+        if (image) { result.Le = eval_image_environment(tables, colors, l, eval_color(colors, l.L), s.wi); result.pdf_environment = pdf_image_environment(tables, l, s.wi); })",
         .inputs = {"vec3 p", "float u", "vec2 v", "uint count"},
         .declarations = "typedef struct { spectrum L; vec3 wi; float distance, pdf; int is_delta; uint index; float pdf_hit; spectrum Le; float pdf_environment; } light_result;",
-        .tables = "LIGHT_ARGUMENTS"});
+        .tables = "LIGHT_ARGUMENTS COLOR_ARGUMENTS"});
     return function;
 }
 
@@ -77,7 +79,7 @@ light newLight(light_kind kind) {
     l.pmf = 1;
     l.extent = 1;
     l.resolution = 1;
-    l.L = {1, 2, 3};
+    l.L = packRgb({1, 2, 3});
     return l;
 }
 
@@ -298,11 +300,9 @@ TEST(ImageEnvironment, SamplesFollowTheImage) {
     const auto results = sample(scene, {0, 0, 0}, std::vector<float>(v.size(), 0.5f), v);
     std::vector<double> counts(n * n), expected(n * n);
     double total = 0;
-    for (const spectrum& t : scene.tables.environment_texels) total += t.r + t.g + t.b;
-    for (size_t i = 0; i < n * n; ++i) {
-        const spectrum& t = scene.tables.environment_texels[i];
-        expected[i] = (t.r + t.g + t.b) / total * static_cast<double>(v.size());
-    }
+    const std::vector<float>& texels = scene.tables.environment_texels;
+    for (float channel : texels) total += channel;
+    for (size_t i = 0; i < n * n; ++i) expected[i] = (texels[3 * i] + texels[3 * i + 1] + texels[3 * i + 2]) / total * static_cast<double>(v.size());
     Accumulator red;
     int elsewhere = 0;
     for (const LightResult& r : results) {
@@ -323,7 +323,7 @@ TEST(ImageEnvironment, SamplesFollowTheImage) {
     const ChiSquare chi = testChiSquare(counts, expected);
     EXPECT_GT(chi.probability, significance) << chi.describe();
     double integral = 0;
-    for (const spectrum& t : scene.tables.environment_texels) integral += static_cast<double>(t.r) * 4 * M_PI / (n * n);
+    for (size_t i = 0; i < n * n; ++i) integral += static_cast<double>(texels[3 * i]) * 4 * M_PI / (n * n);
     EXPECT_NEAR(red.estimate().mean, integral, 4 * red.estimate().error);
 }
 

@@ -257,11 +257,11 @@ TEST_F(StageTest, ShadeMissesAddsTheEnvironment) {
     const QueueWords states = bench.read("path");
     std::set<uint> missed;
     for (unsigned i = 0; i < count; ++i) missed.insert(misses.get<uint>("path", i));
-    const spectrum L = scene().tables.lights[scene().tables.environments.at(0)].L;
+    const color L = scene().tables.lights[scene().tables.environments.at(0)].L;
     for (uint i = 0; i < paths; ++i) {
         const spectrum got = states.get<spectrum>("L", i);
-        ASSERT_FLOAT_EQ(got.r, missed.count(i) ? L.r : 0);
-        ASSERT_FLOAT_EQ(got.b, missed.count(i) ? L.b : 0);
+        ASSERT_FLOAT_EQ(got.r, missed.count(i) ? L.c0 : 0);
+        ASSERT_FLOAT_EQ(got.b, missed.count(i) ? L.c2 : 0);
     }
     /* Once more with nothing: no path that somebody has is touched */
     bench.run("shade_misses", 0);

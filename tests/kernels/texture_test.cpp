@@ -1,6 +1,7 @@
 // Textures against double precision: images in every format, wrap and filter; the other kinds; mappings; bumps and normal maps.
 
 #include "device_function.h"
+#include "pack/colors.h"
 #include "random_inputs.h"
 
 #include <gtest/gtest.h>
@@ -18,16 +19,17 @@ struct TextureResult { spectrum value; vec3 bumped, mapped; };
 std::vector<TextureResult> evaluate(const PackedScene& scene, const std::vector<uint>& program, const std::vector<vec2>& uv, const std::vector<vec3>& p) {
     static const DeviceFunction<TextureResult> function({.include = "texture/relief.clh", .type = "texture_result", .body = R"(
         texture_tables tables = BIND_TEXTURES;
+        color_tables colors = BIND_COLORS;
         surface at;
         at.p = p; at.uv = uv;
         at.error = at.dndu = at.dndv = make_vec3(0.0f, 0.0f, 0.0f);
         at.ng = at.ns = make_vec3(0.0f, 0.0f, 1.0f);
         at.dpdu = make_vec3(2.0f, 0.0f, 0.0f);
         at.dpdv = make_vec3(0.0f, 3.0f, 0.0f);
-        result.value = eval_texture(tables, program, at);
+        result.value = eval_texture(tables, path_palette(colors, 0u, 0u), program, at);
         result.bumped = displace_normal(tables, program, at).ns;
         result.mapped = map_normal(tables, 0u, at).ns;)",
-        .inputs = {"uint program", "vec2 uv", "vec3 p"}, .declarations = "typedef struct { spectrum value; vec3 bumped, mapped; } texture_result;", .tables = "TEXTURE_ARGUMENTS"});
+        .inputs = {"uint program", "vec2 uv", "vec3 p"}, .declarations = "typedef struct { spectrum value; vec3 bumped, mapped; } texture_result;", .tables = "TEXTURE_ARGUMENTS COLOR_ARGUMENTS"});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, program, uv, p);
 }
@@ -48,11 +50,11 @@ struct Textures {
         i.kind = kind;
         i.mapping = mapping_uv;
         i.image = NONE;
-        i.value = {value, value, value};
+        i.value = packNumber(value);
         i.texture_from_scene.xx = i.texture_from_scene.yy = i.texture_from_scene.zz = 1;
         return i;
     }
-    static texture_instruction constant(spectrum s) { texture_instruction i = instruction(kind_constant_texture); i.value = s; return i; }
+    static texture_instruction constant(spectrum s) { texture_instruction i = instruction(kind_constant_texture); i.value = packRgb({s.r, s.g, s.b}); return i; }
     texture_instruction lookup(uint image) { texture_instruction i = instruction(kind_imagemap_texture); i.image = image; return i; }
 
     /// An image of given texels (in [0, 1]; 8-bit formats keep 255 levels), channels interleaved.
