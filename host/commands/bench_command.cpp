@@ -2,6 +2,7 @@
 #include "commands/commands.h"
 #include "commands/session.h"
 #include "commands/statistics.h"
+#include "eikonal/stages.h"
 #include "film/atomic_file.h"
 
 #include <fmt/format.h>
@@ -41,11 +42,21 @@ template <class F> double medianOf(const std::vector<Repeat>& repeats, F&& f) {
     return median(values);
 }
 
-/// How full a stage's queue was: of the slots that it ran over, how many held a real ray. 1 for the dense queues of shading.
+/// The queue that a stage drains.
+std::string drainedBy(const std::string& stage) {
+#define DRAINED_BY(name, drains, fills, FEATURE) if (stage.starts_with(#name)) return drains;
+    STAGES(DRAINED_BY)
+#undef DRAINED_BY
+    return "";
+}
+
+/// How full a stage's queue was: of the slots that it ran over, how many held a real ray or path. 1 for the dense queues of shading.
 double occupancyOf(const std::string& stage, const Repeat& r, std::uint64_t slots) {
+    const std::string queue = drainedBy(stage);
     const auto share = [&](std::uint64_t real) { return slots ? static_cast<double>(real) / static_cast<double>(slots) : 1; };
-    if (stage == "intersect_rays") return share(r.rays);
-    if (stage == "test_shadows") return share(r.shadowRays);
+    if (queue == "pixels") return share(r.paths);
+    if (queue == "ray" || queue == "flight") return share(r.rays);
+    if (queue == "shadow") return share(r.shadowRays);
     return 1;
 }
 

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 namespace eikonal {
 namespace {
 
@@ -33,9 +31,9 @@ TEST_P(Builds, WithNothingAndWithEverything) {
     expectBuilds(GetParam(), Features::all(), "all features");
 }
 
-/// Takes minutes, so it only runs where EIKONAL_SLOW_TESTS is set.
-TEST_P(Builds, WithEachFeatureAlone) {
-    if (!std::getenv("EIKONAL_SLOW_TESTS")) GTEST_SKIP() << "slow; set EIKONAL_SLOW_TESTS=1 to run it";
+class SlowBuilds : public testing::TestWithParam<std::string> {};
+
+TEST_P(SlowBuilds, WithEachFeatureAlone) {
     for (size_t f = 0; f < featureCount; ++f) expectBuilds(GetParam(), Features().require(static_cast<Feature>(f)), featureName(static_cast<Feature>(f)));
 }
 
@@ -49,11 +47,14 @@ TEST(BuildsPoisoned, EveryStageWithEverything) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Stages, Builds, testing::ValuesIn(allStages()), [](const auto& info) {
+std::string nameOf(const testing::TestParamInfo<std::string>& info) {
     std::string name = info.param;
     for (char& c : name) if (c == ' ') c = '_';
     return name;
-});
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, Builds, testing::ValuesIn(allStages()), nameOf);
+INSTANTIATE_TEST_SUITE_P(Slow, SlowBuilds, testing::ValuesIn(allStages()), nameOf);
 
 }  // namespace
 }  // namespace eikonal

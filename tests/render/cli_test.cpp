@@ -245,6 +245,14 @@ TEST_F(Cli, BenchCountsRealRaysOnly) {
         EXPECT_GT(stage.at("occupancy"), 0) << stage;
         EXPECT_LE(stage.at("occupancy"), 1) << stage;
     }
+    /* 16 x 12 pixels are a tile of 16 x 16; every stage that runs over the rays' slots has their holes */
+    const auto occupancy = [&](const std::string& name) {
+        for (const auto& stage : json.at("stages")) if (stage.at("stage") == name) return stage.at("occupancy").get<double>();
+        return -1.;
+    };
+    EXPECT_LT(occupancy("generate_rays"), 1);
+    EXPECT_EQ(occupancy("classify_flights"), occupancy("intersect_rays"));
+    EXPECT_EQ(occupancy("route_flights"), occupancy("intersect_rays"));
 }
 
 TEST_F(Cli, CompareFindsAnImageEqualToItself) {
