@@ -2,6 +2,8 @@
 
 #include "pack/packer.h"
 
+#include <algorithm>
+#include <bit>
 #include <chrono>
 
 namespace eikonal {
@@ -51,6 +53,9 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
 
     settings& frame = packed.frame();
     frame.seed = static_cast<uint>(scene.sampler.seed);
+    /* The indices of a tile's samples fit in 32 bits */
+    frame.sequence_sample_bits = static_cast<uint>(std::bit_width(static_cast<uint>(std::max(scene.sampler.pixelSamples, 1)) - 1));
+    frame.sequence_tile_bits = std::min(8u, (32 - frame.sequence_sample_bits) / 2);
     frame.max_depth = static_cast<uint>(std::max(scene.integrator.maxDepth, 0));
     frame.light_count = static_cast<uint>(packed.tables.light_aliases.size());
     frame.world_scale = static_cast<float>(packed.worldScale);

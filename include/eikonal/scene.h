@@ -95,6 +95,8 @@ typedef struct {
     filter pixel_filter;
     uint width, height;    /* of the whole image, pixels */
     uint seed;
+    uint sequence_sample_bits; /* low-discrepancy sampler: a pixel's samples are numbered with so many bits */
+    uint sequence_tile_bits;   /* and 2^bits x 2^bits pixels share a sequence; at most 8 */
     uint max_depth;        /* most scattering events on a path */
     uint light_count;
     float world_scale;     /* world units in one unit of scene space */

@@ -57,6 +57,24 @@ TEST(SobolSampler, StratifiesEveryBlockInEveryDimension) {
     }
 }
 
+/// The samples of a block of pixels are as well spread as those of one pixel: 4 x 4 pixels with 4 samples each have one sample in each of
+/// the 64 elementary intervals of every shape, wherever an aligned block lies; and so in a tile and beyond it.
+TEST(SobolSampler, SpreadsTheSamplesOfBlocksOfPixels) {
+    const DeviceFunction<Drawn> draw({.include = "camera/camera.clh", .type = "drawn",
+        .body = "sequence_place at = place_in_sequence(x, y, sample, 5u, 2u, 3u); result.one = sample_1d(at.seed, at.index, 9u); result.two = sample_2d(at.seed, at.index, 9u);",
+        .inputs = {"uint x", "uint y", "uint sample"}, .declarations = "typedef struct { float one; vec2 two; } drawn;", .features = Features::all()});
+    for (const auto& [left, top] : {std::pair{0u, 0u}, {4u, 0u}, {4u, 4u}, {8u, 12u}, {1000u, 496u}}) {
+        std::vector<uint> x, y, sample;
+        for (uint i = 0; i < 64; ++i) { x.push_back(left + i % 4); y.push_back(top + i / 4 % 4); sample.push_back(i / 16); }
+        const std::vector<Drawn> drawn = draw(x, y, sample);
+        for (uint a = 0; a <= 6; ++a) {
+            std::set<uint> cells;
+            for (const Drawn& d : drawn) cells.insert((static_cast<uint>(d.two.y * static_cast<float>(1u << (6 - a))) << a) + static_cast<uint>(d.two.x * static_cast<float>(1u << a)));
+            EXPECT_EQ(cells.size(), 64u) << "pixels from (" << left << ", " << top << "), a " << a;
+        }
+    }
+}
+
 class EverySampler : public testing::TestWithParam<bool> {};
 
 /// Numbers lie in [0, 1) and the mean over pixels is 1/2, in each dimension: one number a pixel, so that stratification over
@@ -67,7 +85,7 @@ TEST_P(EverySampler, IsUniformAndUncorrelatedOverPixels) {
     constexpr size_t n = 65536;
     std::vector<float> columns[6];
     const DeviceFunction<Drawn> perPixel({.include = "camera/camera.clh", .type = "drawn",
-        .body = "uint seed = pixel_seed(pixel & 255u, pixel >> 8, 7u); result.one = sample_1d(seed, 3u, dimension); result.two = sample_2d(seed, 3u, dimension);",
+        .body = "uint seed = place_in_sequence(pixel & 255u, pixel >> 8, 3u, 7u, 8u, 0u).seed; result.one = sample_1d(seed, 3u, dimension); result.two = sample_2d(seed, 3u, dimension);",
         .inputs = {"uint pixel", "uint dimension"}, .declarations = "typedef struct { float one; vec2 two; } drawn;",
         .features = GetParam() ? Features::all() : Features()});
     std::vector<uint> pixels(n);
