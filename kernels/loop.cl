@@ -70,7 +70,7 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
             else if (f.element != NONE) {
                 surface s = flight_surface(g, tables, r, f);
                 if (HAS_EMITTERS && flight_emits(g, f)) {
-                    emission_item e = make_emission(g, light_set, color_set, r, f, s);
+                    emission_item e = make_emission(g, tables, light_set, color_set, r, f, s);
                     add_radiance(path, capacity, slot, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
                 }
                 if (HAS_INTERFACE && f.hop == hop_passage) out.ray = make_passage(g, r, f, s);

@@ -62,7 +62,7 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
         if (ENVIRONMENTS && f.hop == hop_miss) { store_miss(miss, capacity, at[hop_miss]++, make_miss(r)); continue; }
         if (HAS_MEDIA && f.hop == hop_scatter) { store_scatter(scatter, capacity, at[hop_scatter]++, make_scatter(medium_set, r, f)); continue; }
         surface s = flight_surface(g, tables, r, f);
-        if (emits) store_emission(emission, capacity, at[hop_emission]++, make_emission(g, light_set, color_set, r, f, s));
+        if (emits) store_emission(emission, capacity, at[hop_emission]++, make_emission(g, tables, light_set, color_set, r, f, s));
         if (HAS_INTERFACE && f.hop == hop_passage) store_passage(next_ray, shadow, capacity, at[hop_passage]++, make_passage(g, r, f, s));
         else if (f.hop < hop_miss) {
             uint slot = at[f.hop]++;

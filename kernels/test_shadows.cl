@@ -2,6 +2,7 @@
 #include "queue.clh"
 #include "bvh.clh"
 #include "dimension.clh"
+#include "light/pattern.clh"
 #include "medium/medium.clh"
 #include "eikonal/stages.h"
 
@@ -39,6 +40,7 @@ FN spectrum test_shadow(geometry g, texture_tables tables, medium_tables media, 
     nearest_hit any;
     any.t_max = s.t_max;
     if (walk_bvh(g, tables, s.o, s.d, walk_blocker, &any)) return uniform_spectrum(0.0f);
+    if (HAS_LIGHT_PATTERN && s.element != NONE) s.Ld = mul(s.Ld, light_pattern(g, tables, path_palette(colors, s.color_seed, s.color_sample), s));
     return HAS_MEDIA ? attenuate_shadow(g, tables, media, colors, s) : s.Ld;
 }
 

@@ -69,7 +69,7 @@ private:
         shape packed{};
         packed.material = materialIndex;
         packed.first_element = static_cast<uint>(tables_.element_shapes.size());
-        packed.first_normal = packed.first_uv = packed.quadric = packed.first_light = packed.alpha = NONE;
+        packed.first_normal = packed.first_uv = packed.quadric = packed.first_light = packed.alpha = packed.emission = NONE;
         packed.inside = packed.outside = NONE;
         if (isInterface) packed.flags |= shape_is_interface;
         if (packer_.hasMedia && s.interface) {

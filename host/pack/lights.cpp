@@ -45,6 +45,7 @@ static light newLight(light_kind kind, const color& L) {
     l.L = L;
     l.pmf = 1;
     l.extent = 1;
+    l.element = NONE;
     /* Straight-line sampling computes every kind for every light: an image of one texel is harmless, one of none is not */
     l.resolution = 1;
     return l;
@@ -143,7 +144,12 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
     const AreaLight& description = packer.scene.areaLights[static_cast<size_t>(s.areaLight)];
     std::vector<light>& lights = packer.packed.tables.lights;
     packed.first_light = static_cast<uint>(lights.size());
-    const color L = packEmission(packer, description.L, description.scale);
+    const bool isUnseen = s.alpha.texture == none && s.alpha.value.value() <= 0;
+    if (isUnseen) packed.flags |= shape_is_unseen;
+    if (description.image != none) packed.emission = packEmissionImage(packer, description);
+    const bool hasPattern = packed.emission != NONE || (packed.alpha != NONE && !isUnseen);
+    const double scale = description.scale * (description.image != none ? meanLuminance(packer, description.image) : 1);
+    const color L = packEmission(packer, description.L, scale);
     const SceneTables& tables = packer.packed.tables;
     for (size_t e = 0; e < elements; ++e) {
         light l = std::visit(Overloaded{
@@ -152,11 +158,11 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
             [&](const Sphere& q) { return sphereLight(packer, s, packed, q, m, L); },
             [&](const Disk& q) { return diskLight(packed, q, m, L); }}, s.kind);
         l.two_sided = description.twoSided ? 1 : 0;
-        /* Cut out altogether, it shines unseen (as in pbrt-v4); cut out in part, it is left to rays, which see where */
-        if (s.alpha.texture == none && s.alpha.value.value() <= 0) l.invisible = 1;
-        else if (packed.alpha != NONE) l.pmf = 0;
-        /* A power in watts is that of the whole shape, through each of its elements alike (pbrt-v4) */
-        double factor = description.scale;
+        /* Cut out altogether, it shines unseen (as in pbrt-v4) */
+        l.invisible = isUnseen;
+        if (hasPattern) l.element = packed.first_element + static_cast<uint>(e);
+        /* A power in watts is that of the whole shape without its holes, through each of its elements alike (pbrt-v4) */
+        double factor = scale;
         if (description.power && l.inverse_area > 0) {
             const double area = 1 / (l.inverse_area * packer.space.scale * packer.space.scale);
             factor = description.scale * *description.power / (M_PI * area * (description.twoSided ? 2 : 1));
@@ -167,6 +173,7 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
     }
     const std::string why = description.where.toString() + ": area light";
     packer.packed.require(Feature::EMITTERS, why);
+    if (hasPattern) packer.packed.require(Feature::LIGHT_PATTERN, why);
     packer.packed.require(std::visit(Overloaded{
         [](const TriangleMesh&) { return Feature::LIGHT_TRIANGLE; }, [](const BilinearMesh&) { return Feature::LIGHT_BILINEAR; },
         [](const Sphere&) { return Feature::LIGHT_SPHERE; }, [](const Disk&) { return Feature::LIGHT_DISK; }}, s.kind), why);

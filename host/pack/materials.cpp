@@ -26,7 +26,7 @@ public:
 
     void spectrum(uint slot, const char* name) {
         const Input& in = get(name);
-        add(slot, input_spectrum, packReflectance(packer_, in.value), in.texture == none ? NONE : texture(in.texture));
+        add(slot, input_spectrum, packReflectance(packer_, in.value), in.texture == none ? NONE : texture(in.texture, TextureUse::reflectance));
     }
     /// One that may be larger than 1.
     void coefficient(uint slot, const char* name) {

@@ -25,6 +25,7 @@ struct Packer {
 
     std::vector<std::shared_ptr<const ImageData>> images{};   ///< of scene.images
     std::map<std::pair<int, bool>, uint> packedImages{};      ///< (scene image, as a float texture?) -> `images`
+    std::map<int, double> meanLuminances{};                   ///< of scene.images, where asked for
     std::map<std::pair<int, int>, uint> packedPrograms{};     ///< (texture, TextureUse) -> `programs`
     std::vector<uint> materialIndices{};                      ///< scene.materials -> `materials`
     uint defaultMaterial = NONE;
@@ -39,11 +40,15 @@ void packGeometry(Packer&);
 void packLights(Packer&);
 
 /// What becomes of a texture's value.
-enum class TextureUse { asItIs, roughness /* its square root */, metal /* a reflectance to an index of refraction */, displacement /* world units to scene units */ };
+enum class TextureUse { asItIs, reflectance /* brought into [0, 1] */, roughness /* its square root */, metal /* a reflectance to an index of refraction */, displacement /* world units to scene units */ };
 /// The program of a texture, made when first asked for.
 uint packTexture(Packer&, int texture, TextureUse use = TextureUse::asItIs);
 /// The same of a texture or a plain number.
 uint packInput(Packer&, const Input& input);
+/// The program of an area light's image: radiance relative to the image's mean.
+uint packEmissionImage(Packer&, const AreaLight&);
+/// Mean luminance of an image.
+double meanLuminance(Packer&, int image);
 /// An image as textures read it; asFloat: of one channel.
 uint packImage(Packer&, int image, bool asFloat);
 /// The material of a shape.

@@ -52,10 +52,12 @@ public:
         i.value = isNumber ? packNumber(in.value.value()) : packReflectance(packer_, in.value);
         i.flags = isNumber ? static_cast<uint>(texture_number) : 0u;
         push(i);
+        const glm::dvec3 value = isNumber ? glm::dvec3(in.value.value()) : in.value.albedo();
+        if (std::min({value.x, value.y, value.z}) < 0 || std::max({value.x, value.y, value.z}) > 1) leavesUnit_ = true;
     }
 
-    void texture(int index) {
-        const Texture& t = packer_.scene.textures[static_cast<size_t>(index)];
+    void texture(int index) { texture(packer_.scene.textures[static_cast<size_t>(index)]); }
+    void texture(const Texture& t) {
         const bool outer = isFloat_;
         isFloat_ = t.isFloat;
         std::visit(Overloaded{
@@ -63,11 +65,22 @@ public:
             [&](const ImagemapTexture& k) { imagemap(k, t); },
             [&](const ScaleTexture& k) { input(k.texture); input(k.scale); pop(instruction(kind_scale_texture, Feature::TEXTURE_SCALE, t.where), 2); },
             [&](const MixTexture& k) { input(k.a); input(k.b); input(k.amount); pop(instruction(kind_mix_texture, Feature::TEXTURE_MIX, t.where), 3); },
-            [&](const CheckerboardTexture& k) { checkerboard(k, t); }}, t.kind);
+            [&](const CheckerboardTexture& k) { checkerboard(k, t); },
+            [&](const BilerpTexture& k) { bilerp(k, t); },
+            [&](const DotsTexture& k) { dots(k, t); },
+            [&](const DirectionMixTexture& k) { directionMix(k, t); },
+            [&](const NoiseTexture& k) { noise(k, t); }}, t.kind);
         isFloat_ = outer;
     }
 
+    /// An image of relative radiance.
+    void radiance(const Texture& image) {
+        texture(image);
+        code_.back().flags |= texture_radiance;
+    }
+
     void use(TextureUse use) {
+        if (use == TextureUse::reflectance && leavesUnit_) pop(instruction(kind_clamp_texture, Feature::TEXTURE_CLAMP, {}), 1);
         if (use == TextureUse::roughness) pop(instruction(kind_sqrt_texture, Feature::TEXTURE_SQRT, {}), 1);
         if (use == TextureUse::metal) pop(instruction(kind_metal_texture, Feature::TEXTURE_METAL, {}), 1);
         if (use == TextureUse::displacement && packer_.space.scale != 1) {
@@ -134,6 +147,7 @@ private:
         i.flags = (k.invert ? static_cast<uint>(texture_invert) : 0u) | (t.isFloat ? static_cast<uint>(texture_number) : 0u);
         map(i, k.mapping);
         push(i);
+        if (k.scale < 0 || k.scale > 1 || packer_.packed.tables.images[i.image].format == format_float) leavesUnit_ = true;
     }
 
     void checkerboard(const CheckerboardTexture& k, const Texture& t) {
@@ -147,8 +161,48 @@ private:
         pop(i, 2);
     }
 
+    void bilerp(const BilerpTexture& k, const Texture& t) {
+        for (const Input* corner : {&k.v00, &k.v01, &k.v10, &k.v11}) input(*corner);
+        texture_instruction i = instruction(kind_bilerp_texture, Feature::TEXTURE_BILERP, t.where);
+        map(i, k.mapping);
+        pop(i, 4);
+        leavesUnit_ = true;
+    }
+
+    void dots(const DotsTexture& k, const Texture& t) {
+        input(k.inside);
+        input(k.outside);
+        texture_instruction i = instruction(kind_dots_texture, Feature::TEXTURE_DOTS, t.where);
+        map(i, k.mapping);
+        pop(i, 2);
+    }
+
+    void directionMix(const DirectionMixTexture& k, const Texture& t) {
+        input(k.a);
+        input(k.b);
+        texture_instruction i = instruction(kind_directionmix_texture, Feature::TEXTURE_DIRECTIONMIX, t.where);
+        i.direction = toVec3(k.direction);
+        pop(i, 2);
+    }
+
+    void noise(const NoiseTexture& k, const Texture& t) {
+        struct Form { texture_kind kind; Feature feature; };
+        constexpr Form forms[] = {{kind_fbm_texture, Feature::TEXTURE_FBM}, {kind_wrinkled_texture, Feature::TEXTURE_WRINKLED},
+                                  {kind_windy_texture, Feature::TEXTURE_WINDY}, {kind_marble_texture, Feature::TEXTURE_MARBLE}};
+        const Form& form = forms[static_cast<size_t>(k.pattern)];
+        texture_instruction i = instruction(form.kind, form.feature, t.where);
+        i.octaves = static_cast<uint>(k.octaves);
+        i.roughness = f(k.roughness);
+        i.variation = f(k.variation);
+        const glm::dmat4 scale(glm::dmat3(k.scale));
+        i.texture_from_scene = toAffine(scale * glm::inverse(k.worldFromTexture) * packer_.space.worldFromScene());
+        push(i);
+        if (k.pattern != NoisePattern::marble) leavesUnit_ = true;
+    }
+
     Packer& packer_;
     bool isFloat_;
+    bool leavesUnit_ = false;   ///< whether some value may lie outside of [0, 1]
     std::vector<texture_instruction> code_;
     int depth_ = 0, deepest_ = 0;
 };
@@ -161,6 +215,27 @@ uint packTexture(Packer& packer, int texture, TextureUse use) {
     writer.texture(texture);
     writer.use(use);
     return found->second = writer.finish(t.where);
+}
+
+double meanLuminance(Packer& packer, int index) {
+    const auto [found, isNew] = packer.meanLuminances.try_emplace(index, 0);
+    if (!isNew) return found->second;
+    const ImageData& image = *packer.images[static_cast<size_t>(index)];
+    glm::dvec3 sum(0);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            for (int c = 0; c < 3; ++c) sum[c] += std::max(image.at(x, y, image.channels == 1 ? 0 : c), 0.0f);
+    return found->second = glm::dot(sum, glm::dvec3(0.2126, 0.7152, 0.0722)) / (static_cast<double>(image.width) * image.height);
+}
+
+uint packEmissionImage(Packer& packer, const AreaLight& light) {
+    const double mean = meanLuminance(packer, light.image);
+    Texture t;
+    t.kind = ImagemapTexture{light.image, light.imageMapping, mean > 0 ? 1 / mean : 1};
+    t.where = light.where;
+    ProgramWriter writer(packer, false);
+    writer.radiance(t);
+    return writer.finish(t.where);
 }
 
 uint packInput(Packer& packer, const Input& input) {

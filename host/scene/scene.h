@@ -69,11 +69,24 @@ struct ImagemapTexture { int image = none; Mapping mapping; double scale = 1; bo
 struct ScaleTexture { Input texture, scale; };
 struct MixTexture { Input a, b, amount; };
 struct CheckerboardTexture { Input a, b; Mapping mapping; int dimensions = 2; };
+struct BilerpTexture { Input v00, v01, v10, v11; Mapping mapping; };
+struct DotsTexture { Input inside, outside; Mapping mapping; };
+/// a where the surface's geometric normal is along the direction (unit, world space), b where it is across.
+struct DirectionMixTexture { Input a, b; glm::dvec3 direction{0, 1, 0}; };
+enum class NoisePattern { fbm, wrinkled, windy, marble };
+struct NoiseTexture {
+    NoisePattern pattern = NoisePattern::fbm;
+    int octaves = 8;                   ///< not windy
+    double roughness = 0.5;            ///< not windy
+    double scale = 1, variation = 0.2; ///< marble
+    Transform worldFromTexture{1};
+};
 
 struct Texture {
     std::string name;
     bool isFloat = false;       ///< declared "float", not "spectrum"
-    std::variant<ConstantTexture, ImagemapTexture, ScaleTexture, MixTexture, CheckerboardTexture> kind;
+    std::variant<ConstantTexture, ImagemapTexture, ScaleTexture, MixTexture, CheckerboardTexture, BilerpTexture, DotsTexture, DirectionMixTexture,
+                 NoiseTexture> kind;
     SourceLocation where;
 };
 
@@ -178,6 +191,8 @@ struct Light {
 /// What makes a shape emit.
 struct AreaLight {
     Spectrum L;
+    int image = none;                     ///< in Scene::images: L is multiplied by it
+    Mapping imageMapping;                 ///< of the image: from the shape's (u, v)
     double scale = 1;
     std::optional<double> power;
     bool twoSided = false;

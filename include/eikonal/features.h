@@ -23,6 +23,7 @@
     F(BUMP,             "a displacement texture") \
     F(NORMAL_MAP,       "a normal map") \
     F(EMITTERS,         "a surface that emits") \
+    F(LIGHT_PATTERN,    "an area light with an image, or cut out by an alpha texture") \
     F(LIGHTS,           "a light that can be sampled") \
     F(LENS,             "a lens with an aperture") \
     F(FILTER,           "a pixel filter other than a box of one pixel") \

@@ -33,6 +33,7 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
 #define LIGHT_FIELDS(F) \
     F(uint,     kind)         /* enum light_kind */ \
     F(uint,     two_sided)    /* 0 or 1 */ \
+    F(uint,     element)      /* area whose radiance varies (an image, alpha): its element; otherwise NONE. L is the mean, without alpha */ \
     F(uint,     invisible)    /* 1: an area that no ray hits, since its alpha is 0: only light sampling finds it */ \
     F(float,    pmf)          /* probability with which the light sampler picks this light; 0: only BSDF sampling finds it */ \
     F(float,    inverse_area) \

@@ -49,6 +49,8 @@ typedef struct { float xx, xy, xz, xw, yx, yy, yz, yw, zx, zy, zz, zw; } affine;
 
 /* The longest distance. Finite, since the kernels are built with -cl-finite-math-only, where an infinity is undefined. */
 #define FAR_AWAY 1e30f
+/* A shadow ray ends this fraction short of the light, so as not to hit it. */
+#define SHADOW_EPSILON 1e-4f
 
 CONTRACT_END
 #endif

@@ -92,6 +92,9 @@
     F(q, vec3,     d,          ALWAYS) \
     F(q, float,    t_max,      ALWAYS)       /* < 0: dead */ \
     F(q, spectrum, Ld,         ALWAYS)       /* contribution, weights included (in media: all but the two densities) */ \
+    F(q, uint,     element,    LIGHT_PATTERN) /* which is sampled of a light whose pattern Ld leaves out; otherwise NONE */ \
+    F(q, uint,     color_seed, LIGHT_PATTERN) /* for the palette that the pattern is read through */ \
+    F(q, uint,     color_sample, LIGHT_PATTERN) \
     F(q, uint,     medium,     MEDIA) \
     F(q, spectrum, r_u,        MEDIA)        /* density of the path had its own direction been sampled, relative */ \
     F(q, spectrum, r_l,        MEDIA)        /* density of the path through the light, relative */ \

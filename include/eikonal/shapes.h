@@ -18,7 +18,8 @@ enum shape_kind { SHAPES(SHAPE_KIND) shape_kinds };
 enum shape_flag {
     shape_reversed      = 1, /* the normal is flipped: ReverseOrientation, or a mirroring transform, not both */
     shape_has_interface = 2, /* inside and outside name its media; otherwise a ray keeps its medium */
-    shape_is_interface  = 4  /* its material is "interface": shadow rays pass */
+    shape_is_interface  = 4, /* its material is "interface": shadow rays pass */
+    shape_is_unseen     = 8  /* its alpha is 0: no ray meets it, but what it emits shines */
 };
 
 /* One shape: a mesh or a quadric, and what it is made of. */
@@ -34,6 +35,7 @@ typedef struct {
     uint material;       /* in `materials` */
     uint alpha;          /* in `programs`: the texture that cuts it out; NONE: solid */
     uint first_light;    /* of its first element, in `lights`; NONE: it emits nothing */
+    uint emission;       /* in `programs`: its radiance relative to its lights'; NONE: even */
     uint inside, outside; /* in `media`, NONE for vacuum: only with shape_has_interface */
 } shape;
 

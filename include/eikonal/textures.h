@@ -13,6 +13,14 @@ CONTRACT_BEGIN
     T(scale_texture,        TEXTURE_SCALE)        /* 2: a * b */ \
     T(mix_texture,          TEXTURE_MIX)          /* 3: a, b, amount: (1 - amount) a + amount b */ \
     T(checkerboard_texture, TEXTURE_CHECKERBOARD) /* 2: a where the sum of the cell's numbers is even, else b */ \
+    T(bilerp_texture,       TEXTURE_BILERP)       /* 4: v00, v01, v10, v11: between these corners */ \
+    T(dots_texture,         TEXTURE_DOTS)         /* 2: a in the dots, b between them */ \
+    T(directionmix_texture, TEXTURE_DIRECTIONMIX) /* 2: blend(b, a, |cos| of the geometric normal and `direction`) */ \
+    T(fbm_texture,          TEXTURE_FBM)          /* 0: `octaves` of noise, `roughness` */ \
+    T(wrinkled_texture,     TEXTURE_WRINKLED)     /* 0: the same of the noise's absolute value */ \
+    T(windy_texture,        TEXTURE_WINDY)        /* 0: waves on water */ \
+    T(marble_texture,       TEXTURE_MARBLE)       /* 0: `octaves`, `roughness`, `variation` */ \
+    T(clamp_texture,        TEXTURE_CLAMP)        /* 1: its value brought into [0, 1] */ \
     T(sqrt_texture,         TEXTURE_SQRT)         /* 1: its square root: a roughness to a microfacet width */ \
     T(metal_texture,        TEXTURE_METAL)        /* 1: a metal's reflectance r to its k for eta = 1: 2 sqrt(r / (1 - r)) */
 
@@ -21,15 +29,22 @@ enum texture_kind { TEXTURES(TEXTURE_KIND) texture_kinds };
 
 /* The most values that a program may hold at once. */
 #define TEXTURE_STACK 8
+/* More octaves of noise than float can tell apart. */
+#define MOST_OCTAVES 32
 
 enum texture_mapping { mapping_uv, mapping_spherical, mapping_cylindrical, mapping_planar, mapping_point };
-enum texture_flag { texture_invert = 1, texture_number = 2 /* not a colour: value.scale, or the texels as they are */ };
+enum texture_flag { texture_invert = 1, texture_number = 2 /* not a colour: value.scale, or the texels as they are */,
+                    texture_radiance = 4 /* of an area light, relative */ };
 
 typedef struct {
     uint kind;           /* enum texture_kind */
     uint mapping;        /* enum texture_mapping */
     uint flags;          /* enum texture_flag */
     uint image;          /* in `images` */
+    uint octaves;        /* of noise, 0 to MOST_OCTAVES */
+    float roughness;     /* of noise: an octave's height over that of the one before */
+    float variation;     /* marble: how far noise bends its layers, texture space */
+    vec3 direction;      /* directionmix: unit, scene space */
     color value;
     affine texture_from_scene; /* uv: (xx u + xw, yy v + yw); others: of the point */
 } texture_instruction;

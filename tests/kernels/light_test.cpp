@@ -34,6 +34,7 @@ const DeviceFunction<LightResult>& sampler() {
         result.index = sample_light_index(tables, count, u);
         light l = fetch(tables.lights + result.index);
         surface at;
+        at.p = mul_add(s.wi, s.distance, p);
         at.ng = l.n;
         if (l.kind == kind_sphere_light) at.ng = mul(sub(mul_add(s.wi, s.distance, p), l.p), 1.0f / l.radius);
         if (l.kind == kind_bilinear_light) at.ng = normalize3(cross3(mul_add(l.c, v.y, l.a), mul_add(l.c, v.x, l.b)));
@@ -79,6 +80,7 @@ light newLight(light_kind kind) {
     l.pmf = 1;
     l.extent = 1;
     l.resolution = 1;
+    l.element = NONE;
     l.L = packRgb({1, 2, 3});
     return l;
 }

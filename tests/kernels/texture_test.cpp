@@ -206,6 +206,112 @@ TEST(TextureProgram, ComputesWhatItSays) {
     }
 }
 
+/// bilerp beyond the unit square, directionmix over the plane z = 0, and what is brought into [0, 1].
+TEST(TextureProgram, BlendsAndClamps) {
+    Textures t;
+    const spectrum v00{0.8f, 0, 0.1f}, v01{0, 0.8f, 0.2f}, v10{0, 0.4f, 0.8f}, v11{0.8f, 0.6f, 0};
+    texture_instruction bilerp = Textures::instruction(kind_bilerp_texture);
+    t.program({t.constant(v00), t.constant(v01), t.constant(v10), t.constant(v11), bilerp});
+    texture_instruction across = Textures::instruction(kind_directionmix_texture);
+    across.direction = {0.8f, 0, -0.6f};
+    t.program({t.constant(v00), t.constant(v01), across});
+    t.program({t.constant({-0.5f, 0.5f, 2}), Textures::instruction(kind_clamp_texture)});
+    Random random(85);
+    const auto uv = generate(600, [&] { return vec2{random.between(-1, 2), random.between(-1, 2)}; });
+    std::vector<uint> program;
+    for (uint i = 0; i < uv.size(); ++i) program.push_back(i % 3);
+    const auto results = evaluate(t.scene, program, uv, std::vector<vec3>(uv.size()));
+    for (size_t i = 0; i < results.size(); ++i) {
+        const double s = uv[i].x, v = uv[i].y;
+        const auto between = [&](float a, float b, float c, float d) { return (1 - s) * (1 - v) * a + (1 - s) * v * b + s * (1 - v) * c + s * v * d; };
+        const spectrum got = results[i].value;
+        const spectrum expected = program[i] == 0 ? spectrum{static_cast<float>(between(v00.r, v01.r, v10.r, v11.r)), static_cast<float>(between(v00.g, v01.g, v10.g, v11.g)),
+                                                             static_cast<float>(between(v00.b, v01.b, v10.b, v11.b))}
+                                  : program[i] == 1 ? spectrum{0.6f * v00.r, 0.4f * v01.g, 0.6f * v00.b + 0.4f * v01.b} : spectrum{0, 0.5f, 1};
+        ASSERT_NEAR(got.r, expected.r, 1e-5) << "program " << program[i];
+        ASSERT_NEAR(got.g, expected.g, 1e-5) << "program " << program[i];
+        ASSERT_NEAR(got.b, expected.b, 1e-5) << "program " << program[i];
+    }
+}
+
+/// Values of fbm of one octave, which is the noise itself, of each program at each point.
+std::vector<spectrum> evaluateSolid(const std::vector<texture_instruction>& kinds, const std::vector<vec3>& points) {
+    Textures t;
+    for (const texture_instruction& kind : kinds) t.program({kind});
+    std::vector<uint> program;
+    std::vector<vec3> p;
+    for (const vec3& point : points)
+        for (uint k = 0; k < kinds.size(); ++k) { program.push_back(k); p.push_back(point); }
+    std::vector<spectrum> values;
+    for (const TextureResult& r : evaluate(t.scene, program, std::vector<vec2>(p.size()), p)) values.push_back(r.value);
+    return values;
+}
+texture_instruction solid(texture_kind kind, uint octaves, float roughness = 0.5f) {
+    texture_instruction i = Textures::instruction(kind);
+    i.octaves = octaves;
+    i.roughness = roughness;
+    i.variation = 0.2f;
+    return i;
+}
+
+/// Numbers from pbrt-v4's formulas in double precision (util/noise.cpp, textures.cpp), with every octave.
+TEST(Noise, IsThatOfPbrt) {
+    const std::vector<vec3> p{{0.5f, 0.25f, 0.75f}, {-3.3f, 7.9f, 12.6f}, {100.2f, -55.7f, 3.1f}, {255.5f, 255.75f, -0.4f}, {17.125f, -200.375f, 64.625f}, {-0.01f, 0.02f, -0.03f}};
+    const double expected[] = {-0.3750786781311035, -0.49674407678361576, 0.2907604656705517, -0.45613892187500027, -0.18026559997770164, -0.04005991742216208};
+    const auto values = evaluateSolid({solid(kind_fbm_texture, 1)}, p);
+    for (size_t i = 0; i < p.size(); ++i) EXPECT_NEAR(values[i].g, expected[i], 2e-5) << i;
+
+    const auto sums = evaluateSolid({solid(kind_fbm_texture, 8), solid(kind_fbm_texture, 3, 0.8f), solid(kind_wrinkled_texture, 8), solid(kind_windy_texture, 0), solid(kind_fbm_texture, 0)},
+                                    {{0.7f, -1.3f, 2.2f}});
+    const double sum[] = {-0.03889367715396539, -0.03474462060967182, 0.27048834280512046, -0.021699091825383918, 0};
+    for (size_t i = 0; i < sums.size(); ++i) EXPECT_NEAR(sums[i].r, sum[i], 2e-5) << i;
+
+    const auto marble = evaluateSolid({solid(kind_marble_texture, 8)}, {{0.7f, -1.3f, 2.2f}, {0.1f, 1.4f, 0.3f}, {3.1f, 4.2f, 1.1f}});
+    const double red[] = {0.8698682202944114, 0.8652036747527256, 0.8615733043863156}, blue[] = {0.8998352753680143, 0.896592084692726, 0.8894666304828946};
+    for (size_t i = 0; i < marble.size(); ++i) {
+        EXPECT_NEAR(marble[i].r, red[i], 2e-5) << i;
+        EXPECT_NEAR(marble[i].b, blue[i], 2e-5) << i;
+    }
+}
+
+/// Zero at every lattice point, never above 1, the same 256 cells further on, and finite wherever a float may be.
+TEST(Noise, IsBoundedAndRepeats) {
+    Random random(86);
+    std::vector<vec3> lattice, near, far;
+    for (int i = 0; i < 500; ++i) {
+        const auto whole = [&] { return std::floor(random.between(-300, 300)); };
+        lattice.push_back({whole(), whole(), whole()});
+        /* Multiples of 1/16: adding 256 rounds nothing */
+        const auto part = [&] { return std::floor(random.between(-2000, 2000)) / 16; };
+        near.push_back({part(), part(), part()});
+        far.push_back({near.back().x + 256, near.back().y - 512, near.back().z + 1024});
+    }
+    for (float x : {1e10f, -3e20f, 1e30f, -1e37f}) far.push_back({x, -x, x * 0.7f});
+    near.insert(near.end(), 4, {0, 0, 0});
+    const std::vector<texture_instruction> noise{solid(kind_fbm_texture, 1)};
+    for (const spectrum& value : evaluateSolid(noise, lattice)) ASSERT_NEAR(value.r, 0, 1e-6);
+    const auto a = evaluateSolid(noise, near), b = evaluateSolid(noise, far);
+    for (size_t i = 0; i < a.size(); ++i) {
+        ASSERT_LE(std::abs(a[i].r), 1);
+        ASSERT_LE(std::abs(b[i].r), 1);
+        if (i < 500) ASSERT_EQ(a[i].r, b[i].r);
+    }
+}
+
+/// pbrt-v4's dots cover 14.44 % of the square from (0.03, 0.07) to (39.93, 39.97), sampled every 0.1.
+TEST(TextureProgram, DotsAreWherePbrtHasThem) {
+    Textures t;
+    t.program({t.constant({1, 0, 0}), t.constant({0, 1, 0}), Textures::instruction(kind_dots_texture)});
+    std::vector<vec2> uv;
+    for (int i = 0; i < 160000; ++i) uv.push_back({static_cast<float>(i / 400) * 0.1f + 0.03f, static_cast<float>(i % 400) * 0.1f + 0.07f});
+    double covered = 0;
+    for (const TextureResult& r : evaluate(t.scene, std::vector<uint>(uv.size(), 0), uv, std::vector<vec3>(uv.size()))) {
+        ASSERT_EQ(r.value.r + r.value.g, 1);
+        covered += r.value.r;
+    }
+    EXPECT_NEAR(covered / 160000, 0.1444, 2e-4);
+}
+
 /// Spherical, cylindrical and planar coordinates, seen through an image whose texels are their own coordinates.
 TEST(TextureMapping, FindsItsCoordinates) {
     Textures t;
@@ -226,7 +332,7 @@ TEST(TextureMapping, FindsItsCoordinates) {
     const auto results = evaluate(t.scene, program, std::vector<vec2>(p.size()), p);
     for (size_t i = 0; i < results.size(); ++i) {
         const double x = p[i].x, y = p[i].y, z = p[i].z, phi = std::atan2(y, x), turn = (phi < 0 ? phi + 2 * M_PI : phi) / (2 * M_PI);
-        const double s = program[i] == 0 ? std::acos(z / std::sqrt(x * x + y * y + z * z)) / M_PI : program[i] == 1 ? turn : x;
+        const double s = program[i] == 0 ? std::acos(z / std::sqrt(x * x + y * y + z * z)) / M_PI : program[i] == 1 ? phi / (2 * M_PI) + 0.5 : x;
         const double v = program[i] == 0 ? turn : program[i] == 1 ? z : y;
         const double low = 0.5 / n, high = 1 - low;
         ASSERT_NEAR(results[i].value.r, std::clamp(s, low, high), 1e-4) << "mapping " << program[i];

@@ -47,7 +47,8 @@ PackedScene packScene(const std::string& text) {
 Features surfaceFeatures() {
     using enum Feature;
     const Features others = Features().require(MEDIA).require(AOVS).require(SOBOL).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
-        .require(CAMERA_ORTHOGRAPHIC).require(LIGHT_IMAGE_ENVIRONMENT).require(TEXTURE_IMAGEMAP).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID);
+        .require(CAMERA_ORTHOGRAPHIC).require(LIGHT_IMAGE_ENVIRONMENT).require(TEXTURE_IMAGEMAP)
+        .require(TEXTURE_FBM).require(TEXTURE_WRINKLED).require(TEXTURE_WINDY).require(TEXTURE_MARBLE).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID);
     Features features;
     for (size_t i = 0; i < featureCount; ++i)
         if (!others.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));

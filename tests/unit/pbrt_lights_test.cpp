@@ -66,6 +66,11 @@ TEST_F(PbrtLights, theWhiteOfALightIsThatOfItsColorSpace) {
 }
 
 TEST_F(PbrtLights, areaLights) {
+    write("lamp.png", "an image");
+    const Scene lamp = world("AreaLightSource \"diffuse\" \"string filename\" \"lamp.png\" \"float scale\" 3 Shape \"sphere\"");
+    EXPECT_EQ(lamp.areaLights.at(0).image, 0);
+    EXPECT_EQ(lamp.images.at(0).wrap, WrapMode::clamp);
+    EXPECT_TRUE(warnings_.empty());
     const AreaLight l = area("\"rgb L\" [1 2 3] \"float scale\" 2 \"bool twosided\" true");
     expectNear(l.L.illuminant(), {1, 2, 3});
     EXPECT_EQ(l.scale, 2);

@@ -283,24 +283,18 @@ private:
 
     int light() {
         glm::dvec3 Le = glm::max(mtl_.color("ke").value_or(glm::dvec3(mtl_.has("map_ke") ? 1 : 0)), 0.);
+        AreaLight light;
         if (const auto map = maximum(Le) > 0 ? image("map_ke", ColorEncoding::automatic) : std::nullopt) {
-            diagnostics_.unsupported("mtl map_ke", map->first.where, "\"map_Ke\" is not rendered as an image; the surface emits its mean color");
-            Le *= meanColor(*loadImage(map->second));
+            const auto& [options, file] = *map;
+            light.image = addImage(file);
+            light.imageMapping = {.uScale = options.scale.x, .vScale = options.scale.y, .uOffset = options.offset.x, .vOffset = options.offset.y};
+            if (options.base != 0 || options.gain != 1) diagnostics_.unsupported("mtl map_ke -mm", options.where, "the option \"-mm\" of \"map_Ke\" is not supported");
         }
         if (maximum(Le) <= 0) return none;
-        AreaLight light;
         light.L = Spectrum::rgb(Le);
         light.where = mtl_.whereIs("ke");
         scene_.areaLights.push_back(std::move(light));
         return static_cast<int>(scene_.areaLights.size()) - 1;
-    }
-
-    static glm::dvec3 meanColor(const ImageData& image) {
-        glm::dvec3 sum(0);
-        for (int y = 0; y < image.height; ++y)
-            for (int x = 0; x < image.width; ++x)
-                for (int c = 0; c < 3; ++c) sum[c] += image.at(x, y, image.channels == 1 ? 0 : c);
-        return sum / (double(image.width) * image.height);
     }
 
     void reportUnknown() {

@@ -62,7 +62,7 @@ void texture(Parser& p, Builder& b, Where where) {
 
 void areaLightSource(Parser& p, Builder& b, Where where) {
     withParameters(p, b, "a type", [&](const std::string& kind, ParameterList parameters) {
-        b.state.areaLight = addAreaLight(b.reading, kind, b.state, std::move(parameters), where);
+        b.state.areaLight = addAreaLight(b.reading, b.textures, kind, b.state, std::move(parameters), where);
     });
 }
 

@@ -97,14 +97,18 @@ void addLight(Reading& reading, TextureBook& textures, const std::string& kindNa
     reading.scene.lights.push_back(std::move(light));
 }
 
-int addAreaLight(Reading& reading, const std::string& kindName, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
+int addAreaLight(Reading& reading, TextureBook& textures, const std::string& kindName, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
     const Kind& kind = areaLightKinds().find(kindName, where);
     const Arguments arguments(reading, kind, where, std::move(parameters), state.attributesOf(Target::light), state.space);
     if (arguments.has("filename") && arguments.has("L"))
         throw SceneError(arguments.whereOf("L"), "area light \"diffuse\" has either \"L\" or \"filename\", not both");
-    if (arguments.has("filename") && arguments.file("filename"))
-        reading.unsupported("area light image", arguments.whereOf("filename"), "an area light with an image is not rendered yet; it emits white evenly");
     AreaLight light;
+    if (const std::optional<std::string> path = arguments.file("filename")) {
+        ImageFile file{*path};
+        file.wrap = WrapMode::clamp;
+        file.where = arguments.whereOf("filename");
+        light.image = textures.image(file);
+    }
     light.where = where;
     light.L = arguments.spectrum("L", whiteOf(arguments));
     light.scale = arguments.number("scale");

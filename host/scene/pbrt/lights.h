@@ -17,6 +17,6 @@ void addLight(Reading& reading, TextureBook& textures, const std::string& kind, 
               const SourceLocation& where);
 
 /// Adds an area light to Scene::areaLights and returns its index. Throws SceneError.
-int addAreaLight(Reading& reading, const std::string& kind, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
+int addAreaLight(Reading& reading, TextureBook& textures, const std::string& kind, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
 
 }  // namespace eikonal::pbrt

@@ -1,5 +1,7 @@
 #include "scene/pbrt/textures.h"
 
+#include "eikonal/textures.h"
+
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -7,7 +9,7 @@
 namespace eikonal::pbrt {
 namespace {
 
-enum TextureKind { constantKind, scaleKind, mixKind, imagemapKind, checkerboardKind, otherKind };
+enum TextureKind { constantKind, scaleKind, mixKind, imagemapKind, checkerboardKind, bilerpKind, dotsKind, directionMixKind, fbmKind, wrinkledKind, windyKind, marbleKind, ptexKind };
 
 constexpr const char* mappingParameters =
     "string mapping = uv; float uscale = 1; float vscale = 1; float udelta = 0; float vdelta = 0; vector3 v1; vector3 v2";
@@ -26,15 +28,15 @@ KindTable makeTable(bool isFloat, const std::string& map, const std::string& val
         {"mix", mixKind, (maps("tex1 = 0", "tex2 = 1") + "floatmap amount = 0.5").c_str()},
         {"imagemap", imagemapKind, (imagemap + mappingParameters).c_str()},
         {"checkerboard", checkerboardKind, (maps("tex1 = 1", "tex2 = 0") + "integer dimension = 2; " + mappingParameters).c_str()},
-        // Not rendered yet: a parameter or a number stands in.
-        {"directionmix", otherKind, (maps("tex1 = 0", "tex2 = 1") + "vector3 dir").c_str(), "tex1"},
-        {"bilerp", otherKind, (corners + mappingParameters).c_str(), "v00"},
-        {"dots", otherKind, (maps("inside = 1", "outside = 0") + mappingParameters).c_str(), "outside"},
-        {floatOnly("fbm"), otherKind, "integer octaves = 8; float roughness = 0.5", "0.5"},
-        {floatOnly("wrinkled"), otherKind, "integer octaves = 8; float roughness = 0.5", "0.5"},
-        {floatOnly("windy"), otherKind, "", "0.5"},
-        {spectrumOnly("marble"), otherKind, "integer octaves = 8; float roughness = 0.5; float scale = 1; float variation = 0.2", "0.5"},
-        {"ptex", otherKind, "file filename; string encoding; float scale = 1", "0.5"},
+        {"directionmix", directionMixKind, (maps("tex1 = 0", "tex2 = 1") + "vector3 dir").c_str()},
+        {"bilerp", bilerpKind, (corners + mappingParameters).c_str()},
+        {"dots", dotsKind, (maps("inside = 1", "outside = 0") + mappingParameters).c_str()},
+        {floatOnly("fbm"), fbmKind, "integer octaves = 8; float roughness = 0.5"},
+        {floatOnly("wrinkled"), wrinkledKind, "integer octaves = 8; float roughness = 0.5"},
+        {floatOnly("windy"), windyKind, ""},
+        {spectrumOnly("marble"), marbleKind, "integer octaves = 8; float roughness = 0.5; float scale = 1; float variation = 0.2"},
+        // Not rendered yet: a number stands in.
+        {"ptex", ptexKind, "file filename; string encoding; float scale = 1", "0.5"},
     });
 }
 
@@ -83,6 +85,31 @@ Mapping readMapping(const Arguments& arguments, const Transform& worldFromTextur
     mapping.planeV = arguments.vector("v2", {0, 1, 0});
     mapping.worldFromTexture = worldFromTexture;
     return mapping;
+}
+
+int readOctaves(const Arguments& arguments) {
+    const int octaves = arguments.integer("octaves");
+    if (octaves < 0 || octaves > MOST_OCTAVES)
+        throw SceneError(arguments.whereOf("octaves"), "\"integer octaves\" is " + std::to_string(octaves) + "; it can be 0 to " + std::to_string(MOST_OCTAVES));
+    return octaves;
+}
+
+NoiseTexture readNoise(const Arguments& arguments, NoisePattern pattern, const Transform& worldFromTexture) {
+    NoiseTexture noise{.pattern = pattern, .worldFromTexture = worldFromTexture};
+    if (pattern == NoisePattern::windy) return noise;
+    noise.octaves = readOctaves(arguments);
+    noise.roughness = arguments.number("roughness");
+    if (pattern == NoisePattern::marble) {
+        noise.scale = arguments.number("scale");
+        noise.variation = arguments.number("variation");
+    }
+    return noise;
+}
+
+glm::dvec3 readDirection(const Arguments& arguments, const Transform& worldFromTexture) {
+    const glm::dvec3 direction = glm::dmat3(worldFromTexture) * arguments.vector("dir", {0, 1, 0});
+    if (!(glm::length(direction) > 0)) throw SceneError(arguments.whereOf("dir"), "\"vector3 dir\" has no length");
+    return glm::normalize(direction);
 }
 
 }  // namespace
@@ -191,6 +218,17 @@ decltype(Texture::kind) TextureBook::makeKind(const Definition& definition) {
             return CheckerboardTexture{input(arguments, "tex1"), input(arguments, "tex2"),
                                        readMapping(arguments, definition.worldFromTexture), dimensions};
         }
+        case bilerpKind: {
+            const auto corner = [&](const char* name) { return Input{arguments.spectrum(name), none, arguments.whereOf(name)}; };
+            return BilerpTexture{corner("v00"), corner("v01"), corner("v10"), corner("v11"), readMapping(arguments, definition.worldFromTexture)};
+        }
+        case dotsKind: return DotsTexture{input(arguments, "inside"), input(arguments, "outside"), readMapping(arguments, definition.worldFromTexture)};
+        case directionMixKind:
+            return DirectionMixTexture{input(arguments, "tex1"), input(arguments, "tex2"), readDirection(arguments, definition.worldFromTexture)};
+        case fbmKind: return readNoise(arguments, NoisePattern::fbm, definition.worldFromTexture);
+        case wrinkledKind: return readNoise(arguments, NoisePattern::wrinkled, definition.worldFromTexture);
+        case windyKind: return readNoise(arguments, NoisePattern::windy, definition.worldFromTexture);
+        case marbleKind: return readNoise(arguments, NoisePattern::marble, definition.worldFromTexture);
         default: return ConstantTexture{standIn(arguments)};
     }
 }
