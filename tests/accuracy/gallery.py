@@ -26,6 +26,7 @@ REASONS = {
     "film-sensor": "RGB: the camera's response is fitted to a colour chart, see below",
     "light-blackbody": "RGB: the lamp's spectrum is far from white, see below",
     "material-diffuse-imagemap": "RGB: the dark channel of a saturated yellow, see below",
+    "texture-bilerp": "RGB: the dark channels of saturated colours, see below",
     "medium-absorb": "RGB: exp(-x) of three numbers, see below",
     "medium-in-glass": "RGB: exp(-x) of three numbers, see below",
     "medium-camera-inside": "noise of both images next to a point light, see below",

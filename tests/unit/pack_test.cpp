@@ -24,7 +24,7 @@ TEST_F(Pack, DisplacementsAreScaledWithTheScene) {
         const texture_program program = scene.tables.programs.at(scene.tables.materials.at(0).displacement);
         double product = 1;   // a constant, and as long as it is not 1 the scale of the scene
         for (uint i = program.first; i < program.first + program.count; ++i)
-            if (scene.tables.instructions[i].kind == kind_constant_texture) product *= scene.tables.instructions[i].value.r;
+            if (scene.tables.instructions[i].kind == kind_constant_texture) product *= scene.tables.instructions[i].value.scale;
         return product;
     };
     EXPECT_EQ(reliefOf(4, 0.5), reliefOf(1, 0.125));

@@ -40,8 +40,8 @@ TEST_F(PbrtTextures, patterns) {
     EXPECT_EQ(bilerp.v11.value.value(), 1);
     EXPECT_EQ(bilerp.mapping.vScale, 2);
     const auto dots = kind<DotsTexture>("\"float\" \"dots\"");
-    EXPECT_EQ(dots.inside.value.value(), 1);
-    EXPECT_EQ(dots.outside.value.value(), 0);
+    EXPECT_EQ(dots.inside.value.value(), 0);   // the parameters are exchanged, as in pbrt-v4
+    EXPECT_EQ(dots.outside.value.value(), 1);
     const auto mix = std::get<DirectionMixTexture>(world("Rotate 90 1 0 0 Scale 2 2 2 Texture \"t\" \"float\" \"directionmix\"").textures.at(0).kind);
     EXPECT_EQ(mix.a.value.value(), 0);
     EXPECT_EQ(mix.b.value.value(), 1);

@@ -222,7 +222,9 @@ decltype(Texture::kind) TextureBook::makeKind(const Definition& definition) {
             const auto corner = [&](const char* name) { return Input{arguments.spectrum(name), none, arguments.whereOf(name)}; };
             return BilerpTexture{corner("v00"), corner("v01"), corner("v10"), corner("v11"), readMapping(arguments, definition.worldFromTexture)};
         }
-        case dotsKind: return DotsTexture{input(arguments, "inside"), input(arguments, "outside"), readMapping(arguments, definition.worldFromTexture)};
+        case dotsKind:
+            // pbrt-v4 hands the two to the wrong members: its dots are painted with "outside", and what is between them with "inside"
+            return DotsTexture{input(arguments, "outside"), input(arguments, "inside"), readMapping(arguments, definition.worldFromTexture)};
         case directionMixKind:
             return DirectionMixTexture{input(arguments, "tex1"), input(arguments, "tex2"), readDirection(arguments, definition.worldFromTexture)};
         case fbmKind: return readNoise(arguments, NoisePattern::fbm, definition.worldFromTexture);
