@@ -101,15 +101,19 @@ unsigned parsePowerOfTwo(const std::string& option, const std::string& text) {
 Aovs parseAovs(const std::string& option, const std::string& text) {
     static const std::vector<std::pair<const char*, bool Aovs::*>> names{{"albedo", &Aovs::albedo},
                                                                         {"normal", &Aovs::normal},
+                                                                        {"geometricNormal", &Aovs::geometricNormal},
+                                                                        {"position", &Aovs::position},
                                                                         {"depth", &Aovs::depth},
+                                                                        {"object", &Aovs::object},
+                                                                        {"material", &Aovs::material},
                                                                         {"variance", &Aovs::variance},
                                                                         {"sampleCount", &Aovs::sampleCount},
                                                                         {"all", nullptr}};
     Aovs aovs;
     for (const std::string& word : split(text, ',')) {
         const auto member = parseName(option, word, names);
-        if (member) aovs.*member = true;
-        else aovs = {true, true, true, true, true};
+        for (const auto& [name, each] : names)
+            if (each && (!member || each == member)) aovs.*each = true;
     }
     return aovs;
 }

@@ -39,7 +39,12 @@ struct DeviceOptions {
 };
 
 /// Channels of an EXR besides colour.
-struct Aovs { bool albedo = false, normal = false, depth = false, variance = false, sampleCount = false; };
+struct Aovs {
+    bool albedo = false, normal = false, geometricNormal = false, position = false, depth = false, object = false, material = false;
+    bool variance = false, sampleCount = false;
+    /// Whether the device has to keep what paths see.
+    bool ofSurfaces() const { return albedo || normal || geometricNormal || position || depth || object || material; }
+};
 
 struct OutputOptions {
     std::vector<std::string> files;                   ///< empty: the scene's name, .exr

@@ -16,8 +16,10 @@ FN camera_path start_path(camera_tables tables, __global const settings *frame, 
     p.path = new_path();
     p.path.L = uniform_spectrum(0.0f);
     p.path.weight = inside ? sample.weight : 0.0f;
+    p.path.importance = sample.importance;
     p.path.albedo = uniform_spectrum(0.0f);
-    p.path.normal = make_vec3(0.0f, 0.0f, 0.0f);
+    p.path.normal = p.path.ng = p.path.position = make_vec3(0.0f, 0.0f, 0.0f);
+    p.path.object = p.path.material = 0u;
     p.path.distance = FAR_AWAY;
     return p;
 }

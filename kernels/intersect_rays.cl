@@ -6,7 +6,7 @@
 FN flight_item intersect_ray(geometry g, texture_tables tables, ray_item r) {
     nearest_hit best;
     best.t_max = r.t_max;
-    walk_bvh(g, tables, r.o, r.d, walk_nearest, &best);
+    walk_bvh(g, tables, r.o, r.d, r.time, walk_nearest, &best);
     flight_item f = new_flight();
     f.t = best.t_max;
     f.element = best.element;

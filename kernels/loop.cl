@@ -19,10 +19,13 @@ FN scattering shade_any(light_tables lights, color_tables colors, __global const
     return nothing;
 }
 
-#define ALBEDO_CASE(name) if (hop == hop_##name) return JOIN(albedo_, name)(JOIN(load_, name)(hit, capacity, slot));
-FN spectrum albedo_any(__global const uint *hit, uint capacity, uint slot, uint hop) {
+/* Whether there is an albedo to be kept, and which. */
+typedef struct { spectrum albedo; int is; } kept_albedo;
+#define ALBEDO_CASE(name) if (hop == hop_##name && !JOIN(name, _is_delta)) { k.albedo = JOIN(albedo_, name)(JOIN(load_, name)(hit, capacity, slot)); k.is = 1; }
+FN kept_albedo albedo_any(__global const uint *hit, uint capacity, uint slot, uint hop) {
+    kept_albedo k = {uniform_spectrum(0.0f), 0};
     SCENE_BSDFS(ALBEDO_CASE)
-    return uniform_spectrum(0.0f);
+    return k;
 }
 
 STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS CAMERA_ARGUMENTS
@@ -80,9 +83,10 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
                     hit_item h = make_hit(g, r, f, s);
                     store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
                     out = shade_any(light_set, color_set, frame, hit, capacity, slot, f.hop, h);
-                    if (HAS_AOVS && r.depth == 0) {
-                        store_first_surface(path, capacity, r, f, s);
-                        STORE_FIELD(path, spectrum, albedo, path, capacity, slot, albedo_any(hit, capacity, slot, f.hop));
+                    if (HAS_AOVS && r.depth == 0) store_first_surface(g, path, capacity, r, f, s);
+                    if (HAS_AOVS && !h.seen) {
+                        kept_albedo k = albedo_any(hit, capacity, slot, f.hop);
+                        if (k.is) STORE_FIELD(path, spectrum, albedo, path, capacity, slot, seen_albedo(h, k.albedo));
                     }
                 }
             }

@@ -11,8 +11,17 @@ FN compensated add_compensated(float sum, float compensation, float x) {
     compensated c = {t, (t - sum) - y};
     return c;
 }
+/* One more vote: the candidate that is left in the end is the one that has a majority, if any has (Boyer and Moore 1991). */
+typedef struct { uint id, lead; } candidate;
+FN candidate vote(uint id, uint lead, uint for_id) {
+    candidate c = {id, lead};
+    if (lead == 0u) c.id = for_id;
+    c.lead = lead == 0u || id == for_id ? lead + 1u : lead - 1u;
+    return c;
+}
+
 FN film_item add_sample(film_item f, path_item p, float max_component_value) {
-    spectrum L = p.L;
+    spectrum L = HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L;
     float brightest = max_component(L);
     if (max_component_value > 0.0f && brightest > max_component_value) L = mul(L, max_component_value / brightest);
     spectrum x = mul(L, p.weight);
@@ -26,8 +35,13 @@ FN film_item add_sample(film_item f, path_item p, float max_component_value) {
     f.count += 1;
     f.albedo = add(f.albedo, mul(p.albedo, p.weight));
     f.normal = mul_add(p.normal, p.weight, f.normal);
+    f.ng = mul_add(p.ng, p.weight, f.ng);
+    f.position = add(f.position, p.position);
     f.distance += p.distance < FAR_AWAY ? p.distance : 0.0f;
     f.seen += p.distance < FAR_AWAY ? 1.0f : 0.0f;
+    candidate object = vote(f.object, f.object_lead, p.object), material = vote(f.material, f.material_lead, p.material);
+    f.object = object.id; f.object_lead = object.lead;
+    f.material = material.id; f.material_lead = material.lead;
     return f;
 }
 

@@ -34,6 +34,7 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
     vec2 u = sample_2d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_direction));
     bsdf_sample s = SAMPLE_BSDF(b, wo, lobe, u);
     out.ray = ray_from_surface(h, from_local(shading, s.wi), s, alive);
+    if (BSDF_IS_DELTA) out.ray.seen = h.seen;
     return out;
 }
 
@@ -58,7 +59,7 @@ STAGE shade_hits(LIGHT_ARGUMENTS COLOR_ARGUMENTS
         store_ray(next_ray, capacity, i, out.ray);
         if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
         else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
-        if (HAS_AOVS && alive && h.depth == 0) STORE_FIELD(path, spectrum, albedo, path, capacity, h.path, ALBEDO_BSDF(b));
+        if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.seen) STORE_FIELD(path, spectrum, albedo, path, capacity, h.path, seen_albedo(h, ALBEDO_BSDF(b)));
     }
 }
 #endif

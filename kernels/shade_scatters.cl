@@ -12,6 +12,7 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
         light_sample l = sample_light_at(lights, path_palette(colors, s.seed, s.sample), frame, s.seed, s.sample, s.depth, s.p);
         float phase = eval_phase(s.g, s.wo, l.wi);
         shadow.seed = s.seed; shadow.sample = s.sample; shadow.depth = s.depth;
+        shadow.time = s.time;
         shadow.o = s.p;
         shadow.medium = s.medium;
         shadow = light_contribution(shadow, s.beta, s.r_u, l, uniform_spectrum(phase), phase, alive);
@@ -26,6 +27,8 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     ray_item r = new_ray();
     r.path = s.path; r.seed = s.seed; r.sample = s.sample;
     r.depth = s.depth + 1;
+    r.time = s.time;
+    r.seen = 1u;
     r.eta_scale = s.eta_scale;
     r.beta = game.beta;
     r.o = s.p;

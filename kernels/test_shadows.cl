@@ -20,14 +20,14 @@ FN spectrum attenuate_shadow(geometry g, texture_tables tables, medium_tables me
     for (int crossed = 0; crossed < MOST_INTERFACES; ++crossed) {
         nearest_hit boundary;
         boundary.t_max = left;
-        int found = HAS_INTERFACE && walk_bvh(g, tables, o, s.d, walk_interface, &boundary);
+        int found = HAS_INTERFACE && walk_bvh(g, tables, o, s.d, s.time, walk_interface, &boundary);
         if (medium_here != NONE) attenuate_medium(media, colors, medium_here, o, s.d, found ? boundary.t_max : left, &more, &path);
         if (is_black(path.beta)) return path.beta;
         if (!found) return mul(path.beta, 1.0f / max1(mean_component(add(path.r_u, path.r_l)), 1e-30f));
 
         /* On behind the interface */
         shape_hit hit = {boundary.t_max, boundary.u, boundary.v};
-        surface at = eval_surface(g, tables, boundary.element, boundary.instance, o, s.d, hit);
+        surface at = eval_surface(g, tables, boundary.element, boundary.instance, o, s.d, s.time, hit);
         shape between = g.shapes[g.element_shapes[boundary.element]];
         if (between.flags & shape_has_interface) medium_here = dot3(at.ng, s.d) > 0.0f ? between.outside : between.inside;
         o = offset_origin(at.p, surface_offset(at), at.ng, s.d);
@@ -39,7 +39,7 @@ FN spectrum attenuate_shadow(geometry g, texture_tables tables, medium_tables me
 FN spectrum test_shadow(geometry g, texture_tables tables, medium_tables media, color_tables colors, shadow_item s) {
     nearest_hit any;
     any.t_max = s.t_max;
-    if (walk_bvh(g, tables, s.o, s.d, walk_blocker, &any)) return uniform_spectrum(0.0f);
+    if (walk_bvh(g, tables, s.o, s.d, s.time, walk_blocker, &any)) return uniform_spectrum(0.0f);
     if (HAS_LIGHT_PATTERN && s.element != NONE) s.Ld = mul(s.Ld, light_pattern(g, tables, path_palette(colors, s.color_seed, s.color_sample), s));
     return HAS_MEDIA ? attenuate_shadow(g, tables, media, colors, s) : s.Ld;
 }

@@ -16,7 +16,11 @@ std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& 
 void selectAovs(FilmImage& image, const Aovs& aovs) {
     if (!aovs.albedo) image.albedo.clear();
     if (!aovs.normal) image.normal.clear();
+    if (!aovs.geometricNormal) image.geometricNormal.clear();
+    if (!aovs.position) image.position.clear();
     if (!aovs.depth) image.depth.clear();
+    if (!aovs.object) image.object.clear();
+    if (!aovs.material) image.material.clear();
     if (!aovs.variance) image.variance.clear();
     if (!aovs.sampleCount) image.sampleCount.clear();
 }

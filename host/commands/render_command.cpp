@@ -83,7 +83,7 @@ int renderCommand(const Options& o) {
     Session session(o, diagnostics);
     session.load();
     const std::vector<std::string> files = outputFiles(o.output, session.scene());
-    session.pack(o.output.aovs.albedo || o.output.aovs.normal || o.output.aovs.depth);
+    session.pack(o.output.aovs.ofSurfaces());
     const PackedScene& packed = session.packed();
     for (const std::string& file : files) checkWritable(file, session.plan().film / 2);
     diagnostics.info("memory to be taken: " + describe(session.plan()));
@@ -99,7 +99,7 @@ int renderCommand(const Options& o) {
     reportShortfall(o, film, static_cast<unsigned>(packed.samples), diagnostics);
 
     const Stopwatch writeTime;
-    FilmImage image = film.develop(packed.worldScale);
+    FilmImage image = film.develop(packed);
     expose(image, session.scene().film);
     selectAovs(image, o.output.aovs);
     writeAll(files, image, metadataOf(o, session, film.samples().fewest, renderSeconds, hash.get()), o.output.toneMapping);

@@ -34,7 +34,11 @@ template <class Float, class Image> std::vector<ChannelView<Float>> channelsOf(I
     add3(image.color, "R", "G", "B");
     add3(image.albedo, "albedo.R", "albedo.G", "albedo.B");
     add3(image.normal, "N.X", "N.Y", "N.Z");
+    add3(image.geometricNormal, "Ng.X", "Ng.Y", "Ng.Z");
+    add3(image.position, "P.X", "P.Y", "P.Z");
     if (!image.depth.empty()) channels.push_back({"Z", image.depth.data(), 1, true});
+    add1(image.object, "objectId");
+    add1(image.material, "materialId");
     add1(image.variance, "variance");
     add1(image.sampleCount, "sampleCount");
     return channels;

@@ -20,9 +20,13 @@ struct FilmImage {
     PixelBounds bounds;            ///< inside of [0, width) x [0, height), except in files of others
     std::vector<glm::vec3> color;  ///< radiance as the film saw it
 
-    std::vector<glm::vec3> albedo;     ///< of the first surface
-    std::vector<glm::vec3> normal;     ///< of the first surface, world space, unit length or zero
+    std::vector<glm::vec3> albedo;     ///< in [0, 1], of the first surface that is not a mirror or clear glass, as seen through those
+    std::vector<glm::vec3> normal;     ///< of the first surface: shading normal, world space, unit length or zero
+    std::vector<glm::vec3> geometricNormal;  ///< of the first surface, on the same side
+    std::vector<glm::vec3> position;   ///< of the first surface, world space: mean over the samples that saw one; zero: none did
     std::vector<float> depth;          ///< distance to the first surface, world units; infinity: none
+    std::vector<float> object;         ///< which object most samples saw: 1, 2, 3 ... in the order of the scene, shapes before instances; 0: none
+    std::vector<float> material;       ///< which material most samples saw: 1, 2, 3 ...; 0: none
     std::vector<float> variance;       ///< of the pixel's mean luminance: its standard error squared
     std::vector<float> sampleCount;    ///< samples taken in the pixel
 

@@ -1,64 +1,119 @@
 // Shapes, objects, instances, and the hierarchy over them.
 
+#include "pack/motion.h"
 #include "pack/packer.h"
 
 #include "bvh/build.h"
 #include "eikonal/stages.h"
 
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <map>
 
 namespace eikonal {
 
 template <class... F> struct Overloaded : F... { using F::operator()...; };
 
-/// The elements of one hierarchy: of the world, or of an object that is instanced.
+/// The elements of one hierarchy: of the world, or of an object that is instanced or moves.
 struct Group {
-    glm::dmat4 groupFromWorld{1};   ///< to the space that the hierarchy is built in
+    SceneSpace space;               ///< the space that the hierarchy is built in, from the object's own
     struct Triangles { size_t firstVertex, firstIndex, count; uint firstElement; };
     std::vector<Triangles> triangles;
     std::vector<BoxedElement> boxed;
 };
+
+/// Where something is, and where it is when the motion ends, if it moves.
+struct Place {
+    glm::dmat4 start{1};
+    std::optional<glm::dmat4> end{};
+    Motion motion() const { return {start, end.value_or(start)}; }
+};
+
+/// A group in the world: places one inside of the other, the outermost first.
+struct PlacedGroup { size_t group; std::vector<Place> places; uint id; SourceLocation where; };
 
 class GeometryPacker {
 public:
     explicit GeometryPacker(Packer& packer) : packer_(packer), tables_(packer.packed.tables) {}
 
     void pack() {
+        const Scene& scene = packer_.scene;
         countUses();
         Group world;
-        world.groupFromWorld = packer_.space.sceneFromWorld();
-        for (const Shape& s : packer_.scene.shapes) addShape(world, s, s.worldFromObject, false, false);
-        std::vector<Group> objects(packer_.scene.objects.size());
-        for (size_t i = 0; i < objects.size(); ++i)
-            if (uses_[i] > 1) addObject(objects[i], packer_.scene.objects[i]);
-        for (const Instance& i : packer_.scene.instances) addInstance(world, i);
-        buildHierarchies(world, objects);
+        world.space = packer_.space;
+        for (size_t i = 0; i < scene.shapes.size(); ++i)
+            if (!scene.shapes[i].worldFromObjectAtEnd) addShape(world, scene.shapes[i], scene.shapes[i].worldFromObject, false, false, static_cast<uint>(i + 1));
+        addMovingShapes();
+        groupOfObject_.assign(scene.objects.size(), noGroup);
+        movingInObject_.resize(scene.objects.size());
+        for (size_t i = 0; i < scene.objects.size(); ++i) addObject(i);
+        for (size_t i = 0; i < scene.instances.size(); ++i) addInstance(world, scene.instances[i], static_cast<uint>(scene.shapes.size() + i + 1));
+        buildHierarchies(world);
     }
 
 private:
+    static constexpr size_t noGroup = ~size_t(0);
+
     void countUses() {
         uses_.assign(packer_.scene.objects.size(), 0);
-        for (const Instance& i : packer_.scene.instances) ++uses_[static_cast<size_t>(i.object)];
+        for (const Instance& i : packer_.scene.instances) uses_[static_cast<size_t>(i.object)] += i.worldFromObjectAtEnd ? 2 : 1;
     }
 
-    /// An object's hierarchy has a space of its own, for the same reason as the scene.
-    void addObject(Group& group, const Object& object) {
+    /// A group of its own for shapes, whose space is, for the same reason as the scene's, that of their bounds.
+    struct Member { const Shape* shape; glm::dmat4 groupFromObject; uint id; };
+    size_t addGroup(const std::vector<Member>& members) {
         Box box;
-        for (const Shape& s : object.shapes) box.grow(boundsOf(s, s.worldFromObject));
-        group.groupFromWorld = spaceOf(box).sceneFromWorld();
-        for (const Shape& s : object.shapes) addShape(group, s, s.worldFromObject, true, false);
+        for (const Member& m : members) box.grow(boundsOf(*m.shape, m.groupFromObject));
+        Group group;
+        group.space = spaceOf(box);
+        for (const Member& m : members) addShape(group, *m.shape, m.groupFromObject, true, false, m.id);
+        groups_.push_back(std::move(group));
+        return groups_.size() - 1;
     }
 
-    /// A copy of an object; one that is used only once becomes part of the world.
-    void addInstance(Group& world, const Instance& i) {
-        const Object& object = packer_.scene.objects[static_cast<size_t>(i.object)];
-        if (uses_[static_cast<size_t>(i.object)] == 1) {
-            for (const Shape& s : object.shapes) addShape(world, s, i.worldFromObject * s.worldFromObject, true, swapsHandedness(i.worldFromObject));
-        } else instances_.push_back(&i);
+    /// Shapes that move alike become one group.
+    void addMovingShapes() {
+        const auto& shapes = packer_.scene.shapes;
+        std::map<std::array<double, 32>, std::vector<Member>> alike;
+        for (size_t i = 0; i < shapes.size(); ++i) {
+            const Shape& s = shapes[i];
+            if (!s.worldFromObjectAtEnd) continue;
+            std::array<double, 32> key;
+            for (int k = 0; k < 16; ++k) {
+                key[static_cast<size_t>(k)] = s.worldFromObject[k / 4][k % 4];
+                key[static_cast<size_t>(k + 16)] = (*s.worldFromObjectAtEnd)[k / 4][k % 4];
+            }
+            alike[key].push_back({&s, glm::dmat4(1), static_cast<uint>(i + 1)});
+        }
+        for (const auto& [key, members] : alike) {
+            const Shape& s = *members.front().shape;
+            placed_.push_back({addGroup(members), {{s.worldFromObject, s.worldFromObjectAtEnd}}, 0, s.where});
+        }
     }
 
-    void addShape(Group& group, const Shape& s, const glm::dmat4& worldFromObject, bool inObject, bool instanceSwaps) {
+    /// The groups of an object: one of all that stands still in it, unless it is used only once and becomes part of the world, and one
+    /// for each shape that moves in it.
+    void addObject(size_t index) {
+        std::vector<Member> still;
+        for (const Shape& s : packer_.scene.objects[index].shapes) {
+            if (s.worldFromObjectAtEnd) { if (uses_[index]) movingInObject_[index].push_back({&s, addGroup({{&s, glm::dmat4(1), 0}})}); }
+            else still.push_back({&s, s.worldFromObject, 0});
+        }
+        if (uses_[index] > 1) groupOfObject_[index] = addGroup(still);
+    }
+
+    void addInstance(Group& world, const Instance& i, uint id) {
+        const size_t object = static_cast<size_t>(i.object);
+        const Place place{i.worldFromObject, i.worldFromObjectAtEnd};
+        for (const auto& [shape, group] : movingInObject_[object])
+            placed_.push_back({group, {place, {shape->worldFromObject, shape->worldFromObjectAtEnd}}, id, i.where});
+        if (groupOfObject_[object] != noGroup) { placed_.push_back({groupOfObject_[object], {place}, id, i.where}); return; }
+        for (const Shape& s : packer_.scene.objects[object].shapes)
+            if (!s.worldFromObjectAtEnd) addShape(world, s, i.worldFromObject * s.worldFromObject, true, swapsHandedness(i.worldFromObject), id);
+    }
+
+    void addShape(Group& group, const Shape& s, const glm::dmat4& worldFromObject, bool inObject, bool instanceSwaps, uint id) {
         const uint materialIndex = packedMaterial(packer_, s.material);
         const bool isInterface = tables_.materials[materialIndex].hop == hop_passage;
         const bool emits = s.areaLight != none && !inObject;
@@ -68,6 +123,7 @@ private:
 
         shape packed{};
         packed.material = materialIndex;
+        packed.id = id;
         packed.first_element = static_cast<uint>(tables_.element_shapes.size());
         packed.first_normal = packed.first_uv = packed.quadric = packed.first_light = packed.alpha = packed.emission = NONE;
         packed.inside = packed.outside = NONE;
@@ -81,7 +137,7 @@ private:
             packer_.packed.require(Feature::ALPHA, s.where.toString());
             packed.alpha = packInput(packer_, s.alpha);
         }
-        const glm::dmat4 groupFromObject = group.groupFromWorld * worldFromObject;
+        const glm::dmat4 groupFromObject = group.space.sceneFromWorld() * worldFromObject;
         const size_t elements = std::visit(Overloaded{
             [&](const TriangleMesh& m) { return addTriangles(group, packed, s, *m.mesh, groupFromObject); },
             [&](const BilinearMesh& m) { return addPatches(group, packed, s, *m.mesh, groupFromObject); },
@@ -193,13 +249,12 @@ private:
     }
 
     /// The world's hierarchy holds the boxes of the objects' hierarchies, so those come first.
-    void buildHierarchies(Group& world, const std::vector<Group>& objects) {
+    void buildHierarchies(Group& world) {
         const auto start = std::chrono::steady_clock::now();
         BvhTables bvh;
-        std::vector<BvhRoot> roots(objects.size());
-        for (size_t i = 0; i < objects.size(); ++i)
-            if (!objects[i].triangles.empty() || !objects[i].boxed.empty()) roots[i] = build(bvh, objects[i]);
-        for (const Instance* i : instances_) placeInstance(world, *i, objects[static_cast<size_t>(i->object)], roots[static_cast<size_t>(i->object)]);
+        std::vector<BvhRoot> roots;
+        for (const Group& g : groups_) roots.push_back(g.triangles.empty() && g.boxed.empty() ? BvhRoot{} : build(bvh, g));
+        for (const PlacedGroup& p : placed_) place(world, p, groups_[p.group], roots[p.group]);
         const BvhRoot root = build(bvh, world, true);
         tables_.nodes = std::move(bvh.nodes);
         tables_.triangle_blocks = std::move(bvh.triangleBlocks);
@@ -208,21 +263,45 @@ private:
         packer_.packed.counts.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
-    void placeInstance(Group& world, const Instance& i, const Group& object, const BvhRoot& root) {
-        if (object.triangles.empty() && object.boxed.empty()) return;
-        const glm::dmat4 sceneFromObject = world.groupFromWorld * i.worldFromObject * glm::inverse(object.groupFromWorld);
-        Box box;
-        for (int c = 0; c < 8; ++c)
-            box.grow(transformPoint(sceneFromObject, {c & 1 ? root.high.x : root.low.x, c & 2 ? root.high.y : root.low.y, c & 4 ? root.high.z : root.low.z}));
+    void place(Group& world, const PlacedGroup& placed, const Group& group, const BvhRoot& root) {
+        if (group.triangles.empty() && group.boxed.empty()) return;
+        glm::dmat4 sceneFromGroup = world.space.sceneFromWorld();
+        for (const Place& p : placed.places) sceneFromGroup *= p.start;
+        sceneFromGroup *= group.space.worldFromScene();
+        instance packed{toAffine(glm::inverse(sceneFromGroup)), toAffine(sceneFromGroup), root.root, 0, 0, placed.id};
+        const Box own{{root.low.x, root.low.y, root.low.z}, {root.high.x, root.high.y, root.high.z}};
+        const bool moves = std::any_of(placed.places.begin(), placed.places.end(), [](const Place& p) { return p.end.has_value(); });
+        const Box box = moves ? addMotions(packed, placed, world.space, group.space, own) : transformed(own, sceneFromGroup);
         addBox(world, box, static_cast<uint>(tables_.instances.size()), leaf_instances);
-        tables_.instances.push_back({toAffine(glm::inverse(sceneFromObject)), toAffine(sceneFromObject), root.root});
-        packer_.packed.require(Feature::INSTANCES, i.where.toString());
+        tables_.instances.push_back(packed);
+        packer_.packed.require(Feature::INSTANCES, placed.where.toString());
+    }
+
+    /// Fills in the motions of an instance; returns what its box reaches, in scene space.
+    Box addMotions(instance& packed, const PlacedGroup& placed, const SceneSpace& scene, const SceneSpace& group, const Box& box) {
+        packer_.packed.require(Feature::MOTION, placed.where.toString());
+        packed.first_motion = static_cast<uint>(tables_.motions.size());
+        packed.motion_count = static_cast<uint>(placed.places.size());
+        std::vector<Motion> motions;
+        for (size_t i = 0; i < placed.places.size(); ++i) {
+            motions.push_back(placed.places[i].motion());
+            tables_.motions.push_back(motions[i].pack(i == 0 ? scene : SceneSpace{}, i + 1 == placed.places.size() ? group : SceneSpace{}));
+        }
+        Box reach = transformed(boundsInMotion(motions, transformed(box, group.worldFromScene()), timesSeen(packer_.scene)), scene.sceneFromWorld());
+        /* For what the device rounds in putting the map together */
+        const double rounding = 1e-6 * (glm::length(reach.high - reach.low) + glm::length(reach.center()));
+        reach.low -= rounding;
+        reach.high += rounding;
+        return reach;
     }
 
     Packer& packer_;
     SceneTables& tables_;
-    std::vector<int> uses_;
-    std::vector<const Instance*> instances_;
+    std::vector<int> uses_;                 ///< of each object; a use that moves counts twice, so that it is never part of the world
+    std::vector<Group> groups_;
+    std::vector<PlacedGroup> placed_;
+    std::vector<size_t> groupOfObject_;
+    std::vector<std::vector<std::pair<const Shape*, size_t>>> movingInObject_;   ///< and their groups
 };
 
 void packGeometry(Packer& packer) { GeometryPacker(packer).pack(); }

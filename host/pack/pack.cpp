@@ -1,5 +1,6 @@
 #include "pack/pack.h"
 
+#include "pack/motion.h"
 #include "pack/packer.h"
 
 #include <algorithm>
@@ -17,21 +18,25 @@ static bool mediaAreUsed(const Scene& scene) {
                        [&](const Object& o) { return std::any_of(o.shapes.begin(), o.shapes.end(), names); });
 }
 
+/// What a box reaches that stands still, or moves.
+static Box reachOf(const Box& box, const glm::dmat4& start, const std::optional<glm::dmat4>& end, TimeSpan seen) {
+    return end ? boundsInMotion({Motion(start, *end)}, box, seen) : transformed(box, start);
+}
+static Box reachOf(const Shape& s, TimeSpan seen) {
+    return s.worldFromObjectAtEnd ? reachOf(boundsOf(s, glm::dmat4(1)), s.worldFromObject, s.worldFromObjectAtEnd, seen) : boundsOf(s, s.worldFromObject);
+}
+
 static Box worldBounds(const Scene& scene) {
+    const TimeSpan seen = timesSeen(scene);
     Box box;
-    for (const Shape& s : scene.shapes) box.grow(boundsOf(s, s.worldFromObject));
+    for (const Shape& s : scene.shapes) box.grow(reachOf(s, seen));
     std::vector<Box> objects;
     for (const Object& o : scene.objects) {
         Box b;
-        for (const Shape& s : o.shapes) b.grow(boundsOf(s, s.worldFromObject));
+        for (const Shape& s : o.shapes) b.grow(reachOf(s, seen));
         objects.push_back(b);
     }
-    for (const Instance& i : scene.instances) {
-        const Box& b = objects[static_cast<size_t>(i.object)];
-        if (b.empty()) continue;
-        for (int c = 0; c < 8; ++c)
-            box.grow(transformPoint(i.worldFromObject, {c & 1 ? b.high.x : b.low.x, c & 2 ? b.high.y : b.low.y, c & 4 ? b.high.z : b.low.z}));
-    }
+    for (const Instance& i : scene.instances) box.grow(reachOf(objects[static_cast<size_t>(i.object)], i.worldFromObject, i.worldFromObjectAtEnd, seen));
     return box;
 }
 
@@ -43,6 +48,7 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     packer.hasMedia = mediaAreUsed(scene);
     packer.images = loadImages(scene.images);
     packed.worldScale = 1 / packer.space.scale;
+    packed.worldCenter = packer.space.center;
 
     packed.tables.frame.emplace_back();
     packCamera(packer);

@@ -52,6 +52,12 @@ static void growByCorners(Box& box, const glm::dmat4& m, glm::dvec3 low, glm::dv
     for (int i = 0; i < 8; ++i) box.grow(transformPoint(m, {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}));
 }
 
+Box transformed(const Box& box, const glm::dmat4& m) {
+    Box reach;
+    if (!box.empty()) growByCorners(reach, m, box.low, box.high);
+    return reach;
+}
+
 static Box meshBounds(const Mesh& mesh, const glm::dmat4& m) {
     Box box;
     for (const glm::vec3& p : mesh.positions) box.grow(transformPoint(m, p));

@@ -32,6 +32,9 @@ struct Box {
 /// The space in which a box has its centre at the origin and a radius in (1/2, 1]; for an empty box, or a point, world space moved.
 SceneSpace spaceOf(const Box& box);
 
+/// Bounds of a box in the space that `m` takes its own to.
+Box transformed(const Box& box, const glm::dmat4& m);
+
 /// Bounds of a shape in the space that `m` takes its object space to.
 Box boundsOf(const Shape& shape, const glm::dmat4& m);
 

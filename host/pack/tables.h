@@ -4,6 +4,8 @@
 #include "eikonal/scene.h"
 #include "feature_set.h"
 
+#include <glm/glm.hpp>
+
 #include <map>
 #include <string>
 #include <vector>
@@ -49,6 +51,7 @@ struct PackedScene {
     PixelRect pixels;                        ///< what is to be rendered of width x height (settings)
     int samples = 16;                        ///< for each pixel
     double worldScale = 1;                   ///< world units in one unit of scene space
+    glm::dvec3 worldCenter{0};               ///< the origin of scene space, world space
     SceneCounts counts;
 
     const settings& frame() const { return tables.frame.front(); }

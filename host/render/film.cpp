@@ -44,15 +44,41 @@ void Film::download(const Context& context, const Buffer& tile, PixelRect part, 
 const uint* Film::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
 const float* Film::floats(const char* field) const { return reinterpret_cast<const float*>(numbers(field)); }
 
-FilmImage Film::develop(double worldScale) const {
+/// A sum of directions as one of unit length.
+static glm::vec3 meanDirection(const float* sum, size_t n, size_t i) {
+    const glm::vec3 direction(sum[i], sum[n + i], sum[2 * n + i]);
+    const float length = glm::length(direction);
+    return length > 0 ? direction / length : glm::vec3(0);
+}
+
+void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
+    const size_t n = plane();
+    for (auto* v : {&image.albedo, &image.normal, &image.geometricNormal, &image.position}) v->resize(n);
+    for (auto* v : {&image.depth, &image.object, &image.material}) v->resize(n);
+    const float *weight = floats("weight"), *albedo = floats("albedo"), *position = floats("position"), *distance = floats("distance"), *seen = floats("seen");
+    for (size_t i = 0; i < n; ++i) {
+        const float inverse = weight[i] != 0 ? 1 / weight[i] : 0;
+        image.albedo[i] = glm::clamp(glm::vec3(albedo[i], albedo[n + i], albedo[2 * n + i]) * inverse, 0.0f, 1.0f);
+        image.normal[i] = meanDirection(floats("normal"), n, i);
+        image.geometricNormal[i] = meanDirection(floats("ng"), n, i);
+        image.object[i] = static_cast<float>(numbers("object")[i]);
+        image.material[i] = static_cast<float>(numbers("material")[i]);
+        image.depth[i] = std::numeric_limits<float>::infinity();
+        if (!(seen[i] > 0)) continue;
+        const double count = seen[i];
+        const glm::dvec3 p = glm::dvec3(position[i], position[n + i], position[2 * n + i]) / count;
+        image.position[i] = glm::vec3(p * scene.worldScale + scene.worldCenter);
+        image.depth[i] = static_cast<float>(distance[i] / count * scene.worldScale);
+    }
+}
+
+FilmImage Film::develop(const PackedScene& scene) const {
     FilmImage image(width_, height_, {pixels_.x0, pixels_.x1, pixels_.y0, pixels_.y1});
     const size_t n = plane();
     const float *sum = floats("sum"), *weight = floats("weight"), *square = floats("square");
     const uint* count = numbers("count");
-    const bool aovs = layout_.field("albedo").words > 0;
     image.variance.resize(n);
     image.sampleCount.resize(n);
-    if (aovs) { image.albedo.resize(n); image.normal.resize(n); image.depth.resize(n); }
     for (size_t i = 0; i < n; ++i) {
         const float inverse = weight[i] != 0 ? 1 / weight[i] : 0;
         const glm::vec3 mean = glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * inverse;
@@ -62,14 +88,8 @@ FilmImage Film::develop(double worldScale) const {
         const double samples = count[i], y = 0.2126 * sum[i] + 0.7152 * sum[n + i] + 0.0722 * sum[2 * n + i];
         const double spread = samples > 1 ? std::max(square[i] - y * y / samples, 0.0) / (samples - 1) : 0;
         image.variance[i] = static_cast<float>(samples > 0 ? spread * samples * inverse * inverse : 0);
-        if (!aovs) continue;
-        const float *albedo = floats("albedo"), *normal = floats("normal"), *distance = floats("distance"), *seen = floats("seen");
-        image.albedo[i] = glm::clamp(glm::vec3(albedo[i], albedo[n + i], albedo[2 * n + i]) * inverse, 0.0f, 1.0f);
-        const glm::vec3 direction(normal[i], normal[n + i], normal[2 * n + i]);
-        const float length = glm::length(direction);
-        image.normal[i] = length > 0 ? direction / length : glm::vec3(0);
-        image.depth[i] = seen[i] > 0 ? static_cast<float>(distance[i] / seen[i] * worldScale) : std::numeric_limits<float>::infinity();
     }
+    if (layout_.field("albedo").words > 0) developAovs(image, scene);
     return image;
 }
 

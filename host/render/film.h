@@ -24,8 +24,8 @@ public:
     void upload(const Context& context, const Buffer& tile, PixelRect part, int tileWidth, int tileHeight) const;
     void download(const Context& context, const Buffer& tile, PixelRect part, int tileWidth, int tileHeight);
 
-    /// The image so far: sums divided by weights. worldScale turns distances into world units.
-    FilmImage develop(double worldScale) const;
+    /// The image so far: sums divided by weights. Distances and positions in the world of `scene`.
+    FilmImage develop(const PackedScene& scene) const;
 
     /// Samples that were not finite, and the first pixel that has one.
     struct Invalid { size_t count = 0; int x = -1, y = -1; };
@@ -36,6 +36,7 @@ public:
 
 private:
     struct Free { void operator()(void* p) const { std::free(p); } };
+    void developAovs(FilmImage& image, const PackedScene& scene) const;
     size_t plane() const { return static_cast<size_t>(pixels_.width()) * static_cast<size_t>(pixels_.height()); }
     const float* floats(const char* field) const;
     const uint* numbers(const char* field) const;

@@ -157,6 +157,7 @@ struct MediumInterface { int inside = none, outside = none; };  ///< in Scene::m
 struct Shape {
     std::variant<TriangleMesh, BilinearMesh, Sphere, Disk> kind;
     Transform worldFromObject{1};
+    std::optional<Transform> worldFromObjectAtEnd;  ///< set: it moves, and is there at Scene::motionEnd
     bool reverseOrientation = false;
     int material = none;                          ///< in Scene::materials; none: pbrt's default, diffuse 0.5
     Input alpha{Spectrum::constant(1)};           ///< probability that a ray meets the shape at all
@@ -167,7 +168,12 @@ struct Shape {
 
 /// A named group of shapes that is only seen where it is instanced. Its shapes' transforms are relative to the instance.
 struct Object { std::string name; std::vector<Shape> shapes; SourceLocation where; };
-struct Instance { int object = none; Transform worldFromObject{1}; SourceLocation where; };
+struct Instance {
+    int object = none;
+    Transform worldFromObject{1};
+    std::optional<Transform> worldFromObjectAtEnd;  ///< set: it moves, and is there at Scene::motionEnd
+    SourceLocation where;
+};
 
 // ---- lights -------------------------------------------------------------------------------------------------------
 
@@ -201,7 +207,17 @@ struct AreaLight {
 
 // ---- camera, film, sampling -----------------------------------------------------------------------------------------
 
-enum class CameraKind { perspective, orthographic };
+enum class CameraKind { perspective, orthographic, spherical, realistic };
+
+/// One interface of a lens, from the scene to the film; millimetres.
+struct LensElement {
+    double curvatureRadius = 0;   ///< > 0: convex towards the scene; 0: the aperture stop
+    double thickness = 0;         ///< to the next element; the last one: to the film, until it is focused
+    double eta = 1;               ///< index of refraction behind it; 0 as 1
+    double apertureDiameter = 0;
+};
+
+enum class ApertureShape { round, gaussian, square, pentagon, star, image };
 
 struct CameraDescription {
     CameraKind kind = CameraKind::perspective;
@@ -209,7 +225,14 @@ struct CameraDescription {
     double fov = 90;                                     ///< degrees, along the shorter side of the image
     std::optional<double> frameAspectRatio;
     std::optional<std::array<double, 4>> screenWindow;   ///< x0 x1 y0 y1
+    std::optional<Transform> worldFromCameraAtEnd;       ///< set: it moves, and is there at Scene::motionEnd
     double lensRadius = 0, focalDistance = 1e6;
+    bool equalArea = true;                               ///< spherical: its mapping; otherwise longitude and latitude
+    std::vector<LensElement> lens;                       ///< realistic
+    double apertureDiameter = 1;                         ///< realistic: of the stop, millimetres
+    double focusDistance = 10;                           ///< realistic: in camera space, metres
+    ApertureShape aperture = ApertureShape::round;       ///< realistic
+    int apertureImage = none;                            ///< realistic: in Scene::images
     double shutterOpen = 0, shutterClose = 1;
     int medium = none;                                   ///< around the camera, in Scene::media
     SourceLocation where;
@@ -222,6 +245,7 @@ struct FilmDescription {
     std::optional<std::array<double, 4>> cropWindow;     ///< x0 x1 y0 y1 in [0, 1]
     std::optional<PixelBounds> pixelBounds;
     std::string filename;                                ///< empty: from the scene's name
+    double diagonal = 35;                                ///< of a realistic camera's film, millimetres
     double iso = 100, exposureTime = 1, whiteBalance = 0;
     std::string sensor = "cie1931";                      ///< with iso, exposureTime and whiteBalance: spectra/sensor.h
     ColorSpace colorSpace = ColorSpace::srgb;            ///< of the image
@@ -264,6 +288,7 @@ struct Scene {
     std::vector<Medium> media;
     std::vector<Light> lights;
     std::vector<AreaLight> areaLights;
+    double motionStart = 0, motionEnd = 1;   ///< between these times everything moves that does; start < end
 };
 
 }  // namespace eikonal

@@ -26,6 +26,10 @@
     F(LIGHT_PATTERN,    "an area light with an image, or cut out by an alpha texture") \
     F(LIGHTS,           "a light that can be sampled") \
     F(LENS,             "a lens with an aperture") \
+    F(APERTURE,         "an aperture that is not round") \
+    F(IMPORTANCE,       "a film that receives more light through some rays than through others") \
+    F(MOTION,           "a shape that moves") \
+    F(CAMERA_MOTION,    "a camera that moves") \
     F(FILTER,           "a pixel filter other than a box of one pixel") \
     F(SOBOL,            "a low-discrepancy sampler") \
     F(AOVS,             "auxiliary image channels")

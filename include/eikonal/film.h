@@ -13,10 +13,16 @@ CONTRACT_BEGIN
     F(q, float,    square,       ALWAYS)   /* sum of (weight * luminance)^2 */ \
     F(q, uint,     count,        ALWAYS)   /* samples */ \
     F(q, uint,     invalid,      ALWAYS)   /* samples that were not finite, counted as black */ \
-    F(q, spectrum, albedo,       AOVS)     /* sums of weight * the first surface's */ \
+    F(q, spectrum, albedo,       AOVS)     /* sums of weight * what the path saw */ \
     F(q, vec3,     normal,       AOVS) \
-    F(q, float,    distance,     AOVS)     /* sum over the samples that saw a surface ... */ \
-    F(q, float,    seen,         AOVS)     /* ... and their number */
+    F(q, vec3,     ng,           AOVS) \
+    F(q, vec3,     position,     AOVS)     /* sums over the samples that saw a surface ... */ \
+    F(q, float,    distance,     AOVS) \
+    F(q, float,    seen,         AOVS)     /* ... and their number */ \
+    F(q, uint,     object,       AOVS)     /* of most samples, by majority vote (Boyer and Moore 1991) ... */ \
+    F(q, uint,     object_lead,  AOVS)     /* ... and its lead */ \
+    F(q, uint,     material,     AOVS) \
+    F(q, uint,     material_lead, AOVS)
 
 CONTRACT_END
 #endif

@@ -18,6 +18,8 @@
     F(q, uint,     sample,     ALWAYS)       /* index in that sequence */ \
     F(q, uint,     depth,      ALWAYS)       /* scattering events so far; interfaces do not count */ \
     F(q, spectrum, beta,       ALWAYS)       /* throughput: contribution of the path so far over its density */ \
+    F(q, float,    time,       MOTION)       /* in [0, 1]: between the start and the end of all motion */ \
+    F(q, uint,     seen,       AOVS)         /* 1 from where something other than mirrors and clear glass was met */ \
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices, undone for Russian roulette */ \
     F(q, spectrum, r_u,        MEDIA)        /* density of this path under its own strategy, per channel, relative */
 
@@ -91,6 +93,7 @@
     F(q, vec3,     o,          ALWAYS) \
     F(q, vec3,     d,          ALWAYS) \
     F(q, float,    t_max,      ALWAYS)       /* < 0: dead */ \
+    F(q, float,    time,       MOTION)       /* as in ray */ \
     F(q, spectrum, Ld,         ALWAYS)       /* contribution, weights included (in media: all but the two densities) */ \
     F(q, uint,     element,    LIGHT_PATTERN) /* which is sampled of a light whose pattern Ld leaves out; otherwise NONE */ \
     F(q, uint,     color_seed, LIGHT_PATTERN) /* for the palette that the pattern is read through */ \
@@ -106,8 +109,13 @@
 #define PATH_FIELDS(F, q) \
     F(q, spectrum, L,          ALWAYS)       /* radiance gathered so far */ \
     F(q, float,    weight,     ALWAYS)       /* of this sample in its pixel; 0: outside of the image */ \
-    F(q, spectrum, albedo,     AOVS)         /* of the first surface */ \
-    F(q, vec3,     normal,     AOVS)         /* of the first surface, world space */ \
+    F(q, float,    importance, IMPORTANCE)   /* what the film receives for a radiance of 1 */ \
+    F(q, spectrum, albedo,     AOVS)         /* of the first surface that is not a mirror or clear glass, times what those before it let through */ \
+    F(q, vec3,     normal,     AOVS)         /* of the first surface: shading normal */ \
+    F(q, vec3,     ng,         AOVS)         /* its geometric normal, on the same side */ \
+    F(q, vec3,     position,   AOVS)         /* its point that was hit */ \
+    F(q, uint,     object,     AOVS)         /* which object of the scene it is, from 1; 0: none */ \
+    F(q, uint,     material,   AOVS)         /* which material it has, from 1; 0: none */ \
     F(q, float,    distance,   AOVS)         /* to the first surface, scene units; FAR_AWAY: none */
 
 #define QUEUES(Q) \

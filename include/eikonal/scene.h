@@ -6,6 +6,7 @@
 #include "eikonal/cameras.h"
 #include "eikonal/lights.h"
 #include "eikonal/media.h"
+#include "eikonal/motion.h"
 #include "eikonal/portable.h"
 #include "eikonal/shapes.h"
 #include "eikonal/textures.h"
@@ -42,6 +43,7 @@ typedef struct {
     T(shape,          shapes) \
     T(quadric,        quadrics) \
     T(instance,       instances) \
+    T(motion,         motions)               /* of instances that move */ \
     T(uint,           indices)               /* vertices of each element of a mesh */ \
     T(vec3,           positions)
 
@@ -83,7 +85,10 @@ typedef struct {
 /* What ray generation reads. */
 #define CAMERA_TABLES(T) \
     T(alias_entry,    filter_aliases) \
-    T(float,          filter_values)         /* value over density, for each cell of filter_aliases */
+    T(float,          filter_values)         /* value over density, for each cell of filter_aliases */ \
+    T(lens_element,   lens_elements)         /* from the film to the scene */ \
+    T(pupil_bounds,   pupils)                /* PUPIL_INTERVALS of them */ \
+    T(float,          aperture_texels)       /* what the stop lets pass, row by row, y up; of mean pi / 4 */
 
 #define SCENE_TABLES(T) \
     GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) MEDIUM_TABLES(T) COLOR_TABLES(T) CAMERA_TABLES(T) \

@@ -3,6 +3,7 @@
    S(name, FEATURE).  A shape called x is kernels/shape/x.clh, which defines intersect_x and eval_x (the point and its frame). */
 #ifndef EIKONAL_SHAPES_H
 #define EIKONAL_SHAPES_H
+#include "eikonal/motion.h"
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
 
@@ -36,6 +37,7 @@ typedef struct {
     uint alpha;          /* in `programs`: the texture that cuts it out; NONE: solid */
     uint first_light;    /* of its first element, in `lights`; NONE: it emits nothing */
     uint emission;       /* in `programs`: its radiance relative to its lights'; NONE: even */
+    uint id;             /* which object of the scene this is, for people: from 1; 0: its instance says */
     uint inside, outside; /* in `media`, NONE for vacuum: only with shape_has_interface */
 } shape;
 
@@ -49,11 +51,15 @@ typedef struct {
     float phi_max;       /* in (0, 2 pi] */
 } quadric;
 
-/* One placed copy of an object: a second level below the scene's hierarchy. */
+/* One placed copy of an object: a second level below the scene's hierarchy. One that moves is placed by its motions, the first of
+   which is the outermost: an object that moves, in which a shape moves. */
 typedef struct {
     affine object_from_scene;
     affine scene_from_object;
     uint root;           /* node of the object's own hierarchy */
+    uint first_motion;   /* in `motions` */
+    uint motion_count;   /* 0: it stands still */
+    uint id;             /* which object of the scene this is, for people: from 1; 0: its shapes say */
 } instance;
 
 CONTRACT_END

@@ -1,7 +1,11 @@
 // Camera rays: through their pixel, through the lens, by the filter's importance.
 
 #include "device_function.h"
+#include "pack/lens.h"
+#include "pack/motion.h"
 #include "random_inputs.h"
+#include "scene/equal_area.h"
+#include "scene/pbrt/read_pbrt.h"
 #include "stage.h"
 #include "statistics.h"
 
@@ -9,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 
 namespace eikonal {
@@ -16,8 +22,8 @@ namespace {
 
 struct CameraResult { vec3 o, d; float weight; };
 
-/// n samples of pixel (x, y) of a scene without anything but a camera; o and d in camera space, in double precision d.z = 1.
-struct CameraSample { glm::dvec3 o, d; double weight; };
+/// n samples of pixel (x, y) of a scene without anything but a camera; o and d in camera space, d with d.z = 1, `ray` as it is.
+struct CameraSample { glm::dvec3 o, d; double weight; glm::dvec3 ray; };
 std::vector<CameraSample> drawRays(const std::string& head, uint x, uint y, size_t n) {
     const PackedScene scene = packText(head + "\nWorldBegin\nLightSource \"point\"\n");
     const DeviceFunction<CameraResult> function({.include = "camera/camera.clh", .type = "camera_result",
@@ -35,7 +41,7 @@ std::vector<CameraSample> drawRays(const std::string& head, uint x, uint y, size
     for (const CameraResult& r : results) {
         EXPECT_NEAR(dot(r.d, r.d), 1, 1e-5);
         const glm::dvec3 o = inverse * glm::dvec4(r.o.x, r.o.y, r.o.z, 1), d = inverse * glm::dvec4(r.d.x, r.d.y, r.d.z, 0);
-        rays.push_back({o, d / d.z, static_cast<double>(r.weight)});
+        rays.push_back({o, d / d.z, static_cast<double>(r.weight), d});
     }
     return rays;
 }
@@ -92,6 +98,98 @@ TEST(Camera, OrthographicRaysAreParallel) {
         ASSERT_GT(std::min(p.x, p.y), -1e-4);
         ASSERT_LT(std::max(p.x, p.y), 1 + 1e-4);
     }
+}
+
+/// Both mappings of the sphere: the camera's y is up, longitudes run from x through z.
+TEST(Camera, SphericalRaysAreThoseOfTheMapping) {
+    for (const bool equalArea : {true, false}) {
+        const std::string head = std::string(view) + "Camera \"spherical\" \"string mapping\" \"" + (equalArea ? "equalarea" : "equirectangular") + "\"";
+        for (const auto& [x, y] : {std::pair<uint, uint>{0, 0}, {39, 29}, {20, 11}, {3, 28}})
+            for (const CameraSample& r : drawRays(head, x, y, 256)) {
+                ASSERT_LT(glm::length(r.o), 1e-5);
+                const glm::dvec3 d = glm::normalize(r.ray), globe(d.x, d.z, d.y);
+                const double longitude = std::atan2(globe.y, globe.x) / (2 * M_PI);
+                const glm::dvec2 square = equalArea ? squareFromDirection(globe) : glm::dvec2(longitude < 0 ? longitude + 1 : longitude, std::acos(globe.z) / M_PI);
+                const glm::dvec2 p = square * glm::dvec2(40, 30) - glm::dvec2(x, y);
+                ASSERT_GT(std::min(p.x, p.y), -1e-3) << x << " " << y;
+                ASSERT_LT(std::max(p.x, p.y), 1 + 1e-3) << x << " " << y;
+            }
+    }
+}
+
+/// Filters reach beyond the edges of the sphere's image: on over the sphere, not back.
+TEST(Camera, SphericalRaysGoOnBeyondTheEdge) {
+    const DeviceFunction<vec2> wrap({.include = "equal_area.clh", .type = "vec2", .body = "result = equal_area_square(equal_area_sphere(wrap_equal_area(p)));", .inputs = {"vec2 p"}});
+    const std::vector<vec2> outside{{-0.01f, 0.3f}, {1.02f, 0.9f}, {0.4f, -0.03f}, {0.7f, 1.01f}, {0.2f, 0.6f}};
+    const std::vector<vec2> expected{{0.01f, 0.7f}, {0.98f, 0.1f}, {0.6f, 0.03f}, {0.3f, 0.99f}, {0.2f, 0.6f}};
+    const auto results = wrap(outside);
+    for (size_t i = 0; i < results.size(); ++i) {
+        EXPECT_NEAR(results[i].x, expected[i].x, 1e-5);
+        EXPECT_NEAR(results[i].y, expected[i].y, 1e-5);
+    }
+}
+
+struct LensResult { vec3 o, d; float importance; };
+
+/// A lens of three elements and a stop, on the device and on the host in double precision; each ray counts cos^4 / z^2 / density.
+TEST(Camera, RealisticRaysGoThroughEachElement) {
+    const std::string file = std::filesystem::temp_directory_path() / ("eikonal-lens-" + std::to_string(getpid()) + ".dat");
+    std::ofstream(file) << "30 5 1.6 24\n80 3 1 24\n0 3 0 14\n-25 1.5 1.7 16\n40 2 1 18\n60 4 1.65 20\n-35 30 1 20\n";
+    const std::string head = std::string(view) + "Camera \"realistic\" \"string lensfile\" \"" + file + "\" \"float aperturediameter\" 9 \"float focusdistance\" 3";
+    Diagnostics diagnostics(LogLevel::silent);
+    const Scene described = readPbrtText(head + "\nWorldBegin\n", "test.pbrt", ".", diagnostics);
+    const LensSystem lens(described.camera, described.film.diagonal);
+    const PackedScene scene = packText(head + "\nWorldBegin\nLightSource \"point\"\n");
+    std::filesystem::remove(file);
+    const camera& view = scene.frame().view;
+
+    const DeviceFunction<LensResult> function({.include = "camera/camera.clh", .type = "lens_result",
+        .body = "camera_tables tables = BIND_CAMERA; lens_ray r = generate_realistic(tables, frame, film.x, film.y, u); result.o = r.ray.o; result.d = r.ray.d; result.importance = r.importance;",
+        .inputs = {"vec2 film", "vec2 u"}, .declarations = "typedef struct { vec3 o, d; float importance; } lens_result;",
+        .tables = "CAMERA_ARGUMENTS __global const settings *frame,", .features = scene.features});
+    constexpr size_t n = 8192;
+    Random random(2);
+    const auto film = generate(n, [&] { return vec2{random.between(-0.014f, 0.014f), random.between(-0.0105f, 0.0105f)}; });
+    const auto u = generate(n, [&] { return random.square(); });
+    const DeviceScene onDevice(testContext(), scene);
+    const auto results = function.with(onDevice, film, u);
+
+    size_t passed = 0, edges = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const double x = static_cast<double>(film[i].x), y = static_cast<double>(film[i].y), distance = std::hypot(x, y);
+        const size_t interval = std::min<size_t>(static_cast<size_t>(distance / static_cast<double>(view.film_radius) * PUPIL_INTERVALS), PUPIL_INTERVALS - 1);
+        const pupil_bounds& b = scene.tables.pupils[interval];
+        const glm::dvec2 size(static_cast<double>(b.high_x - b.low_x), static_cast<double>(b.high_y - b.low_y));
+        const glm::dvec2 p(static_cast<double>(b.low_x) + static_cast<double>(u[i].x) * size.x, static_cast<double>(b.low_y) + static_cast<double>(u[i].y) * size.y);
+        const glm::dvec3 rear(p.x * x / distance - p.y * y / distance, p.x * y / distance + p.y * x / distance, lens.rearZ()), start(x, y, 0);
+        const auto out = lens.fromFilm({start, rear - start});
+        const bool passes = results[i].importance > 0;
+        passed += passes;
+        if (out.has_value() != passes) { ++edges; continue; }
+        if (!out) continue;
+        const double cosine = glm::normalize(rear - start).z;
+        ASSERT_NEAR(results[i].importance, std::pow(cosine, 4) * size.x * size.y / (lens.rearZ() * lens.rearZ()), 1e-4 * results[i].importance);
+        ASSERT_LT(glm::length(glm::dvec3(results[i].o.x, results[i].o.y, results[i].o.z) - out->o), 1e-6);
+        ASSERT_LT(glm::length(glm::dvec3(results[i].d.x, results[i].d.y, results[i].d.z) - out->d), 1e-5);
+    }
+    EXPECT_GT(passed, n / 3) << "bounds that are that loose waste samples";
+    EXPECT_LT(edges, n / 500) << "single precision may only matter at the edges";
+}
+
+/// A camera that moves is where the motion is at the sample's time, which is spread evenly over the shutter's.
+TEST(Camera, MovingRaysStartWhereTheCameraIs) {
+    const std::string head = "TransformTimes 1 3 ActiveTransform EndTime Translate 0 0 -4 ActiveTransform All\n" + std::string(view) +
+                             "Camera \"orthographic\" \"float screenwindow\" [ -1e-6 1e-6 -1e-6 1e-6 ] \"float shutteropen\" 1.5 \"float shutterclose\" 2.5";
+    std::vector<double> counts(16), expected(16, 256.0);
+    for (const CameraSample& r : drawRays(head, 5, 5, 4096)) {
+        /* In the space of where it starts: it goes 4 units along its own axis in all */
+        const double way = glm::length(r.o) / 4;
+        ASSERT_GT(way, 0.25 - 1e-4);
+        ASSERT_LT(way, 0.75 + 1e-4);
+        counts[static_cast<size_t>(std::clamp(static_cast<int>((way - 0.25) * 32), 0, 15))] += 1;
+    }
+    const ChiSquare chi = testChiSquare(counts, expected);
+    EXPECT_GT(chi.probability, significance) << chi.describe();
 }
 
 struct FilterCase { std::string name, text; double radius; std::function<double(double)> value; };

@@ -20,14 +20,18 @@ namespace {
     M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) M(settings, max_depth) M(settings, light_count) \
     M(settings, world_scale) M(settings, max_component_value) \
     M(camera, kind) M(camera, scene_from_camera) M(camera, screen_x) M(camera, screen_y) M(camera, step_x) M(camera, step_y) M(camera, lens_radius) \
-    M(camera, focal_distance) M(camera, medium) M(filter, radius_x) M(filter, radius_y) \
+    M(camera, focal_distance) M(camera, moving) M(camera, times) M(camera, equal_area) M(camera, element_count) M(camera, rear_z) M(camera, film_radius) \
+    M(camera, aperture_width) M(camera, aperture_height) M(camera, medium) M(filter, radius_x) M(filter, radius_y) \
     M(light, kind) M(light, two_sided) M(light, pmf) M(light, inverse_area) M(light, extent) M(light, p) M(light, a) M(light, b) M(light, c) M(light, n) \
     M(light, radius) M(light, cos_inner) M(light, cos_outer) M(light, L) M(light, first_texel) M(light, first_alias) M(light, resolution) \
     M(alias_entry, keep) M(alias_entry, other) M(alias_entry, pmf) \
     M(shape, kind) M(shape, flags) M(shape, first_element) M(shape, first_index) M(shape, first_vertex) M(shape, first_normal) M(shape, first_uv) \
-    M(shape, quadric) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, inside) M(shape, outside) \
+    M(shape, quadric) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, id) M(shape, inside) M(shape, outside) \
     M(quadric, object_from_scene) M(quadric, scene_from_object) M(quadric, radius) M(quadric, inner_radius) M(quadric, z_min) M(quadric, z_max) M(quadric, phi_max) \
-    M(instance, object_from_scene) M(instance, scene_from_object) M(instance, root) \
+    M(instance, object_from_scene) M(instance, scene_from_object) M(instance, root) M(instance, first_motion) M(instance, motion_count) M(instance, id) \
+    M(motion, start) M(motion, end) M(motion, start_rotation) M(motion, end_rotation) M(motion, angle) M(motion, centre) \
+    M(lens_element, z) M(lens_element, radius) M(lens_element, aperture) M(lens_element, eta) \
+    M(pupil_bounds, low_x) M(pupil_bounds, low_y) M(pupil_bounds, high_x) M(pupil_bounds, high_y) \
     M(bvh_node, bounds) M(bvh_node, child) M(triangle_block, corner) M(triangle_block, element) \
     M(texture_instruction, kind) M(texture_instruction, mapping) M(texture_instruction, flags) M(texture_instruction, image) M(texture_instruction, value) \
     M(texture_instruction, texture_from_scene) M(texture_program, first) M(texture_program, count) \

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace eikonal {
 namespace {
 
-struct VectorCase { std::string name, stage, world; };
+struct VectorCase { std::string name, stage, world, head = {}; };
 void PrintTo(const VectorCase& c, std::ostream* out) { *out << c.name; }
 
 constexpr const char* lamp = R"(
@@ -36,6 +36,8 @@ std::string sphereOf(const std::string& material) { return std::string(lamp) + "
 
 std::vector<VectorCase> cases() {
     return {{"generate_rays", "generate_rays", lamp},
+            {"generate_rays_spherical", "generate_rays", lamp, "Camera \"spherical\"\n"},
+            {"generate_rays_moving", "generate_rays", lamp, "ActiveTransform EndTime Rotate 30 0 1 0 ActiveTransform All Camera \"perspective\"\n"},
             {"shade_misses", "shade_misses", "LightSource \"infinite\" \"rgb L\" [ 1 1 1 ]\nShape \"sphere\"\n"},
             {"shade_emitters", "shade_emitters", lamp},
             {"shade_hits_diffuse", "shade_hits diffuse", sphereOf("\"diffuse\"")},
@@ -60,7 +62,7 @@ TEST(VectorizerChild, DISABLED_BuildsOneStage) {
     all.push_back(aLoopingStage());
     for (const VectorCase& c : all) {
         if (c.name != wanted) continue;
-        const PackedScene scene = packText("Sampler \"sobol\"\nWorldBegin\n" + c.world);
+        const PackedScene scene = packText(c.head + "Sampler \"sobol\"\nWorldBegin\n" + c.world);
         StageBench bench(scene, 64, false);
         for (const char* name : {"tile_x", "tile_y", "tile_log2_width", "tile_log2_height", "end_x", "end_y", "first_sample", "samples"}) bench.set(name, 0);
         for (const char* queue : {"hit", "miss", "emission"}) bench.clear(queue, 0);

@@ -42,6 +42,7 @@ AttributeBegin Translate -.9 -.5 0 Material "dielectric" "float roughness" 0 Sha
 AttributeBegin Translate 0 -.5 -.5 Material "dielectric" "float uroughness" .3 "float vroughness" .1 Shape "sphere" "float radius" .4 AttributeEnd
 AttributeBegin Translate .9 -.5 0 Material "coateddiffuse" "texture reflectance" "mixed" Shape "sphere" "float radius" .4 AttributeEnd
 AttributeBegin Translate .9 .5 0 Material "conductor" "float roughness" 0 Shape "sphere" "float radius" .4 "float zmin" -.2 AttributeEnd
+AttributeBegin Translate -.3 -.8 .4 ActiveTransform EndTime Translate .5 .4 0 Rotate 60 1 2 3 ActiveTransform All Material "diffuse" Shape "sphere" "float radius" .3 AttributeEnd
 AttributeBegin Translate 0 .4 -.8 Material "thindielectric" Shape "disk" "float radius" .4 AttributeEnd
 MakeNamedMaterial "paint" "string type" "diffuse" "texture reflectance" "mixed" "texture displacement" "waves"
 MakeNamedMaterial "leaf" "string type" "diffusetransmission"
@@ -62,10 +63,10 @@ AttributeBegin AreaLightSource "diffuse" "rgb L" [20 20 20] Material "diffuse" M
 )";
 
 /// Every feature but those that choose another method, where the same image is only the same on average: a filter's table, a sampler, a
-/// lens of radius 0, frames along the surface, and media, with which strategies are weighted by the balance heuristic instead of the power heuristic.
+/// lens of radius 0, a camera that moves nowhere, frames along the surface, and media, with which strategies are weighted by the balance heuristic instead of the power heuristic.
 Features allButMethods() {
     using enum Feature;
-    const Features methods = Features().require(ANISOTROPY).require(FILTER).require(SOBOL).require(LENS).require(MEDIA).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID);
+    const Features methods = Features().require(ANISOTROPY).require(FILTER).require(SOBOL).require(LENS).require(CAMERA_MOTION).require(MEDIA).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID);
     Features features;
     for (size_t i = 0; i < featureCount; ++i)
         if (!methods.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));

@@ -28,7 +28,7 @@ FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {
     RenderControl control;
     control.endSample = static_cast<unsigned>(scene.samples);
     render(device(), loop, film, setup.shape, profile, control);
-    return film.develop(scene.worldScale);
+    return film.develop(scene);
 }
 
 const char* const worlds[] = {
@@ -41,11 +41,18 @@ AttributeBegin Translate -1.5 0 0 Material "dielectric" "float roughness" .3 Sha
     R"(LightSource "point" "rgb I" [9 9 9] "point3 from" [2 3 -3]
 MakeNamedMedium "m" "string type" "homogeneous" "rgb sigma_a" [.1 .5 1] "rgb sigma_s" [3 2 1] "float g" .5
 Material "diffuse" Shape "trianglemesh" "point3 P" [-5 -1 -5  5 -1 -5  5 -1 5  -5 -1 5] "integer indices" [0 1 2 0 2 3]
-MediumInterface "m" "" Material "interface" Shape "sphere" Translate 2 0 0 Material "dielectric" Shape "sphere" "float radius" .5)"};
+MediumInterface "m" "" Material "interface" Shape "sphere" Translate 2 0 0 Material "dielectric" Shape "sphere" "float radius" .5)",
+    R"(LightSource "point" "rgb I" [9 9 9] "point3 from" [2 3 -3]
+MakeNamedMedium "m" "string type" "homogeneous" "rgb sigma_s" [3 2 1] AttributeBegin MediumInterface "m" "" Material "interface"
+ActiveTransform EndTime Translate -1 0 0 ActiveTransform All Shape "sphere" AttributeEnd
+ObjectBegin "a" Material "conductor" "float roughness" 0 Shape "sphere" "float radius" .4 ActiveTransform EndTime Rotate 70 1 2 3 Shape "disk" ObjectEnd
+AttributeBegin ActiveTransform EndTime Translate 0 1 0 ObjectInstance "a" AttributeEnd AttributeBegin Translate 1.5 0 0 ObjectInstance "a" AttributeEnd
+Material "diffuse" Shape "trianglemesh" "point3 P" [-5 -1 -5  5 -1 -5  5 -1 5  -5 -1 5] "integer indices" [0 1 2 0 2 3])"};
 
 TEST(Loop, GivesTheSameBitsAsTheWavefront) {
     for (const char* world : worlds) {
-        const PackedScene scene = packScene(sceneText(view(), world));
+        PackedScene scene = packScene(sceneText(view(), world));
+        scene.require(Feature::AOVS, "the test");
         RenderSetup setup;
         setup.contraction = false;
         expectSameBits(render(scene, setup).image, renderInLoop(scene, setup), world);

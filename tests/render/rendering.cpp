@@ -47,8 +47,9 @@ PackedScene packScene(const std::string& text) {
 Features surfaceFeatures() {
     using enum Feature;
     const Features others = Features().require(MEDIA).require(AOVS).require(SOBOL).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
-        .require(CAMERA_ORTHOGRAPHIC).require(LIGHT_IMAGE_ENVIRONMENT).require(TEXTURE_IMAGEMAP)
-        .require(TEXTURE_FBM).require(TEXTURE_WRINKLED).require(TEXTURE_WINDY).require(TEXTURE_MARBLE).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID);
+        .require(CAMERA_ORTHOGRAPHIC).require(CAMERA_SPHERICAL).require(CAMERA_REALISTIC).require(APERTURE).require(CAMERA_MOTION).require(MOTION)
+        .require(LIGHT_IMAGE_ENVIRONMENT).require(TEXTURE_IMAGEMAP).require(TEXTURE_FBM).require(TEXTURE_WRINKLED).require(TEXTURE_WINDY).require(TEXTURE_MARBLE)
+        .require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID);
     Features features;
     for (size_t i = 0; i < featureCount; ++i)
         if (!others.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));
@@ -98,7 +99,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
         control.endSample = end;
         control.firstSample = render(device(), wave, film, setup.shape, profile, control);
     }
-    return {film.develop(scene.worldScale), film.invalid()};
+    return {film.develop(scene), film.invalid()};
 }
 
 Estimate estimate(const FilmImage& image) {
@@ -148,6 +149,12 @@ void expectSameBits(const FilmImage& a, const FilmImage& b, const std::string& w
             if (bits(a, i) == bits(b, j)) continue;
             if (!different++) first = fmt::format("({}, {}): {:.9g} {:.9g} {:.9g} and {:.9g} {:.9g} {:.9g}", x, y, a.color[i].r, a.color[i].g, a.color[i].b, b.color[j].r, b.color[j].g, b.color[j].b);
         }
+    size_t otherChannels = 0;
+    for (const auto& [x, y] : {std::pair(&a.albedo, &b.albedo), {&a.normal, &b.normal}, {&a.geometricNormal, &b.geometricNormal}, {&a.position, &b.position}})
+        for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];
+    for (const auto& [x, y] : {std::pair(&a.depth, &b.depth), {&a.object, &b.object}, {&a.material, &b.material}})
+        for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];
+    EXPECT_EQ(otherChannels, 0u) << what << ": values of other channels";
     EXPECT_GT(compared, 0u) << what;
     EXPECT_EQ(different, 0u) << what << ": of " << compared << " pixels; the first is " << first;
 }

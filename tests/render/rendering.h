@@ -66,7 +66,8 @@ void expectRadiance(const Rendered& rendered, glm::dvec3 expected, double resolu
 inline void expectRadiance(const Rendered& rendered, double expected, double resolution = 0.01) { expectRadiance(rendered, glm::dvec3(expected), resolution); }
 /// The same of two images with the same unknown expectation.
 void expectEqualMeans(const Rendered& a, const Rendered& b, double resolution = 0.01);
-/// Holds two images to the same bits in colour, variance and number of samples, in all pixels that both have.
+/// Holds two images to the same bits in colour, variance and number of samples, in all pixels that both have; and those of the same
+/// size in what further channels both have.
 void expectSameBits(const FilmImage& a, const FilmImage& b, const std::string& what);
 /// No pixel is negative, infinite or not a number, and no sample was.
 void expectFinite(const Rendered& rendered, const std::string& what);

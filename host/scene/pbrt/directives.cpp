@@ -114,7 +114,12 @@ const Directive directives[] = {
     {"CoordinateSystem", Place::anywhere, [](Parser& p, Builder& b, Where) { b.nameCoordinateSystem(p.quoted("a name")); }},
     {"CoordSysTransform", Place::anywhere, [](Parser& p, Builder& b, Where where) { b.useCoordinateSystem(p.quoted("a name"), where); }},
     {"ActiveTransform", Place::anywhere, activeTransform},
-    {"TransformTimes", Place::options, [](Parser& p, Builder&, Where) { p.numbers<2>(); }},
+    {"TransformTimes", Place::options, [](Parser& p, Builder& b, Where where) {
+        const auto [start, end] = p.numbers<2>();
+        if (!(start < end)) throw SceneError(where, "TransformTimes are a start and an end after it, not " + std::to_string(start) + " and " + std::to_string(end));
+        b.reading.scene.motionStart = start;
+        b.reading.scene.motionEnd = end;
+    }},
 
     // Settings.
     {"Camera", Place::options, setting<Settings::Sort::camera>},

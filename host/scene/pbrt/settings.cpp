@@ -1,5 +1,6 @@
 #include "scene/pbrt/settings.h"
 
+#include "scene/pbrt/lens_file.h"
 #include "spectra/sensor.h"
 
 #include <algorithm>
@@ -22,9 +23,8 @@ const KindTable& cameraKinds() {
     static const KindTable table("camera", screenParameters, {
         {"perspective", int(CameraKind::perspective), "float fov = 90"},
         {"orthographic", int(CameraKind::orthographic), ""},
-        {"realistic", int(CameraKind::perspective),
-         "file lensfile; float aperturediameter = 1; float focusdistance = 10; string aperture; float fov = 90", "a perspective one takes the picture"},
-        {"spherical", int(CameraKind::perspective), "string mapping = equalarea; float fov = 90", "a perspective one takes the picture"},
+        {"realistic", int(CameraKind::realistic), "file lensfile; float aperturediameter = 1; float focusdistance = 10; string aperture"},
+        {"spherical", int(CameraKind::spherical), "string mapping = equalarea"},
     });
     return table;
 }
@@ -117,9 +117,13 @@ void Settings::set(Sort sort, const std::string& kindName, const GraphicsState& 
     if (sort == Sort::camera) {
         if (!(std::abs(glm::determinant(state.transform[0])) > 0)) throw SceneError(where, "the camera's transform cannot be inverted; is there a Scale of 0?");
         reading_.scene.camera.worldFromCamera = glm::inverse(state.transform[0]);
+        reading_.scene.camera.worldFromCameraAtEnd.reset();
+        if (state.moves()) {
+            if (!(std::abs(glm::determinant(state.transform[1])) > 0))
+                throw SceneError(where, "the camera's transform at the end of its motion cannot be inverted; is there a Scale of 0?");
+            reading_.scene.camera.worldFromCameraAtEnd = glm::inverse(state.transform[1]);
+        }
         cameraMedium_ = state.outside;
-        if (state.transform[0] != state.transform[1])
-            reading_.unsupported("motion", where, "a camera that moves is not rendered yet; it stays where it is when the shutter opens");
     }
     if (sort == Sort::film) reading_.scene.film.colorSpace = state.space;
     if (kind.standIn) reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
@@ -170,6 +174,8 @@ void Settings::applyCamera(const Arguments& arguments) {
         expectCount(arguments, "screenwindow", window, 4);
         camera.screenWindow = {window[0], window[1], window[2], window[3]};
     }
+    if (camera.kind == CameraKind::spherical) applyMapping(arguments);
+    if (camera.kind == CameraKind::realistic) applyLens(arguments);
     camera.lensRadius = arguments.number("lensradius");
     camera.focalDistance = arguments.number("focaldistance");
     camera.shutterOpen = arguments.number("shutteropen");
@@ -177,6 +183,38 @@ void Settings::applyCamera(const Arguments& arguments) {
     if (!(camera.shutterClose > camera.shutterOpen))
         throw SceneError(arguments.where(), "the shutter must close after it opens: shutteropen is " + std::to_string(camera.shutterOpen) +
                                                 ", shutterclose " + std::to_string(camera.shutterClose));
+}
+
+void Settings::applyMapping(const Arguments& arguments) {
+    const std::string mapping = arguments.text("mapping");
+    if (mapping != "equalarea" && mapping != "equirectangular")
+        throw SceneError(arguments.whereOf("mapping"), "there is no mapping \"" + mapping + "\"; it can be \"equalarea\" or \"equirectangular\"");
+    reading_.scene.camera.equalArea = mapping == "equalarea";
+}
+
+void Settings::applyLens(const Arguments& arguments) {
+    CameraDescription& camera = reading_.scene.camera;
+    if (!arguments.has("lensfile")) throw SceneError(arguments.where(), "camera \"realistic\" needs a \"string lensfile\"");
+    const std::optional<std::string> path = arguments.file("lensfile");
+    if (path) camera.lens = readLensFile(*path);
+    camera.apertureDiameter = arguments.number("aperturediameter");
+    camera.focusDistance = arguments.number("focusdistance");
+    for (const char* name : {"aperturediameter", "focusdistance"})
+        if (!(arguments.number(name) > 0)) throw SceneError(arguments.whereOf(name), std::string("\"float ") + name + "\" must be above 0");
+
+    const std::string aperture = arguments.text("aperture");
+    constexpr std::pair<const char*, ApertureShape> shapes[] = {{"", ApertureShape::round}, {"gaussian", ApertureShape::gaussian},
+        {"square", ApertureShape::square}, {"pentagon", ApertureShape::pentagon}, {"star", ApertureShape::star}};
+    const auto shape = std::ranges::find(shapes, aperture, [](const auto& s) { return std::string(s.first); });
+    if (shape != std::end(shapes)) { camera.aperture = shape->second; return; }
+    const std::optional<std::string> image = reading_.findFile(aperture, arguments.whereOf("aperture"));
+    if (!image) return;
+    camera.aperture = ApertureShape::image;
+    camera.apertureImage = static_cast<int>(reading_.scene.images.size());
+    ImageFile file;
+    file.path = *image;
+    file.where = arguments.whereOf("aperture");
+    reading_.scene.images.push_back(file);
 }
 
 void Settings::applyFilm(const Arguments& arguments) {
@@ -190,6 +228,8 @@ void Settings::applyFilm(const Arguments& arguments) {
     film.iso = arguments.number("iso");
     film.whiteBalance = arguments.number("whitebalance");
     film.maxComponentValue = arguments.number("maxcomponentvalue");
+    film.diagonal = arguments.number("diagonal");
+    if (!(film.diagonal > 0)) throw SceneError(arguments.whereOf("diagonal"), "\"float diagonal\" must be above 0");
     film.sensor = arguments.text("sensor");
     if (const auto names = sensorNames(); !std::ranges::count(names, film.sensor)) {
         const std::string near = nearestWord(film.sensor, names);

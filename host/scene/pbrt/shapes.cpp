@@ -1,6 +1,8 @@
 #include "scene/pbrt/shapes.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace eikonal::pbrt {
@@ -17,6 +19,15 @@ Sphere readSphere(const Arguments& arguments) {
 
 Disk readDisk(const Arguments& arguments) {
     return {arguments.number("radius"), arguments.number("innerradius"), arguments.number("height"), std::clamp(arguments.number("phimax"), 0., 360.)};
+}
+
+/// Where something that moves is in the end; nothing if it stands still. Throws SceneError if there is no way to interpolate.
+std::optional<Transform> endOfMotion(const GraphicsState& state, const SourceLocation& where) {
+    if (!state.moves()) return std::nullopt;
+    for (const Transform& t : state.transform)
+        if (!(std::abs(glm::determinant(glm::dmat3(t))) > 0))
+            throw SceneError(where, "the transform of something that moves cannot be inverted, at the start or the end of its motion; is there a Scale of 0?");
+    return state.transform[1];
 }
 
 }  // namespace
@@ -43,17 +54,20 @@ void ShapeBook::add(const std::string& kindName, const GraphicsState& state, Par
     const Arguments arguments(reading_, kind, where, std::move(parameters), state.attributesOf(Target::shape), state.space);
     if (kind.standIn) reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
     if (kind.value == otherKind) return;
-    if (state.transform[0] != state.transform[1])
-        reading_.unsupported("motion", where, "a shape that moves is not rendered yet; it stays where it is when the shutter opens");
 
     Pending pending{{}, none, openObject_, state.material, state.inside, state.outside, {}};
     if (!readKind(arguments, pending)) return;
     pending.shape.where = where;
     pending.shape.worldFromObject = state.transform[0];
+    pending.shape.worldFromObjectAtEnd = endOfMotion(state, where);
     pending.shape.reverseOrientation = state.reverseOrientation;
     pending.shape.areaLight = state.areaLight;
     if (openObject_ != none && state.areaLight != none) {
         reading_.unsupported("area light in object", where, "a shape of an object cannot emit; its area light is ignored");
+        pending.shape.areaLight = none;
+    }
+    if (state.moves() && pending.shape.areaLight != none) {
+        reading_.unsupported("moving area light", where, "a shape that moves cannot emit (nor does it in pbrt-v4); its area light is ignored");
         pending.shape.areaLight = none;
     }
     if (const Parameter* alpha = arguments.given("alpha")) pending.alpha = *alpha;
@@ -117,9 +131,7 @@ void ShapeBook::endObject(const SourceLocation& where) {
 void ShapeBook::addInstance(const std::string& name, const GraphicsState& state, const SourceLocation& where) {
     if (openObject_ != none)
         throw SceneError(where, "ObjectInstance inside of the object \"" + reading_.scene.objects[openObject_].name + "\"; objects cannot hold instances");
-    if (state.transform[0] != state.transform[1])
-        reading_.unsupported("motion", where, "an instance that moves is not rendered yet; it stays where it is when the shutter opens");
-    reading_.scene.instances.push_back({objectNamed(name), state.transform[0], where});
+    reading_.scene.instances.push_back({objectNamed(name), state.transform[0], endOfMotion(state, where), where});
 }
 
 void ShapeBook::finish() {

@@ -27,6 +27,7 @@ struct GraphicsState {
     int inside = none, outside = none;         ///< in MediumBook
     std::array<std::shared_ptr<const ParameterList>, targetCount> attributes;  ///< null: none
 
+    bool moves() const { return transform[0] != transform[1]; }
     std::shared_ptr<const ParameterList> attributesOf(Target target) const { return attributes[static_cast<int>(target)]; }
 };
 

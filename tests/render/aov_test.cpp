@@ -1,0 +1,106 @@
+// What is known of surfaces besides their light: albedo by the rules of denoisers, normals, positions, depths, numbers.
+
+#include "rendering.h"
+
+namespace eikonal {
+namespace {
+
+Rendered renderAovs(const View& view, const std::string& world) {
+    PackedScene scene = packScene(sceneText(view, world));
+    scene.require(Feature::AOVS, "the test");
+    return render(std::move(scene));
+}
+
+View view(double fov = 0.02, int size = 8) {
+    View v;
+    v.fov = fov;
+    v.width = v.height = size;
+    v.samples = 64;
+    return v;
+}
+
+void expectAlbedo(const Rendered& r, glm::vec3 expected, float tolerance) {
+    glm::vec3 mean(0);
+    for (const glm::vec3& a : r.image.albedo) mean += a / static_cast<float>(r.image.albedo.size());
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], expected[c], tolerance);
+}
+
+constexpr const char* wall = "LightSource \"point\" Material \"diffuse\" \"rgb reflectance\" [.5 .4 .3] Shape \"bilinearmesh\" \"point3 P\" [-9 -9 2  9 -9 2  -9 9 2  9 9 2]\n";
+
+/// However it is lit, and however it is looked at.
+TEST(Aovs, AlbedoIsTheReflectance) {
+    expectAlbedo(renderAovs(view(), wall), {.5f, .4f, .3f}, 1e-6f);
+    View oblique = view();
+    oblique.lookAt = "6 1 0  0 0 2  0 1 0";
+    expectAlbedo(renderAovs(oblique, wall), {.5f, .4f, .3f}, 1e-6f);
+}
+
+/// Seen in a mirror of reflectance 0.5, 0.25, 0.75 (that seen straight on is, and under 45 degrees nearly), it is what that leaves of it.
+TEST(Aovs, AlbedoIsSeenInMirrors) {
+    const std::string mirror = "LightSource \"point\" Material \"conductor\" \"rgb reflectance\" [.5 .25 .75] \"float roughness\" 0 Shape \"bilinearmesh\" \"point3 P\" [-1 -1 0  1 -1 0  -1 1 0  1 1 0]\n"
+                               "Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5] Shape \"bilinearmesh\" \"point3 P\" [-9 -9 -9  9 -9 -9  -9 9 -9  9 9 -9]";
+    const Rendered r = renderAovs(view(), mirror);
+    expectAlbedo(r, {.25f, .125f, .375f}, 2e-2f);
+    /* What is first stays what it is */
+    EXPECT_NEAR(r.image.depth[3], 4, 1e-4);
+    EXPECT_EQ(r.image.object[3], 1);
+    EXPECT_EQ(r.image.material[3], 1);
+}
+
+/// Through glass in a room of one albedo there is nothing else to be seen, whichever way a path takes.
+TEST(Aovs, AlbedoIsSeenThroughGlass) {
+    View v = view(40, 12);
+    v.maxDepth = 100;
+    expectAlbedo(renderAovs(v, "LightSource \"point\" Material \"dielectric\" Shape \"sphere\" Material \"diffuse\" \"rgb reflectance\" [.5 .4 .3] Shape \"sphere\" \"float radius\" 9"),
+                 {.5f, .4f, .3f}, 3e-3f);
+}
+
+/// A rough surface is seen itself, not what it mirrors; where nothing is, it is black.
+TEST(Aovs, AlbedoEndsAtTheFirstRoughSurface) {
+    const std::string metal = "LightSource \"point\" Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5] Shape \"bilinearmesh\" \"point3 P\" [-9 -9 -9  9 -9 -9  -9 9 -9  9 9 -9]\n"
+                              "Material \"conductor\" \"rgb reflectance\" [.9 .9 .9] \"float roughness\" .4 Shape \"bilinearmesh\" \"point3 P\" [-1 -1 0  1 -1 0  -1 1 0  1 1 0]\n";
+    expectAlbedo(renderAovs(view(), metal), glm::vec3(.9f), 1e-3f);
+    expectAlbedo(renderAovs(view(), "LightSource \"infinite\" \"rgb L\" [1 1 1]"), glm::vec3(0), 0);
+}
+
+/// The first surface in world space, whatever the scene's own space is.
+TEST(Aovs, PositionsAndNormalsAreThoseOfTheWorld) {
+    View v = view();
+    v.lookAt = "103 0 -4  103 0 0  0 1 0";
+    const Rendered r = renderAovs(v, R"(LightSource "point" AttributeBegin Translate 100 0 0 Rotate 45 0 1 0
+        Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-9 -9 0  9 -9 0  9 9 0  -9 9 0] "normal N" [1 0 -2  1 0 -2  1 0 -2  1 0 -2] AttributeEnd)");
+    const glm::vec3 p = r.image.position[9], ng = r.image.geometricNormal[9], n = r.image.normal[9];
+    EXPECT_NEAR(p.x, 103, 2e-3);
+    EXPECT_NEAR(p.y, 0, 2e-3);
+    EXPECT_NEAR(p.z, -3, 2e-3);
+    EXPECT_NEAR(r.image.depth[9], 1, 2e-3);
+    /* The plane turned about y: its normal (0, 0, 1) goes to (sin 45, 0, cos 45) */
+    EXPECT_NEAR(std::abs(glm::dot(ng, glm::vec3(std::sqrt(.5f), 0, std::sqrt(.5f)))), 1, 1e-5);
+    const glm::vec3 shading = glm::normalize(glm::vec3(1 * std::sqrt(.5f) - 2 * std::sqrt(.5f), 0, -1 * std::sqrt(.5f) - 2 * std::sqrt(.5f)));
+    EXPECT_NEAR(std::abs(glm::dot(n, shading)), 1, 1e-5);
+}
+
+/// Objects are numbered as the scene lists them, instances after shapes; materials likewise; a pixel's number is that of most samples.
+TEST(Aovs, ObjectsAndMaterialsHaveNumbers) {
+    View v = view(60, 3);
+    const std::string world = R"(LightSource "point" MakeNamedMaterial "a" "string type" "diffuse" MakeNamedMaterial "b" "string type" "diffuse" "rgb reflectance" [.2 .2 .2]
+ObjectBegin "ball" NamedMaterial "b" Shape "sphere" "float radius" .4 Translate 0 0 .1 Shape "sphere" "float radius" .4 ObjectEnd
+NamedMaterial "a" Shape "bilinearmesh" "point3 P" [-.2 -.2 0  .2 -.2 0  -.2 .2 0  .2 .2 0]
+AttributeBegin Translate -1.54 0 0 Scale 2 2 2 ObjectInstance "ball" AttributeEnd
+AttributeBegin Translate 1.54 0 0 Scale 2 2 2 ObjectInstance "ball" AttributeEnd
+AttributeBegin ActiveTransform EndTime Translate 0 .1 0 ActiveTransform All Translate 0 1.54 0 NamedMaterial "b" Shape "sphere" "float radius" .8 AttributeEnd)";
+    const Rendered r = renderAovs(v, world);
+    const std::vector<float> &object = r.image.object, &material = r.image.material;
+    EXPECT_EQ(object[3], 3);
+    EXPECT_EQ(object[5], 4);
+    EXPECT_EQ(object[1], 2);
+    EXPECT_EQ(object[4], 0) << "most samples of the middle pass the small square";
+    EXPECT_EQ(object[7], 0);
+    EXPECT_EQ(material[3], material[5]);
+    EXPECT_EQ(material[1], material[5]);
+    EXPECT_NE(material[3], 0);
+    EXPECT_EQ(material[7], 0);
+}
+
+}  // namespace
+}  // namespace eikonal

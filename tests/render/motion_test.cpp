@@ -1,0 +1,76 @@
+// Motion against derived values: how long a pixel sees what passes, how long a shadow lasts, and that light is kept.
+
+#include "rendering.h"
+
+namespace eikonal {
+namespace {
+
+/// Every pixel sees the same point, where a black square of side 2 passes during a fourth of the motion's time: 8 units to go.
+constexpr const char* passingSquare = R"(LightSource "infinite" "rgb L" [1 1 1]
+AttributeBegin ActiveTransform EndTime Translate 8 0 0 ActiveTransform All Translate -4 0 0
+Material "diffuse" "rgb reflectance" [0 0 0] Shape "bilinearmesh" "point3 P" [-1 -1 0  1 -1 0  -1 1 0  1 1 0] AttributeEnd)";
+
+View view(const std::string& more = "") {
+    View v;
+    v.samples = 1024;
+    v.more = more;
+    return v;
+}
+
+TEST(Motion, ASquareIsSeenWhileItPasses) { expectRadiance(render(sceneText(view(), passingSquare)), 0.75); }
+
+/// The square is there from 0.375 to 0.625. What the film misses in a shorter time its speed makes up for.
+TEST(Motion, TheShutterSaysWhichPart) {
+    const auto world = [](double open, double close) {
+        return "Camera \"perspective\" \"float fov\" 0.02 \"float shutteropen\" " + std::to_string(open) + " \"float shutterclose\" " + std::to_string(close) +
+               "\nFilm \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 16 \"float iso\" " + std::to_string(100 / (close - open));
+    };
+    expectRadiance(render(sceneText(view(world(0.5, 1)), passingSquare)), 0.75);
+    expectRadiance(render(sceneText(view(world(0.25, 0.5)), passingSquare)), 0.5);
+    expectRadiance(render(sceneText(view(world(1.5, 2)), passingSquare)), 1);
+    expectRadiance(render(sceneText(view("TransformTimes -1 1\n" + world(-0.2, 0.2)), passingSquare)), 0);
+}
+
+/// The same square in an instance that moves against it: it stays where it is.
+TEST(Motion, InstancesAndTheirShapesMoveTogether) {
+    const std::string world = R"(LightSource "infinite" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [0 0 0]
+ObjectBegin "a" ActiveTransform EndTime Translate 8 0 0 ActiveTransform All Shape "bilinearmesh" "point3 P" [-1 -1 0  1 -1 0  -1 1 0  1 1 0] ObjectEnd
+AttributeBegin ActiveTransform EndTime Translate -8 0 0 ActiveTransform All Translate 0.5 0 0 ObjectInstance "a" AttributeEnd)";
+    expectRadiance(render(sceneText(view(), world)), 0);
+}
+
+/// A disk between a point light and a white floor covers the point that is seen during half of the time: irradiance I / d^2 / 2, radiance that times 0.8 / pi.
+TEST(Motion, ShadowsMove) {
+    View v = view();
+    v.lookAt = "3 3 0  0 0 0  0 1 0";
+    v.maxDepth = 1;
+    const std::string world = R"(LightSource "point" "rgb I" [10 10 10] "point3 from" [0 5 0]
+Material "diffuse" "rgb reflectance" [.8 .8 .8] Shape "bilinearmesh" "point3 P" [-9 0 -9  9 0 -9  -9 0 9  9 0 9]
+AttributeBegin ActiveTransform EndTime Translate 4 0 0 ActiveTransform All Translate -2 4 0 Rotate 90 1 0 0
+Shape "disk" "float radius" 1 AttributeEnd)";
+    expectRadiance(render(sceneText(v, world)), 10.0 / 25 / 2 * 0.8 / M_PI);
+}
+
+/// A white ball that moves, turns and grows in a white world cannot be seen: no ray meets the surface that it leaves.
+TEST(Motion, AWhiteBallVanishes) {
+    View v = view();
+    v.fov = 30;
+    v.width = v.height = 24;
+    v.samples = 64;
+    v.maxDepth = 100;
+    const std::string world = R"(LightSource "infinite" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [1 1 1]
+AttributeBegin ActiveTransform EndTime Translate 1 .2 -.5 Rotate 150 1 2 3 Scale 2 1 .5 ActiveTransform All Translate -.5 0 0 Shape "sphere" AttributeEnd)";
+    expectRadiance(render(sceneText(v, world)), 1, 1e-3);
+}
+
+/// A camera that turns by a quarter in front of a wall that is bright on one half, black on the other: it sees the middle at half of the turn.
+TEST(Motion, CamerasTurn) {
+    View v = view("TransformTimes 0 1");
+    v.lookAt = "0 0 0  1 0 1  0 1 0 ActiveTransform EndTime Rotate 90 0 1 0 ActiveTransform All";
+    const Rendered r = render(sceneText(v, R"(LightSource "infinite" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [0 0 0]
+Shape "bilinearmesh" "point3 P" [0 -99 9  99 -99 9  0 99 9  99 99 9])"));
+    expectRadiance(r, 0.5);
+}
+
+}  // namespace
+}  // namespace eikonal
