@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -32,9 +34,13 @@ static std::vector<std::string> argumentNames(cl_program program, const std::str
     check(clGetKernelInfo(kernel, CL_KERNEL_NUM_ARGS, sizeof count, &count, nullptr), "asking kernel " + kernelName + " for its arguments");
     std::vector<std::string> names;
     for (cl_uint i = 0; i < count; ++i) {
-        char name[128] = "";
-        check(clGetKernelArgInfo(kernel, i, CL_KERNEL_ARG_NAME, sizeof name, name, nullptr), "asking for the names of " + kernelName + "'s arguments");
-        names.emplace_back(name);
+        const std::string asking = "asking for the names of " + kernelName + "'s arguments";
+        size_t size = 0;
+        check(clGetKernelArgInfo(kernel, i, CL_KERNEL_ARG_NAME, 0, nullptr, &size), asking);
+        std::string name(size, '\0');
+        check(clGetKernelArgInfo(kernel, i, CL_KERNEL_ARG_NAME, size, name.data(), nullptr), asking);
+        while (!name.empty() && name.back() == '\0') name.pop_back();
+        names.push_back(std::move(name));
     }
     return names;
 }
@@ -44,7 +50,7 @@ Compiler::Compiler(const Context& context, KernelFolders folders, std::string ca
 
 std::string Compiler::keyOf(const KernelSource& source, const std::string& options, const std::string& kernel) const {
     const DeviceInfo& d = context_.device();
-    return fmt::format("{}\n{:016x}\n{}\n{}\n{}\n{}\n{}\n{}", kernel, source.hash(), source.text(), options, d.platformName, d.name, d.version, d.driver);
+    return fmt::format("{}\n{:016x}\n{}\n{}\n{}\n{}\n{}", kernel, hashBytes(source.text()), options, d.platformName, d.name, d.version, d.driver);
 }
 
 std::shared_ptr<Program> Compiler::loadCached(const std::string& key, const std::string& kernel) const {
@@ -65,12 +71,17 @@ std::shared_ptr<Program> Compiler::loadCached(const std::string& key, const std:
 }
 
 static void dumpProgram(const std::string& folder, const std::string& name, const std::string& text, const std::string& options) {
-    std::filesystem::create_directories(folder);
-    std::ofstream(std::filesystem::path(folder) / (name + ".cl")) << "/* options: " << options << " */\n" << text;
+    const std::filesystem::path path = std::filesystem::path(folder) / (name + ".cl");
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    std::ofstream file(path, std::ios::binary);
+    file << "/* options: " << options << " */\n" << text;
+    file.close();
+    if (!file) throw Error(ExitCode::scene, fmt::format("cannot write {} for --dump-kernels: {}", path.string(), error ? error.message() : std::strerror(errno)));
 }
 
 static std::string optionsFor(const KernelSource& source, const BuildSettings& settings) {
-    return fmt::format("{}{} -DNO_CONTRACTION={} -DPOISON_ITEMS={} ", languageOptions, settings.warningsAreErrors ? " -Werror" : "", settings.contraction ? 0 : 1,
+    return fmt::format("{}{} -DNO_CONTRACTION={} -DPOISON_ITEMS={}", languageOptions, settings.warningsAreErrors ? " -Werror" : "", settings.contraction ? 0 : 1,
                        settings.poison ? 1 : 0) + source.options(settings.features, settings.constants);
 }
 
@@ -84,7 +95,7 @@ std::shared_ptr<Program> Compiler::build(const std::string& text, const std::str
     const KernelSource source(folders_, text);
     const std::string options = optionsFor(source, settings);
     const std::string key = keyOf(source, options, kernel);
-    if (!settings.dumpFolder.empty()) dumpProgram(settings.dumpFolder, fmt::format("{}-{:08x}", kernel, static_cast<std::uint32_t>(hashBytes(key))), text, options);
+    if (!settings.dumpFolder.empty()) dumpProgram(settings.dumpFolder, fmt::format("{}-{:08x}", kernel, static_cast<std::uint32_t>(hashBytes(key))), source.text(), options);
 
     std::shared_ptr<Program> program = loadCached(key, kernel);
     if (!program) {
@@ -96,7 +107,7 @@ std::shared_ptr<Program> Compiler::build(const std::string& text, const std::str
         const cl_device_id device = context_.device().id;
         status = clBuildProgram(program->handle, 1, &device, options.c_str(), nullptr, nullptr);
         if (status != CL_SUCCESS)
-            throw DeviceError(fmt::format("the kernel {} does not build for \"{}\": {}\n{}\noptions: {}", kernel, context_.device().name,
+            throw DeviceError(fmt::format("the kernel {} of {} does not build for \"{}\": {}\n{}\noptions: {}", kernel, folders_.kernels, context_.device().name,
                                           statusName(status), buildLog(program->handle, device), options));
         program->kernel = kernel;
         program->arguments = argumentNames(program->handle, kernel);

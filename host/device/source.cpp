@@ -7,11 +7,21 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 namespace fs = std::filesystem;
 
 namespace eikonal {
+
+/// The content of a file; nothing if it cannot be read.
+static std::optional<std::string> contentOf(const fs::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) return std::nullopt;
+    std::stringstream content;
+    content << file.rdbuf();
+    return content.str();
+}
 
 KernelFolders findKernelFolders() {
     std::vector<fs::path> roots;
@@ -36,43 +46,55 @@ std::uint64_t hashBytes(std::string_view bytes, std::uint64_t hash) {
     return hash;
 }
 
-KernelSource::KernelSource(const KernelFolders& folders, std::string text) : folders_(folders), text_(std::move(text)), hash_(hashSeed) { scan(text_); }
+KernelSource::KernelSource(const KernelFolders& folders, const std::string& text) : folders_(folders) {
+    append(text, "program");
+    noteWords();
+}
 
-void KernelSource::scan(const std::string& text) {
-    hash_ = hashBytes(text, hash_);
-    /* Words */
-    for (size_t i = 0; i < text.size();) {
-        if (!std::isalpha(static_cast<unsigned char>(text[i])) && text[i] != '_') { ++i; continue; }
-        size_t end = i;
-        while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
-        words_.insert(text.substr(i, end - i));
-        i = end;
-    }
-    /* Includes */
+/// The file that a line includes; empty: none.
+static std::string includedBy(const std::string& line) {
+    const size_t hash = line.find_first_not_of(" \t");
+    if (hash == std::string::npos || line.compare(hash, 8, "#include") != 0) return {};
+    const size_t open = line.find('"'), close = open == std::string::npos ? open : line.find('"', open + 1);
+    return close == std::string::npos ? std::string() : line.substr(open + 1, close - open - 1);
+}
+
+void KernelSource::append(const std::string& text, const std::string& name) {
+    text_ += fmt::format("#line 1 \"{}\"\n", name);
     std::istringstream lines(text);
+    int number = 0;
     for (std::string line; std::getline(lines, line);) {
-        const size_t hash = line.find_first_not_of(" \t");
-        if (hash == std::string::npos || line.compare(hash, 8, "#include") != 0) continue;
-        const size_t open = line.find('"'), close = line.find('"', open + 1);
-        if (close != std::string::npos) include(line.substr(open + 1, close - open - 1));
+        ++number;
+        const std::string included = includedBy(line);
+        if (included.empty()) text_ += line + "\n";
+        else if (!files_.insert(included).second) text_ += "\n";
+        else {
+            include(included);
+            text_ += fmt::format("#line {} \"{}\"\n", number + 1, name);
+        }
     }
 }
 
 void KernelSource::include(const std::string& name) {
-    if (!files_.insert(name).second) return;
     for (const std::string& folder : {folders_.kernels, folders_.include}) {
-        std::ifstream file(fs::path(folder) / name, std::ios::binary);
-        if (!file) continue;
-        std::stringstream content;
-        content << file.rdbuf();
-        scan(content.str());
-        return;
+        const auto content = contentOf(fs::path(folder) / name);
+        if (content) return append(*content, name);
     }
     throw DeviceError(fmt::format("a kernel includes \"{}\", which is in neither {} nor {}", name, folders_.kernels, folders_.include));
 }
 
+void KernelSource::noteWords() {
+    for (size_t i = 0; i < text_.size();) {
+        if (!std::isalpha(static_cast<unsigned char>(text_[i])) && text_[i] != '_') { ++i; continue; }
+        size_t end = i;
+        while (end < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[end])) || text_[end] == '_')) ++end;
+        words_.insert(text_.substr(i, end - i));
+        i = end;
+    }
+}
+
 std::string KernelSource::options(const Features& features, const Constants& constants) const {
-    std::string options = fmt::format("-I{} -I{}", folders_.kernels, folders_.include);
+    std::string options;
     for (size_t i = 0; i < featureCount; ++i) {
         const Feature feature = static_cast<Feature>(i);
         const std::string& name = featureName(feature);

@@ -13,7 +13,7 @@
 namespace eikonal {
 
 /// Where the kernels and the contract headers lie: $EIKONAL_KERNELS, or beside the installed program, or the source tree.
-/// Throws an Error that lists the places that were tried.
+/// Throws a DeviceError that lists the places that were tried.
 struct KernelFolders {
     std::string kernels;   ///< holds the .cl and .clh files
     std::string include;   ///< holds eikonal/*.h
@@ -23,27 +23,25 @@ KernelFolders findKernelFolders();
 /// Numbers that are fixed when a program is built, by macro name: LOCAL_SIZE, RUN, ENVIRONMENTS ...
 using Constants = std::map<std::string, int>;
 
-/// A few lines that include files, and all that they reach.
+/// A few lines that include files, and all that they reach, as one text: a compiler needs no folder to look in, whose name would have to
+/// survive the options of every OpenCL implementation.
 class KernelSource {
 public:
-    /// `text` may define macros before its #include lines. Throws a DeviceError if an included file is missing.
-    KernelSource(const KernelFolders& folders, std::string text);
+    /// `text` may define macros before its #include lines. A file is taken in where it is first included. Throws a DeviceError if one is missing.
+    KernelSource(const KernelFolders& folders, const std::string& text);
 
+    /// All of it; errors in it name our files, relative to their folder, and our lines.
     const std::string& text() const { return text_; }
-    /// A hash of the text and of every file that it includes.
-    std::uint64_t hash() const { return hash_; }
-    /// The features that it mentions, by HAS_X or as the feature of a field.
-    const std::set<std::string>& words() const { return words_; }
-    /// -I and -D options: every feature and every constant that the source mentions, with its value.
+    /// -D options: every feature and every constant that the source mentions, with its value.
     std::string options(const Features& features, const Constants& constants) const;
 
 private:
-    void scan(const std::string& text);
+    void append(const std::string& text, const std::string& name);
     void include(const std::string& name);
+    void noteWords();
     KernelFolders folders_;
     std::string text_;
     std::set<std::string> files_, words_;
-    std::uint64_t hash_;
 };
 
 /// FNV-1a, 64 bits, continued from `hash`.
