@@ -14,6 +14,13 @@ namespace fs = std::filesystem;
 
 namespace eikonal {
 
+struct ContractHeader { const char *name, *text; };
+
+/// The contract headers as they were when this program was built.
+constexpr ContractHeader contractHeaders[] = {
+#include "contract_headers.inc"
+};
+
 /// The content of a file; nothing if it cannot be read.
 static std::optional<std::string> contentOf(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
@@ -21,6 +28,13 @@ static std::optional<std::string> contentOf(const fs::path& path) {
     std::stringstream content;
     content << file.rdbuf();
     return content.str();
+}
+
+static void checkContract(const fs::path& include) {
+    for (const ContractHeader& header : contractHeaders)
+        if (contentOf(include / header.name) != header.text)
+            throw DeviceError(fmt::format("{} is not the one that this program was built with, so it cannot use the kernels that come with it. "
+                                          "Build the program again, or set EIKONAL_KERNELS to the folder that holds its own kernels.", (include / header.name).string()));
 }
 
 KernelFolders findKernelFolders() {
@@ -36,7 +50,10 @@ KernelFolders findKernelFolders() {
         if (!fs::exists(root / "kernels" / "queue.clh")) continue;
         /* Installed, the headers lie in the prefix's include folder; in the source tree, beside the kernels */
         for (const fs::path& include : {root / "include", root.parent_path().parent_path() / "include"})
-            if (fs::exists(include / "eikonal" / "queues.h")) return {(root / "kernels").string(), include.string()};
+            if (fs::exists(include / "eikonal" / "queues.h")) {
+                checkContract(include);
+                return {(root / "kernels").string(), include.string()};
+            }
     }
     throw DeviceError("cannot find the kernels. Looked for kernels/ and include/eikonal/ in:" + tried + "\nSet EIKONAL_KERNELS to the folder that holds them.");
 }

@@ -13,7 +13,8 @@
 namespace eikonal {
 
 /// Where the kernels and the contract headers lie: $EIKONAL_KERNELS, or beside the installed program, or the source tree.
-/// Throws a DeviceError that lists the places that were tried.
+/// Throws a DeviceError that lists the places that were tried, and one if the headers are not those that this program was built with:
+/// host and kernels would not agree on what lies where.
 struct KernelFolders {
     std::string kernels;   ///< holds the .cl and .clh files
     std::string include;   ///< holds eikonal/*.h

@@ -1,4 +1,4 @@
-// Where the program finds its kernels: in a folder of any name.
+// Where the program finds its kernels: whatever the folder is called, and none of another version.
 
 #include "run_program.h"
 
@@ -43,6 +43,13 @@ TEST_F(KernelFolder, IsNamedWithFileAndLineIfAKernelIsWrong) {
     const Outcome run = this->run({"compile-kernels", "0", "0", "0", "100"}, own());
     EXPECT_EQ(run.status, 3);
     EXPECT_THAT(run.error, AllOf(HasSubstr("film/pixel.clh:" + std::to_string(lines) + ":"), HasSubstr("this is the last line"), HasSubstr(root_.string())));
+}
+
+TEST_F(KernelFolder, MustHoldTheHeadersThatTheProgramWasBuiltWith) {
+    append(root_ / "include" / "eikonal" / "lights.h", "/* of another version */\n");
+    const Outcome run = this->run({"render", "tiny.pbrt"}, own());
+    EXPECT_EQ(run.status, 3);
+    EXPECT_THAT(run.error, AllOf(HasSubstr("eikonal/lights.h is not the one that this program was built with"), HasSubstr(root_.string())));
 }
 
 TEST_F(KernelFolder, MayBeReadAsTheCompilerGetsIt) {
