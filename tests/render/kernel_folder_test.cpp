@@ -1,8 +1,12 @@
-// Where the program finds its kernels: whatever the folder is called, and none of another version.
+// Where the program finds its kernels: wherever they are installed, whatever the folder is called, and none of another version.
 
 #include "run_program.h"
 
 #include <gmock/gmock.h>
+
+#include <sys/wait.h>
+
+#include <cstdlib>
 
 namespace eikonal {
 namespace {
@@ -66,6 +70,33 @@ TEST_F(KernelFolder, MayBeReadAsTheCompilerGetsIt) {
     const Outcome refused = run({"render", "tiny.pbrt", "--dump-kernels", "/proc/no/such/place"});
     EXPECT_EQ(refused.status, 1);
     EXPECT_THAT(refused.error, AllOf(HasSubstr("error: cannot write /proc/no/such/place/"), HasSubstr("--dump-kernels")));
+}
+
+/// What a package would hold is enough.
+class Installation : public ProgramTest {
+protected:
+    Installation() {
+        write("tiny.pbrt", tinyScene());
+        const std::string command = "cmake --install '" + fs::path(EIKONAL_BINARY).parent_path().string() + "' --prefix '" + prefix_.string() + "' > '" + path("log") + "' 2>&1";
+        const int status = std::system(command.c_str());
+        EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << read(path("log"));
+        program_ = prefix_ / "bin" / "eikonal";
+    }
+    fs::path prefix_ = folder_ / "a prefix";
+};
+
+TEST_F(Installation, RendersWithItsOwnKernels) {
+    const Outcome rendered = run({"render", "tiny.pbrt", "-o", "a.exr"});
+    ASSERT_EQ(rendered.status, 0) << rendered.error;
+    EXPECT_TRUE(fs::exists(path("a.exr")) && fs::exists(path("a.png")));
+    EXPECT_TRUE(fs::exists(prefix_ / "share" / "eikonal" / "scenes" / "cornell-box.pbrt"));
+
+    /* With one of them gone, the source tree's do not take its place */
+    const fs::path kernels = prefix_ / "share" / "eikonal" / "kernels";
+    fs::remove(kernels / "bvh.clh");
+    const Outcome run = this->run({"render", "tiny.pbrt"});
+    EXPECT_EQ(run.status, 3);
+    EXPECT_THAT(run.error, AllOf(HasSubstr("\"bvh.clh\""), HasSubstr(kernels.string())));
 }
 
 }  // namespace

@@ -24,10 +24,10 @@ ProgramTest::Running ProgramTest::start(const std::vector<std::string>& argument
     const std::string cache = std::filesystem::path(EIKONAL_BINARY).parent_path() / "test-cache";
     ::setenv("EIKONAL_CACHE_DIR", cache.c_str(), 1);
     for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
-    std::vector<char*> words{const_cast<char*>(EIKONAL_BINARY)};
+    std::vector<char*> words{const_cast<char*>(program_.c_str())};
     for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
     words.push_back(nullptr);
-    if (::chdir(folder_.c_str()) == 0) ::execv(EIKONAL_BINARY, words.data());
+    if (::chdir(folder_.c_str()) == 0) ::execv(program_.c_str(), words.data());
     ::_exit(127);
 }
 
