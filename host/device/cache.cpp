@@ -3,6 +3,7 @@
 #include "device/source.h"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -47,6 +48,15 @@ static bool writable(const fs::path& folder) {
     return !error && access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
+/// A folder that nobody else can have put anything into: binaries run as they are found. In a place that all users share, its name is easily
+/// guessed, so it may be someone else's.
+static bool privatelyWritable(const fs::path& folder) {
+    ::mkdir(folder.c_str(), S_IRWXU);
+    struct stat status {};
+    if (::lstat(folder.c_str(), &status) != 0) return false;
+    return S_ISDIR(status.st_mode) && status.st_uid == geteuid() && (status.st_mode & (S_IWGRP | S_IWOTH)) == 0 && writable(folder);
+}
+
 std::string ProgramCache::defaultFolder() {
     fs::path folder;
     if (const char* set = std::getenv("EIKONAL_CACHE_DIR")) folder = set;
@@ -54,8 +64,8 @@ std::string ProgramCache::defaultFolder() {
     else if (const char* home = std::getenv("HOME")) folder = fs::path(home) / ".cache" / "eikonal";
     if (!folder.empty() && writable(folder)) return folder.string();
     std::error_code error;
-    folder = fs::temp_directory_path(error) / fmt::format("eikonal-{}", getuid());
-    return !error && writable(folder) ? folder.string() : std::string();
+    folder = fs::temp_directory_path(error) / fmt::format("eikonal-{}", geteuid());
+    return !error && privatelyWritable(folder) ? folder.string() : std::string();
 }
 
 std::string ProgramCache::fileFor(const std::string& key) const {
@@ -111,17 +121,38 @@ int ProgramCache::clear() const {
     std::error_code error;
     for (fs::directory_iterator i(folder_, error), end; !error && i != end; i.increment(error)) {
         std::error_code ignored;
-        if (i->path().extension() == ".program") count += fs::remove(i->path(), ignored);
+        const std::string name = i->path().filename().string();
+        if (name.ends_with(".program")) count += fs::remove(i->path(), ignored);
+        else if (name.find(".program.") != std::string::npos) fs::remove(i->path(), ignored);   // what a process that was killed left of store()
         else if (i->path().filename() == "pocl") fs::remove_all(i->path(), ignored);
     }
     return count;
 }
 
+/// A folder of this process alone, which goes with it.
+struct TemporaryPoclFolder {
+    std::string path;
+    TemporaryPoclFolder() {
+        std::error_code error;
+        path = (fs::temp_directory_path(error) / "eikonal-pocl-XXXXXX").string();
+        if (error || !::mkdtemp(path.data())) path.clear();
+    }
+    ~TemporaryPoclFolder() {
+        std::error_code ignored;
+        if (!path.empty()) fs::remove_all(path, ignored);
+    }
+};
+
 void preparePocl(const std::string& folder) {
     /* Specialised to a size of grid, every kernel would be compiled once more; straight-line loops over a fixed group gain nothing by it
        (docs/performance.md) */
     setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0);
-    if (std::getenv("POCL_CACHE_DIR") || folder.empty()) return;
+    if (std::getenv("POCL_CACHE_DIR")) return;
+    if (folder.empty()) {
+        static const TemporaryPoclFolder own;
+        if (!own.path.empty()) setenv("POCL_CACHE_DIR", own.path.c_str(), 0);
+        return;
+    }
     const fs::path pocl = fs::path(folder) / "pocl";
     if (writable(pocl)) setenv("POCL_CACHE_DIR", pocl.c_str(), 0);
 }

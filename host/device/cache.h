@@ -23,11 +23,12 @@ public:
 
     std::optional<CachedProgram> load(const std::string& key) const;
     void store(const std::string& key, const CachedProgram& program) const;
-    /// Removes every entry; returns how many.
+    /// Removes every entry, and what was left of entries that were never finished; returns how many entries.
     int clear() const;
     const std::string& folder() const { return folder_; }
 
-    /// $EIKONAL_CACHE_DIR, else $XDG_CACHE_HOME/eikonal, else ~/.cache/eikonal; a folder of temporary files if that cannot be written.
+    /// $EIKONAL_CACHE_DIR, else $XDG_CACHE_HOME/eikonal, else ~/.cache/eikonal. If that cannot be written, a folder of temporary files that
+    /// belongs to this user and that nobody else may write; empty if it is not so.
     static std::string defaultFolder();
 
 private:
@@ -36,7 +37,8 @@ private:
 };
 
 /// Settings for PoCL, before the first call of OpenCL; what the environment sets already stays. A cache folder that it can write: it fails
-/// without one, and a damaged entry in a folder that others share would abort the program. One compiled variant of each kernel.
+/// without one, and a damaged entry in a folder that others share would abort the program; without a folder,
+/// one that lasts as long as this process. One compiled variant of each kernel.
 void preparePocl(const std::string& folder);
 
 }  // namespace eikonal
