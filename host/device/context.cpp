@@ -34,7 +34,7 @@ static std::string platformText(cl_platform_id id, cl_platform_info what) {
     return trimmed(text);
 }
 
-static DeviceInfo describe(cl_platform_id platform, cl_device_id id) {
+static DeviceInfo query(cl_platform_id platform, cl_device_id id) {
     DeviceInfo d;
     d.platform = platform;
     d.id = id;
@@ -52,6 +52,21 @@ static DeviceInfo describe(cl_platform_id platform, cl_device_id id) {
     return d;
 }
 
+/// A device that does not answer keeps its place in the list, and is not chosen unless asked for.
+static DeviceInfo describe(cl_platform_id platform, cl_device_id id) {
+    try {
+        return query(platform, id);
+    } catch (const DeviceError& error) {
+        DeviceInfo d;
+        d.platform = platform;
+        d.id = id;
+        d.platformName = platformText(platform, CL_PLATFORM_NAME);
+        d.name = fmt::format("a device that cannot be used: {}", error.what());
+        d.hasCompiler = false;
+        return d;
+    }
+}
+
 std::vector<DeviceInfo> listDevices() {
     cl_uint count = 0;
     const cl_int status = clGetPlatformIDs(0, nullptr, &count);
@@ -66,7 +81,7 @@ std::vector<DeviceInfo> listDevices() {
         cl_uint devices = 0;
         if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, 0, nullptr, &devices) != CL_SUCCESS || devices == 0) continue;
         std::vector<cl_device_id> ids(devices);
-        check(clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, devices, ids.data(), nullptr), "looking for OpenCL devices");
+        if (clGetDeviceIDs(platform, CL_DEVICE_TYPE_ALL, devices, ids.data(), nullptr) != CL_SUCCESS) continue;
         for (cl_device_id id : ids) list.push_back(describe(platform, id));
     }
     return list;
@@ -77,22 +92,26 @@ static std::string lower(std::string text) {
     return text;
 }
 
-DeviceInfo chooseDevice(const std::string& wanted) {
-    const std::vector<DeviceInfo> list = listDevices();
+DeviceInfo chooseDevice(const std::string& wanted) { return chooseDevice(listDevices(), wanted); }
+
+DeviceInfo chooseDevice(const std::vector<DeviceInfo>& list, const std::string& wanted) {
     if (list.empty())
         throw DeviceError("no OpenCL device found. On Debian, `apt install pocl-opencl-icd` makes the processor one.");
+    std::string listed;
+    for (size_t i = 0; i < list.size(); ++i) listed += fmt::format("\n  {}  {} ({}){}", i, list[i].name, list[i].platformName, list[i].hasCompiler ? "" : ", without a compiler");
     if (wanted.empty()) {
-        const auto gpu = std::find_if(list.begin(), list.end(), [](const DeviceInfo& d) { return !d.isCpu && d.hasCompiler; });
-        return gpu != list.end() ? *gpu : list.front();
+        const DeviceInfo* best = nullptr;
+        for (const DeviceInfo& d : list)
+            if (d.hasCompiler && (!best || (best->isCpu && !d.isCpu))) best = &d;
+        if (!best) throw DeviceError("no OpenCL device has a compiler for OpenCL C; on Debian, `apt install pocl-opencl-icd` makes the processor one that has. There are:" + listed);
+        return *best;
     }
     size_t index = 0;
     const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
     if (error == std::errc() && end == wanted.data() + wanted.size() && index < list.size()) return list[index];
     for (const DeviceInfo& d : list)
         if (lower(d.name + " " + d.platformName).find(lower(wanted)) != std::string::npos) return d;
-    std::string message = fmt::format("no OpenCL device is called \"{}\". There are:", wanted);
-    for (size_t i = 0; i < list.size(); ++i) message += fmt::format("\n  {}  {} ({})", i, list[i].name, list[i].platformName);
-    throw DeviceError(message);
+    throw DeviceError(fmt::format("no OpenCL device is called \"{}\". There are:{}", wanted, listed));
 }
 
 Context::Context(const DeviceInfo& device, bool profiling) : device_(device), profiling_(profiling) {

@@ -21,12 +21,14 @@ struct DeviceInfo {
     bool hasCompiler = true;
 };
 
-/// Every device of every platform, in the order in which --device counts them. Platforms without devices are passed over.
+/// Every device of every platform, in the order in which --device counts them. Platforms without devices are passed over;
+/// a device that does not answer is there without a compiler, its name saying why.
 std::vector<DeviceInfo> listDevices();
 
-/// The device that `wanted` means: empty for the best there is (a GPU before a CPU), a number in that list, or a part of a
+/// The device that `wanted` means: empty for the best of those with a compiler (a GPU before a CPU), a number in that list, or a part of a
 /// name, upper or lower case. Throws a DeviceError that lists what there is.
 DeviceInfo chooseDevice(const std::string& wanted);
+DeviceInfo chooseDevice(const std::vector<DeviceInfo>& list, const std::string& wanted);
 
 using ContextHandle = Owned<cl_context, clReleaseContext>;
 using QueueHandle = Owned<cl_command_queue, clReleaseCommandQueue>;
