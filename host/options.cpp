@@ -188,6 +188,8 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
         throw UsageError(fmt::format("compare needs two images: eikonal compare image.exr reference.exr\n{}", getHelp));
     if (o.command == Command::cache && !o.scenes.empty() && !o.warmCache)
         throw UsageError(fmt::format("cache has a use for scenes with --warm only: eikonal cache --warm {}\n{}", o.scenes.front(), getHelp));
+    if (o.command == Command::cache && o.warmCache && !o.device.cache)
+        throw UsageError(fmt::format("--warm keeps kernels and --no-cache keeps none; give one of them\n{}", getHelp));
     if (o.scene.cropWindow && o.scene.pixelBounds) throw UsageError("--cropwindow and --pixelbounds both select a part of the image; give one of them");
     if (o.scene.camera && o.scene.lookAt && *o.scene.camera == *o.scene.lookAt) throw UsageError("--camera and --look-at must differ");
     if (o.scene.up && *o.scene.up == glm::dvec3(0)) throw UsageError("--up must not be 0,0,0");

@@ -132,6 +132,7 @@ INSTANTIATE_TEST_SUITE_P(Commands, BadValues, testing::Values(
     BadValue{"info a.pbrt --wave-paths 3", "info has no option --wave-paths; render has it"},
     BadValue{"--nonsense-of-all-kinds", "eikonal has no option --nonsense-of-all-kinds"},
     BadValue{"cache a.pbrt", "eikonal cache --warm a.pbrt"},
+    BadValue{"cache --warm --no-cache", "--warm keeps kernels and --no-cache keeps none"},
     BadValue{"compare a.exr", "needs two images"}));
 
 TEST(Options, OtherCommands) {
