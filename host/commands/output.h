@@ -7,6 +7,7 @@
 namespace eikonal {
 
 /// The files to write: those of -o, else the one that the scene names, else the scene's name with .exr. A single EXR gets a PNG beside it.
+/// Throws a UsageError if channels are asked for that none of these files can hold.
 std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& scene);
 /// Drops the channels that nobody asked for.
 void selectAovs(FilmImage& image, const Aovs& aovs);

@@ -37,10 +37,10 @@ void renderFilm(const Options& o, Session& session, Film& film) {
 }
 
 /// Says what the image lacks, if it lacks anything.
-void reportShortfall(const Options& o, const Film& film, unsigned wanted, Diagnostics& diagnostics) {
+void reportShortfall(const Options& o, const Film& film, unsigned wanted, int endedBy, Diagnostics& diagnostics) {
     const auto [fewest, most] = film.samples();
     if (fewest < wanted)
-        say(o, fmt::format("{}: {} of {} samples a pixel", Interrupt::signal() ? "interrupted" : "ended by --time-limit",
+        say(o, fmt::format("{}: {} of {} samples a pixel", endedBy ? "interrupted" : "ended by --time-limit",
                            fewest == most ? fmt::format("{}", fewest) : fmt::format("{} to {}", fewest, most), wanted));
     const Film::Invalid invalid = film.invalid();
     if (invalid.count)
@@ -96,7 +96,9 @@ int renderCommand(const Options& o) {
     const Stopwatch renderTime;
     renderFilm(o, session, film);
     const double renderSeconds = renderTime.seconds();
-    reportShortfall(o, film, static_cast<unsigned>(packed.samples), diagnostics);
+    /* A signal counts if it cost samples, not if it comes while what is finished is written */
+    const int endedBy = film.samples().fewest < static_cast<unsigned>(packed.samples) ? Interrupt::signal() : 0;
+    reportShortfall(o, film, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
 
     const Stopwatch writeTime;
     FilmImage image = film.develop(packed);
@@ -106,7 +108,7 @@ int renderCommand(const Options& o) {
     const double writeSeconds = writeTime.seconds();
     say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()));
     if (o.output.stats) std::fputs(describeRun(session, session.profile(), renderSeconds, writeSeconds).c_str(), stdout);
-    return Interrupt::signal() ? 128 + Interrupt::signal() : static_cast<int>(ExitCode::success);
+    return endedBy ? 128 + endedBy : static_cast<int>(ExitCode::success);
 }
 
 }  // namespace eikonal
