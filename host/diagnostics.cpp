@@ -1,5 +1,7 @@
 #include "diagnostics.h"
 
+#include "printable.h"
+
 #include <cstdio>
 
 namespace eikonal {
@@ -9,7 +11,7 @@ void Diagnostics::warn(const SourceLocation& where, const std::string& message) 
     const std::string text = (place.empty() ? "" : place + ": ") + "warning: " + message;
     std::lock_guard lock(mutex_);
     warnings_.push_back(text);
-    if (level_ >= LogLevel::warning) std::fprintf(stderr, "%s\n", text.c_str());
+    if (level_ >= LogLevel::warning) std::fprintf(stderr, "%s\n", printable(text).c_str());
 }
 
 void Diagnostics::warnOnce(const std::string& kind, const SourceLocation& where, const std::string& message) {
@@ -27,12 +29,12 @@ void Diagnostics::unsupported(const std::string& kind, const SourceLocation& whe
 
 void Diagnostics::info(const std::string& message) {
     std::lock_guard lock(mutex_);
-    if (level_ >= LogLevel::info) std::fprintf(stderr, "%s\n", message.c_str());
+    if (level_ >= LogLevel::info) std::fprintf(stderr, "%s\n", printable(message).c_str());
 }
 
 void Diagnostics::debug(const std::string& message) {
     std::lock_guard lock(mutex_);
-    if (level_ >= LogLevel::debug) std::fprintf(stderr, "%s\n", message.c_str());
+    if (level_ >= LogLevel::debug) std::fprintf(stderr, "%s\n", printable(message).c_str());
 }
 
 std::vector<std::string> Diagnostics::warnings() const {

@@ -2,6 +2,7 @@
 
 #include "commands/commands.h"
 #include "commands/kernel_workers.h"
+#include "printable.h"
 
 #include <cstdio>
 #include <new>
@@ -23,7 +24,7 @@ static int run(const Options& options) {
 }
 
 static int fail(ExitCode code, const char* message) {
-    std::fprintf(stderr, "error: %s\n", message);
+    std::fprintf(stderr, "error: %s\n", printable(message).c_str());
     return static_cast<int>(code);
 }
 

@@ -94,6 +94,19 @@ TEST_F(Cli, AovsAreThereWhenAskedFor) {
     EXPECT_TRUE(none.albedo.empty() && none.normal.empty() && none.depth.empty() && none.variance.empty() && none.sampleCount.empty());
 }
 
+TEST_F(Cli, AovsNeedAnExr) {
+    write("named.pbrt", "Film \"rgb\" \"string filename\" \"a.jpg\"\nWorldBegin\nShape \"sphere\"\n");
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"tiny.pbrt", "-o", "a.png", "-o", "a.jpg"}, {"named.pbrt"}}) {
+        std::vector<std::string> all{"render", "--aov", "albedo"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const Outcome run = this->run(all);
+        EXPECT_EQ(run.status, 2);
+        EXPECT_THAT(run.error, HasSubstr("--aov asks for channels that only an EXR has"));
+        EXPECT_FALSE(exists("a.png") || exists("a.jpg"));
+    }
+    EXPECT_EQ(run({"render", "tiny.pbrt", "-o", "a.png", "-o", "b.exr", "--aov", "albedo"}).status, 0);
+}
+
 TEST_F(Cli, OptionsCountMoreThanTheFile) {
     ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "a.exr", "--resolution", "20x10", "--spp", "2"}).status, 0);
     const FilmFile exr = readImage(path("a.exr"));
@@ -138,6 +151,17 @@ TEST_P(Signals, LeaveTheImageSoFar) {
 
 INSTANTIATE_TEST_SUITE_P(Cli, Signals, testing::Values(SIGINT, SIGTERM));
 
+/// All samples are taken, and all of them will be on disk: that is no early end.
+TEST_F(Cli, ASignalWhileAFinishedImageIsWrittenChangesNothing) {
+    const Running running = start({"render", "tiny.pbrt", "-o", "a.exr", "--resolution", "1500x1000", "--spp", "1"});
+    for (int i = 0; i < 60'000 && !exists("a.exr"); ++i) ::usleep(1000);
+    EXPECT_FALSE(exists("a.png")) << "it comes after the EXR";
+    ::kill(running.process, SIGINT);
+    const Outcome run = wait(running);
+    EXPECT_EQ(run.status, 0) << run.error;
+    EXPECT_EQ(image("a.png").pixelCount(), 1'500'000u);
+}
+
 // ---- errors -------------------------------------------------------------------------------------------------------------
 
 TEST_F(Cli, ErrorsInASceneSayWhereAndExitWith1) {
@@ -162,6 +186,14 @@ TEST_F(Cli, OutputThatCannotBeWrittenIsSaidBeforeRendering) {
         EXPECT_THAT(run.error, HasSubstr("cannot write")) << file;
         EXPECT_LT(run.seconds, 5) << file;
     }
+}
+
+TEST_F(Cli, ASceneThatIsNoTextDoesNotReachTheTerminal) {
+    write("binary.pbrt", "\x1b]0;title\a\x1b[2J");
+    const Outcome run = this->run({"info", "binary.pbrt"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.error, HasSubstr("binary.pbrt:1:1: \"\\x1b\""));
+    for (const char c : run.error) EXPECT_TRUE(c == '\n' || !std::iscntrl(static_cast<unsigned char>(c)));
 }
 
 TEST_F(Cli, ErrorsOfUsageExitWith2) {

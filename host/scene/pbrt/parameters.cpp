@@ -29,7 +29,7 @@ ParameterType typeNamed(const std::string& word, const std::string& declaration,
     for (const TypeName& type : typeNames) words.push_back(type.word);
     std::string help = nearestWord(word, words);
     help = help.empty() ? "such as float, string or rgb is expected" : "was expected; did you mean \"" + help + "\"?";
-    throw SceneError(where, "\"" + word + "\" found where the type of a parameter " + help);
+    throw SceneError(where, quote(word) + " found where the type of a parameter " + help);
 }
 
 bool isGeometric(ParameterType type) { return type >= ParameterType::point2 && type <= ParameterType::normal; }
@@ -39,7 +39,7 @@ bool isNumeric(ParameterType type) { return type != ParameterType::boolean && ty
     const char* wanted = parameter.type == ParameterType::boolean ? "true or false"
                          : isNumeric(parameter.type)              ? "a number"
                                                                   : "a string in quotes";
-    const std::string found = token.kind == Token::Kind::end ? "the end of the file" : '"' + std::string(token.text) + '"';
+    const std::string found = token.kind == Token::Kind::end ? "the end of the file" : quote(token.text);
     throw SceneError(tokens.locate(token), found + " found where \"" + parameter.declaration() + "\" has " + wanted);
 }
 
@@ -106,7 +106,7 @@ Parameter readParameter(TokenStream& tokens, const Token& declaration) {
     const size_t nameBegin = std::min(text.find_first_not_of(blanks, typeEnd), text.size());
     const size_t nameEnd = std::min(text.find_first_of(blanks, nameBegin), text.size());
     if (nameBegin == text.size())
-        throw SceneError(parameter.where, "\"" + std::string(text) + "\" found where a parameter's type and name are expected, as in \"float radius\"");
+        throw SceneError(parameter.where, quote(text) + " found where a parameter's type and name are expected, as in \"float radius\"");
     parameter.name = text.substr(nameBegin, nameEnd - nameBegin);
     parameter.type = typeNamed(std::string(text.substr(typeBegin, typeEnd - typeBegin)), std::string(text), parameter.where);
     parameter.values = readValues(tokens, parameter);

@@ -22,6 +22,8 @@ struct Source {
     mutable int line = 1;
 };
 
+std::string quote(std::string_view text) { return '"' + std::string(text.substr(0, 60)) + (text.size() > 60 ? "..." : "") + '"'; }
+
 namespace {
 
 bool isSpace(char c) { return c == ' ' || c == '\n' || c == '\t' || c == '\r'; }
@@ -41,8 +43,6 @@ const char* skipSpaceAndComments(const char* at, const char* end) {
 }
 
 const char* endOfWord(const char* at, const char* end) { return std::find_if(at, end, endsWord); }
-
-std::string quote(std::string_view text) { return '"' + std::string(text.substr(0, 60)) + (text.size() > 60 ? "..." : "") + '"'; }
 
 /// What a number is called in messages.
 template <class T> constexpr const char* numberWord = std::is_integral_v<T> ? "an integer" : "a number";

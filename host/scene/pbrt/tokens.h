@@ -24,6 +24,9 @@ struct Token {
     const char* at = nullptr;      ///< in the source's text
 };
 
+/// What was found, for messages: its beginning, in quotes.
+std::string quote(std::string_view text);
+
 /// Splits a stack of texts into tokens: the one pushed last is read first, and where it ends the one below goes on.
 /// Errors in the text are thrown as SceneError.
 class TokenStream {

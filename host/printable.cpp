@@ -1,0 +1,33 @@
+#include "printable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace eikonal {
+
+/// The bytes of the character in UTF-8 that a text begins with; 0 if there is none that may be printed.
+static size_t characterLength(std::string_view text) {
+    const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(0);
+    if (first < 0x80) return (first >= 0x20 && first != 0x7f) || first == '\n' || first == '\t' ? 1 : 0;
+    const size_t length = first >= 0xf0 && first < 0xf5 ? 4 : first >= 0xe0 && first < 0xf0 ? 3 : first >= 0xc2 && first < 0xe0 ? 2 : 0;
+    if (length == 0 || text.size() < length) return 0;
+    for (size_t i = 1; i < length; ++i)
+        if ((byte(i) & 0xc0) != 0x80) return 0;
+    const bool isControl = first == 0xc2 && byte(1) < 0xa0;
+    return isControl ? 0 : length;
+}
+
+std::string printable(std::string_view text) {
+    std::string result;
+    while (!text.empty()) {
+        const size_t length = characterLength(text);
+        if (length > 0) result += text.substr(0, length);
+        else result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));
+        text.remove_prefix(std::max<size_t>(length, 1));
+    }
+    return result;
+}
+
+}  // namespace eikonal
