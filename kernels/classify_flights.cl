@@ -1,4 +1,4 @@
-/* flight -> flight, in place.  Which queue each flight goes to next, and how many go to each: route_flights needs the totals
+/* ray, flight -> flight, in place.  Which queue each flight goes to next, and how many go to each: route_flights needs the totals
    to know where each queue's segment begins. Tracing: counts are added up within a run, one atomic for each queue. */
 #include "queue.clh"
 #include "route.clh"

@@ -1,4 +1,4 @@
-/* flight, ray -> hit, scatter, miss, emission, next ray, shadow.  Makes the item that each flight's next stage wants, in that stage's
+/* ray, flight -> hit, scatter, miss, emission, next ray, shadow, path.  Makes the item that each flight's next stage wants, in that stage's
    dense segment. Tracing: space is reserved once for a run, not once for an item. */
 #include "queue.clh"
 #include "route.clh"

@@ -1,5 +1,6 @@
-/* Every stage: one kernel that drains a queue. S(stage, queue it drains, queues it may fill, FEATURE that makes it exist).
-   A stage called x is kernels/x.cl; its profiler row and its test are called x too. */
+/* Every stage: one kernel from queues to queues. S(stage, queues it reads, queues it may write, FEATURE that makes it exist).
+   A stage called x is kernels/x.cl, whose head repeats both lists (tests/unit/stages_test.cpp holds them to its arguments); its profiler row
+   and its test are called x too. */
 #ifndef EIKONAL_STAGES_H
 #define EIKONAL_STAGES_H
 #include "eikonal/bsdfs.h"
@@ -7,17 +8,17 @@
 CONTRACT_BEGIN
 
 #define STAGES(S) \
-    S(generate_rays,    "pixels", "ray path",                         ALWAYS) \
-    S(intersect_rays,   "ray",    "flight",                           ALWAYS) \
-    S(extinguish_rays,  "flight", "flight ray path",                  MEDIA) \
-    S(classify_flights, "flight", "flight",                           ALWAYS) \
-    S(route_flights,    "flight", "hit scatter miss emission ray shadow", ALWAYS) \
-    S(shade_misses,     "miss",   "path",                             ALWAYS) \
-    S(shade_emitters,   "emission", "path",                           EMITTERS) \
-    S(shade_hits,       "hit",    "ray shadow path",                  ALWAYS) \
-    S(shade_scatters,   "scatter", "ray shadow",                      MEDIA) \
-    S(test_shadows,     "shadow", "path",                             ALWAYS) \
-    S(resolve_film,     "path",   "film",                             ALWAYS)
+    S(generate_rays,    "pixels",     "ray path",           ALWAYS) \
+    S(intersect_rays,   "ray",        "flight",             ALWAYS) \
+    S(extinguish_rays,  "ray flight", "ray flight path",    MEDIA) \
+    S(classify_flights, "ray flight", "flight",             ALWAYS) \
+    S(route_flights,    "ray flight", "hit scatter miss emission ray shadow path", ALWAYS) \
+    S(shade_misses,     "miss",       "path",               ALWAYS) \
+    S(shade_emitters,   "emission",   "path",               EMITTERS) \
+    S(shade_hits,       "hit",        "ray shadow path",    ALWAYS) \
+    S(shade_scatters,   "scatter",    "ray shadow",         MEDIA) \
+    S(test_shadows,     "shadow",     "path",               ALWAYS) \
+    S(resolve_film,     "path",       "film",               ALWAYS)
 
 /* Where a flight goes next. One segment of the hit queue for each, in this order. */
 #define HOP_OF_BSDF(name, FEATURE, PARAMETERS) hop_##name,
