@@ -82,7 +82,7 @@ int compileKernelsCommand(const Options& o) {
     shape.wavePaths = shape.localSize;
     const DeviceScene tables(context, scene);
     Profile profile;
-    Stages stages(context, compiler, scene, shape, buildSettingsFor(o.device), {o.compile.part, o.compile.parts});
+    Stages stages(compiler, scene, shape, buildSettingsFor(o.device), {o.compile.part, o.compile.parts});
     Wave wave(context, tables, stages, shape, scene.features, profile);
     wave.warmUp();
     for (const Stage& stage : stages.all()) compiler.keep(stage.kernel.program());

@@ -87,7 +87,7 @@ void Session::prepare() {
     missing_ = Stages::missing(*compiler_, packed_, shape_, settings);
     if (options_.device.cache && context_->device().isCpu) compileInWorkers(options_.device, packed_, missing_);
     times_.workers = compileTime.seconds();
-    stages_ = std::make_unique<Stages>(*context_, *compiler_, packed_, shape_, settings);
+    stages_ = std::make_unique<Stages>(*compiler_, packed_, shape_, settings);
     wave_ = std::make_unique<Wave>(*context_, *deviceScene_, *stages_, shape_, packed_.features, profile_);
     wave_->warmUp();
     times_.compile = compileTime.seconds();

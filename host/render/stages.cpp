@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 namespace eikonal {
 
 StageShape StageShape::forDevice(const DeviceInfo& device) {
@@ -56,8 +55,7 @@ int Stages::missing(const Compiler& compiler, const PackedScene& scene, const St
     return count;
 }
 
-Stages::Stages(const Context& context, Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part) {
-    (void)context;
+Stages::Stages(Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part) {
     shading_.fill(-1);
     settings = completeSettings(std::move(settings), scene, shape);
     unsigned index = 0;

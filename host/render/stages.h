@@ -41,7 +41,7 @@ struct StagePart { unsigned index = 0, of = 1; };
 
 class Stages {
 public:
-    Stages(const Context& context, Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part = {});
+    Stages(Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part = {});
 
     /// How many of the stages that a scene requires are not in the compiler's cache.
     static int missing(const Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings);

@@ -86,7 +86,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     settings.contraction = setup.contraction;
     const DeviceScene onDevice(device(), scene);
     Profile profile;
-    Stages stages(device(), compiler(), scene, setup.shape, settings);
+    Stages stages(compiler(), scene, setup.shape, settings);
     Wave wave(device(), onDevice, stages, setup.shape, built, profile);
     wave.warmUp();
     for (const Stage& stage : stages.all()) compiler().keep(stage.kernel.program());
