@@ -13,20 +13,18 @@
 namespace eikonal {
 namespace {
 
-/// Members of the structs of the scene's tables, all of them.
+/// Members of the structs of the scene's tables, all of them but those of a light, which are listed in lights.h.
 #define STRUCT_MEMBERS(M) \
     M(material, hop) M(material, first_input) M(material, input_count) M(material, displacement) M(material, normal_map) M(material, mix_a) M(material, mix_b) \
     M(material, mix_amount) M(material_input, texture) M(material_input, slot) M(material_input, kind) M(material_input, count) M(material_input, value) M(color, c0) M(color, c1) M(color, c2) M(color, scale) M(color, curve) \
-    M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) M(settings, max_depth) M(settings, light_count) \
+    M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) M(settings, sequence_sample_bits) M(settings, sequence_tile_bits) M(settings, max_depth) M(settings, light_count) \
     M(settings, world_scale) M(settings, max_component_value) \
     M(camera, kind) M(camera, scene_from_camera) M(camera, screen_x) M(camera, screen_y) M(camera, step_x) M(camera, step_y) M(camera, lens_radius) \
     M(camera, focal_distance) M(camera, moving) M(camera, times) M(camera, equal_area) M(camera, element_count) M(camera, rear_z) M(camera, film_radius) \
     M(camera, aperture_width) M(camera, aperture_height) M(camera, medium) M(filter, radius_x) M(filter, radius_y) \
-    M(light, kind) M(light, two_sided) M(light, pmf) M(light, inverse_area) M(light, extent) M(light, p) M(light, a) M(light, b) M(light, c) M(light, n) \
-    M(light, radius) M(light, cos_inner) M(light, cos_outer) M(light, L) M(light, first_texel) M(light, first_alias) M(light, resolution) \
     M(alias_entry, keep) M(alias_entry, other) M(alias_entry, pmf) \
     M(shape, kind) M(shape, flags) M(shape, first_element) M(shape, first_index) M(shape, first_vertex) M(shape, first_normal) M(shape, first_uv) \
-    M(shape, quadric) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, id) M(shape, inside) M(shape, outside) \
+    M(shape, quadric) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, emission) M(shape, id) M(shape, inside) M(shape, outside) \
     M(quadric, object_from_scene) M(quadric, scene_from_object) M(quadric, radius) M(quadric, inner_radius) M(quadric, z_min) M(quadric, z_max) M(quadric, phi_max) \
     M(instance, object_from_scene) M(instance, scene_from_object) M(instance, root) M(instance, first_motion) M(instance, motion_count) M(instance, id) \
     M(motion, start) M(motion, end) M(motion, start_rotation) M(motion, end_rotation) M(motion, angle) M(motion, centre) \
@@ -61,6 +59,8 @@ Report hostReport(const Features& features) {
     SCENE_TABLES(ADD_SIZE)
 #define ADD_OFFSET(type, member) r.add("offset of " #type "." #member, offsetof(type, member));
     STRUCT_MEMBERS(ADD_OFFSET)
+#define ADD_LIGHT_OFFSET(type, member) ADD_OFFSET(light, member)
+    LIGHT_FIELDS(ADD_LIGHT_OFFSET)
     return r;
 }
 
@@ -83,6 +83,8 @@ STAGE layout_probe(__global uint *words) {
 )";
 #define TEXT_OFFSET(type, member) text += "    PUT(__builtin_offsetof(" #type ", " #member "))\n";
     STRUCT_MEMBERS(TEXT_OFFSET)
+#define TEXT_LIGHT_OFFSET(type, member) TEXT_OFFSET(light, member)
+    LIGHT_FIELDS(TEXT_LIGHT_OFFSET)
     return text + "}\n";
 }
 
@@ -114,7 +116,8 @@ TEST(Layout, IsEqualForEachFeatureOfAField) {
 /// Only words: no padding anywhere, so a struct's size is the sum of its members' words.
 TEST(Layout, TheLastMemberEndsEachStruct) {
     EXPECT_EQ(sizeof(material), offsetof(material, mix_amount) + 4);
-    EXPECT_EQ(sizeof(light), offsetof(light, resolution) + 4);
+#define ADD_WORDS(type, member) + WORDS_##type
+    EXPECT_EQ(sizeof(light), 4 * (0 LIGHT_FIELDS(ADD_WORDS)));
     EXPECT_EQ(sizeof(shape), offsetof(shape, outside) + 4);
     EXPECT_EQ(sizeof(settings), offsetof(settings, max_component_value) + 4);
     EXPECT_EQ(sizeof(medium), offsetof(medium, first_majorant) + 4);
