@@ -11,6 +11,7 @@ FN compensated add_compensated(float sum, float compensation, float x) {
     compensated c = {t, (t - sum) - y};
     return c;
 }
+
 /* One more vote: the candidate that is left in the end is the one that has a majority, if any has (Boyer and Moore 1991). */
 typedef struct { uint id, lead; } candidate;
 FN candidate vote(uint id, uint lead, uint for_id) {
@@ -18,6 +19,21 @@ FN candidate vote(uint id, uint lead, uint for_id) {
     if (lead == 0u) c.id = for_id;
     c.lead = lead == 0u || id == for_id ? lead + 1u : lead - 1u;
     return c;
+}
+
+/* Its square is still a number. */
+#define MOST_DISTANCE 1e18f
+
+/* One more luminance, of so large a square weight: the mean moves towards it, and the spread grows by its distances from the mean before and
+   after (West 1979). Unlike a sum of squares, this keeps its digits where samples hardly differ. */
+FN film_item add_luminance(film_item f, float y, float square_weight) {
+    float before = y - f.mean;
+    f.square_weight += square_weight;
+    if (f.square_weight > 0.0f) f.mean += before * (square_weight / f.square_weight);
+    float after = y - f.mean;
+    float grown = f.spread + square_weight * (clamp1(before, -MOST_DISTANCE, MOST_DISTANCE) * clamp1(after, -MOST_DISTANCE, MOST_DISTANCE));
+    f.spread = min1(grown, MOST_SPREAD);
+    return f;
 }
 
 FN film_item add_sample(film_item f, path_item p, float max_component_value) {
@@ -30,8 +46,10 @@ FN film_item add_sample(film_item f, path_item p, float max_component_value) {
     compensated b = add_compensated(f.sum.b, f.compensation.b, x.b);
     f.sum = make_spectrum(r.sum, g.sum, b.sum);
     f.compensation = make_spectrum(r.compensation, g.compensation, b.compensation);
-    f.weight += p.weight;
-    f.square += square(luminance(x));
+    compensated w = add_compensated(f.weight, f.weight_excess, p.weight);
+    f.weight = w.sum;
+    f.weight_excess = w.compensation;
+    f = add_luminance(f, luminance(L), square(p.weight));
     f.count += 1;
     f.albedo = add(f.albedo, mul(p.albedo, p.weight));
     f.normal = mul_add(p.normal, p.weight, f.normal);

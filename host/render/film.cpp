@@ -44,6 +44,15 @@ void Film::download(const Context& context, const Buffer& tile, PixelRect part, 
 const uint* Film::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
 const float* Film::floats(const char* field) const { return reinterpret_cast<const float*>(numbers(field)); }
 
+/* The mean is a ratio of two sums, sum(w L) / sum(w): its variance is that of sum(w (L - mean)), over the square of sum(w). */
+float Film::varianceOf(size_t pixel, glm::vec3 mean) const {
+    const double samples = numbers("count")[pixel], weight = floats("weight")[pixel];
+    if (samples < 2 || weight == 0) return 0;
+    const double luminance = 0.2126 * mean.r + 0.7152 * mean.g + 0.0722 * mean.b, aside = luminance - floats("mean")[pixel];
+    const double spread = std::max(floats("spread")[pixel], 0.0f) + floats("square_weight")[pixel] * aside * aside;
+    return static_cast<float>(std::min(spread * samples / (samples - 1) / (weight * weight), static_cast<double>(std::numeric_limits<float>::max())));
+}
+
 /// A sum of directions as one of unit length.
 static glm::vec3 meanDirection(const float* sum, size_t n, size_t i) {
     const glm::vec3 direction(sum[i], sum[n + i], sum[2 * n + i]);
@@ -75,7 +84,7 @@ void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
 FilmImage Film::develop(const PackedScene& scene) const {
     FilmImage image(width_, height_, {pixels_.x0, pixels_.x1, pixels_.y0, pixels_.y1});
     const size_t n = plane();
-    const float *sum = floats("sum"), *weight = floats("weight"), *square = floats("square");
+    const float *sum = floats("sum"), *weight = floats("weight");
     const uint* count = numbers("count");
     image.variance.resize(n);
     image.sampleCount.resize(n);
@@ -84,10 +93,7 @@ FilmImage Film::develop(const PackedScene& scene) const {
         const glm::vec3 mean = glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * inverse;
         image.color[i] = mean;
         image.sampleCount[i] = static_cast<float>(count[i]);
-        /* Variance of the mean, from the sums of the weighted luminance and of its square */
-        const double samples = count[i], y = 0.2126 * sum[i] + 0.7152 * sum[n + i] + 0.0722 * sum[2 * n + i];
-        const double spread = samples > 1 ? std::max(square[i] - y * y / samples, 0.0) / (samples - 1) : 0;
-        image.variance[i] = static_cast<float>(samples > 0 ? spread * samples * inverse * inverse : 0);
+        image.variance[i] = varianceOf(i, mean);
     }
     if (layout_.field("albedo").words > 0) developAovs(image, scene);
     return image;

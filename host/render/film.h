@@ -38,6 +38,8 @@ private:
     struct Free { void operator()(void* p) const { std::free(p); } };
     void developAovs(FilmImage& image, const PackedScene& scene) const;
     size_t plane() const { return static_cast<size_t>(pixels_.width()) * static_cast<size_t>(pixels_.height()); }
+    /// Of the mean of a pixel's luminance, estimated from the spread of its samples; zero if there are too few.
+    float varianceOf(size_t pixel, glm::vec3 mean) const;
     const float* floats(const char* field) const;
     const uint* numbers(const char* field) const;
     int width_, height_;

@@ -4,15 +4,18 @@
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
 
-/* P(type, name, FEATURE). Sums run in the order of the samples and are compensated (Kahan), so that neither the wave
-   size nor a million samples change their last bits. */
+/* F(queue, type, name, FEATURE). Samples are taken in their order, each after the one before, so that wave sizes, tiles and crops change no
+   bit. The sums that make the image are compensated (Kahan), so that a million samples lose no more than a few do. */
 #define FILM_FIELDS(F, q) \
-    F(q, spectrum, sum,          ALWAYS)   /* of weight * L */ \
-    F(q, spectrum, compensation, ALWAYS)   /* what the sum has lost to rounding */ \
-    F(q, float,    weight,       ALWAYS)   /* sum of weights */ \
-    F(q, float,    square,       ALWAYS)   /* sum of (weight * luminance)^2 */ \
-    F(q, uint,     count,        ALWAYS)   /* samples */ \
-    F(q, uint,     invalid,      ALWAYS)   /* samples that were not finite, counted as black */ \
+    F(q, spectrum, sum,           ALWAYS)   /* of weight * L */ \
+    F(q, spectrum, compensation,  ALWAYS)   /* what the sum has too much by rounding */ \
+    F(q, float,    weight,        ALWAYS)   /* sum of weights */ \
+    F(q, float,    weight_excess, ALWAYS)   /* what that sum has too much by rounding */ \
+    F(q, float,    square_weight, ALWAYS)   /* sum of weight^2 */ \
+    F(q, float,    mean,          ALWAYS)   /* of luminance, by weight^2 */ \
+    F(q, float,    spread,        ALWAYS)   /* sum of weight^2 * (luminance - mean)^2, at most MOST_SPREAD */ \
+    F(q, uint,     count,         ALWAYS)   /* samples */ \
+    F(q, uint,     invalid,       ALWAYS)   /* samples that were not finite, counted as black */ \
     F(q, spectrum, albedo,       AOVS)     /* sums of weight * what the path saw */ \
     F(q, vec3,     normal,       AOVS) \
     F(q, vec3,     ng,           AOVS) \
@@ -23,6 +26,9 @@ CONTRACT_BEGIN
     F(q, uint,     object_lead,  AOVS)     /* ... and its lead */ \
     F(q, uint,     material,     AOVS) \
     F(q, uint,     material_lead, AOVS)
+
+/* Where it stops to grow: beyond, squares are no floats any more. */
+#define MOST_SPREAD 1e36f
 
 CONTRACT_END
 #endif

@@ -384,7 +384,47 @@ TEST_F(StageTest, ResolveFilmSumsUp) {
         const float black = pixel == 7 ? 3.0f : 0.0f;   /* the samples of red 1 and 2 count as black */
         ASSERT_FLOAT_EQ(sum.r, 2 * w * (10 - black));
         ASSERT_FLOAT_EQ(sum.b, 2 * w * (pixel == 7 ? 2.0f : 4.0f));
-        ASSERT_TRUE(std::isfinite(film.get<float>("square", pixel)));
+        ASSERT_TRUE(std::isfinite(film.get<float>("spread", pixel)));
+    }
+}
+
+/// The spread of luminances, 65536 of them, a wave of 256 after the other, is that of a calculation in double precision: of nearly equal ones,
+/// where the difference of two sums of squares would be noise; with weights of either sign and of many sizes; and of one sample among
+/// others that is brighter than any square may be.
+TEST_F(StageTest, ResolveFilmKnowsTheSpreadOfNearlyEqualSamples) {
+    constexpr unsigned pixels = 4, perWave = 256, waves = 256;
+    StageBench bench(scene(), pixels * perWave);
+    bench.set("tile_pixels", pixels);
+    bench.set("samples", perWave);
+    QueueWords states = bench.empty("path");
+    std::fill(states.words().begin(), states.words().end(), 0);
+    std::vector<double> y[pixels], a[pixels];
+    uint random = 1;
+    const auto next = [&] { random = random * 1664525u + 1013904223u; return static_cast<float>(random >> 8) * 0x1p-24f; };
+    for (unsigned s = 0; s < perWave; ++s)
+        for (unsigned pixel = 0; pixel < pixels; ++pixel) {
+            float luminance = 1 + 1e-3f * next(), weight = 1;
+            if (pixel == 1) luminance = 1000 + 1e-2f * next();
+            if (pixel == 2) weight = next() - 0.25f;
+            if (pixel == 3 && s == 100) luminance = 1e30f;
+            states.set("L", s * pixels + pixel, spectrum{luminance, luminance, luminance});
+            states.set("weight", s * pixels + pixel, weight);
+            y[pixel].push_back(0.2126f * luminance + 0.7152f * luminance + 0.0722f * luminance);
+            a[pixel].push_back(static_cast<double>(weight) * weight);
+        }
+    bench.write("path", states);
+    for (unsigned wave = 0; wave < waves; ++wave) bench.run("resolve_film", pixels);
+    const QueueWords film = bench.read("film");
+    for (unsigned pixel = 0; pixel < pixels; ++pixel) {
+        double weight = 0, mean = 0, spread = 0;
+        for (unsigned s = 0; s < perWave; ++s) { weight += a[pixel][s]; mean += a[pixel][s] * y[pixel][s]; }
+        mean /= weight;
+        for (unsigned s = 0; s < perWave; ++s) spread += a[pixel][s] * (y[pixel][s] - mean) * (y[pixel][s] - mean);
+        EXPECT_EQ(film.get<uint>("count", pixel), perWave * waves);
+        if (pixel == 3) { EXPECT_EQ(film.get<float>("spread", pixel), MOST_SPREAD); continue; }
+        EXPECT_NEAR(film.get<float>("square_weight", pixel) / (weight * waves), 1, 1e-4) << pixel;
+        EXPECT_NEAR(film.get<float>("mean", pixel) / mean, 1, 1e-6) << pixel;
+        EXPECT_NEAR(film.get<float>("spread", pixel) / (spread * waves), 1, 0.01) << pixel;
     }
 }
 
