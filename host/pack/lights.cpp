@@ -5,6 +5,7 @@
 #include "scene/equal_area.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace eikonal {
 
@@ -16,7 +17,10 @@ static glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
 std::vector<alias_entry> makeAliasTable(const std::vector<double>& weights) {
     const size_t n = weights.size();
     double sum = 0;
-    for (double w : weights) sum += w;
+    for (double w : weights) {
+        if (!(w >= 0)) throw std::logic_error("a weight of an alias table is negative");
+        sum += w;
+    }
     std::vector<alias_entry> table(n);
     std::vector<double> scaled(n);
     std::vector<size_t> small, large;
@@ -306,6 +310,7 @@ private:
     }
 
     void makeSampler() {
+        for (double& p : powers_) p = std::max(p, 0.0);   // what takes light away is not sampled, and leaves the others alone
         weighInfiniteLights();
         double total = 0;
         for (double p : powers_) total += p;

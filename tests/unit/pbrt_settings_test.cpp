@@ -96,7 +96,7 @@ TEST_F(PbrtSettings, filtersHaveRadiiOfTheirOwn) {
     EXPECT_NEAR(filter("mitchell").C, 1. / 3, 1e-7);
     EXPECT_EQ(filter("sinc").xRadius, 4);
     EXPECT_EQ(filter("sinc").tau, 3);
-    EXPECT_THAT(errorOfSettings("PixelFilter \"box\" \"float xradius\" 0"), HasSubstr("must be above 0"));
+    EXPECT_THAT(errorOfSettings("PixelFilter \"box\" \"float xradius\" 0"), HasSubstr("must be in (0, inf)"));
 }
 
 TEST_F(PbrtSettings, samplers) {

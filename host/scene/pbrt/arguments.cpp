@@ -2,6 +2,8 @@
 
 #include "scene/pbrt/version3.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstring>
 #include <ranges>
@@ -29,6 +31,26 @@ void reject(Reading& reading, const Kind& kind, const Parameter& parameter) {
                             (near.empty() ? "" : "; did you mean \"" + near + "\"?") + " (" + parameterNames(kind) + ")");
 }
 
+std::string shown(double number) { return fmt::format("{:g}", number); }
+
+/// What a parameter's numbers have to keep to; null: nothing.
+const Rule* rangedRule(const Kind& kind, const Parameter& parameter) {
+    if (parameter.type != ParameterType::number && parameter.type != ParameterType::integer) return nullptr;
+    for (const Rule& rule : kind.rules)
+        if (rule.range && (rule.name == parameter.name || rule.orElse == parameter.name) && accepts(rule, parameter.type)) return &rule;
+    return nullptr;
+}
+
+/// Holds a number to its range. Throws SceneError.
+template <class T> void keepTo(const Range& range, T& number, const Kind& kind, const Parameter& parameter, Reading& reading) {
+    if (range.holds(number)) return;
+    const std::string found = kind.title() + ": \"" + parameter.declaration() + "\" is " + shown(number);
+    if (!range.clamps) throw SceneError(parameter.where, found + "; it must be in " + range.text);
+    const double end = std::clamp(static_cast<double>(number), range.low, range.high);
+    reading.diagnostics.warnOnce("range of " + kind.title() + " " + parameter.name, parameter.where, found + "; it counts as " + shown(end) + ", since it must be in " + range.text);
+    number = static_cast<T>(end);
+}
+
 }  // namespace
 
 Arguments::Arguments(Reading& reading, const Kind& kind, SourceLocation where, ParameterList own,
@@ -40,6 +62,23 @@ Arguments::Arguments(Reading& reading, const Kind& kind, SourceLocation where, P
         });
         if (!wanted) reject(reading, kind, parameter);
     }
+    checkRanges();
+}
+
+void Arguments::checkRanges() {
+    const auto keep = [this](Parameter& parameter) {
+        const Rule* rule = rangedRule(*kind_, parameter);
+        if (!rule) return;
+        if (auto* numbers = std::get_if<std::vector<double>>(&parameter.values))
+            for (double& number : *numbers) keepTo(*rule->range, number, *kind_, parameter, *reading_);
+        if (auto* integers = std::get_if<std::vector<int>>(&parameter.values))
+            for (int& integer : *integers) keepTo(*rule->range, integer, *kind_, parameter, *reading_);
+    };
+    for (Parameter& parameter : own_) keep(parameter);
+    if (!inherited_ || std::ranges::none_of(*inherited_, [this](const Parameter& parameter) { return rangedRule(*kind_, parameter); })) return;
+    ParameterList kept = *inherited_;
+    for (Parameter& parameter : kept) keep(parameter);
+    inherited_ = std::make_shared<const ParameterList>(std::move(kept));
 }
 
 const Rule& Arguments::rule(const std::string& name) const {

@@ -15,7 +15,7 @@ namespace eikonal::pbrt {
 class Arguments {
 public:
     /// Notes parameters of `own` that the kind does not have (a warning, under --strict a problem), and throws SceneError for one
-    /// of a wrong type. `inherited` may be null, and may have parameters that the kind does not have.
+    /// of a wrong type, and for numbers out of their range, unless they are clamped to it. `inherited` may be null, and may have parameters that the kind does not have.
     Arguments(Reading& reading, const Kind& kind, SourceLocation where, ParameterList own,
               std::shared_ptr<const ParameterList> inherited, ColorSpace space);
 
@@ -50,6 +50,7 @@ public:
 
 private:
     const Rule& rule(const std::string& name) const;
+    void checkRanges();
     template <class T> const std::vector<T>* values(const std::string& name) const;
     template <class T> std::optional<T> single(const std::string& name) const;
     template <class V> std::vector<V> vectors(const std::string& name) const;

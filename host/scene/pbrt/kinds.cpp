@@ -3,6 +3,7 @@
 #include "scene/pbrt/version3.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string_view>
 
@@ -61,9 +62,22 @@ std::string cutAt(std::string& text, std::string_view separator) {
     return rest;
 }
 
+/// "(0, 180]", "[0, inf)": a round bracket beside an end that does not belong to the range.
+Range parseRange(const std::string& text, bool clamps) {
+    const size_t comma = text.find(',');
+    if (text.size() < 5 || comma == text.npos) throw std::logic_error("not a range: " + text);
+    const Range range{std::stod(text.substr(1)), std::stod(text.substr(comma + 1)), text.front() == '[', text.back() == ']', clamps, text};
+    if (clamps && ((std::isfinite(range.low) && !range.holdsLow) || (std::isfinite(range.high) && !range.holdsHigh)))
+        throw std::logic_error("there is no end to clamp to: " + text);
+    return range;
+}
+
 Rule parseRule(std::string text) {
     Rule rule;
     rule.as = cutAt(text, "->");
+    const std::string clamped = cutAt(text, " clamped to "), within = cutAt(text, " in ");
+    if (!clamped.empty()) rule.range = parseRange(clamped, true);
+    if (!within.empty()) rule.range = parseRange(within, false);
     rule.fallback = cutAt(text, "=");
     rule.orElse = cutAt(text, "|");
     rule.name = cutAt(text, " ");

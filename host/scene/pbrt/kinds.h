@@ -5,6 +5,7 @@
 #include "scene/pbrt/parameters.h"
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,16 @@ enum class Wanted {
     floatTexture, ///< the name of a float texture
 };
 
+/// Which numbers mean something.
+struct Range {
+    double low, high;
+    bool holdsLow, holdsHigh;   ///< whether the ends belong to it
+    bool clamps;                ///< a number outside counts as the nearest end, which pbrt-v4 takes it for as well; otherwise it is an error
+    std::string text;           ///< as written in the row: "(0, 180)"
+
+    bool holds(double x) const { return (holdsLow ? x >= low : x > low) && (holdsHigh ? x <= high : x < high); }
+};
+
 /// One parameter of a kind.
 struct Rule {
     Wanted wanted;
@@ -28,6 +39,7 @@ struct Rule {
     std::string orElse;         ///< the parameter that gives the value if this one is not given; empty: none
     std::string fallback;       ///< the default as written in the row: a number, a word, a spectrum's name; empty: none
     std::string as;             ///< what the scene calls it
+    std::optional<Range> range; ///< of its numbers; those of textures and of spectra are not looked at
 };
 
 /// One row of a table, its parameters taken apart.
@@ -47,7 +59,8 @@ struct Row {
     const char* name;        ///< null: this table does not have the row
     int value;
     /// "float radius = 1; floatmap uroughness | roughness = 0; floatmap conductor.roughness = 0 -> uroughness":
-    /// a word, a name, then if wanted "| the parameter that it falls back to", "= default", "-> the scene's name for it".
+    /// a word, a name, then if wanted "| the parameter that it falls back to", "= default", "in (0, 180]" or "clamped to [0, inf)" (a
+    /// number outside is an error, or counts as the nearest end, with a warning), "-> the scene's name for it".
     const char* parameters;
     const char* standIn = nullptr;
 };

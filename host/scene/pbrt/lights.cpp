@@ -1,5 +1,6 @@
 #include "scene/pbrt/lights.h"
 
+#include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
 
 #include <cmath>
@@ -16,9 +17,23 @@ void readPoint(const Arguments& arguments, Light& light) {
     if (const double power = arguments.number("power"); power > 0) light.scale *= power / (4 * glm::pi<double>());
 }
 
-void readSpot(const Arguments& arguments, Light& light) {
+/// The direction of a light is that from one point to another. Throws SceneError.
+void expectDirection(const Arguments& arguments, const glm::dvec3& from, const glm::dvec3& to) {
+    if (from == to)
+        throw SceneError(arguments.has("to") ? arguments.whereOf("to") : arguments.whereOf("from"),
+                         fmt::format("{}: \"from\" and \"to\" are the same point, ({:g}, {:g}, {:g}); the light shines from one to the other", arguments.kind().title(), to.x, to.y, to.z));
+}
+
+void readSpot(Reading& reading, const Arguments& arguments, Light& light) {
     SpotLight spot{arguments.spectrum("I", whiteOf(arguments)), arguments.vector("from"), arguments.vector("to", {0, 0, 1}),
                    arguments.number("coneangle"), arguments.number("conedeltaangle")};
+    expectDirection(arguments, spot.from, spot.to);
+    if (spot.coneDeltaAngle > 2 * spot.coneAngle) {
+        reading.diagnostics.warnOnce("conedeltaangle", arguments.whereOf("conedeltaangle"),
+                                     fmt::format("{}: \"float conedeltaangle\" is {:g}, more than twice coneangle; it counts as coneangle, {:g}", arguments.kind().title(),
+                                                 spot.coneDeltaAngle, spot.coneAngle));
+        spot.coneDeltaAngle = spot.coneAngle;
+    }
     if (const double power = arguments.number("power"); power > 0) {
         const double end = std::cos(glm::radians(spot.coneAngle)), start = std::cos(glm::radians(spot.coneAngle - spot.coneDeltaAngle));
         light.scale *= power / (2 * glm::pi<double>() * ((1 - start) + (start - end) / 2));
@@ -27,7 +42,9 @@ void readSpot(const Arguments& arguments, Light& light) {
 }
 
 void readDistant(const Arguments& arguments, Light& light) {
-    light.kind = DistantLight{arguments.spectrum("L", whiteOf(arguments)), arguments.vector("from"), arguments.vector("to", {0, 0, 1})};
+    const DistantLight distant{arguments.spectrum("L", whiteOf(arguments)), arguments.vector("from"), arguments.vector("to", {0, 0, 1})};
+    expectDirection(arguments, distant.from, distant.to);
+    light.kind = distant;
     if (const double illuminance = arguments.number("illuminance"); illuminance > 0) light.scale *= illuminance;
 }
 
@@ -55,9 +72,9 @@ bool readInfinite(Reading& reading, TextureBook& textures, const Arguments& argu
 }  // namespace
 
 const KindTable& lightKinds() {
-    static const KindTable table("light", "float scale = 1", {
+    static const KindTable table("light", "float scale = 1 in [0, inf)", {
         {"point", pointKind, "spectrum I; float power = -1; point3 from"},
-        {"spot", spotKind, "spectrum I; float power = -1; point3 from; point3 to; float coneangle = 30; float conedeltaangle = 5"},
+        {"spot", spotKind, "spectrum I; float power = -1; point3 from; point3 to; float coneangle = 30 in (0, 180]; float conedeltaangle = 5 in [0, 180]"},
         {"distant", distantKind, "spectrum L; float illuminance = -1; point3 from; point3 to"},
         {"infinite", infiniteKind, "spectrum L; file filename; float illuminance = -1; point3s portal"},
         {"goniometric", otherKind, "spectrum I; file filename; float power = -1", "it is left out"},
@@ -68,7 +85,7 @@ const KindTable& lightKinds() {
 
 const KindTable& areaLightKinds() {
     static const KindTable table("area light", "", {
-        {"diffuse", 0, "spectrum L; float scale = 1; float power = -1; bool twosided = false; file filename"},
+        {"diffuse", 0, "spectrum L; float scale = 1 in [0, inf); float power = -1; bool twosided = false; file filename"},
     });
     return table;
 }
@@ -83,13 +100,15 @@ void addLight(Reading& reading, TextureBook& textures, const std::string& kindNa
     }
     if (state.transform[0] != state.transform[1])
         reading.unsupported("moving light", where, "a light that moves is not rendered yet; it stays where it is when the shutter opens");
+    if (kind.value != pointKind && !isInvertible(state.transform))
+        throw SceneError(where, kind.title() + ": its transform cannot be inverted; is there a Scale of 0?");
     Light light;
     light.where = where;
     light.scale = arguments.number("scale");
     light.worldFromLight = state.transform[0];
     switch (kind.value) {
         case pointKind: readPoint(arguments, light); break;
-        case spotKind: readSpot(arguments, light); break;
+        case spotKind: readSpot(reading, arguments, light); break;
         case distantKind: readDistant(arguments, light); break;
         default:
             if (!readInfinite(reading, textures, arguments, light)) return;

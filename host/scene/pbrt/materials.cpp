@@ -15,16 +15,18 @@ const KindTable& materialKinds() {
     static const KindTable table("material", "floatmap displacement -> -; file normalmap -> -; bool remaproughness = true -> -; string type -> -", {
         {"diffuse", kindOf(MaterialKind::diffuse), "colormap reflectance = 0.5"},
         {"coateddiffuse", kindOf(MaterialKind::coatedDiffuse),
-         "colormap reflectance = 0.5; floatmap uroughness | roughness = 0; floatmap vroughness | roughness = 0; floatmap thickness = 0.01;"
-         "index eta = 1.5; floatmap g = 0; colormap albedo = 0; integer maxdepth = 10; integer nsamples = 1"},
+         "colormap reflectance = 0.5; floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf);"
+         "floatmap thickness = 0.01 clamped to [0, inf);"
+         "index eta = 1.5 in [0, inf); floatmap g = 0 clamped to [-1, 1]; colormap albedo = 0; integer maxdepth = 10 clamped to [0, inf);"
+         "integer nsamples = 1 in [1, inf)"},
         {"conductor", kindOf(MaterialKind::conductor),
          "spectrummap eta = metal-Cu-eta; spectrummap k = metal-Cu-k; colormap reflectance;"
-         "floatmap uroughness | roughness = 0; floatmap vroughness | roughness = 0"},
+         "floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf)"},
         {"dielectric", kindOf(MaterialKind::dielectric),
-         "index eta = 1.5; floatmap uroughness | roughness = 0; floatmap vroughness | roughness = 0"},
-        {"thindielectric", kindOf(MaterialKind::thinDielectric), "index eta = 1.5"},
+         "index eta = 1.5 in [0, inf); floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf)"},
+        {"thindielectric", kindOf(MaterialKind::thinDielectric), "index eta = 1.5 in [0, inf)"},
         {"diffusetransmission", kindOf(MaterialKind::diffuseTransmission),
-         "colormap reflectance = 0.25; colormap transmittance = 0.25; float scale = 1 -> -"},
+         "colormap reflectance = 0.25; colormap transmittance = 0.25; float scale = 1 clamped to [0, inf) -> -"},
         {"mix", kindOf(MaterialKind::mix), "strings materials -> -; floatmap amount = 0.5"},
         {"interface", kindOf(MaterialKind::interface), ""},
         {"none", kindOf(MaterialKind::interface), ""},
@@ -131,6 +133,11 @@ void MaterialBook::readInputs(const Arguments& arguments, Material& material) {
         Input input;
         if (rule.wanted == Wanted::integer) input = {Spectrum::constant(arguments.integer(rule.name)), none, arguments.whereOf(rule.name)};
         else input = textures_.input(arguments, rule.name);
+        if (const Parameter* given = arguments.given(rule.name); rule.wanted == Wanted::index && given && given->type == ParameterType::number &&
+                                                                  std::get<std::vector<double>>(given->values).front() == 0) {
+            reading_.diagnostics.warnOnce("index of 0", input.where, arguments.kind().title() + ": \"" + given->declaration() + "\" is 0; it counts as 1, as in pbrt-v4");
+            input.value = Spectrum::constant(1);
+        }
         if (rule.wanted == Wanted::index && input.value.kind() == Spectrum::Kind::sampled)
             reading_.unsupported("dispersion", input.where, "an index of refraction that varies with the wavelength is not rendered yet; its mean counts");
         material.inputs[rule.as] = std::move(input);

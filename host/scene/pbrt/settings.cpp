@@ -3,6 +3,8 @@
 #include "scene/pbrt/lens_file.h"
 #include "spectra/sensor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -12,16 +14,16 @@ namespace eikonal::pbrt {
 namespace {
 
 constexpr const char* screenParameters =
-    "float frameaspectratio; floats screenwindow; float lensradius = 0; float focaldistance = 1e6; float shutteropen = 0; float shutterclose = 1";
+    "float frameaspectratio in (0, inf); floats screenwindow; float lensradius = 0 clamped to [0, inf); float focaldistance = 1e6; float shutteropen = 0; float shutterclose = 1";
 constexpr const char* filmParameters =
     "integer xresolution = 1280; integer yresolution = 720; floats cropwindow; integers pixelbounds; string filename; float diagonal = 35;"
-    "string sensor = cie1931; float iso = 100; float whitebalance = 0; float maxcomponentvalue = 0; bool savefp16 = true";
+    "string sensor = cie1931; float iso = 100 in (0, inf); float whitebalance = 0 in [0, inf); float maxcomponentvalue = 0 in (0, inf); bool savefp16 = true";
 constexpr const char* samplerParameters = "integer seed; string randomization";
 constexpr const char* instead = "\"path\" renders it";
 
 const KindTable& cameraKinds() {
     static const KindTable table("camera", screenParameters, {
-        {"perspective", int(CameraKind::perspective), "float fov = 90"},
+        {"perspective", int(CameraKind::perspective), "float fov = 90 in (0, 180)"},
         {"orthographic", int(CameraKind::orthographic), ""},
         {"realistic", int(CameraKind::realistic), "file lensfile; float aperturediameter = 1; float focusdistance = 10; string aperture"},
         {"spherical", int(CameraKind::spherical), "string mapping = equalarea"},
@@ -40,11 +42,11 @@ const KindTable& filmKinds() {
 
 const KindTable& filterKinds() {
     static const KindTable table("pixel filter", "", {
-        {"box", int(FilterKind::box), "float xradius = 0.5; float yradius = 0.5"},
-        {"triangle", int(FilterKind::triangle), "float xradius = 2; float yradius = 2"},
-        {"gaussian", int(FilterKind::gaussian), "float xradius = 1.5; float yradius = 1.5; float sigma = 0.5"},
-        {"mitchell", int(FilterKind::mitchell), "float xradius = 2; float yradius = 2; float B; float C"},
-        {"sinc", int(FilterKind::sinc), "float xradius = 4; float yradius = 4; float tau = 3"},
+        {"box", int(FilterKind::box), "float xradius = 0.5 in (0, inf); float yradius = 0.5 in (0, inf)"},
+        {"triangle", int(FilterKind::triangle), "float xradius = 2 in (0, inf); float yradius = 2 in (0, inf)"},
+        {"gaussian", int(FilterKind::gaussian), "float xradius = 1.5 in (0, inf); float yradius = 1.5 in (0, inf); float sigma = 0.5 in (0, inf)"},
+        {"mitchell", int(FilterKind::mitchell), "float xradius = 2 in (0, inf); float yradius = 2 in (0, inf); float B; float C"},
+        {"sinc", int(FilterKind::sinc), "float xradius = 4 in (0, inf); float yradius = 4 in (0, inf); float tau = 3 in (0, inf)"},
     });
     return table;
 }
@@ -115,7 +117,7 @@ void Settings::set(Sort sort, const std::string& kindName, const GraphicsState& 
     const Kind& kind = settingKinds()[static_cast<size_t>(sort)]->find(kindName, where);
     given_[sort] = std::make_unique<Arguments>(reading_, kind, where, std::move(parameters), nullptr, state.space);
     if (sort == Sort::camera) {
-        if (!(std::abs(glm::determinant(state.transform[0])) > 0)) throw SceneError(where, "the camera's transform cannot be inverted; is there a Scale of 0?");
+        if (!isInvertible(state.transform)) throw SceneError(where, "the camera's transform cannot be inverted; is there a Scale of 0?");
         reading_.scene.camera.worldFromCamera = glm::inverse(state.transform[0]);
         reading_.scene.camera.worldFromCameraAtEnd.reset();
         if (state.moves()) {
@@ -172,12 +174,17 @@ void Settings::applyCamera(const Arguments& arguments) {
     if (arguments.has("screenwindow")) {
         const std::vector<double> window = arguments.numbers("screenwindow");
         expectCount(arguments, "screenwindow", window, 4);
+        if (window[0] == window[1] || window[2] == window[3])
+            throw SceneError(arguments.whereOf("screenwindow"), "\"float screenwindow\" holds nothing: its values are x0 x1 y0 y1, with x0 other than x1 and y0 other than y1");
         camera.screenWindow = {window[0], window[1], window[2], window[3]};
     }
     if (camera.kind == CameraKind::spherical) applyMapping(arguments);
     if (camera.kind == CameraKind::realistic) applyLens(arguments);
     camera.lensRadius = arguments.number("lensradius");
     camera.focalDistance = arguments.number("focaldistance");
+    if (camera.lensRadius > 0 && !(camera.focalDistance > 0))
+        throw SceneError(arguments.whereOf("focaldistance"), fmt::format("{}: \"float focaldistance\" is {:g}; with a lens it must be in (0, inf)",
+                                                                         arguments.kind().title(), camera.focalDistance));
     camera.shutterOpen = arguments.number("shutteropen");
     camera.shutterClose = arguments.number("shutterclose");
     if (!(camera.shutterClose > camera.shutterOpen))
@@ -261,7 +268,6 @@ void Settings::applyFilter(const Arguments& arguments) {
     filter.kind = static_cast<FilterKind>(arguments.kind().value);
     filter.xRadius = arguments.number("xradius");
     filter.yRadius = arguments.number("yradius");
-    if (!(filter.xRadius > 0 && filter.yRadius > 0)) throw SceneError(arguments.where(), "a pixel filter's radii must be above 0");
     if (filter.kind == FilterKind::gaussian) filter.sigma = arguments.number("sigma");
     if (filter.kind == FilterKind::sinc) filter.tau = arguments.number("tau");
     if (filter.kind == FilterKind::mitchell) {

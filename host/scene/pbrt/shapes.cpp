@@ -57,6 +57,12 @@ void ShapeBook::add(const std::string& kindName, const GraphicsState& state, Par
 
     Pending pending{{}, none, openObject_, state.material, state.inside, state.outside, {}};
     if (!readKind(arguments, pending)) return;
+    const bool isMesh = std::holds_alternative<TriangleMesh>(pending.shape.kind) || std::holds_alternative<BilinearMesh>(pending.shape.kind);
+    if (!isMesh && !isInvertible(state.transform)) {
+        /* A mesh that is flattened can still be seen */
+        reading_.diagnostics.warnOnce("flattened " + kind.title(), where, kind.title() + ": its transform cannot be inverted, as with a Scale of 0; it is left out");
+        return;
+    }
     pending.shape.where = where;
     pending.shape.worldFromObject = state.transform[0];
     pending.shape.worldFromObjectAtEnd = endOfMotion(state, where);
@@ -131,6 +137,10 @@ void ShapeBook::endObject(const SourceLocation& where) {
 void ShapeBook::addInstance(const std::string& name, const GraphicsState& state, const SourceLocation& where) {
     if (openObject_ != none)
         throw SceneError(where, "ObjectInstance inside of the object \"" + reading_.scene.objects[openObject_].name + "\"; objects cannot hold instances");
+    if (!isInvertible(state.transform)) {
+        reading_.diagnostics.warnOnce("flattened instance", where, "the instance's transform cannot be inverted, as with a Scale of 0; it is left out");
+        return;
+    }
     reading_.scene.instances.push_back({objectNamed(name), state.transform[0], endOfMotion(state, where), where});
 }
 

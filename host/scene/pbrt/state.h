@@ -5,6 +5,7 @@
 #include "scene/scene.h"
 
 #include <array>
+#include <cmath>
 #include <memory>
 
 namespace eikonal::pbrt {
@@ -16,6 +17,11 @@ constexpr int targetCount = 5;
 
 /// Transforms to world space where the shutter opens and where it closes.
 using Motion = std::array<Transform, 2>;
+
+/// Whether both lead back: false for a Scale of 0.
+inline bool isInvertible(const Motion& motion) {
+    return std::abs(glm::determinant(motion[0])) > 0 && std::abs(glm::determinant(motion[1])) > 0;
+}
 
 struct GraphicsState {
     Motion transform{Transform(1), Transform(1)};
