@@ -56,6 +56,7 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     packMaterials(packer);
     packGeometry(packer);
     packLights(packer);
+    packFoci(packer);
 
     settings& frame = packed.frame();
     frame.seed = static_cast<uint>(scene.sampler.seed);

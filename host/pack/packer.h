@@ -38,6 +38,8 @@ void packMaterials(Packer&);
 void packGeometry(Packer&);
 /// Everything but area lights, which geometry brings; then the light sampler.
 void packLights(Packer&);
+/// Lights that are points, for media; after the lights.
+void packFoci(Packer&);
 
 /// What becomes of a texture's value.
 enum class TextureUse { asItIs, reflectance /* brought into [0, 1] */, roughness /* its square root */, metal /* a reflectance to an index of refraction */, displacement /* world units to scene units */ };

@@ -13,6 +13,7 @@
 #define GENERAL_FEATURES(F) \
     F(SPECTRAL,         "rendering at wavelengths instead of in RGB") \
     F(MEDIA,            "a participating medium") \
+    F(FOCI,             "a light that is a point, and a homogeneous medium that scatters") \
     F(INTERFACE,        "a surface of material \"interface\"") \
     F(INSTANCES,        "object instances") \
     F(ALPHA,            "shapes cut out by an alpha texture") \

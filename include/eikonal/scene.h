@@ -72,8 +72,13 @@ typedef struct {
 
 #define MEDIUM_TABLES(T) \
     T(medium,         media) \
-    T(float,          densities) \
-    T(float,          majorants)
+    T(grid,           grids) \
+    T(uint,           bricks)                /* of grids: which of brick_values, BRICK_VALUES each */ \
+    T(float,          brick_values) \
+    T(color,          medium_colors)         /* of rgbgrid media */ \
+    T(float,          majorants) \
+    T(focus,          foci)                  /* MOST_FOCI at most */ \
+    T(blackbody_color, blackbodies)          /* BLACKBODY_STEPS + 1, or none */
 
 /* What reading colours takes (kernels/color.clh). */
 #define COLOR_TABLES(T) \

@@ -66,7 +66,7 @@ AttributeBegin AreaLightSource "diffuse" "rgb L" [20 20 20] Material "diffuse" M
 /// lens of radius 0, a camera that moves nowhere, frames along the surface, and media, with which strategies are weighted by the balance heuristic instead of the power heuristic.
 Features allButMethods() {
     using enum Feature;
-    const Features methods = Features().require(ANISOTROPY).require(FILTER).require(SOBOL).require(LENS).require(CAMERA_MOTION).require(MEDIA).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID);
+    const Features methods = Features().require(ANISOTROPY).require(FILTER).require(SOBOL).require(LENS).require(CAMERA_MOTION).require(MEDIA).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID).require(FOCI);
     Features features;
     for (size_t i = 0; i < featureCount; ++i)
         if (!methods.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));

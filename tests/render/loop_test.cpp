@@ -47,7 +47,13 @@ MakeNamedMedium "m" "string type" "homogeneous" "rgb sigma_s" [3 2 1] AttributeB
 ActiveTransform EndTime Translate -1 0 0 ActiveTransform All Shape "sphere" AttributeEnd
 ObjectBegin "a" Material "conductor" "float roughness" 0 Shape "sphere" "float radius" .4 ActiveTransform EndTime Rotate 70 1 2 3 Shape "disk" ObjectEnd
 AttributeBegin ActiveTransform EndTime Translate 0 1 0 ObjectInstance "a" AttributeEnd AttributeBegin Translate 1.5 0 0 ObjectInstance "a" AttributeEnd
-Material "diffuse" Shape "trianglemesh" "point3 P" [-5 -1 -5  5 -1 -5  5 -1 5  -5 -1 5] "integer indices" [0 1 2 0 2 3])"};
+Material "diffuse" Shape "trianglemesh" "point3 P" [-5 -1 -5  5 -1 -5  5 -1 5  -5 -1 5] "integer indices" [0 1 2 0 2 3])",
+    R"(LightSource "infinite" "rgb L" [.3 .4 .5]
+MakeNamedMedium "colours" "string type" "rgbgrid" "integer nx" 2 "rgb sigma_a" [.1 .5 1 1 .5 .1] "rgb sigma_s" [3 2 1 1 2 3] "rgb Le" [.01 0 0 0 .01 0]
+MakeNamedMedium "cloud" "string type" "cloud" "rgb sigma_s" [5 5 5] "rgb sigma_a" [0 0 0]
+MakeNamedMedium "fire" "string type" "uniformgrid" "float density" 3 "float temperature" 4000 "float Lescale" .05
+MediumInterface "colours" "" Material "interface" Translate -.5 -.5 -.5 Shape "sphere"
+MediumInterface "cloud" "colours" Shape "sphere" "float radius" .5 MediumInterface "fire" "cloud" Shape "sphere" "float radius" .3)"};
 
 TEST(Loop, GivesTheSameBitsAsTheWavefront) {
     for (const char* world : worlds) {

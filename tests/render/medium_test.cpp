@@ -1,11 +1,16 @@
 // Light on its way through participating media, against the laws of extinction and emission. A camera in front looks along z through the origin at a
 // black wall at z = 5 that shines with L = 4.
 
+#include "nanovdb_file.h"   // before include/eikonal
+
 #include "rendering.h"
+#include "spectra/spectrum.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace eikonal {
 namespace {
@@ -121,6 +126,66 @@ TEST(Medium, AnInterfaceIsNoDepth) {
     const std::string scene = "LightSource \"point\" \"rgb I\" [9 9 9] \"point3 from\" [0 2 -1]\nAttributeBegin Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5] Shape \"disk\" \"float radius\" 1 AttributeEnd\n";
     expectRadiance(render(sceneText(view, scene + medium("nothing", "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [0 0 0]") + ball("nothing", "", 1.3) + ball("nothing", "", 1.6) + ball("nothing", "", 1.9)), media()),
                    0.5 / pi * 9 / std::pow(5, 1.5));
+}
+
+// ---- media that vary ------------------------------------------------------------------------------------------------
+
+std::string repeated(const std::string& value, int times) {
+    std::string text = "[";
+    for (int i = 0; i < times; ++i) text += " " + value;
+    return text + " ]";
+}
+/// 4^3 values on the cube of side 4: the same everywhere within 1.5 of the middle, where the ball is.
+const std::string around = "\"integer nx\" 4 \"integer ny\" 4 \"integer nz\" 4 \"point3 p0\" [-2 -2 -2] \"point3 p1\" [2 2 2] ";
+std::string evenDensity(const std::string& more) { return around + "\"float density\" " + repeated("1", 64) + more; }
+
+std::string nanoVdbFile() {
+    const std::string path = (std::filesystem::temp_directory_path() / fmt::format("eikonal-render-{}.nvdb", ::getpid())).string();
+    writeNanoVdb(path, {{"density", 8, 0.25, [](int, int, int) { return 1.f; }}, {"heat", 8, 0.25, [](int, int, int) { return 1000.f; }}});
+    return "\"string filename\" \"" + path + "\" \"string temperaturename\" \"heat\" ";
+}
+
+// Beer's law in whatever is the same everywhere along the axis: a grid of colours, the mist below a cloud (density is 1 where y < 0), a sparse grid.
+TEST(VaryingMedia, WhatDoesNotVaryFollowsBeersLaw) {
+    const glm::dvec3 expected = Le * transmittance({.2, .5, 1}, 2);
+    expectRadiance(look(wall + medium("ink", around + "\"float scale\" .1 \"rgb sigma_a\" " + repeated("2 5 10", 64) + "\"rgb sigma_s\" " + repeated("0 0 0", 64), "rgbgrid") + ball("ink", "", 1)), expected, 0.03);
+    expectRadiance(look(wall + "TransformBegin Translate 0 4 0\n" + medium("ink", everyColour + "\"point3 p0\" [-2 -6 -2] \"point3 p1\" [2 -2 2]", "cloud") + "TransformEnd\n" + ball("ink", "", 1)), expected, 0.02);
+    expectRadiance(look(wall + medium("ink", everyColour + nanoVdbFile() + "\"float Lescale\" 0", "nanovdb") + ball("ink", "", 1)), expected, 0.03);
+}
+
+// Two samples along z, [6 3 1] and nothing, with their centres at -1/2 and 1/2, as in AGridInterpolatesBetweenTheCentresOfItsCells.
+TEST(VaryingMedia, ColoursAreInterpolated) {
+    expectRadiance(look(wall + medium("step", "\"integer nz\" 2 \"point3 p0\" [-1 -1 -1] \"point3 p1\" [1 1 1] \"rgb sigma_a\" [1.2 .6 .2 0 0 0] \"rgb sigma_s\" [0 0 0 0 0 0]", "rgbgrid") + ball("step", "", 1.8)),
+                   Le * transmittance({1.2, .6, .2}, 0.875), 0.03);
+}
+
+// What is not given of a grid's two coefficients is 1 all through its box, as in pbrt-v4: the way through it is 2.
+TEST(VaryingMedia, ACoefficientThatIsNotGivenIsOne) {
+    expectRadiance(look(wall + medium("one", "\"point3 p0\" [-1 -1 -1] \"point3 p1\" [1 1 1] \"float scale\" .5 \"rgb sigma_s\" [0 0 0]", "rgbgrid") + ball("one", "", 1.8)), Le * std::exp(-1), 0.02);
+}
+
+// Colours that shine and absorb with sigma_a = .7 send out L (1 - exp(-sigma_a d)), times what pbrt-v4 leaves in: the integral of the matching function y.
+TEST(VaryingMedia, ColoursShine) {
+    const std::string parameters = around + "\"rgb sigma_a\" " + repeated(".7 .7 .7", 64) + "\"rgb sigma_s\" " + repeated("0 0 0", 64) + "\"rgb Le\" " + repeated("3 2 1", 64) + "\"float Lescale\" .5";
+    expectRadiance(look(medium("flame", parameters, "rgbgrid") + ball("flame", "", 1)), 106.857 * 0.5 * glm::dvec3(3, 2, 1) * (1 - std::exp(-1.4)), 0.02);
+}
+
+// Black bodies of (1000 - 100) * 3 = 2700 K: the integral of Planck's law, its maximum taken as 1, against the matching functions.
+TEST(VaryingMedia, HeatShines) {
+    const glm::dvec3 body = rgbFromXyz(ColorSpace::srgb) * integrateXyz(Spectrum::blackbody(2700).dense());
+    const std::string sigma = "\"rgb sigma_a\" [.7 .7 .7] \"rgb sigma_s\" [0 0 0] ", glow = "\"float temperatureoffset\" 100 \"float temperaturescale\" 3 ";
+    const std::string grid = sigma + evenDensity(glow + "\"float temperature\" " + repeated("1000", 64) + "\"float Lescale\" " + repeated(".02", 64));
+    expectRadiance(look(medium("fire", grid, "uniformgrid") + ball("fire", "", 1)), 0.02 * body * (1 - std::exp(-1.4)), 0.02);
+    expectRadiance(look(medium("fire", sigma + glow + nanoVdbFile() + "\"float Lescale\" .02", "nanovdb") + ball("fire", "", 1)), 0.02 * body * (1 - std::exp(-1.4)), 0.02);
+}
+
+// Under a white sky a cloud that absorbs nothing cannot be seen, however it varies and whatever its colours.
+TEST(VaryingMedia, WhiteOnesUnderAWhiteSkyCannotBeSeen) {
+    const std::string sky = "LightSource \"infinite\" \"rgb L\" [1 1 1]\n", white = "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [4 4 4] ";
+    std::string spots = "[";
+    for (int i = 0; i < 64; ++i) spots += fmt::format(" {} {} {}", i % 3, i % 2, i % 5);
+    expectRadiance(look(sky + medium("cloud", around + "\"rgb sigma_a\" " + repeated("0 0 0", 64) + "\"rgb sigma_s\" " + spots + " ]", "rgbgrid") + ball("cloud", "", 1), 300), 1, 0.03);
+    expectRadiance(look(sky + medium("cloud", white + "\"point3 p0\" [-1 0 -1] \"float frequency\" 3 \"float density\" 2", "cloud") + ball("cloud", "", 1), 300), 1, 0.01);
 }
 
 }  // namespace

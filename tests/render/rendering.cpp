@@ -49,7 +49,7 @@ Features surfaceFeatures() {
     const Features others = Features().require(MEDIA).require(AOVS).require(SOBOL).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
         .require(CAMERA_ORTHOGRAPHIC).require(CAMERA_SPHERICAL).require(CAMERA_REALISTIC).require(APERTURE).require(CAMERA_MOTION).require(MOTION)
         .require(LIGHT_IMAGE_ENVIRONMENT).require(TEXTURE_IMAGEMAP).require(TEXTURE_FBM).require(TEXTURE_WRINKLED).require(TEXTURE_WINDY).require(TEXTURE_MARBLE)
-        .require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID);
+        .require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID).require(MEDIUM_RGBGRID).require(MEDIUM_CLOUD).require(MEDIUM_NANOVDB);
     Features features;
     for (size_t i = 0; i < featureCount; ++i)
         if (!others.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));
@@ -57,7 +57,7 @@ Features surfaceFeatures() {
 }
 Features mediumFeatures() {
     using enum Feature;
-    return surfaceFeatures().require(MEDIA).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID);
+    return surfaceFeatures().require(MEDIA).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID).require(MEDIUM_RGBGRID).require(MEDIUM_CLOUD).require(MEDIUM_NANOVDB);
 }
 static RenderSetup forcing(const Features& features) {
     RenderSetup setup;

@@ -1,6 +1,11 @@
 // Participating media. The defaults are those of pbrt-v4's source (media.cpp).
 
+#include "nanovdb_file.h"
+#include "scene/nanovdb.h"
 #include "unit/pbrt_reading.h"
+#include "unit/temporary_folder.h"
+
+#include <fstream>
 
 namespace eikonal {
 namespace {
@@ -71,12 +76,107 @@ TEST_F(PbrtMedia, names) {
     EXPECT_EQ(world("MediumInterface \"never made\" \"\"").media.size(), 0u);  // nothing uses it
 }
 
-TEST_F(PbrtMedia, whatIsNotRenderedIsVacuum) {
-    const Scene scene = world("MakeNamedMedium \"c\" \"string type\" \"cloud\" MediumInterface \"c\" \"\" Shape \"sphere\"");
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("medium \"cloud\" is not rendered yet; it is empty")));
-    EXPECT_FALSE(scene.shapes[0].interface.has_value());
-    world("MakeNamedMedium \"c\" \"string type\" \"rgbgrid\" \"rgb sigma_s\" [1 1 1 2 2 2] \"integer nx\" 2");
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("rgbgrid")));
+TEST_F(PbrtMedia, gridsMayShine) {
+    const std::string grid = "\"uniformgrid\" \"integer nx\" 2 \"float density\" [0 1] ";
+    const Medium hot = medium(grid + "\"float temperature\" [300 2000] \"float temperaturecutoff\" 10 \"float temperaturescale\" 3 \"float Lescale\" [1 2]");
+    EXPECT_THAT(hot.temperature.values, ElementsAre(300, 2000));
+    EXPECT_THAT(hot.LeScale.values, ElementsAre(1, 2));
+    EXPECT_EQ(hot.temperatureOffset, 10);
+    EXPECT_EQ(medium(grid + "\"float temperatureoffset\" 5 \"float temperaturecutoff\" 10").temperatureOffset, 5);
+    EXPECT_EQ(hot.temperatureScale, 3);
+    EXPECT_EQ(medium(grid).LeScale.values.size(), 1u);   // as in pbrt-v4: one value, for the whole grid
+    EXPECT_THAT(errorOfMedium(grid + "\"float temperature\" [1 2] \"rgb Le\" [1 1 1]"), HasSubstr("both \"Le\" and \"temperature\""));
+    EXPECT_THAT(errorOfMedium(grid + "\"float temperature\" [1 2 3]"), HasSubstr("has 3 values; nx * ny * nz = 2 * 1 * 1 = 2 are expected"));
+    EXPECT_THAT(errorOfMedium("\"uniformgrid\" \"float density\" [-1]"), HasSubstr("a value below 0: -1"));
+    EXPECT_THAT(errorOfMedium(grid + "\"point3 p1\" [1 0 1]"), HasSubstr("is flat"));
+    EXPECT_THAT(errorOfWorld("Scale 1 0 1 MakeNamedMedium \"m\" \"string type\" " + grid), HasSubstr("flatten"));
+}
+
+TEST_F(PbrtMedia, rgbGrids) {
+    const Medium m = medium("\"rgbgrid\" \"integer ny\" 2 \"rgb sigma_a\" [1 2 3 4 5 6] \"rgb Le\" [0 0 0 1 1 1] \"float scale\" 4 \"float Lescale\" 2 \"float g\" .5 \"point3 p0\" [-1 -1 -1]");
+    EXPECT_EQ(m.kind, MediumKind::rgbGrid);
+    EXPECT_EQ(m.colors.ny, 2);
+    ASSERT_EQ(m.colors.sigmaA.size(), 2u);
+    EXPECT_EQ(m.colors.sigmaA[1], glm::vec3(4, 5, 6));
+    EXPECT_TRUE(m.colors.sigmaS.empty());
+    EXPECT_EQ(m.sigmaA.value(), 4);
+    EXPECT_EQ(m.g, .5);
+    EXPECT_NEAR(m.emissionScale, 2 * 106.857, 0.01);   // times the integral of the matching function y
+    EXPECT_THAT(errorOfMedium("\"rgbgrid\""), HasSubstr("needs \"rgb sigma_a\" or \"rgb sigma_s\""));
+    EXPECT_THAT(errorOfMedium("\"rgbgrid\" \"rgb sigma_s\" [1 1 1] \"rgb Le\" [1 1 1]"), HasSubstr("\"rgb Le\" needs \"rgb sigma_a\""));
+    EXPECT_THAT(errorOfMedium("\"rgbgrid\" \"rgb sigma_s\" [1 1 1 1]"), HasSubstr("a multiple of 3 is expected"));
+    EXPECT_THAT(errorOfMedium("\"rgbgrid\" \"rgb sigma_s\" [1 1 1 1 1 1]"), HasSubstr("has 2 values; nx * ny * nz = 1 * 1 * 1 = 1 are expected"));
+    EXPECT_THAT(errorOfMedium("\"rgbgrid\" \"rgb sigma_s\" [1 -1 1]"), HasSubstr("below 0"));
+}
+
+TEST_F(PbrtMedia, clouds) {
+    const Medium m = medium("\"cloud\"");
+    EXPECT_EQ(m.kind, MediumKind::cloud);
+    EXPECT_EQ(m.cloudDensity, 1);
+    EXPECT_EQ(m.wispiness, 1);
+    EXPECT_EQ(m.frequency, 5);
+    expectNear(m.p1, {1, 1, 1});
+    EXPECT_EQ(medium("\"cloud\" \"float density\" 2 \"float wispiness\" 0 \"float frequency\" 3").wispiness, 0);
+}
+
+TEST_F(PbrtMedia, nanoVdbFiles) {
+    const std::string file = path("smoke.nvdb");
+    const auto value = [](int x, int y, int z) { return float(100 + 10 * x + y) + 0.1f * float(z); };
+    for (const auto codec : nanoVdbCodecs) {
+        writeNanoVdb(file, {{"density", 5, 0.5, value}, {"fire", 2, 0.5, value}}, codec);
+        const Medium m = medium("\"nanovdb\" \"string temperaturename\" \"fire\" \"float Lescale\" 3 \"float temperaturescale\" 7 \"string filename\" \"" + file + "\"");
+        EXPECT_EQ(m.kind, MediumKind::nanovdb);
+        EXPECT_EQ(m.emissionScale, 3);
+        EXPECT_EQ(m.temperatureScale, 7);
+        const SparseGrid& grid = *m.sparseDensity;
+        EXPECT_EQ(grid.low, glm::ivec3(-5));
+        EXPECT_EQ(grid.high, glm::ivec3(4));
+        expectNear(apply(grid.voxelFromMedium, {1, 2, -3}), {2, 4, -6});
+        /* Voxel (3, -4, 2): block (0, -1, 0), the fifth along y in it */
+        const glm::ivec3 block = glm::ivec3(0, -1, 0) - grid.firstBlock;
+        const std::uint32_t stored = grid.blockOf[static_cast<size_t>((block.z * grid.blocks.y + block.y) * grid.blocks.x + block.x)];
+        EXPECT_EQ(grid.values[512 * stored + (2 * 8 + 4) * 8 + 3], value(3, -4, 2));
+        EXPECT_EQ(m.sparseTemperature->high, glm::ivec3(1));
+    }
+    const std::string named = "\"nanovdb\" \"string filename\" \"" + file + "\" ";
+    EXPECT_EQ(medium(named).sparseTemperature, nullptr);   // there need not be a "temperature"
+    EXPECT_THAT(errorOfMedium(named + "\"string gridname\" \"smoke\""), HasSubstr("has no grid \"smoke\"; it has \"density\", \"fire\""));
+    EXPECT_THAT(errorOfMedium(named + "\"string temperaturename\" \"ice\""), HasSubstr("has no grid \"ice\""));
+    EXPECT_THAT(errorOfMedium("\"nanovdb\""), HasSubstr("needs a \"string filename\""));
+    EXPECT_THAT(errorOfMedium("\"nanovdb\" \"string filename\" \"nowhere.nvdb\""), HasSubstr("nowhere.nvdb"));
+}
+
+// A file that was cut off, or of which bytes are wrong, is an error with its name or still a grid; nothing else happens.
+TEST_F(PbrtMedia, damagedNanoVdbFiles) {
+    const std::string file = path("smoke.nvdb");
+    writeNanoVdb(file, {{"density", 3, 1, [](int, int, int) { return 1.f; }}});
+    const std::vector<char> whole = readBytes(file);
+    const auto rewrite = [&](const std::vector<char>& bytes) { std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<std::streamsize>(bytes.size())); };
+    const auto read = [&] {
+        try {
+            (void)readNanoVdb(file, "density");
+            return std::string();
+        } catch (const ReadProblem& problem) {
+            return std::string(problem.what());
+        }
+    };
+    for (size_t size : {size_t{1}, size_t{20}, size_t{150}, size_t{1000}, whole.size() / 2, whole.size() - 1}) {
+        rewrite({whole.begin(), whole.begin() + static_cast<long>(size)});
+        EXPECT_THAT(read(), HasSubstr(size == 1000 || size > 1000 ? "" : "ends too early")) << size;
+        EXPECT_NE(read(), "") << size;
+    }
+    rewrite(std::vector<char>(1000, 'x'));
+    EXPECT_THAT(read(), HasSubstr("is not a NanoVDB file"));
+    /* Each byte of the headers and the first nodes, and every hundredth of the rest */
+    for (size_t at = 0; at < whole.size(); at += at < 2000 ? 3 : 4001)
+        for (const int value : {0x00, 0x7f, 0xff}) {
+            std::vector<char> bytes = whole;
+            bytes[at] = static_cast<char>(value);
+            rewrite(bytes);
+            (void)read();
+        }
+    writeNanoVdb(file, {{"density", 3, 1, [](int, int, int) { return 1.f; }, nanovdb::GridClass::LevelSet}});
+    EXPECT_THAT(read(), HasSubstr("is a level set"));
 }
 
 }  // namespace

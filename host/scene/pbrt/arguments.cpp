@@ -171,6 +171,16 @@ std::vector<std::string> Arguments::texts(const std::string& name) const {
 std::vector<glm::vec2> Arguments::vectors2(const std::string& name) const { return vectors<glm::vec2>(name); }
 std::vector<glm::vec3> Arguments::vectors3(const std::string& name) const { return vectors<glm::vec3>(name); }
 
+std::vector<glm::vec3> Arguments::colors(const std::string& name) const {
+    const std::vector<double> all = numbers(name);
+    const auto problem = [&](const std::string& what) { return SceneError(whereOf(name), "\"" + given(name)->declaration() + "\" has " + what); };
+    if (all.size() % 3) throw problem(std::to_string(all.size()) + " values; a multiple of 3 is expected");
+    if (std::ranges::any_of(all, [](double component) { return component < 0; })) throw problem("a component below 0");
+    std::vector<glm::vec3> result(all.size() / 3);
+    for (size_t i = 0; i < result.size(); ++i) result[i] = {all[3 * i], all[3 * i + 1], all[3 * i + 2]};
+    return result;
+}
+
 Spectrum Arguments::spectrum(const std::string& name, const Spectrum& fallback) const {
     const Rule& r = rule(name);
     if (const Parameter* parameter = given(name)) {

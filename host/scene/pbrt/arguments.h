@@ -41,6 +41,8 @@ public:
     std::vector<std::string> texts(const std::string& name) const;
     std::vector<glm::vec2> vectors2(const std::string& name) const;
     std::vector<glm::vec3> vectors3(const std::string& name) const;
+    /// Colours, none of whose components is negative, in space().
+    std::vector<glm::vec3> colors(const std::string& name) const;
 
     /// A spectrum or a float as one; `fallback` if it is not given and the row has no default.
     Spectrum spectrum(const std::string& name, const Spectrum& fallback = Spectrum()) const;

@@ -39,6 +39,7 @@ const std::vector<Word>& words() {
         {"colormap", Wanted::colorMap, {T::rgb, T::spectrum, T::blackbody, T::texture}},
         {"spectrummap", Wanted::spectrumMap, {T::rgb, T::spectrum, T::blackbody, T::texture}},
         {"spectrum", Wanted::spectrum, {T::rgb, T::spectrum, T::blackbody}},
+        {"colors", Wanted::colors, {T::rgb}},
         {"index", Wanted::index, {T::number, T::rgb, T::spectrum, T::blackbody}},
         {"floattexture", Wanted::floatTexture, {T::texture}},
     };

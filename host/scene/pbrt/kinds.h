@@ -18,6 +18,7 @@ enum class Wanted {
     colorMap,     ///< a reflectance or a spectrum texture: rgb in [0, 1]
     spectrumMap,  ///< a coefficient or a spectrum texture: rgb not negative
     spectrum,     ///< a spectrum; no texture
+    colors,       ///< any number of rgb colours
     index,        ///< a float or a spectrum; no texture
     floatTexture, ///< the name of a float texture
 };

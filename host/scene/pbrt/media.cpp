@@ -1,39 +1,74 @@
 #include "scene/pbrt/media.h"
 
+#include "scene/nanovdb.h"
 #include "scene/pbrt/medium_presets.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace eikonal::pbrt {
 namespace {
 
-enum MediumKindOfPbrt { homogeneousKind, uniformGridKind, otherKind };
+enum MediumKindOfPbrt { homogeneousKind, uniformGridKind, rgbGridKind, cloudKind, nanoVdbKind };
 
-constexpr const char* gridParameters =
-    "point3 p0; point3 p1; float g = 0; spectrum sigma_a = 1; spectrum sigma_s = 1; float scale = 1; integer nx = 1; integer ny = 1;"
-    "integer nz = 1; spectrum Le = 0; floats Lescale; floats density; floats temperature; float temperatureoffset = 0;"
-    "float temperaturecutoff = 0; float temperaturescale = 1";
+constexpr const char* glow = "float temperaturecutoff = 0; float temperatureoffset | temperaturecutoff = 0; float temperaturescale = 1;";
 
-/// Values on the grid that a medium describes; empty if the parameter is not given. Throws SceneError.
+/// The size of the grid that a medium describes. Throws SceneError.
+glm::ivec3 readSize(const Arguments& arguments) {
+    const glm::ivec3 size(arguments.integer("nx"), arguments.integer("ny"), arguments.integer("nz"));
+    if (size.x < 1 || size.y < 1 || size.z < 1) throw SceneError(arguments.where(), "the grid's nx, ny and nz must be at least 1");
+    return size;
+}
+
+/// Throws SceneError unless there is one value for each of the grid's cells.
+void checkCount(const Arguments& arguments, const std::string& name, size_t count, glm::ivec3 size, const char* type) {
+    const double expected = double(size.x) * size.y * size.z;
+    if (static_cast<double>(count) != expected)
+        throw SceneError(arguments.whereOf(name), fmt::format("\"{} {}\" has {} values; nx * ny * nz = {} * {} * {} = {:.0f} are expected", type, name, count,
+                                                              size.x, size.y, size.z, expected));
+}
+
+/// Values on the grid that a medium describes, none of them negative; empty if the parameter is not given. Throws SceneError.
 Grid readGrid(const Arguments& arguments, const std::string& name) {
-    Grid grid;
-    grid.nx = arguments.integer("nx");
-    grid.ny = arguments.integer("ny");
-    grid.nz = arguments.integer("nz");
-    if (grid.nx < 1 || grid.ny < 1 || grid.nz < 1) throw SceneError(arguments.where(), "the grid's nx, ny and nz must be at least 1");
+    const glm::ivec3 size = readSize(arguments);
     const std::vector<double> values = arguments.numbers(name);
-    const double expected = double(grid.nx) * grid.ny * grid.nz;
-    if (!values.empty() && static_cast<double>(values.size()) != expected)
-        throw SceneError(arguments.whereOf(name), fmt::format("\"float {}\" has {} values; nx * ny * nz = {} * {} * {} = {:.0f} are expected", name,
-                                                              values.size(), grid.nx, grid.ny, grid.nz, expected));
-    grid.values.assign(values.begin(), values.end());
-    return grid;
+    if (!values.empty()) checkCount(arguments, name, values.size(), size, "float");
+    const auto below = std::ranges::find_if(values, [](double value) { return value < 0; });
+    if (below != values.end()) throw SceneError(arguments.whereOf(name), fmt::format("\"float {}\" has a value below 0: {:g}", name, *below));
+    return {size.x, size.y, size.z, {values.begin(), values.end()}};
+}
+
+std::vector<glm::vec3> readColors(const Arguments& arguments, const std::string& name) {
+    std::vector<glm::vec3> colors = arguments.colors(name);
+    if (!colors.empty()) checkCount(arguments, name, colors.size(), readSize(arguments), "rgb");
+    return colors;
+}
+
+void readBox(const Arguments& arguments, Medium& medium) {
+    medium.p0 = arguments.vector("p0", glm::dvec3(0));
+    medium.p1 = arguments.vector("p1", glm::dvec3(1));
+    const glm::dvec3 low = glm::min(medium.p0, medium.p1);
+    medium.p1 = glm::max(medium.p0, medium.p1);
+    medium.p0 = low;
+    if (glm::any(glm::equal(medium.p0, medium.p1))) throw SceneError(arguments.where(), "the medium's box from \"p0\" to \"p1\" is flat");
+}
+
+void readCoefficients(const Arguments& arguments, Medium& medium) {
+    medium.sigmaA = arguments.spectrum("sigma_a");
+    medium.sigmaS = arguments.spectrum("sigma_s");
+}
+
+void readGlow(const Arguments& arguments, Medium& medium) {
+    medium.temperatureOffset = arguments.number("temperatureoffset");
+    medium.temperatureScale = arguments.number("temperaturescale");
 }
 
 void readHomogeneous(Reading& reading, const Arguments& arguments, Medium& medium) {
     medium.kind = MediumKind::homogeneous;
+    readCoefficients(arguments, medium);
     if (const std::string preset = arguments.text("preset"); !preset.empty()) {
         const MediumPreset* measured = mediumPreset(preset);
         if (measured) {
@@ -52,36 +87,84 @@ void readHomogeneous(Reading& reading, const Arguments& arguments, Medium& mediu
     medium.Le = arguments.spectrum("Le") * arguments.number("Lescale");
 }
 
-void readUniformGrid(Reading& reading, const Arguments& arguments, Medium& medium) {
+void readUniformGrid(const Arguments& arguments, Medium& medium) {
     medium.kind = MediumKind::uniformGrid;
+    readCoefficients(arguments, medium);
     medium.density = readGrid(arguments, "density");
     if (medium.density.values.empty()) throw SceneError(arguments.where(), "medium \"uniformgrid\" needs \"float density\"");
+    medium.temperature = readGrid(arguments, "temperature");
+    if (arguments.has("Le") && arguments.has("temperature"))
+        throw SceneError(arguments.whereOf("Le"), "the medium has both \"Le\" and \"temperature\"; one of them says how it shines");
+    /* pbrt-v4 takes what is not given as a grid of a single 1, which falls off towards the sides */
     medium.LeScale = readGrid(arguments, "Lescale");
-    medium.p0 = arguments.vector("p0", glm::dvec3(0));
-    medium.p1 = arguments.vector("p1", glm::dvec3(1));
+    if (medium.LeScale.values.empty()) medium.LeScale = {1, 1, 1, {1}};
+    readBox(arguments, medium);
     medium.sigmaA = medium.sigmaA * arguments.number("scale");
     medium.sigmaS = medium.sigmaS * arguments.number("scale");
     medium.Le = arguments.spectrum("Le");
-    if (arguments.has("temperature"))
-        reading.unsupported("medium temperature", arguments.whereOf("temperature"), "glow by temperature is not rendered yet; the medium does not emit");
+    readGlow(arguments, medium);
+}
+
+void readRgbGrid(const Arguments& arguments, Medium& medium) {
+    medium.kind = MediumKind::rgbGrid;
+    const glm::ivec3 size = readSize(arguments);
+    medium.colors = {size.x, size.y, size.z, readColors(arguments, "sigma_a"), readColors(arguments, "sigma_s"), readColors(arguments, "Le"), arguments.space()};
+    if (medium.colors.sigmaA.empty() && medium.colors.sigmaS.empty())
+        throw SceneError(arguments.where(), "medium \"rgbgrid\" needs \"rgb sigma_a\" or \"rgb sigma_s\"");
+    if (!medium.colors.Le.empty() && medium.colors.sigmaA.empty()) throw SceneError(arguments.whereOf("Le"), "what shines must absorb: \"rgb Le\" needs \"rgb sigma_a\"");
+    readBox(arguments, medium);
+    medium.sigmaA = medium.sigmaS = Spectrum::constant(arguments.number("scale"));
+    /* pbrt-v4 does not divide these by the luminance of white, as it does lights */
+    medium.emissionScale = arguments.number("Lescale") * integrateXyz(whiteSpectrum(arguments.space())).y;
+}
+
+void readCloud(const Arguments& arguments, Medium& medium) {
+    medium.kind = MediumKind::cloud;
+    readCoefficients(arguments, medium);
+    readBox(arguments, medium);
+    medium.cloudDensity = arguments.number("density");
+    medium.wispiness = arguments.number("wispiness");
+    medium.frequency = arguments.number("frequency");
+}
+
+void readNanoVdbMedium(const Arguments& arguments, Medium& medium) {
+    medium.kind = MediumKind::nanovdb;
+    readCoefficients(arguments, medium);
+    medium.sigmaA = medium.sigmaA * arguments.number("scale");
+    medium.sigmaS = medium.sigmaS * arguments.number("scale");
+    if (!arguments.has("filename")) throw SceneError(arguments.where(), "medium \"nanovdb\" needs a \"string filename\"");
+    const std::optional<std::string> path = arguments.file("filename");
+    if (!path) return;
+    try {
+        medium.sparseDensity = readNanoVdb(*path, arguments.text("gridname"));
+        medium.sparseTemperature = readNanoVdb(*path, arguments.text("temperaturename"));
+        if (!medium.sparseDensity)
+            throw SceneError(arguments.whereOf("gridname"), fmt::format("{} has no grid \"{}\"; it has \"{}\"", *path, arguments.text("gridname"), fmt::join(gridNames(*path), "\", \"")));
+        if (!medium.sparseTemperature && arguments.has("temperaturename"))
+            throw SceneError(arguments.whereOf("temperaturename"), fmt::format("{} has no grid \"{}\"; it has \"{}\"", *path, arguments.text("temperaturename"), fmt::join(gridNames(*path), "\", \"")));
+    } catch (const ReadProblem& problem) {
+        throw SceneError(arguments.whereOf("filename"), *path + " " + problem.what());
+    }
+    medium.emissionScale = arguments.number("Lescale");
+    readGlow(arguments, medium);
 }
 
 }  // namespace
 
 const KindTable& mediumKinds() {
+    static const std::string coefficients = "float g = 0; spectrum sigma_a = 1; spectrum sigma_s = 1;", box = "point3 p0; point3 p1;",
+                             size = "integer nx = 1; integer ny = 1; integer nz = 1;";
+    static const std::string uniformGrid = coefficients + box + size + glow + "float scale = 1; spectrum Le = 0; floats Lescale; floats density; floats temperature";
+    static const std::string rgbGrid = box + size + "colors sigma_a; colors sigma_s; colors Le; float Lescale = 1; float scale = 1; float g = 0";
+    static const std::string cloud = coefficients + box + "float density = 1; float wispiness = 1; float frequency = 5";
+    static const std::string nanoVdb = coefficients + glow + "file filename; string gridname = density; string temperaturename = temperature; float Lescale = 1; float scale = 1";
     static const KindTable table("medium", "string type", {
         {"homogeneous", homogeneousKind,
          "string preset; spectrum sigma_a = 1; spectrum sigma_s = 1; float scale = 1; spectrum Le = 0; float Lescale = 1; float g = 0"},
-        {"uniformgrid", uniformGridKind, gridParameters},
-        {"rgbgrid", otherKind,
-         "integer nx = 1; integer ny = 1; integer nz = 1; spectrum sigma_a; spectrum sigma_s; spectrum Le; float Lescale = 1; float scale = 1;"
-         "float g = 0; point3 p0; point3 p1", "it is empty"},
-        {"cloud", otherKind,
-         "float density = 1; float g = 0; float wispiness = 1; float frequency = 5; spectrum sigma_a = 1; spectrum sigma_s = 1; point3 p0; point3 p1",
-         "it is empty"},
-        {"nanovdb", otherKind,
-         "file filename; string gridname; string temperaturename; float Lescale = 1; float temperatureoffset = 0; float temperaturecutoff = 0;"
-         "float temperaturescale = 1; float g = 0; spectrum sigma_a = 1; spectrum sigma_s = 1; float scale = 1", "it is empty"},
+        {"uniformgrid", uniformGridKind, uniformGrid.c_str()},
+        {"rgbgrid", rgbGridKind, rgbGrid.c_str()},
+        {"cloud", cloudKind, cloud.c_str()},
+        {"nanovdb", nanoVdbKind, nanoVdb.c_str()},
     });
     return table;
 }
@@ -102,19 +185,21 @@ void MediumBook::define(const std::string& name, const GraphicsState& state, Par
 
     const Kind& kind = mediumKinds().find(typeOf(parameters, "MakeNamedMedium", where), where);
     const Arguments arguments(reading_, kind, where, std::move(parameters), state.attributesOf(Target::medium), state.space);
-    if (kind.standIn) {
-        reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
-        return;
-    }
     Medium medium;
     medium.name = name;
     medium.where = where;
     medium.worldFromMedium = state.transform[0];
-    medium.sigmaA = arguments.spectrum("sigma_a");
-    medium.sigmaS = arguments.spectrum("sigma_s");
     medium.g = arguments.number("g");
-    if (kind.value == homogeneousKind) readHomogeneous(reading_, arguments, medium);
-    else readUniformGrid(reading_, arguments, medium);
+    switch (kind.value) {
+        case homogeneousKind: readHomogeneous(reading_, arguments, medium); break;
+        case uniformGridKind: readUniformGrid(arguments, medium); break;
+        case rgbGridKind: readRgbGrid(arguments, medium); break;
+        case cloudKind: readCloud(arguments, medium); break;
+        default: readNanoVdbMedium(arguments, medium);
+    }
+    if (glm::determinant(glm::dmat3(medium.worldFromMedium)) == 0 && kind.value != homogeneousKind)
+        throw SceneError(where, "the medium's transform flattens it: there is no way back");
+    if (medium.kind == MediumKind::nanovdb && !medium.sparseDensity) return;   // its file is missing, which was noted
     entries_[number].index = static_cast<int>(reading_.scene.media.size());
     reading_.scene.media.push_back(std::move(medium));
 }
