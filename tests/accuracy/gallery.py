@@ -29,8 +29,9 @@ REASONS = {
     "material-diffuse-imagemap": ("RGB: the dark channel of a saturated yellow, see below", 0.01, 1.5),
     "medium-absorb": ("RGB: exp(-x) of three numbers, see below", 0.022, 4),
     "medium-in-glass": ("RGB: exp(-x) of three numbers, see below", 0.034, 15),
-    "medium-camera-inside": ("noise of both images next to a point light, see below", 0.01, 3),
+    "medium-camera-inside": ("noise of the reference next to a point light, see below", 0.01, 3),
     "texture-bilerp": ("RGB: the dark channels of saturated colours, see below", 0.05, 8),
+    "medium-rgbgrid": ("RGB: exp(-x) of three numbers, saturated, see below", 0.03, 8),
 }
 
 
