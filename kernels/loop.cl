@@ -10,8 +10,8 @@
 #include "shade_scatters.cl"
 #include "test_shadows.cl"
 
-#define SHADE_CASE(name) if (hop == hop_##name) return JOIN(shade_, name)(lights, colors, frame, h, JOIN(load_, name)(hit, capacity, slot), 1);
-FN scattering shade_any(light_tables lights, color_tables colors, __global const settings *frame, __global const uint *hit, uint capacity, uint slot, uint hop, hit_item h) {
+#define SHADE_CASE(name) if (hop == hop_##name) return JOIN(shade_, name)(lights, colors, frame, h, bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, path_palette(colors, h.seed, h.sample)), 1);
+FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables colors, __global const settings *frame, __global const uint *hit, uint capacity, uint slot, uint hop, hit_item h) {
     SCENE_BSDFS(SHADE_CASE)
     scattering nothing;
     nothing.ray.t_max = -1.0f;
@@ -21,14 +21,14 @@ FN scattering shade_any(light_tables lights, color_tables colors, __global const
 
 /* Whether there is an albedo to be kept, and which. */
 typedef struct { spectrum albedo; int is; } kept_albedo;
-#define ALBEDO_CASE(name) if (hop == hop_##name && !JOIN(name, _is_delta)) { k.albedo = JOIN(albedo_, name)(JOIN(load_, name)(hit, capacity, slot)); k.is = 1; }
-FN kept_albedo albedo_any(__global const uint *hit, uint capacity, uint slot, uint hop) {
+#define ALBEDO_CASE(name) if (hop == hop_##name && !JOIN(name, _is_delta)) { k.albedo = JOIN(albedo_, name)(bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, colors)); k.is = 1; }
+FN kept_albedo albedo_any(bsdf_tables tables, palette colors, __global const uint *hit, uint capacity, uint slot, uint hop) {
     kept_albedo k = {uniform_spectrum(0.0f), 0};
     SCENE_BSDFS(ALBEDO_CASE)
     return k;
 }
 
-STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS CAMERA_ARGUMENTS
+STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS BSDF_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS CAMERA_ARGUMENTS
            __global const settings *frame, __global uint *hit, __global uint *path, uint capacity,
            uint tile_x, uint tile_y, uint tile_log2_width, uint tile_log2_height, uint end_x, uint end_y, uint first_sample, uint samples,
            uint most_hops, uint count) {
@@ -36,6 +36,7 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
     light_tables light_set = BIND_LIGHTS;
+    bsdf_tables bsdf_set = BIND_BSDFS;
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;
     camera_tables camera_set = BIND_CAMERA;
@@ -82,10 +83,10 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
                     s = relieve_surface(tables, m, s);
                     hit_item h = make_hit(g, r, f, s);
                     store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
-                    out = shade_any(light_set, color_set, frame, hit, capacity, slot, f.hop, h);
+                    out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h);
                     if (HAS_AOVS && r.depth == 0) store_first_surface(g, path, capacity, r, f, s);
                     if (HAS_AOVS && !h.seen) {
-                        kept_albedo k = albedo_any(hit, capacity, slot, f.hop);
+                        kept_albedo k = albedo_any(bsdf_set, path_palette(color_set, h.seed, h.sample), hit, capacity, slot, f.hop);
                         if (k.is) STORE_FIELD(path, spectrum, albedo, path, capacity, slot, seen_albedo(h, k.albedo));
                     }
                 }

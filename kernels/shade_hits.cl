@@ -5,7 +5,7 @@
 #ifndef JOIN
 #define JOIN_(a, b) a##b
 #define JOIN(a, b) JOIN_(a, b)
-#define BSDF_ITEM     JOIN(BSDF, _item)
+#define BSDF_BOUND    JOIN(BSDF, _bound)
 #define LOAD_BSDF     JOIN(load_, BSDF)
 #define EVAL_BSDF     JOIN(eval_, BSDF)
 #define PDF_BSDF      JOIN(pdf_, BSDF)
@@ -15,7 +15,7 @@
 #define BSDF_LOOPS    JOIN(BSDF, _loops)
 #endif
 
-FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __global const settings *frame, hit_item h, BSDF_ITEM b, int alive) {
+FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __global const settings *frame, hit_item h, BSDF_BOUND b, int alive) {
     frame3 shading = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
     vec3 wo = to_local(shading, h.wo);
     scattering out;
@@ -39,10 +39,11 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
 }
 
 #ifndef AS_LIBRARY
-STAGE shade_hits(LIGHT_ARGUMENTS COLOR_ARGUMENTS
+STAGE shade_hits(LIGHT_ARGUMENTS BSDF_ARGUMENTS COLOR_ARGUMENTS
                  __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, __global uint *path,
                  uint capacity, uint first, uint count) {
     light_tables light_set = BIND_LIGHTS;
+    bsdf_tables bsdf_set = BIND_BSDFS;
     color_tables color_set = BIND_COLORS;
     FOR_EACH_SLOT(at, count) {
         size_t i = first + at;
@@ -54,7 +55,7 @@ STAGE shade_hits(LIGHT_ARGUMENTS COLOR_ARGUMENTS
             continue;
         }
         hit_item h = load_hit(hit, capacity, i);
-        BSDF_ITEM b = LOAD_BSDF(hit, capacity, i);
+        BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_palette(color_set, h.seed, h.sample));
         scattering out = JOIN(shade_, BSDF)(light_set, color_set, frame, h, b, alive);
         store_ray(next_ray, capacity, i, out.ray);
         if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);

@@ -29,6 +29,7 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     r.depth = s.depth + 1;
     r.time = s.time;
     r.seen = 1u;
+    r.blurred = 1u;
     r.eta_scale = s.eta_scale;
     r.beta = game.beta;
     r.o = s.p;

@@ -19,7 +19,9 @@ BSDFS(PARAMETER_SLOTS)
 /// Collects the inputs of one material's BSDF.
 class InputWriter {
 public:
-    InputWriter(Packer& packer, const Material& description) : packer_(packer), description_(description) {}
+    /// regularize: microfacet widths become those that regularization gives them.
+    InputWriter(Packer& packer, const Material& description, bool regularize = false)
+        : packer_(packer), description_(description), regularize_(regularize) {}
 
     const Input& get(const char* name) const { return description_.inputs.at(name); }
     bool has(const char* name) const { return description_.inputs.count(name) != 0; }
@@ -49,24 +51,24 @@ public:
         material_input i{NONE, slot, input_count, static_cast<uint>(std::max(get(name).value.value(), 0.0)), {}};
         packer_.packed.tables.material_inputs.push_back(i);
     }
+    void file(uint slot) {
+        packer_.packed.tables.material_inputs.push_back({NONE, slot, input_count, packMeasured(packer_, description_.file, description_.where), {}});
+    }
     /// A roughness as a microfacet width.
     void width(uint slot, const char* name) {
         const Input& in = get(name);
-        const double value = in.value.value();
-        add(slot, input_number, packNumber(description_.remapRoughness ? std::sqrt(std::max(value, 0.0)) : value),
-            in.texture == none ? NONE : texture(in.texture, description_.remapRoughness ? TextureUse::roughness : TextureUse::asItIs));
+        const TextureUse use = description_.remapRoughness ? (regularize_ ? TextureUse::regularRoughness : TextureUse::roughness)
+                                                           : (regularize_ ? TextureUse::regularWidth : TextureUse::asItIs);
+        add(slot, input_number, packNumber(widthOf(in.value.value())), in.texture == none ? NONE : texture(in.texture, use));
     }
     /// Whether both roughnesses are so small everywhere that the surface is a mirror.
     bool isSmooth() const {
-        for (const char* name : {"uroughness", "vroughness"}) {
-            const Input& in = get(name);
-            const double value = in.value.value();
-            if (in.texture != none || (description_.remapRoughness ? std::sqrt(std::max(value, 0.0)) : value) >= MIN_ALPHA) return false;
-        }
+        for (const char* name : {"uroughness", "vroughness"})
+            if (get(name).texture != none || widthOf(get(name).value.value()) >= MIN_ALPHA) return false;
         return true;
     }
-    bool isAnisotropic() const {
-        const Input &u = get("uroughness"), &v = get("vroughness");
+    bool isAnisotropic(const char* alongName = "uroughness", const char* acrossName = "vroughness") const {
+        const Input &u = get(alongName), &v = get(acrossName);
         return u.texture != v.texture || (u.texture == none && u.value.value() != v.value.value());
     }
     std::string why() const { return description_.where.toString() + ": material \"" + description_.name + "\""; }
@@ -80,8 +82,13 @@ private:
     void add(uint slot, input_kind kind, const color& value, uint texture) {
         packer_.packed.tables.material_inputs.push_back({texture, slot, kind, 0, value});
     }
+    double widthOf(double roughness) const {
+        const double alpha = description_.remapRoughness ? std::sqrt(std::max(roughness, 0.0)) : roughness;
+        return regularize_ && alpha < 0.3 ? std::clamp(2 * alpha, 0.1, 0.3) : alpha;
+    }
     Packer& packer_;
     const Material& description_;
+    bool regularize_;
 };
 
 static hop packDiffuse(InputWriter& in) {
@@ -95,18 +102,19 @@ static hop packDiffuseTransmission(InputWriter& in) {
     return hop_diffuse_transmission;
 }
 
-/// A metal's indices: measured, textured, or those that give a reflectance at normal incidence (pbrt-v4: eta = 1).
-static void packMetal(InputWriter& in, uint etaSlot, uint kSlot) {
+/// A metal's indices: measured, textured, or those that give a reflectance at normal incidence (pbrt-v4: eta = 1). Measured ones are
+/// fitted to what the metal reflects in a medium of index `around`.
+static void packMetal(InputWriter& in, uint etaSlot, uint kSlot, const char* eta = "eta", const char* k = "k", double around = 1) {
     if (in.has("reflectance")) {
         in.spectrum(etaSlot, glm::dvec3(1));
         in.metal(kSlot, "reflectance");
-    } else if (in.get("eta").texture != none || in.get("k").texture != none) {
-        in.coefficient(etaSlot, "eta");
-        in.coefficient(kSlot, "k");
+    } else if (in.get(eta).texture != none || in.get(k).texture != none) {
+        in.coefficient(etaSlot, eta);
+        in.coefficient(kSlot, k);
     } else {
-        const ConductorIndices metal = conductorIndices(in.get("eta").value, in.get("k").value);
-        in.spectrum(etaSlot, metal.eta);
-        in.spectrum(kSlot, metal.k);
+        const ConductorIndices metal = conductorIndices(in.get(eta).value * (1 / around), in.get(k).value * (1 / around));
+        in.spectrum(etaSlot, metal.eta * around);
+        in.spectrum(kSlot, metal.k * around);
     }
 }
 
@@ -153,6 +161,53 @@ static hop packCoatedDiffuse(InputWriter& in) {
     return hop_coated_diffuse;
 }
 
+static hop packCoatedConductor(InputWriter& in) {
+    const double index = in.get("eta").value.value();
+    packMetal(in, slot_coated_conductor::metal_eta, slot_coated_conductor::metal_k, "metal_eta", "metal_k", index > 0 ? index : 1);
+    in.width(slot_coated_conductor::metal_alpha_x, "metal_uroughness");
+    in.width(slot_coated_conductor::metal_alpha_y, "metal_vroughness");
+    in.number(slot_coated_conductor::eta, index > 0 ? index : 1);
+    in.width(slot_coated_conductor::alpha_x, "uroughness");
+    in.width(slot_coated_conductor::alpha_y, "vroughness");
+    in.number(slot_coated_conductor::thickness, "thickness");
+    in.spectrum(slot_coated_conductor::albedo, "albedo");
+    in.number(slot_coated_conductor::g, "g");
+    in.count(slot_coated_conductor::max_depth, "maxdepth");
+    in.count(slot_coated_conductor::samples, "nsamples");
+    if (in.isAnisotropic() || in.isAnisotropic("metal_uroughness", "metal_vroughness")) in.packer().packed.require(Feature::ANISOTROPY, in.why());
+    return hop_coated_conductor;
+}
+
+static hop packHair(InputWriter& in) {
+    in.coefficient(slot_hair::sigma_a, "sigma_a");
+    in.number(slot_hair::h, "h");
+    in.number(slot_hair::eta, "eta");
+    in.number(slot_hair::beta_m, "beta_m");
+    in.number(slot_hair::beta_n, "beta_n");
+    in.number(slot_hair::scale_tilt, "alpha");
+    in.packer().packed.require(Feature::ANISOTROPY, in.why());
+    return hop_hair;
+}
+
+static hop packMeasuredMaterial(InputWriter& in) {
+    in.file(slot_measured::file);
+    in.packer().packed.require(Feature::ANISOTROPY, in.why());
+    return hop_measured;
+}
+
+static hop packPrincipled(InputWriter& in) {
+    in.spectrum(slot_principled::base, "base");
+    in.number(slot_principled::metallic, "metallic");
+    in.number(slot_principled::eta, "eta");
+    in.width(slot_principled::alpha_x, "uroughness");
+    in.width(slot_principled::alpha_y, "vroughness");
+    in.number(slot_principled::coat, "coat");
+    in.width(slot_principled::coat_alpha, "coatroughness");
+    in.number(slot_principled::sheen, "sheen");
+    if (in.isAnisotropic()) in.packer().packed.require(Feature::ANISOTROPY, in.why());
+    return hop_principled;
+}
+
 static hop packBsdf(InputWriter& in, MaterialKind kind) {
     switch (kind) {
         case MaterialKind::diffuse: return packDiffuse(in);
@@ -161,6 +216,10 @@ static hop packBsdf(InputWriter& in, MaterialKind kind) {
         case MaterialKind::dielectric: return packDielectric(in);
         case MaterialKind::thinDielectric: return packThinDielectric(in);
         case MaterialKind::coatedDiffuse: return packCoatedDiffuse(in);
+        case MaterialKind::coatedConductor: return packCoatedConductor(in);
+        case MaterialKind::hair: return packHair(in);
+        case MaterialKind::measured: return packMeasuredMaterial(in);
+        case MaterialKind::principled: return packPrincipled(in);
         case MaterialKind::interface: return hop_passage;
         case MaterialKind::mix: return hop_mix;
     }
@@ -177,9 +236,10 @@ static void requireBsdf(Packer& packer, hop h, const std::string& why) {
     if (h == hop_mix) packer.packed.require(Feature::MIX, why);
 }
 
-static void packMaterial(Packer& packer, const Material& description, material& m) {
+/// Everything but what a mix is mixed of, and the twin for regularization.
+static void packMaterial(Packer& packer, const Material& description, material& m, bool regularize = false) {
     SceneTables& tables = packer.packed.tables;
-    InputWriter inputs(packer, description);
+    InputWriter inputs(packer, description, regularize);
     m.first_input = static_cast<uint>(tables.material_inputs.size());
     const hop h = packBsdf(inputs, description.kind);
     m.hop = h;
@@ -197,7 +257,7 @@ static void packMaterial(Packer& packer, const Material& description, material& 
 
 uint packedMaterial(Packer& packer, int index) {
     std::vector<material>& materials = packer.packed.tables.materials;
-    const material blank{hop_none, 0, 0, NONE, NONE, NONE, NONE, NONE};
+    const material blank{hop_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE};
     if (index == none) {
         if (packer.defaultMaterial == NONE) {
             Material grey;
@@ -206,6 +266,7 @@ uint packedMaterial(Packer& packer, int index) {
             packer.defaultMaterial = static_cast<uint>(materials.size());
             materials.push_back(blank);
             packMaterial(packer, grey, materials[packer.defaultMaterial]);
+            materials[packer.defaultMaterial].regular = packer.defaultMaterial;
         }
         return packer.defaultMaterial;
     }
@@ -222,7 +283,15 @@ uint packedMaterial(Packer& packer, int index) {
         m.mix_b = packedMaterial(packer, description.mixed[1]);
         m.mix_amount = packInput(packer, description.inputs.at("amount"));
     }
-    packer.packed.tables.materials[here] = m;
+    m.regular = here;
+    if (packer.scene.integrator.regularize && description.inputs.count("uroughness")) {
+        packer.packed.require(Feature::REGULARIZE, packer.scene.integrator.where.toString());
+        m.regular = static_cast<uint>(materials.size());
+        material rougher = blank;
+        packMaterial(packer, description, rougher, true);
+        materials.push_back(rougher);
+    }
+    materials[here] = m;
     return here;
 }
 

@@ -28,6 +28,7 @@ struct Packer {
     std::map<int, double> meanLuminances{};                   ///< of scene.images, where asked for
     std::map<std::pair<int, int>, uint> packedPrograms{};     ///< (texture, TextureUse) -> `programs`
     std::vector<uint> materialIndices{};                      ///< scene.materials -> `materials`
+    std::map<std::string, uint> measuredFiles{};              ///< path -> `measured_files`
     uint defaultMaterial = NONE;
     std::vector<double> areaPowers{};                         ///< of the lights that geometry brought: what the light sampler goes by
 };
@@ -42,7 +43,7 @@ void packLights(Packer&);
 void packFoci(Packer&);
 
 /// What becomes of a texture's value.
-enum class TextureUse { asItIs, reflectance /* brought into [0, 1] */, roughness /* its square root */, metal /* a reflectance to an index of refraction */, displacement /* world units to scene units */ };
+enum class TextureUse { asItIs, reflectance /* brought into [0, 1] */, regularWidth /* a microfacet width, regularized */, regularRoughness /* the same of a roughness */, roughness /* its square root */, metal /* a reflectance to an index of refraction */, displacement /* world units to scene units */ };
 /// The program of a texture, made when first asked for.
 uint packTexture(Packer&, int texture, TextureUse use = TextureUse::asItIs);
 /// The same of a texture or a plain number.
@@ -53,6 +54,8 @@ uint packEmissionImage(Packer&, const AreaLight&);
 double meanLuminance(Packer&, int image);
 /// An image as textures read it; asFloat: of one channel.
 uint packImage(Packer&, int image, bool asFloat);
+/// A measured BSDF. Throws SceneError if the file is not one.
+uint packMeasured(Packer&, const std::string& path, const SourceLocation& where);
 /// The material of a shape.
 uint packedMaterial(Packer&, int material);
 

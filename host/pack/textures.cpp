@@ -66,6 +66,7 @@ public:
             [&](const ScaleTexture& k) { input(k.texture); input(k.scale); pop(instruction(kind_scale_texture, Feature::TEXTURE_SCALE, t.where), 2); },
             [&](const MixTexture& k) { input(k.a); input(k.b); input(k.amount); pop(instruction(kind_mix_texture, Feature::TEXTURE_MIX, t.where), 3); },
             [&](const CheckerboardTexture& k) { checkerboard(k, t); },
+            [&](const AbsorptionTexture& k) { input(k.color); input(k.betaN); pop(instruction(kind_absorption_texture, Feature::TEXTURE_ABSORPTION, t.where), 2); },
             [&](const BilerpTexture& k) { bilerp(k, t); },
             [&](const DotsTexture& k) { dots(k, t); },
             [&](const DirectionMixTexture& k) { directionMix(k, t); },
@@ -81,7 +82,8 @@ public:
 
     void use(TextureUse use) {
         if (use == TextureUse::reflectance && leavesUnit_) pop(instruction(kind_clamp_texture, Feature::TEXTURE_CLAMP, {}), 1);
-        if (use == TextureUse::roughness) pop(instruction(kind_sqrt_texture, Feature::TEXTURE_SQRT, {}), 1);
+        if (use == TextureUse::roughness || use == TextureUse::regularRoughness) pop(instruction(kind_sqrt_texture, Feature::TEXTURE_SQRT, {}), 1);
+        if (use == TextureUse::regularWidth || use == TextureUse::regularRoughness) pop(instruction(kind_regular_texture, Feature::TEXTURE_REGULAR, {}), 1);
         if (use == TextureUse::metal) pop(instruction(kind_metal_texture, Feature::TEXTURE_METAL, {}), 1);
         if (use == TextureUse::displacement && packer_.space.scale != 1) {
             input({Spectrum::constant(packer_.space.scale)});

@@ -82,27 +82,35 @@ struct NoiseTexture {
     Transform worldFromTexture{1};
 };
 
+/// Hair's color to its absorption, by its azimuthal roughness: made by the material "hair".
+struct AbsorptionTexture { Input color, betaN; };
+
 struct Texture {
     std::string name;
     bool isFloat = false;       ///< declared "float", not "spectrum"
     std::variant<ConstantTexture, ImagemapTexture, ScaleTexture, MixTexture, CheckerboardTexture, BilerpTexture, DotsTexture, DirectionMixTexture,
-                 NoiseTexture> kind;
+                 NoiseTexture, AbsorptionTexture> kind;
     SourceLocation where;
 };
 
 // ---- materials ----------------------------------------------------------------------------------------------------
 
 enum class MaterialKind {
-    diffuse, coatedDiffuse, conductor, dielectric, thinDielectric, diffuseTransmission, interface, mix
+    diffuse, coatedDiffuse, coatedConductor, conductor, dielectric, thinDielectric, diffuseTransmission, hair, measured, principled, interface, mix
 };
 
 /// A material. `inputs` has every parameter of its kind under pbrt-v4's name, defaults filled in by the reader:
 ///   diffuse              reflectance
 ///   coatedDiffuse        reflectance uroughness vroughness thickness eta g albedo maxdepth nsamples
+///   coatedConductor      uroughness vroughness thickness eta g albedo maxdepth nsamples (the coat's), metal_uroughness metal_vroughness,
+///                        and either reflectance or both metal_eta and metal_k
 ///   conductor            uroughness vroughness, and either reflectance or both eta and k
 ///   dielectric           uroughness vroughness eta
 ///   thinDielectric       eta
 ///   diffuseTransmission  reflectance transmittance     ("scale" multiplied in)
+///   hair                 sigma_a eta beta_m beta_n alpha h (-1 to 1 across the fiber)
+///   measured             (`file`)
+///   principled           base metallic eta uroughness vroughness coat coatroughness sheen  (no pbrt material: OBJ's)
 ///   mix                  amount                        (the weight of mixed[1])
 struct Material {
     MaterialKind kind = MaterialKind::diffuse;
@@ -110,6 +118,7 @@ struct Material {
     std::map<std::string, Input> inputs;
     bool remapRoughness = true;             ///< roughness r gives microfacet width sqrt(r); otherwise r itself
     std::array<int, 2> mixed{none, none};   ///< mix: in Scene::materials
+    std::string file;                       ///< measured: as it can be opened from here
     int displacement = none;                ///< in Scene::textures: bump map
     int normalMap = none;                   ///< in Scene::images
     SourceLocation where;
@@ -293,7 +302,7 @@ enum class SamplerKind { independent, sobol };
 
 struct SamplerDescription { SamplerKind kind = SamplerKind::sobol; int pixelSamples = 16; int seed = 0; SourceLocation where; };
 
-struct IntegratorDescription { std::string name = "path"; int maxDepth = 5; SourceLocation where; };
+struct IntegratorDescription { std::string name = "path"; int maxDepth = 5; bool regularize = false; SourceLocation where; };
 
 // ---- the scene ----------------------------------------------------------------------------------------------------
 

@@ -51,6 +51,45 @@
     F(q, uint,     max_depth,     ALWAYS)    /* longest walk */ \
     F(q, uint,     samples,       ALWAYS)    /* walks for one evaluation */
 
+/* The same coat and medium over a metal. */
+#define COATED_CONDUCTOR_PARAMETERS(F, q) \
+    F(q, spectrum, metal_eta,     ALWAYS)    /* of the metal, against vacuum */ \
+    F(q, spectrum, metal_k,       ALWAYS) \
+    F(q, float,    metal_alpha_x, ALWAYS)    /* of the metal; below MIN_ALPHA: smooth */ \
+    F(q, float,    metal_alpha_y, ALWAYS) \
+    F(q, float,    eta,           ALWAYS)    /* from here on as in COATED_DIFFUSE_PARAMETERS */ \
+    F(q, float,    alpha_x,       ALWAYS) \
+    F(q, float,    alpha_y,       ALWAYS) \
+    F(q, float,    thickness,     ALWAYS) \
+    F(q, spectrum, albedo,        ALWAYS) \
+    F(q, float,    g,             ALWAYS) \
+    F(q, uint,     max_depth,     ALWAYS) \
+    F(q, uint,     samples,       ALWAYS)
+
+/* Plastic to metal, under a clear coat, with sheen. */
+#define PRINCIPLED_PARAMETERS(F, q) \
+    F(q, spectrum, base,          ALWAYS)    /* albedo below the surface; of a metal: reflectance at normal incidence. In [0, 1] */ \
+    F(q, float,    metallic,      ALWAYS)    /* 0: plastic, 1: metal */ \
+    F(q, float,    eta,           ALWAYS)    /* of the plastic's surface, at least 1 */ \
+    F(q, float,    alpha_x,       ALWAYS)    /* of plastic and metal */ \
+    F(q, float,    alpha_y,       ALWAYS) \
+    F(q, float,    coat,          ALWAYS)    /* how much of the surface has a clear coat, in [0, 1] */ \
+    F(q, float,    coat_alpha,    ALWAYS) \
+    F(q, float,    sheen,         ALWAYS)    /* in [0, 1] */
+
+/* A fibre: the four ways through it of Chiang et al. 2016. The tangent runs along it. */
+#define HAIR_PARAMETERS(F, q) \
+    F(q, spectrum, sigma_a,       ALWAYS)    /* absorption per radius of the fibre */ \
+    F(q, float,    h,             ALWAYS)    /* where across the fibre, in [-1, 1] */ \
+    F(q, float,    eta,           ALWAYS) \
+    F(q, float,    beta_m,        ALWAYS)    /* roughness along the fibre, in [0, 1] */ \
+    F(q, float,    beta_n,        ALWAYS)    /* roughness around it */ \
+    F(q, float,    scale_tilt,    ALWAYS)    /* angle of the scales on its surface, degrees */
+
+/* Measured by a goniophotometer. */
+#define MEASURED_PARAMETERS(F, q) \
+    F(q, uint,     file,          ALWAYS)    /* in `measured_files` */
+
 #define BSDFS(B) \
     B(diffuse,              BSDF_DIFFUSE,              DIFFUSE_PARAMETERS) \
     B(diffuse_transmission, BSDF_DIFFUSE_TRANSMISSION, DIFFUSE_TRANSMISSION_PARAMETERS) \
@@ -59,10 +98,14 @@
     B(dielectric,           BSDF_DIELECTRIC,           DIELECTRIC_PARAMETERS) \
     B(specular_dielectric,  BSDF_SPECULAR_DIELECTRIC,  SPECULAR_DIELECTRIC_PARAMETERS) \
     B(thin_dielectric,      BSDF_THIN_DIELECTRIC,      THIN_DIELECTRIC_PARAMETERS) \
-    B(coated_diffuse,       BSDF_COATED_DIFFUSE,       COATED_DIFFUSE_PARAMETERS)
+    B(coated_diffuse,       BSDF_COATED_DIFFUSE,       COATED_DIFFUSE_PARAMETERS) \
+    B(coated_conductor,     BSDF_COATED_CONDUCTOR,     COATED_CONDUCTOR_PARAMETERS) \
+    B(principled,           BSDF_PRINCIPLED,           PRINCIPLED_PARAMETERS) \
+    B(hair,                 BSDF_HAIR,                 HAIR_PARAMETERS) \
+    B(measured,             BSDF_MEASURED,             MEASURED_PARAMETERS)
 
 /* No BSDF has more words of parameters. */
-#define BSDF_MAX_WORDS 16
+#define BSDF_MAX_WORDS 20
 
 /* Microfacets narrower than this are numerically a mirror (pbrt-v4's limit for "effectively smooth"). */
 #define MIN_ALPHA 1e-3f

@@ -33,6 +33,7 @@
     F(CAMERA_MOTION,    "a camera that moves") \
     F(FILTER,           "a pixel filter other than a box of one pixel") \
     F(SOBOL,            "a low-discrepancy sampler") \
+    F(REGULARIZE,       "an integrator that regularizes") \
     F(AOVS,             "auxiliary image channels")
 
 /* Calls F(FEATURE, name of the kind) for the kinds of each list. */

@@ -20,6 +20,7 @@
     F(q, spectrum, beta,       ALWAYS)       /* throughput: contribution of the path so far over its density */ \
     F(q, float,    time,       MOTION)       /* in [0, 1]: between the start and the end of all motion */ \
     F(q, uint,     seen,       AOVS)         /* 1 from where something other than mirrors and clear glass was met */ \
+    F(q, uint,     blurred,    REGULARIZE)   /* whether it has been scattered by anything but delta distributions */ \
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices, undone for Russian roulette */ \
     F(q, spectrum, r_u,        MEDIA)        /* density of this path under its own strategy, per channel, relative */
 

@@ -5,6 +5,7 @@
 #include "eikonal/bvh.h"
 #include "eikonal/cameras.h"
 #include "eikonal/lights.h"
+#include "eikonal/measured.h"
 #include "eikonal/media.h"
 #include "eikonal/motion.h"
 #include "eikonal/portable.h"
@@ -21,6 +22,7 @@ typedef struct {
     uint normal_map;     /* in `images`; NONE: none */
     uint mix_a, mix_b;   /* hop_mix: in `materials` */
     uint mix_amount;     /* hop_mix: in `programs`: the probability of b */
+    uint regular;        /* with REGULARIZE: in `materials`: the same, rougher, for paths that are blurred already; itself: nothing is to be roughened */
 } material;
 
 enum input_kind { input_number, input_count, input_spectrum };
@@ -70,6 +72,11 @@ typedef struct {
     T(float,          environment_texels)    /* TEXEL_WORDS for each texel */ \
     T(alias_entry,    environment_aliases)
 
+/* What shading reads of surfaces besides their parameters. */
+#define BSDF_TABLES(T) \
+    T(measured,       measured_files) \
+    T(float,          measured_values)
+
 #define MEDIUM_TABLES(T) \
     T(medium,         media) \
     T(grid,           grids) \
@@ -96,7 +103,7 @@ typedef struct {
     T(float,          aperture_texels)       /* what the stop lets pass, row by row, y up; of mean pi / 4 */
 
 #define SCENE_TABLES(T) \
-    GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) MEDIUM_TABLES(T) COLOR_TABLES(T) CAMERA_TABLES(T) \
+    GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) BSDF_TABLES(T) MEDIUM_TABLES(T) COLOR_TABLES(T) CAMERA_TABLES(T) \
     T(settings,       frame)
 
 /* What holds for a whole render; a table of one element. */

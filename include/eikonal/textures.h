@@ -22,6 +22,8 @@ CONTRACT_BEGIN
     T(marble_texture,       TEXTURE_MARBLE)       /* 0: `octaves`, `roughness`, `variation` */ \
     T(clamp_texture,        TEXTURE_CLAMP)        /* 1: its value brought into [0, 1] */ \
     T(sqrt_texture,         TEXTURE_SQRT)         /* 1: its square root: a roughness to a microfacet width */ \
+    T(regular_texture,      TEXTURE_REGULAR)      /* 1: a microfacet width to that which regularization gives it */ \
+    T(absorption_texture,   TEXTURE_ABSORPTION)   /* 2: hair's colour, beta_n: its absorption */ \
     T(metal_texture,        TEXTURE_METAL)        /* 1: a metal's reflectance r to its k for eta = 1: 2 sqrt(r / (1 - r)) */
 
 #define TEXTURE_KIND(name, FEATURE) kind_##name,

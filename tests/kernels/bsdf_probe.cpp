@@ -2,7 +2,13 @@
 
 #include <fmt/format.h>
 
+#include "measured_file.h"
+#include "stage.h"
+
+#include <unistd.h>
+
 #include <bit>
+#include <filesystem>
 
 namespace eikonal {
 
@@ -25,6 +31,14 @@ static float drawFloat(const BsdfParameter& p, Range range, Random& random) {
     if (n == "eta") return smooth ? random.between(0.1f, 4) : pick(random, {1e-3f, 0.05f, 1, 10});
     if (n == "k") return smooth ? random.between(0, 8) : pick(random, {0, 1e-3f, 1, 30});
     if (n.starts_with("alpha")) return smooth ? random.logBetween(0.15f, 1) : pick(random, {0, MIN_ALPHA, 0.01f, 0.3f, 1});
+    if (n == "metallic" || n == "coat" || n == "sheen") return smooth ? random.unit() : pick(random, {0, 1});
+    if (n == "coat_alpha" || n == "metal_alpha_x" || n == "metal_alpha_y") return smooth ? random.logBetween(0.15f, 1) : pick(random, {0, MIN_ALPHA, 0.01f, 0.3f, 1});
+    if (n == "metal_eta") return smooth ? random.between(0.1f, 4) : pick(random, {1e-3f, 0.05f, 1, 10});
+    if (n == "metal_k") return smooth ? random.between(0, 8) : pick(random, {0, 1e-3f, 1, 30});
+    if (n == "sigma_a") return smooth ? random.between(0, 3) : pick(random, {0, 1e-3f, 30, 200});
+    if (n == "h") return smooth ? random.between(-0.95f, 0.95f) : pick(random, {-1, 0, 0.5f, 1});
+    if (n == "beta_m" || n == "beta_n") return smooth ? random.between(0.35f, 1) : pick(random, {0, 0.01f, 0.05f, 0.3f, 1});
+    if (n == "scale_tilt") return smooth ? random.between(-3, 5) : pick(random, {-10, 0, 2, 30});
     if (n == "thickness") return smooth ? random.between(0.001f, 0.2f) : pick(random, {0, 1e-6f, 10});
     if (n == "g") return smooth ? random.between(-0.8f, 0.8f) : pick(random, {-0.99f, 0, 0.99f});
     return smooth ? random.unit() : pick(random, {0, 1});
@@ -35,7 +49,7 @@ std::vector<uint> drawParameters(const BsdfKind& kind, Range range, Random& rand
     float room = 1;   /* what reflectance leaves for transmittance */
     for (const BsdfParameter& p : kind.parameters)
         for (size_t w = 0; w < p.words; ++w) {
-            if (p.type == "uint") { words.push_back(p.name == "samples" ? 1 : range == Range::smooth ? 10 : 1 + random.below(100)); continue; }
+            if (p.type == "uint") { words.push_back(p.name == "file" ? 0 : p.name == "samples" ? 1 : range == Range::smooth ? 10 : 1 + random.below(100)); continue; }
             float value = drawFloat(p, range, random);
             if (p.name == "transmittance") value *= room;
             else if (p.name == "reflectance") room = std::min(room, 1 - value);
@@ -66,19 +80,26 @@ static FunctionText probeText(const std::string& name) {
     FunctionText text;
     text.include = fmt::format("bsdf/{}.clh", name);
     text.type = "bsdf_result";
-    text.inputs = {name + "_item b", "vec3 wo", "float lobe", "vec2 u", "vec3 given"};
+    text.inputs = {name + "_item parameters", "vec3 wo", "float lobe", "vec2 u", "vec3 given"};
     text.declarations = fmt::format(R"(
 typedef struct {{
     vec3 wi; spectrum weight; float pdf; int is_delta; float eta;
     spectrum f, f_back; float pdf_here;
     spectrum f_given; float pdf_given;
-    int kind_is_delta, is_stochastic;
+    int kind_is_delta, is_random, is_one_way;
 }} bsdf_result;
-#ifndef {0}_loops
-#define {0}_loops 0
+#ifndef {0}_is_random
+#define {0}_is_random 0
+#endif
+#ifndef {0}_is_one_way
+#define {0}_is_one_way 0
 #endif
 )", name);
+    text.tables = "BSDF_ARGUMENTS COLOR_ARGUMENTS";
     text.body = fmt::format(R"(
+    bsdf_tables tables = BIND_BSDFS;
+    color_tables colors = BIND_COLORS;
+    {0}_bound b = bind_tables(parameters, tables, path_palette(colors, 0, 0));
     bsdf_sample s = sample_{0}(b, wo, lobe, u);
     result.wi = s.wi; result.weight = s.weight; result.pdf = s.pdf; result.is_delta = s.is_delta; result.eta = s.eta;
     result.f = eval_{0}(b, wo, s.wi);
@@ -87,8 +108,29 @@ typedef struct {{
     result.f_given = eval_{0}(b, wo, given);
     result.pdf_given = pdf_{0}(b, wo, given);
     result.kind_is_delta = {0}_is_delta;
-    result.is_stochastic = {0}_loops;)", name);
+    result.is_random = {0}_is_random;
+    result.is_one_way = {0}_is_one_way;)", name);
     return text;
+}
+
+/// A scene with one measured surface: GGX facets that reflect 0.7 of the light, without a grain but measured as if there were one.
+static const DeviceScene& measuredScene() {
+    static const PackedScene packed = [] {
+        const std::filesystem::path file = std::filesystem::temp_directory_path() / ("eikonal-measured-" + std::to_string(getpid()) + ".bsdf");
+        MeasuredFile measured;
+        measured.isotropic = false;
+        measured.reflectance = [](double) { return 0.7; };
+        measured.write(file.string());
+        PackedScene scene = packText("WorldBegin\nMaterial \"measured\" \"string filename\" \"" + file.string() + "\"\nShape \"sphere\"\n");
+        std::filesystem::remove(file);
+        return scene;
+    }();
+    static const DeviceScene scene(testContext(), packed);
+    return scene;
+}
+
+std::vector<BsdfResult> BsdfProbe::operator()(const BsdfInputs& in) const {
+    return function_.with(measuredScene(), in.parameters, in.wo, in.lobe, in.u, in.given);
 }
 
 BsdfProbe::BsdfProbe(const std::string& name) : function_(probeText(name)) {}

@@ -28,7 +28,7 @@ struct BsdfResult {
     vec3 wi; spectrum weight; float pdf; int isDelta; float eta;   ///< sample_x
     spectrum f, fBack; float pdfHere;                              ///< eval_x(wo, wi), eval_x(wi, wo), pdf_x(wo, wi) at that wi
     spectrum fGiven; float pdfGiven;                               ///< eval_x and pdf_x at (wo, given)
-    int kindIsDelta, isStochastic;                                 ///< x_is_delta; x_loops: a random walk, whose eval_x is an unbiased random estimate
+    int kindIsDelta, isRandom, isOneWay;                           ///< x_is_delta, x_is_random, x_is_one_way
 };
 
 struct BsdfInputs {
@@ -44,7 +44,7 @@ struct BsdfInputs {
 class BsdfProbe {
 public:
     explicit BsdfProbe(const std::string& name);
-    std::vector<BsdfResult> operator()(const BsdfInputs& in) const { return function_(in.parameters, in.wo, in.lobe, in.u, in.given); }
+    std::vector<BsdfResult> operator()(const BsdfInputs& in) const;
 
 private:
     DeviceFunction<BsdfResult> function_;

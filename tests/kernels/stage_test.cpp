@@ -492,6 +492,29 @@ TEST(Wave, EndsFiniteAndClean) {
         EXPECT_GT(items[static_cast<size_t>(hop)], 0u) << "hop " << hop << " was not visited";
 }
 
+/// With an integrator that regularizes, polished things are polished for paths that come straight from the camera or off other mirrors,
+/// and rough for the others: this scene has nothing rough of its own.
+TEST(Wave, RegularizedEndsFiniteAndClean) {
+    const PackedScene polished = packText(R"(
+        LookAt 0 1 -6  0 0.3 0  0 1 0
+        Camera "perspective" "float fov" 40
+        Film "rgb" "integer xresolution" 16 "integer yresolution" 16
+        Integrator "path" "integer maxdepth" 5 "bool regularize" true
+        WorldBegin
+        LightSource "infinite" "rgb L" [ 0.5 0.25 1 ]
+        Material "diffuse"
+        Shape "bilinearmesh" "point3 P" [ -20 -1 -20  20 -1 -20  -20 -1 20  20 -1 20 ]
+        AttributeBegin Translate -2.2 0 0 Material "conductor" Shape "sphere" AttributeEnd
+        AttributeBegin Translate 0 0 0 Material "dielectric" Shape "sphere" AttributeEnd
+        AttributeBegin Translate 2.2 0 0 Material "coatedconductor" Shape "sphere" AttributeEnd
+        AttributeBegin Translate 0 2 0 Material "hair" Shape "sphere" "float radius" 0.5 AttributeEnd)");
+    ASSERT_TRUE(polished.features.has(Feature::REGULARIZE));
+    StageBench bench(polished, paths);
+    const auto items = traceWave(bench);
+    for (int hop : {hop_diffuse, hop_specular_conductor, hop_conductor, hop_specular_dielectric, hop_dielectric, hop_coated_conductor, hop_hair})
+        EXPECT_GT(items[static_cast<size_t>(hop)], 0u) << "hop " << hop << " was not visited";
+}
+
 /// The same through two nested media with an interface between them, lamps inside and outside.
 TEST(Wave, ThroughMediaEndsFiniteAndClean) {
     const PackedScene fog = packText(R"(

@@ -46,7 +46,10 @@ std::vector<VectorCase> cases() {
             {"shade_hits_specular_conductor", "shade_hits specular_conductor", sphereOf("\"conductor\" \"float roughness\" 0")},
             {"shade_hits_dielectric", "shade_hits dielectric", sphereOf("\"dielectric\" \"float roughness\" 0.3")},
             {"shade_hits_specular_dielectric", "shade_hits specular_dielectric", sphereOf("\"dielectric\"")},
-            {"shade_hits_thin_dielectric", "shade_hits thin_dielectric", sphereOf("\"thindielectric\"")}};
+            {"shade_hits_thin_dielectric", "shade_hits thin_dielectric", sphereOf("\"thindielectric\"")},
+            /* No pbrt material is principled: what counts is that the scene has directions along surfaces */
+            {"shade_hits_principled", "shade_hits principled", sphereOf("\"conductor\" \"float uroughness\" 0.3")},
+            {"shade_hits_hair", "shade_hits hair", sphereOf("\"hair\"")}};
 }
 
 /// What must not pass for vectorised: a walk of unknown length.

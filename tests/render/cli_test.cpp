@@ -216,8 +216,8 @@ TEST_F(Cli, ErrorsOfTheDeviceExitWith3) {
 }
 
 TEST_F(Cli, StrictTurnsWhatIsNotRenderedIntoAnError) {
-    write("hair.pbrt", tinyScene("", "AttributeBegin\nMaterial \"hair\"\nShape \"sphere\"\nAttributeEnd"));
-    const Outcome lax = run({"info", "hair.pbrt"}), strict = run({"info", "hair.pbrt", "--strict"});
+    write("photons.pbrt", tinyScene("Integrator \"sppm\""));
+    const Outcome lax = run({"info", "photons.pbrt"}), strict = run({"info", "photons.pbrt", "--strict"});
     EXPECT_EQ(lax.status, 0);
     EXPECT_THAT(lax.error, HasSubstr("warning: "));
     EXPECT_EQ(strict.status, 1);

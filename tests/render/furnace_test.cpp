@@ -1,8 +1,12 @@
 // Furnaces: light from everywhere and matter that loses none of it. Then the radiance is the same everywhere, whatever stands there.
 
+#include "measured_file.h"
 #include "rendering.h"
 
+#include <unistd.h>
+
 #include <cmath>
+#include <filesystem>
 
 namespace eikonal {
 namespace {
@@ -90,6 +94,37 @@ TEST(Furnace, WhiteUnderACoatNeverGains) {
         EXPECT_GE(e.mean.g, std::atof(roughness) == 0 ? 0.9 : 0.6) << roughness;
         EXPECT_EQ(r.invalid.count, 0u);
     }
+}
+
+TEST(Furnace, MetalUnderACoatNeverGains) {
+    for (const char* interface : {"0", ".1"}) {
+        const Rendered r = underWhiteSky("Material \"coatedconductor\" \"rgb reflectance\" [1 1 1] \"integer maxdepth\" 100 \"float conductor.roughness\" .05 "
+                                         "\"float interface.roughness\" " + std::string(interface));
+        const Estimate e = estimate(r.image);
+        EXPECT_LE(e.mean.g, 1 + standardErrors * e.error.g) << interface;
+        EXPECT_GE(e.mean.g, 0.5) << interface;
+        EXPECT_EQ(r.invalid.count, 0u);
+    }
+}
+
+// Hair without pigment scatters all that it gets, whatever its lobes: the ways through it add up to 1 (Chiang et al. 2016). Light that is
+// scattered into the ball goes on inside of it.
+TEST(Furnace, HairWithoutPigmentCannotBeSeen) {
+    expectRadiance(underWhiteSky("Material \"hair\" \"rgb sigma_a\" [0 0 0]"), 1, 0.002);
+    expectRadiance(underWhiteSky("Material \"hair\" \"rgb sigma_a\" [0 0 0] \"float beta_m\" .1 \"float beta_n\" .8 \"float alpha\" 4"), 1, 0.002);
+}
+
+// Nearly flat facets that reflect 0.6 of the light at every wavelength: all of that gets away, and the file's number is the result, but for the straight
+// lines between its values (2 %).
+TEST(Furnace, AMeasuredSurfaceReflectsWhatItsFileSays) {
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / ("eikonal-furnace-" + std::to_string(getpid()) + ".bsdf");
+    MeasuredFile measured;
+    measured.alpha = 0.15;
+    measured.reflectance = [](double) { return 0.6; };
+    measured.write(file.string());
+    const Estimate e = estimate(underWhiteSky("Material \"measured\" \"string filename\" \"" + file.string() + "\"").image);
+    std::filesystem::remove(file);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(e.mean[c], 0.6, 0.012 + standardErrors * e.error[c]) << c;
 }
 
 TEST(Furnace, AMixOfWhiteMaterialsIsWhite) {

@@ -38,6 +38,10 @@ Material "diffuse" "rgb reflectance" [.5 .6 .7] Shape "trianglemesh" "point3 P" 
 Material "coateddiffuse" "float roughness" .2 Shape "sphere"
 AttributeBegin Translate 1.5 0 0 Material "conductor" "float uroughness" .1 "float vroughness" .4 Shape "sphere" "float radius" .5 AttributeEnd
 AttributeBegin Translate -1.5 0 0 Material "dielectric" "float roughness" .3 Shape "sphere" "float radius" .5 AttributeEnd)",
+    R"(LightSource "infinite" "rgb L" [.3 .4 .5]
+Material "diffuse" "rgb reflectance" [.5 .6 .7] Shape "trianglemesh" "point3 P" [-5 -1 -5  5 -1 -5  5 -1 5  -5 -1 5] "integer indices" [0 1 2 0 2 3]
+Material "hair" Shape "sphere" "float radius" .8
+AttributeBegin Translate 1.5 0 0 Material "coatedconductor" "float interface.roughness" .1 Shape "sphere" "float radius" .5 AttributeEnd)",
     R"(LightSource "point" "rgb I" [9 9 9] "point3 from" [2 3 -3]
 MakeNamedMedium "m" "string type" "homogeneous" "rgb sigma_a" [.1 .5 1] "rgb sigma_s" [3 2 1] "float g" .5
 Material "diffuse" Shape "trianglemesh" "point3 P" [-5 -1 -5  5 -1 -5  5 -1 5  -5 -1 5] "integer indices" [0 1 2 0 2 3]

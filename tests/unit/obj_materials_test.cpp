@@ -90,15 +90,26 @@ TEST_F(ObjMaterials, thatDissolveCoverInPart) {
 }
 
 // The extension of physically based exporters: widths are squares of the roughness.
-TEST_F(ObjMaterials, withPrAndPmAreMetalOrCoated) {
+TEST_F(ObjMaterials, withPrAndPmArePrincipledOrMetal) {
     const Scene metal = loadMaterial("Kd .9 .6 .3\nPm 1\nPr .4\n"), plastic = loadMaterial("Kd .9 .6 .3\nPm 0\nPr .4\nNi 1.6\n"), half = loadMaterial("Kd .9 .6 .3\nPm .3\nPr .4\n");
     EXPECT_EQ(materialOf(metal).kind, MaterialKind::conductor);
     EXPECT_NEAR(number(materialOf(metal), "uroughness"), .16, 1e-9);
     EXPECT_EQ(color(materialOf(metal), "reflectance"), glm::dvec3(.9, .6, .3));
-    EXPECT_EQ(materialOf(plastic).kind, MaterialKind::coatedDiffuse);
+    EXPECT_EQ(materialOf(plastic).kind, MaterialKind::principled);
     EXPECT_EQ(number(materialOf(plastic), "eta"), 1.6);
-    ASSERT_EQ(materialOf(half).kind, MaterialKind::mix);
-    EXPECT_NEAR(number(materialOf(half), "amount"), .3, 1e-9);
+    EXPECT_EQ(number(materialOf(plastic), "metallic"), 0);
+    EXPECT_EQ(materialOf(half).kind, MaterialKind::principled);
+    EXPECT_NEAR(number(materialOf(half), "metallic"), .3, 1e-9);
+    EXPECT_EQ(color(materialOf(half), "base"), glm::dvec3(.9, .6, .3));
+
+    const Scene coated = loadMaterial("Kd .9 .6 .3\nPm 1\nPr .4\nPc .5\nPcr .2\nPs .7\naniso .5\n");
+    EXPECT_EQ(materialOf(coated).kind, MaterialKind::principled);
+    EXPECT_NEAR(number(materialOf(coated), "coat"), .5, 1e-9);
+    EXPECT_NEAR(number(materialOf(coated), "coatroughness"), .04, 1e-9);
+    EXPECT_NEAR(number(materialOf(coated), "sheen"), .7, 1e-9);
+    EXPECT_NEAR(number(materialOf(coated), "uroughness") * number(materialOf(coated), "vroughness"), .16 * .16, 1e-9);
+    EXPECT_GT(number(materialOf(coated), "uroughness"), number(materialOf(coated), "vroughness"));
+    EXPECT_THAT(warnings_, IsEmpty());
 }
 
 // A flat lamp shines to both sides; a closed one only outwards, where its light can go.

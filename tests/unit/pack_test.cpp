@@ -2,6 +2,7 @@
 
 #include "pack/pack.h"
 
+#include "measured_file.h"
 #include "unit/pbrt_reading.h"
 
 namespace eikonal {
@@ -29,6 +30,60 @@ TEST_F(Pack, DisplacementsAreScaledWithTheScene) {
     };
     EXPECT_EQ(reliefOf(4, 0.5), reliefOf(1, 0.125));
     EXPECT_EQ(reliefOf(4, 0.5) * pack("Shape \"sphere\" \"float radius\" 4").worldScale, 0.5);
+}
+
+// pbrt-v4's rule for microfacet widths below 0.3: doubled, at least 0.1, at most 0.3. What has none has no twin.
+TEST_F(Pack, RegularizationMakesARougherTwin) {
+    const auto widthOfTwin = [&](const std::string& material) {
+        Diagnostics diagnostics(LogLevel::silent, true);
+        const PackedScene scene = packScene(read("Integrator \"path\" \"bool regularize\" true\nWorldBegin\nMaterial " + material + "\nShape \"sphere\""), diagnostics);
+        const material_input& last = scene.tables.material_inputs.at([&] {
+            const ::eikonal::material& twin = scene.tables.materials.at(scene.tables.materials.at(0).regular);
+            return twin.first_input + twin.input_count - 1;
+        }());
+        return last.value.scale;
+    };
+    const std::string conductor = "\"conductor\" \"bool remaproughness\" false \"float roughness\" ";
+    EXPECT_FLOAT_EQ(widthOfTwin(conductor + "0"), 0.1f);
+    EXPECT_FLOAT_EQ(widthOfTwin(conductor + ".02"), 0.1f);
+    EXPECT_FLOAT_EQ(widthOfTwin(conductor + ".12"), 0.24f);
+    EXPECT_FLOAT_EQ(widthOfTwin(conductor + ".2"), 0.3f);
+    EXPECT_FLOAT_EQ(widthOfTwin(conductor + ".6"), 0.6f);
+
+    Diagnostics diagnostics(LogLevel::silent, true);
+    const PackedScene thin = packScene(read("Integrator \"path\" \"bool regularize\" true\nWorldBegin\nMaterial \"thindielectric\" Shape \"sphere\""), diagnostics);
+    EXPECT_EQ(thin.tables.materials.at(0).regular, 0u);
+    EXPECT_FALSE(thin.features.has(Feature::REGULARIZE));
+    EXPECT_EQ(pack("Material \"conductor\" Shape \"sphere\"").tables.materials.size(), 1u);
+}
+
+// The reflectance of a measured file is the colour of its spectra under daylight: that of white paper, which reflects the same everywhere, and of what
+// reflects only long wavelengths.
+TEST_F(Pack, MeasuredSpectraBecomeColors) {
+    const auto color = [&](const MeasuredFile& file) {
+        file.write(path("a.bsdf"));
+        const PackedScene scene = pack("Material \"measured\" \"string filename\" \"a.bsdf\" Shape \"sphere\"");
+        const measured_grid grid = scene.tables.measured_files.at(0).color;
+        const auto at = [&](uint channel) { return scene.tables.measured_values.at(grid.first + channel * grid.width * grid.height); };
+        return glm::dvec3(at(0), at(1), at(2));
+    };
+    MeasuredFile file;
+    expectNear(color(file), glm::dvec3(0.5), 1e-4);
+    file.reflectance = [](double nm) { return nm > 600 ? 0.8 : 0.; };
+    const glm::dvec3 red = color(file);
+    EXPECT_GT(red.x, 0.5);
+    EXPECT_LT(red.y, 0.1);
+    EXPECT_LT(red.z, 0.1);
+}
+
+TEST_F(Pack, ABrokenMeasuredFileIsNamed) {
+    write("a.bsdf", "nothing of the kind");
+    try {
+        pack("Material \"measured\" \"string filename\" \"a.bsdf\" Shape \"sphere\"");
+        FAIL() << "the file was accepted";
+    } catch (const SceneError& error) {
+        EXPECT_THAT(error.what(), AllOf(HasSubstr("test.pbrt:2:21: "), HasSubstr("a.bsdf\" is not a tensor file")));
+    }
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include "scene/pbrt/materials.h"
 #include "unit/pbrt_reading.h"
 
+#include <cmath>
+
 namespace eikonal {
 namespace {
 
@@ -37,6 +39,48 @@ TEST_F(PbrtMaterials, aConductorIsOfCopperOrOfAColor) {
     EXPECT_FALSE(copper.inputs.contains("reflectance"));
     EXPECT_THAT(inputsOf(material("\"conductor\" \"rgb reflectance\" [.9 .6 .4]")), ElementsAre("reflectance", "uroughness", "vroughness"));
     EXPECT_THAT(errorOfWorld("Material \"conductor\" \"rgb reflectance\" [1 1 1] \"spectrum k\" \"metal-Au-k\""), HasSubstr("either \"reflectance\" or \"k\""));
+}
+
+TEST_F(PbrtMaterials, aCoatedConductorHasTwoOfEachRoughness) {
+    const Material copper = material("\"coatedconductor\" \"float conductor.roughness\" .2 \"float interface.uroughness\" .1");
+    EXPECT_EQ(copper.kind, MaterialKind::coatedConductor);
+    const std::map<std::string, double> expected = {{"uroughness", .1}, {"vroughness", 0}, {"metal_uroughness", .2}, {"metal_vroughness", .2}, {"thickness", .01},
+                                                    {"eta", 1.5},       {"g", 0},          {"albedo", 0},            {"maxdepth", 10},         {"nsamples", 1}};
+    for (const auto& [name, number] : expected) EXPECT_EQ(value(copper, name), number) << name;
+    EXPECT_EQ(copper.inputs.at("metal_k").value.curve().values, namedSpectrum("metal-Cu-k")->values);
+    EXPECT_FALSE(material("\"coatedconductor\" \"rgb reflectance\" [.9 .6 .4]").inputs.contains("metal_eta"));
+    EXPECT_THAT(errorOfWorld("Material \"coatedconductor\" \"rgb reflectance\" [1 1 1] \"spectrum conductor.k\" \"metal-Au-k\""),
+                HasSubstr("either \"reflectance\" or \"conductor.k\""));
+}
+
+// What hair absorbs: given, or of a colour (Chiang et al. 2016, equation 9), or of melanin; brown if nothing is said.
+TEST_F(PbrtMaterials, hairAbsorbsWhatItIsTold) {
+    const auto absorption = [&](const std::string& parameters) { return material("\"hair\" " + parameters).inputs.at("sigma_a").value.albedo(); };
+    expectNear(absorption("\"rgb sigma_a\" [3 2 1]"), {3, 2, 1});
+    expectNear(absorption(""), 1.3 * glm::dvec3(.419, .697, 1.37));
+    expectNear(absorption("\"float eumelanin\" 2 \"float pheomelanin\" .5"), 2. * glm::dvec3(.419, .697, 1.37) + .5 * glm::dvec3(.187, .4, 1.05));
+    const double n = .3, scale = 5.969 - .215 * n + 2.532 * n * n - 10.73 * n * n * n + 5.574 * n * n * n * n + .245 * n * n * n * n * n;
+    for (const char* name : {"reflectance", "color"}) {
+        const double root = std::log(.5) / scale;
+        expectNear(absorption("\"rgb " + std::string(name) + "\" [.5 .5 .5]"), glm::dvec3(root * root));
+    }
+    expectNear(absorption("\"rgb sigma_a\" [3 2 1] \"rgb color\" [.5 .5 .5] \"float eumelanin\" 1"), {3, 2, 1});
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"reflectance\" is ignored"), HasSubstr("\"eumelanin\" is ignored")));
+}
+
+TEST_F(PbrtMaterials, texturedHairIsAProgramOfTextures) {
+    const Scene scene = world("Texture \"t\" \"float\" \"constant\" \"float value\" .5\nMaterial \"hair\" \"texture eumelanin\" \"t\"");
+    const Input& absorption = scene.materials.at(0).inputs.at("sigma_a");
+    ASSERT_NE(absorption.texture, none);
+    EXPECT_TRUE(std::holds_alternative<MixTexture>(scene.textures.at(static_cast<size_t>(absorption.texture)).kind));
+    EXPECT_NE(scene.materials.at(0).inputs.at("h").texture, none);
+}
+
+TEST_F(PbrtMaterials, aMeasuredMaterialNeedsAFile) {
+    EXPECT_THAT(errorOfWorld("Material \"measured\""), HasSubstr("needs a \"string filename\""));
+    EXPECT_THAT(errorOfWorld("Material \"measured\" \"string filename\" \"no.bsdf\""), HasSubstr("there is no file \"no.bsdf\""));
+    write("a.bsdf", "");
+    EXPECT_EQ(material("\"measured\" \"string filename\" \"a.bsdf\"").file, path("a.bsdf"));
 }
 
 TEST_F(PbrtMaterials, roughnessGivesWhatItsDirectionsDoNot) {
@@ -111,7 +155,7 @@ TEST_F(PbrtMaterials, interfacesInThreeSpellings) {
 TEST_F(PbrtMaterials, standInsAreComplete) {
     std::map<int, std::vector<std::string>> inputs;
     for (const pbrt::Kind& kind : pbrt::materialKinds().kinds()) {
-        if (kind.name == "mix") continue;  // it needs other materials
+        if (kind.name == "mix" || kind.name == "measured") continue;  // they need other materials, or a file
         const std::vector<std::string> names = inputsOf(material('"' + kind.name + '"'));
         EXPECT_EQ(!warnings_.empty(), kind.standIn || kind.name == "none" || kind.name.empty()) << kind.name;
         const auto [place, isNew] = inputs.try_emplace(kind.value, names);

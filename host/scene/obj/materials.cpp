@@ -156,7 +156,7 @@ private:
 
     int chooseSurface() {
         if (isRefractive()) return refractive();
-        for (const char* keyword : {"pr", "map_pr", "pm", "map_pm", "pc"})
+        for (const char* keyword : {"pr", "map_pr", "pm", "map_pm", "pc", "ps", "map_ps"})
             if (mtl_.has(keyword)) return physicallyBased();
         const int illum = illumination();
         if (illum <= 1 || isBlack("ks", "map_ks")) return diffuse(diffuseColor());
@@ -190,18 +190,25 @@ private:
         return add(MaterialKind::dielectric, {{"eta", constant(eta, "ni")}, {"uroughness", constant(width, "pr")}, {"vroughness", constant(width, "pr")}});
     }
 
-    /// Pr Pm Pc Pcr aniso: a metal, a coated diffuse surface, or a mix of both.
+    /// Pr Pm Ps Pc Pcr aniso: plastic to metal under a clear coat, with sheen.
     int physicallyBased() {
-        for (const char* keyword : {"ps", "map_ps", "anisor"})
-            if (mtl_.has(keyword) && mtl_.number("ps").value_or(1) != 0)
-                diagnostics_.unsupported(std::string("mtl ") + keyword, mtl_.whereIs(keyword), fmt::format("\"{}\" is not rendered", keyword));
-        const double metallic = std::clamp(mtl_.number("pm").value_or(mtl_.has("map_pm") ? 1 : 0), 0., 1.);
-        const Input base = diffuseColor();
+        if (mtl_.number("anisor").value_or(0) != 0)
+            diagnostics_.unsupported("mtl anisor", mtl_.whereIs("anisor"), "\"anisor\" is not rendered: stretched highlights follow the texture coordinates");
+        const Input base = diffuseColor(), metallic = portion("pm", "map_pm"), sheen = portion("ps", "map_ps");
+        const double coat = std::clamp(mtl_.number("pc").value_or(0), 0., 1.), coatRoughness = std::clamp(mtl_.number("pcr").value_or(0), 0., 1.);
+        const Widths widths = roughness();
+        if (metallic.texture == none && metallic.value.value() == 1 && coat == 0) return conductor(base, widths);
         const double eta = mtl_.number("ni").value_or(1) > 1 ? *mtl_.number("ni") : 1.5;
-        const auto map = metallic > 0 ? texture("map_pm", true, metallic) : std::nullopt;
-        if (metallic == 0) return coated(base, eta, coatWidths());
-        if (metallic == 1 && !map) return conductor(base, roughness());
-        return mix(coated(base, eta, coatWidths()), conductor(base, roughness()), map ? *map : constant(metallic, "pm"));
+        return add(MaterialKind::principled,
+                   {{"base", base}, {"metallic", metallic}, {"eta", constant(eta, "ni")}, {"uroughness", widths.u}, {"vroughness", widths.v},
+                    {"coat", constant(coat, "pc")}, {"coatroughness", constant(coatRoughness * coatRoughness, "pcr")}, {"sheen", sheen}});
+    }
+
+    /// A number from 0 to 1, times its map; a map without a number is itself.
+    Input portion(const std::string& keyword, const std::string& map) {
+        const double value = std::clamp(mtl_.number(keyword).value_or(mtl_.has(map) ? 1 : 0), 0., 1.);
+        const auto image = value > 0 ? texture(map, true, value) : std::nullopt;
+        return image ? *image : constant(value, keyword);
     }
 
     /// Microfacet widths are the square of the roughness, stretched by aniso: Burley 2012.
@@ -213,13 +220,6 @@ private:
         }
         const double aspect = std::sqrt(1 - 0.9 * std::clamp(mtl_.number("aniso").value_or(0), 0., 1.));
         return {constant(pr * pr / aspect, "pr"), constant(pr * pr * aspect, "pr")};
-    }
-
-    /// A clear coat (Pc) is smoother than what it covers: it is what one sees.
-    Widths coatWidths() {
-        if (mtl_.number("pc").value_or(0) <= 0) return roughness();
-        const double width = std::pow(std::clamp(mtl_.number("pcr").value_or(0), 0., 1.), 2);
-        return {constant(width, "pcr"), constant(width, "pcr")};
     }
 
     // ---- relief, opacity, light ---------------------------------------------------------------------------------------------

@@ -1,5 +1,8 @@
 #include "scene/pbrt/materials.h"
 
+#include "scene/pbrt/hair.h"
+
+#include <algorithm>
 #include <utility>
 
 namespace eikonal::pbrt {
@@ -31,20 +34,20 @@ const KindTable& materialKinds() {
         {"interface", kindOf(MaterialKind::interface), ""},
         {"none", kindOf(MaterialKind::interface), ""},
         {"", kindOf(MaterialKind::interface), ""},
-        {"coatedconductor", kindOf(MaterialKind::conductor),
-         "spectrummap conductor.eta = metal-Cu-eta -> eta; spectrummap conductor.k = metal-Cu-k -> k; colormap reflectance;"
-         "floatmap conductor.uroughness | conductor.roughness = 0 -> uroughness; floatmap conductor.vroughness | conductor.roughness = 0 -> vroughness;"
-         "floatmap interface.uroughness | interface.roughness = 0 -> -; floatmap interface.vroughness | interface.roughness = 0 -> -;"
-         "index interface.eta = 1.5 -> -; floatmap thickness = 0.01 -> -; floatmap g = 0 -> -; colormap albedo = 0 -> -;"
-         "integer maxdepth = 10 -> -; integer nsamples = 1 -> -", "its conductor is rendered without the coat"},
+        {"coatedconductor", kindOf(MaterialKind::coatedConductor),
+         "spectrummap conductor.eta = metal-Cu-eta -> metal_eta; spectrummap conductor.k = metal-Cu-k -> metal_k; colormap reflectance;"
+         "floatmap conductor.uroughness | conductor.roughness = 0 -> metal_uroughness;"
+         "floatmap conductor.vroughness | conductor.roughness = 0 -> metal_vroughness;"
+         "floatmap interface.uroughness | interface.roughness = 0 -> uroughness; floatmap interface.vroughness | interface.roughness = 0 -> vroughness;"
+         "index interface.eta = 1.5 -> eta; floatmap thickness = 0.01; floatmap g = 0; colormap albedo = 0; integer maxdepth = 10; integer nsamples = 1"},
         {"subsurface", kindOf(MaterialKind::coatedDiffuse),
          "colormap reflectance; floatmap uroughness | roughness = 0; floatmap vroughness | roughness = 0; index eta = 1.33;"
          "string name -> -; spectrummap sigma_a -> -; spectrummap sigma_s -> -; spectrummap mfp -> -; float scale = 1 -> -; float g = 0 -> -",
          "a coated diffuse surface stands in for it"},
-        {"hair", kindOf(MaterialKind::diffuse),
-         "colormap reflectance | color; spectrummap sigma_a -> -; floatmap eumelanin -> -; floatmap pheomelanin -> -; floatmap eta = 1.55 -> -;"
-         "floatmap beta_m = 0.3 -> -; floatmap beta_n = 0.3 -> -; floatmap alpha = 2 -> -", "a diffuse surface stands in for it"},
-        {"measured", kindOf(MaterialKind::diffuse), "file filename -> -", "a diffuse surface stands in for it"},
+        {"hair", kindOf(MaterialKind::hair),
+         "spectrummap sigma_a; colormap reflectance | color -> -; floatmap eumelanin = 0 -> -; floatmap pheomelanin = 0 -> -; floatmap eta = 1.55;"
+         "floatmap beta_m = 0.3; floatmap beta_n = 0.3; floatmap alpha = 2"},
+        {"measured", kindOf(MaterialKind::measured), "file filename -> -"},
     });
     return table;
 }
@@ -118,13 +121,18 @@ void MaterialBook::build(Entry& entry, Material& material) {
         const double scale = arguments.number("scale");
         for (auto& [name, input] : material.inputs) input = textures_.scaled(input, scale);
     }
-    if (material.kind == MaterialKind::conductor && arguments.has("reflectance")) {
-        for (const Rule& rule : kind.rules)
-            if ((rule.as == "eta" || rule.as == "k") && arguments.has(rule.name))
-                throw SceneError(arguments.whereOf(rule.name), kind.title() + " has either \"reflectance\" or \"" + rule.name + "\", not both");
-        material.inputs.erase("eta");
-        material.inputs.erase("k");
-    }
+    if (material.kind == MaterialKind::conductor) preferReflectance(arguments, material, {"eta", "k"});
+    if (material.kind == MaterialKind::coatedConductor) preferReflectance(arguments, material, {"metal_eta", "metal_k"});
+    if (material.kind == MaterialKind::measured) readMeasured(arguments, material);
+    if (material.kind == MaterialKind::hair) readHair(reading_, textures_, arguments, material);
+}
+
+void MaterialBook::preferReflectance(const Arguments& arguments, Material& material, const std::array<std::string, 2>& indices) {
+    if (!arguments.has("reflectance")) return;
+    for (const Rule& rule : arguments.kind().rules)
+        if (std::ranges::count(indices, rule.as) && arguments.has(rule.name))
+            throw SceneError(arguments.whereOf(rule.name), arguments.kind().title() + " has either \"reflectance\" or \"" + rule.name + "\", not both");
+    for (const std::string& index : indices) material.inputs.erase(index);
 }
 
 void MaterialBook::readInputs(const Arguments& arguments, Material& material) {
@@ -161,6 +169,13 @@ void MaterialBook::readMix(const Arguments& arguments, Material& material) {
         if (material.mixed[i] != none && reading_.scene.materials[material.mixed[i]].kind == MaterialKind::interface)
             throw SceneError(where, "\"" + names[i] + "\" is an interface, which cannot be a part of a mix");
     }
+}
+
+void MaterialBook::readMeasured(const Arguments& arguments, Material& material) {
+    const std::optional<std::string> path = arguments.file("filename");
+    if (!path && !arguments.has("filename")) throw SceneError(arguments.where(), "material \"measured\" needs a \"string filename\": a .bsdf file of the RGL material database");
+    material.file = path.value_or("");  // missing: a problem that is noted already
+    material.where = arguments.whereOf("filename");
 }
 
 int MaterialBook::normalMap(const Arguments& arguments) {

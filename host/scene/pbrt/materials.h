@@ -5,6 +5,7 @@
 #include "scene/pbrt/state.h"
 #include "scene/pbrt/textures.h"
 
+#include <array>
 #include <deque>
 #include <map>
 #include <memory>
@@ -42,6 +43,9 @@ private:
 
     void build(Entry& entry, Material& material);
     void readInputs(const Arguments& arguments, Material& material);
+    /// A metal is given by what it reflects or by its indices. Throws SceneError if it is by both.
+    void preferReflectance(const Arguments& arguments, Material& material, const std::array<std::string, 2>& indices);
+    void readMeasured(const Arguments& arguments, Material& material);
     void readMix(const Arguments& arguments, Material& material);
     int normalMap(const Arguments& arguments);
 

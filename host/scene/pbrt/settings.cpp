@@ -294,7 +294,7 @@ void Settings::applyIntegrator(const Arguments& arguments) {
     reading_.scene.integrator.maxDepth = arguments.integer("maxdepth");
     if (reading_.scene.integrator.maxDepth < 0) throw SceneError(arguments.whereOf("maxdepth"), "\"integer maxdepth\" must not be negative");
     if (arguments.kind().rule("regularize") && arguments.flag("regularize"))
-        reading_.unsupported("regularize", arguments.whereOf("regularize"), "\"regularize\" has no effect yet");
+        reading_.scene.integrator.regularize = true;
 }
 
 }  // namespace eikonal::pbrt
