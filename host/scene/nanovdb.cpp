@@ -195,7 +195,7 @@ std::shared_ptr<const SparseGrid> readNanoVdb(const std::string& path, const std
     Found found;
     if (!findGrid(file, [&](const std::string& other) { return other == name; }, found)) return nullptr;
     if (found.meta.gridType != nanovdb::GridType::Float)
-        throw ReadProblem(fmt::format("has a grid \"{}\" of {}; grids of floats are read", name, nanovdb::toStr(found.meta.gridType)));
+        throw ReadProblem(fmt::format("has a grid \"{}\" of {}; grids of floats are read", name, found.meta.gridType < nanovdb::GridType::End ? nanovdb::toStr(found.meta.gridType) : "an unknown type"));
     if (found.meta.gridClass == nanovdb::GridClass::LevelSet)
         throw ReadProblem(fmt::format("has a grid \"{}\" that is a level set; fog volumes are rendered", name));
     try {

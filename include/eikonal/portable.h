@@ -42,6 +42,7 @@ typedef struct { float xx, xy, xz, xw, yx, yy, yz, yw, zx, zy, zz, zw; } affine;
 #define WORDS_float 1
 #define WORDS_vec2 2
 #define WORDS_vec3 3
+#define WORDS_color 5
 #define WORDS_spectrum 3
 
 /* "No such index", for every table. */

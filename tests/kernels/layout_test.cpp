@@ -34,8 +34,10 @@ namespace {
     M(texture_instruction, kind) M(texture_instruction, mapping) M(texture_instruction, flags) M(texture_instruction, image) M(texture_instruction, value) \
     M(texture_instruction, texture_from_scene) M(texture_program, first) M(texture_program, count) \
     M(image, width) M(image, height) M(image, channels) M(image, format) M(image, wrap) M(image, filter) M(image, first) \
-    M(medium, kind) M(medium, sigma_a) M(medium, sigma_s) M(medium, Le) M(medium, g) M(medium, grid_from_scene) M(medium, nx) M(medium, ny) M(medium, nz) \
-    M(medium, first_density) M(medium, first_Le) M(medium, first_majorant)
+    M(medium, kind) M(medium, sigma_a) M(medium, sigma_s) M(medium, Le) M(medium, g) M(medium, focus_count) M(medium, box_from_scene) \
+    M(medium, majorants_x) M(medium, majorants_y) M(medium, majorants_z) M(medium, first_majorant) M(medium, density) M(medium, temperature) M(medium, Le_scale) \
+    M(medium, temperature_offset) M(medium, temperature_scale) M(medium, nx) M(medium, ny) M(medium, nz) M(medium, first_sigma_a) M(medium, first_sigma_s) \
+    M(medium, first_Le) M(medium, low) M(medium, extent) M(medium, cloud_density) M(medium, wispiness) M(medium, frequency)
 
 /// What both sides report, in the same order.
 struct Report {
@@ -120,7 +122,7 @@ TEST(Layout, TheLastMemberEndsEachStruct) {
     EXPECT_EQ(sizeof(light), 4 * (0 LIGHT_FIELDS(ADD_WORDS)));
     EXPECT_EQ(sizeof(shape), offsetof(shape, outside) + 4);
     EXPECT_EQ(sizeof(settings), offsetof(settings, max_component_value) + 4);
-    EXPECT_EQ(sizeof(medium), offsetof(medium, first_majorant) + 4);
+    EXPECT_EQ(sizeof(medium), offsetof(medium, frequency) + 4);
 }
 
 }  // namespace

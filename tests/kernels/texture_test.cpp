@@ -294,7 +294,7 @@ TEST(Noise, IsBoundedAndRepeats) {
     for (size_t i = 0; i < a.size(); ++i) {
         ASSERT_LE(std::abs(a[i].r), 1);
         ASSERT_LE(std::abs(b[i].r), 1);
-        if (i < 500) ASSERT_EQ(a[i].r, b[i].r);
+        if (i < 500) { ASSERT_EQ(a[i].r, b[i].r); }
     }
 }
 
