@@ -50,7 +50,7 @@ constexpr const char* view = R"(
     LookAt 3 1 -5  0 0.5 0  0 1 0
     Film "rgb" "integer xresolution" 40 "integer yresolution" 30
     PixelFilter "box" "float xradius" 0.5 "float yradius" 0.5
-    Sampler "sobol"
+    Sampler "sobol" "integer pixelsamples" 65536
 )";
 
 /// Where a point of the plane z = 1 lies in the image, pixels from the upper left: 90 degrees over the shorter side are y in [-1, 1].

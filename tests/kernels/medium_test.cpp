@@ -56,7 +56,7 @@ std::string parametersOf(const std::string& kind) {
 
 /// The sphere makes scene space what world space is.
 PackedScene sceneWith(const std::string& kind, const std::string& parameters, const std::string& lights = "") {
-    return packText("WorldBegin " + lights + " MakeNamedMedium \"m\" \"string type\" \"" + kind + "\" " + parameters + " MediumInterface \"m\" \"\" Material \"interface\" Shape \"sphere\"");
+    return packText("WorldBegin " + lights + " MakeNamedMedium \"m\" \"string type\" \"" + kind + "\" " + parameters + " MediumInterface \"m\" \"\" Material \"interface\" Shape \"sphere\" \"float radius\" 0.9");
 }
 
 using Channels = std::array<double, 3>;
@@ -70,10 +70,10 @@ const std::array<Ray, 3> rays = {Ray{{-0.9f, 0.3f, 0.1f}, {1, 0, 0}}, Ray{{0.1f,
 struct Integrals { spectrum tau, absorbed, scattered, emitted; };   ///< up to a distance; the last three: of sigma * T, and sigma_a * Le * T
 const DeviceFunction<Integrals>& integrate() {
     static const DeviceFunction<Integrals> function({.include = "medium/medium.clh", .type = "integrals", .body = R"(
-        medium_tables media = BIND_MEDIA;
+        medium_tables medium_set = BIND_MEDIA;
         color_tables color_set = BIND_COLORS;
         palette colors = path_palette(color_set, 0u, 0u);
-        medium m = media.media[0];
+        medium m = medium_set.media[0];
         medium_spectra c = eval_medium(colors, m);
         result.tau = result.absorbed = result.scattered = result.emitted = uniform_spectrum(0.0f);
         vec3 box_o = transform_point(m.box_from_scene, o), box_d = transform_vector(m.box_from_scene, d);
@@ -84,7 +84,7 @@ const DeviceFunction<Integrals>& integrate() {
             medium_spectra at = c;
             if (m.kind != kind_homogeneous_medium) {
                 if (!inside) continue;
-                at = eval_medium_point(media, colors, m, c, p);
+                at = eval_medium_point(medium_set, colors, m, c, p);
             }
             spectrum half_tau = mul(add(at.sigma_a, at.sigma_s), 0.5f * step);
             spectrum T = mul(exp_spectrum(mul(add(result.tau, half_tau), -1.0f)), step);
@@ -101,18 +101,18 @@ const DeviceFunction<Integrals>& integrate() {
 struct Walked { uint end; float t; spectrum beta, r_u, r_l, L; };
 FunctionText walkText(const std::string& body) {
     return {.include = "medium/medium.clh", .type = "walked",
-            .body = "medium_tables media = BIND_MEDIA; color_tables color_set = BIND_COLORS; palette colors = path_palette(color_set, 0u, 0u); random_stream more = make_stream(seed, 1u, 2u); spectrum zero = uniform_spectrum(0.0f), one = uniform_spectrum(1.0f); track end = {track_passes, t};" + body +
+            .body = "medium_tables medium_set = BIND_MEDIA; color_tables color_set = BIND_COLORS; palette colors = path_palette(color_set, 0u, 0u); random_stream more = make_stream(seed, 1u, 2u); spectrum zero = uniform_spectrum(0.0f), one = uniform_spectrum(1.0f); track end = {track_passes, t};" + body +
                     "result.end = end.end; result.t = end.t; result.beta = path.beta; result.r_u = path.r_u; result.r_l = path.r_l; result.L = path.L;",
             .inputs = {"vec3 o", "vec3 d", "float t", "uint hero", "uint seed"},
             .declarations = "typedef struct { uint end; float t; spectrum beta, r_u, r_l, L; } walked;", .tables = "MEDIUM_ARGUMENTS COLOR_ARGUMENTS"};
 }
 /// A path's way, and a shadow ray's to a light that nothing else could find.
 const DeviceFunction<Walked>& track() {
-    static const DeviceFunction<Walked> function(walkText("tracked_path path = {hero, one, one, one, zero}; float u = next_random(&more); end = sample_medium(media, colors, 0u, o, d, t, u, &more, &path);"));
+    static const DeviceFunction<Walked> function(walkText("tracked_path path = {hero, one, one, one, zero}; float u = next_random(&more); end = sample_medium(medium_set, colors, 0u, o, d, t, u, &more, &path);"));
     return function;
 }
 const DeviceFunction<Walked>& attenuate() {
-    static const DeviceFunction<Walked> function(walkText("tracked_path path = {hero, one, zero, one, zero}; attenuate_medium(media, colors, 0u, o, d, t, &more, &path);"));
+    static const DeviceFunction<Walked> function(walkText("tracked_path path = {hero, one, zero, one, zero}; attenuate_medium(medium_set, colors, 0u, o, d, t, &more, &path);"));
     return function;
 }
 
@@ -218,14 +218,14 @@ TEST_P(EveryMedium, IsBounded) {
     if (packed.tables.media[0].kind == kind_homogeneous_medium) GTEST_SKIP() << "it needs no bounds";
     struct Both { spectrum sigma_t, bound; };
     const DeviceFunction<Both> function({.include = "medium/medium.clh", .type = "both", .body = R"(
-        medium_tables media = BIND_MEDIA;
+        medium_tables medium_set = BIND_MEDIA;
         color_tables color_set = BIND_COLORS;
         palette colors = path_palette(color_set, 0u, 0u);
-        medium m = media.media[0];
+        medium m = medium_set.media[0];
         medium_spectra c = eval_medium(colors, m);
-        medium_spectra at = eval_medium_point(media, colors, m, c, p);
+        medium_spectra at = eval_medium_point(medium_set, colors, m, c, p);
         result.sigma_t = add(at.sigma_a, at.sigma_s);
-        result.bound = mul(bounded_extinction(m, c), walk_majorant(media, m, start_walk(m, p, make_vec3(0.0f, 0.0f, 1.0f), 1.0f)));)",
+        result.bound = mul(bounded_extinction(m, c), walk_majorant(medium_set, m, start_walk(m, p, make_vec3(0.0f, 0.0f, 1.0f), 1.0f)));)",
         .inputs = {"vec3 p"}, .declarations = "typedef struct { spectrum sigma_t, bound; } both;", .tables = "MEDIUM_ARGUMENTS COLOR_ARGUMENTS"});
     const DeviceScene onDevice(testContext(), packed);
     Random random(7);
@@ -284,10 +284,10 @@ TEST(Foci, WaysTowardsThemAreWeightedRight) {
 
     /* Distances against their density, integrated over bins */
     const DeviceFunction<vec3> function({.include = "medium/medium.clh", .type = "vec3", .body = R"(
-        medium_tables media = BIND_MEDIA;
+        medium_tables medium_set = BIND_MEDIA;
         float sum = 0.0f, step = 2.0f / 40.0f / 64.0f;
-        for (int i = 0; i < 64; ++i) sum += pdf_towards_foci(media.foci, 2u, o, d, 2.0f, u.x * 2.0f + ((float)i + 0.5f) * step) * step;
-        result = make_vec3(sample_towards_foci(media.foci, 2u, o, d, 2.0f, u.x, u.y), sum, share_of_foci(media.foci, 2u, o, d, 2.0f, 3.0f));)",
+        for (int i = 0; i < 64; ++i) sum += pdf_towards_foci(medium_set.foci, 2u, o, d, 2.0f, u.x * 2.0f + ((float)i + 0.5f) * step) * step;
+        result = make_vec3(sample_towards_foci(medium_set.foci, 2u, o, d, 2.0f, u.x, u.y), sum, share_of_foci(medium_set.foci, 2u, o, d, 2.0f, 3.0f));)",
         .inputs = {"vec3 o", "vec3 d", "vec2 u"}, .tables = "MEDIUM_ARGUMENTS"});
     Random random(13);
     constexpr size_t n = 20000, bins = 40;
@@ -347,9 +347,9 @@ TEST(SparseGrids, AreSampledAsTheLibraryDoes) {
     const PackedScene packed = sceneWith("nanovdb", parametersOf("nanovdb"));
     const DeviceScene onDevice(testContext(), packed);
     const DeviceFunction<vec2> lookup({.include = "medium/medium.clh", .type = "vec2", .body = R"(
-        medium_tables media = BIND_MEDIA;
-        vec3 p = transform_point(media.media[0].box_from_scene, at);
-        result = make_vec2(lookup_grid(media, media.media[0].density, p), lookup_grid(media, media.media[0].temperature, p));)",
+        medium_tables medium_set = BIND_MEDIA;
+        vec3 p = transform_point(medium_set.media[0].box_from_scene, at);
+        result = make_vec2(lookup_grid(medium_set, medium_set.media[0].density, p), lookup_grid(medium_set, medium_set.media[0].temperature, p));)",
         .inputs = {"vec3 at"}, .tables = "MEDIUM_ARGUMENTS COLOR_ARGUMENTS"});
     Random random(11);
     std::vector<vec3> points;

@@ -99,19 +99,19 @@ double lengthOf(vec3 v) { return std::sqrt(static_cast<double>(v.x) * v.x + stat
 TEST_F(StageTest, GenerateRaysFillsEverySlotOfTheImage) {
     generate();
     const QueueWords rays = bench.read("ray"), states = bench.read("path");
-    std::set<uint> seeds;
+    std::set<std::pair<uint, uint>> places;
     for (size_t i = 0; i < paths; ++i) {
         expectClean(rays, i);
         expectClean(states, i);
         ASSERT_EQ(rays.get<uint>("path", i), i);
-        ASSERT_EQ(rays.get<uint>("sample", i), i / (side * side));
+        ASSERT_EQ(rays.get<uint>("sample", i) & 3u, i / (side * side)) << "of the pixel's four";
         ASSERT_EQ(rays.get<float>("t_max", i), FAR_AWAY);
         ASSERT_NEAR(lengthOf(rays.get<vec3>("d", i)), 1, 1e-6);
         ASSERT_EQ(rays.get<spectrum>("beta", i).g, 1);
         ASSERT_EQ(states.get<spectrum>("L", i).g, 0);
-        seeds.insert(rays.get<uint>("seed", i));
+        places.emplace(rays.get<uint>("seed", i), rays.get<uint>("sample", i));
     }
-    EXPECT_EQ(seeds.size(), side * side) << "one random sequence a pixel";
+    EXPECT_EQ(places.size(), paths) << "each has its own place in the random sequences";
 }
 
 /// What a tile reaches beyond the image is dead and weighs nothing.
@@ -393,7 +393,7 @@ TEST_F(StageTest, ResolveFilmSumsUp) {
 /// others that is brighter than any square may be.
 TEST_F(StageTest, ResolveFilmKnowsTheSpreadOfNearlyEqualSamples) {
     constexpr unsigned pixels = 4, perWave = 256, waves = 256;
-    StageBench bench(scene(), pixels * perWave);
+    StageBench bench(scene(), pixels * perWave, true, pixels);
     bench.set("tile_pixels", pixels);
     bench.set("samples", perWave);
     QueueWords states = bench.empty("path");
