@@ -56,7 +56,7 @@ std::string parametersOf(const std::string& kind) {
 
 /// The sphere makes scene space what world space is.
 PackedScene sceneWith(const std::string& kind, const std::string& parameters, const std::string& lights = "") {
-    return packText("WorldBegin " + lights + " MakeNamedMedium \"m\" \"string type\" \"" + kind + "\" " + parameters + " MediumInterface \"m\" \"\" Material \"interface\" Shape \"sphere\" \"float radius\" 0.9");
+    return packText("WorldBegin " + lights + " MakeNamedMedium \"m\" \"string type\" \"" + kind + "\" " + parameters + " MediumInterface \"m\" \"\" Material \"interface\" Shape \"sphere\" \"float radius\" 0.5");
 }
 
 using Channels = std::array<double, 3>;
