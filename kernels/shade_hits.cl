@@ -23,10 +23,11 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
     /* Light from one light, seen by the BSDF */
     light_sample l = no_light();
     if (!BSDF_IS_DELTA && HAS_LIGHTS) {
-        l = sample_light_at(lights, path_palette(colors, h.seed, h.sample), frame, h.seed, h.sample, h.depth, h.p);
+        vec3 seen_from = light_origin(h);
+        l = sample_light_at(lights, path_palette(colors, h.seed, h.sample), frame, h.seed, h.sample, h.depth, seen_from);
         vec3 wi = to_local(shading, l.wi);
         spectrum f = mul(EVAL_BSDF(b, wo, wi), fabs(wi.z));
-        out.shadow = light_from_surface(h, l, f, PDF_BSDF(b, wo, wi), alive);
+        out.shadow = light_from_surface(h, seen_from, l, f, PDF_BSDF(b, wo, wi), alive);
     } else out.shadow = no_shadow(h.path);
 
     /* On along the BSDF */

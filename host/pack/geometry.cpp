@@ -1,5 +1,6 @@
 // Shapes, objects, instances, and the hierarchy over them.
 
+#include "pack/curves.h"
 #include "pack/motion.h"
 #include "pack/packer.h"
 
@@ -142,7 +143,9 @@ private:
             [&](const TriangleMesh& m) { return addTriangles(group, packed, s, *m.mesh, groupFromObject); },
             [&](const BilinearMesh& m) { return addPatches(group, packed, s, *m.mesh, groupFromObject); },
             [&](const Sphere& q) { return addSphere(group, packed, s, q, groupFromObject, instanceSwaps); },
-            [&](const Disk& q) { return addDisk(group, packed, s, q, groupFromObject, instanceSwaps); }}, s.kind);
+            [&](const Disk& q) { return addDisk(group, packed, s, q, groupFromObject, instanceSwaps); },
+            [&](const Cylinder& q) { return addCylinder(group, packed, s, q, groupFromObject, instanceSwaps); },
+            [&](const CurveShape& c) { return addCurve(group, packed, s, *c.curve, groupFromObject, instanceSwaps); }}, s.kind);
         if (elements == 0) return;
         tables_.element_shapes.insert(tables_.element_shapes.end(), elements, static_cast<uint>(tables_.shapes.size()));
         if (emits) packAreaLight(packer_, s, packed, groupFromObject, elements);
@@ -229,6 +232,47 @@ private:
         q.z_min = q.z_max = static_cast<float>(disk.height);
         q.phi_max = radians(disk.phiMax);
         return addQuadric(group, packed, s, q, m, instanceSwaps);
+    }
+
+    size_t addCylinder(Group& group, shape& packed, const Shape& s, const Cylinder& cylinder, const glm::dmat4& m, bool instanceSwaps) {
+        packed.kind = shape_cylinder;
+        packer_.packed.require(Feature::SHAPE_CYLINDER, s.where.toString());
+        quadric q{};
+        q.radius = static_cast<float>(cylinder.radius);
+        q.z_min = static_cast<float>(cylinder.zMin);
+        q.z_max = static_cast<float>(cylinder.zMax);
+        q.phi_max = radians(cylinder.phiMax);
+        return addQuadric(group, packed, s, q, m, instanceSwaps);
+    }
+
+    /// In the space of the hierarchy if its widths and its left and right stay what they are, else with maps, which each ray then goes through.
+    size_t addCurve(Group& group, shape& packed, const Shape& s, const Curve& description, const glm::dmat4& m, bool instanceSwaps) {
+        packed.kind = shape_curve;
+        if (s.reverseOrientation != (swapsHandedness(m) != instanceSwaps)) packed.flags |= shape_reversed;
+        packed.first_index = static_cast<uint>(tables_.curve_segments.size());
+        packed.splits = curveSplits(description);
+        const double scale = swapsHandedness(m) ? 0 : uniformScale(m);
+        if (scale == 0) {
+            packed.quadric = static_cast<uint>(tables_.quadrics.size());
+            quadric maps{};
+            maps.scene_from_object = toAffine(m);
+            maps.object_from_scene = toAffine(glm::inverse(m));
+            tables_.quadrics.push_back(maps);
+        }
+        const uint parts = 1u << packed.splits;
+        uint element = packed.first_element;
+        for (const CurveSegment& segment : description.segments) {
+            const curve c = packSegment(segment, description.kind, scale > 0 ? m : glm::dmat4(1), scale > 0 ? scale : 1);
+            tables_.curve_segments.push_back(c);
+            for (uint part = 0; part < parts; ++part, ++element) {
+                if (c.width[0] <= 0 && c.width[1] <= 0) continue;
+                const Box box = boundsOfPart(c, part, packed.splits);
+                addBox(group, scale > 0 ? box : transformed(box, m), element);
+            }
+        }
+        packer_.packed.require(Feature::SHAPE_CURVE, s.where.toString());
+        packer_.packed.counts.curves += description.segments.size();
+        return element - packed.first_element;
     }
 
     /// Padded by more than the rounding of a shape's own intersection test, in units of the box's largest coordinate.

@@ -102,14 +102,6 @@ static light bilinearLight(const SceneTables& tables, const shape& s, size_t ele
     return l;
 }
 
-/// Whether a map keeps angles: then a sphere stays a sphere. Gives its scale, or 0.
-static double uniformScale(const glm::dmat4& m) {
-    const glm::dmat3 a(m);
-    const double x = glm::length(a[0]), y = glm::length(a[1]), z = glm::length(a[2]);
-    const double skew = std::max({std::abs(glm::dot(a[0], a[1])), std::abs(glm::dot(a[1], a[2])), std::abs(glm::dot(a[0], a[2]))});
-    return std::max({std::abs(x - y), std::abs(y - z), skew / x}) < 1e-4 * x ? x : 0;
-}
-
 static light sphereLight(Packer& packer, const Shape& description, const shape& s, const Sphere& sphere, const glm::dmat4& m, const color& L) {
     light l = newLight(kind_sphere_light, L);
     const double scale = uniformScale(m), radius = sphere.radius * scale;
@@ -141,6 +133,26 @@ static light diskLight(const shape& s, const Disk& disk, const glm::dmat4& m, co
     return l;
 }
 
+static light cylinderLight(const shape& s, const Cylinder& cylinder, const glm::dmat4& m, const color& L) {
+    light l = newLight(kind_cylinder_light, L);
+    const glm::dvec3 a = transformVector(m, {cylinder.radius, 0, 0}), b = transformVector(m, {0, cylinder.radius, 0});
+    const glm::dvec3 c = transformVector(m, {0, 0, cylinder.zMax - cylinder.zMin});
+    l.p = toVec3(transformPoint(m, {0, 0, cylinder.zMin}));
+    l.a = toVec3(a); l.b = toVec3(b); l.c = toVec3(c);
+    l.extent = static_cast<float>(std::clamp(cylinder.phiMax, 0.0, 360.0) / 360);
+    /* The area by quadrature: what the sampler's probability needs */
+    double area = 0;
+    constexpr int steps = 256;
+    for (int i = 0; i < steps; ++i) {
+        const double phi = 2 * M_PI * l.extent * (i + 0.5) / steps;
+        area += glm::length(glm::cross(std::cos(phi) * b - std::sin(phi) * a, c)) * 2 * M_PI * l.extent / steps;
+    }
+    l.inverse_area = static_cast<float>(1 / area);
+    /* dp/dphi x c points outwards, unless the transform mirrors it */
+    l.n = {((s.flags & shape_reversed) != 0) != swapsHandedness(m) ? -1.0f : 1.0f, 0, 0};
+    return l;
+}
+
 /// Emitted power in scene units: what the sampler's probabilities follow.
 static double areaPower(const light& l, double luminance) { return l.pmf > 0 ? M_PI * luminance / l.inverse_area * (l.two_sided ? 2 : 1) : 0; }
 
@@ -160,7 +172,9 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
             [&](const TriangleMesh&) { return triangleLight(tables, packed, e, L); },
             [&](const BilinearMesh&) { return bilinearLight(tables, packed, e, L); },
             [&](const Sphere& q) { return sphereLight(packer, s, packed, q, m, L); },
-            [&](const Disk& q) { return diskLight(packed, q, m, L); }}, s.kind);
+            [&](const Disk& q) { return diskLight(packed, q, m, L); },
+            [&](const Cylinder& q) { return cylinderLight(packed, q, m, L); },
+            [&](const CurveShape&) -> light { throw std::logic_error("curves do not emit"); }}, s.kind);
         l.two_sided = description.twoSided ? 1 : 0;
         /* Cut out altogether, it shines unseen (as in pbrt-v4) */
         l.invisible = isUnseen;
@@ -180,7 +194,9 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
     if (hasPattern) packer.packed.require(Feature::LIGHT_PATTERN, why);
     packer.packed.require(std::visit(Overloaded{
         [](const TriangleMesh&) { return Feature::LIGHT_TRIANGLE; }, [](const BilinearMesh&) { return Feature::LIGHT_BILINEAR; },
-        [](const Sphere&) { return Feature::LIGHT_SPHERE; }, [](const Disk&) { return Feature::LIGHT_DISK; }}, s.kind), why);
+        [](const Sphere&) { return Feature::LIGHT_SPHERE; }, [](const Disk&) { return Feature::LIGHT_DISK; },
+        [](const Cylinder&) { return Feature::LIGHT_CYLINDER; },
+        [](const CurveShape&) -> Feature { throw std::logic_error("curves do not emit"); }}, s.kind), why);
 }
 
 // ---- lights without a shape ---------------------------------------------------------------------------------------

@@ -1,5 +1,6 @@
 #include "pack/space.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace eikonal {
@@ -41,6 +42,13 @@ glm::dvec3 transformNormal(const glm::dmat4& m, glm::dvec3 n) {
 
 bool swapsHandedness(const glm::dmat4& m) { return glm::determinant(glm::dmat3(m)) < 0; }
 
+double uniformScale(const glm::dmat4& m) {
+    const glm::dmat3 a(m);
+    const double x = glm::length(a[0]), y = glm::length(a[1]), z = glm::length(a[2]);
+    const double skew = std::max({std::abs(glm::dot(a[0], a[1])), std::abs(glm::dot(a[1], a[2])), std::abs(glm::dot(a[0], a[2]))});
+    return std::max({std::abs(x - y), std::abs(y - z), skew / x}) < 1e-4 * x ? x : 0;
+}
+
 affine toAffine(const glm::dmat4& m) {
     const auto f = [](double x) { return static_cast<float>(x); };
     return {f(m[0].x), f(m[1].x), f(m[2].x), f(m[3].x), f(m[0].y), f(m[1].y), f(m[2].y), f(m[3].y), f(m[0].z), f(m[1].z), f(m[2].z), f(m[3].z)};
@@ -76,6 +84,22 @@ Box boundsOf(const Shape& shape, const glm::dmat4& m) {
         [&](const Disk& s) {
             Box box;
             growByCorners(box, m, {-s.radius, -s.radius, s.height}, {s.radius, s.radius, s.height});
+            return box;
+        },
+        [&](const CurveShape& s) {
+            Box box;
+            for (const CurveSegment& segment : s.curve->segments) {
+                const double half = 0.5 * std::max(segment.width[0], segment.width[1]);
+                for (const glm::dvec3 p : segment.points) growByCorners(box, m, p - half, p + half);
+            }
+            return box;
+        },
+        [&](const Cylinder& s) {
+            /* A circle reaches as far along each axis as its two radii together, at right angles */
+            const glm::dvec3 reach = s.radius * glm::sqrt(glm::dvec3(m[0] * m[0] + m[1] * m[1]));
+            Box box;
+            for (const double z : {s.zMin, s.zMax})
+                for (const double side : {-1.0, 1.0}) box.grow(transformPoint(m, {0, 0, z}) + side * reach);
             return box;
         }}, shape.kind);
 }

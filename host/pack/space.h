@@ -43,6 +43,8 @@ glm::dvec3 transformVector(const glm::dmat4& m, glm::dvec3 v);
 /// Of unit length; zero stays zero.
 glm::dvec3 transformNormal(const glm::dmat4& m, glm::dvec3 n);
 bool swapsHandedness(const glm::dmat4& m);
+/// The scale of a map that keeps angles, as one that leaves a sphere a sphere; 0 for any other.
+double uniformScale(const glm::dmat4& m);
 
 affine toAffine(const glm::dmat4& m);
 inline vec3 toVec3(glm::dvec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }

@@ -185,11 +185,26 @@ struct TriangleMesh { std::shared_ptr<const Mesh> mesh; };
 struct BilinearMesh { std::shared_ptr<const Mesh> mesh; };
 struct Sphere { double radius = 1, zMin = -1, zMax = 1, phiMax = 360; };
 struct Disk { double radius = 1, innerRadius = 0, height = 0, phiMax = 360; };
+struct Cylinder { double radius = 1, zMin = -1, zMax = 1, phiMax = 360; };  ///< without caps
+
+enum class CurveKind { flat, cylinder, ribbon };
+/// A cubic Bezier curve. Its width and, on ribbons, its normal go from one end's to the other's.
+struct CurveSegment {
+    std::array<glm::vec3, 4> points;
+    std::array<double, 2> width;
+    std::array<glm::vec3, 2> normals;   ///< ribbons: of any length but zero
+};
+struct Curve {
+    CurveKind kind = CurveKind::flat;
+    std::vector<CurveSegment> segments;
+    int splitDepth = 3;                 ///< each segment is 2^splitDepth elements, or more if it bends
+};
+struct CurveShape { std::shared_ptr<const Curve> curve; };
 
 struct MediumInterface { int inside = none, outside = none; };  ///< in Scene::media; none: vacuum
 
 struct Shape {
-    std::variant<TriangleMesh, BilinearMesh, Sphere, Disk> kind;
+    std::variant<TriangleMesh, BilinearMesh, Sphere, Disk, Cylinder, CurveShape> kind;
     Transform worldFromObject{1};
     std::optional<Transform> worldFromObjectAtEnd;  ///< set: it moves, and is there at Scene::motionEnd
     bool reverseOrientation = false;

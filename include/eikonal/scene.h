@@ -44,6 +44,7 @@ typedef struct {
     T(uint,           element_shapes)        /* element -> shape */ \
     T(shape,          shapes) \
     T(quadric,        quadrics) \
+    T(curve,          curve_segments) \
     T(instance,       instances) \
     T(motion,         motions)               /* of instances that move */ \
     T(uint,           indices)               /* vertices of each element of a mesh */ \

@@ -1,4 +1,4 @@
-/* Every shape. An element is what the acceleration structure holds: one triangle, one patch, one sphere. Elements are
+/* Every shape. An element is what the acceleration structure holds: one triangle, one patch, one sphere, one part of a curve. Elements are
    numbered through the whole scene, shape after shape.
    S(name, FEATURE).  A shape called x is kernels/shape/x.clh, which defines intersect_x and eval_x (the point and its frame). */
 #ifndef EIKONAL_SHAPES_H
@@ -11,7 +11,9 @@ CONTRACT_BEGIN
     S(triangle, SHAPE_TRIANGLE) \
     S(bilinear, SHAPE_BILINEAR) \
     S(sphere,   SHAPE_SPHERE) \
-    S(disk,     SHAPE_DISK)
+    S(disk,     SHAPE_DISK) \
+    S(cylinder, SHAPE_CYLINDER) \
+    S(curve,    SHAPE_CURVE)
 
 #define SHAPE_KIND(name, FEATURE) shape_##name,
 enum shape_kind { SHAPES(SHAPE_KIND) shape_kinds };
@@ -23,16 +25,17 @@ enum shape_flag {
     shape_is_unseen     = 8  /* its alpha is 0: no ray meets it, but what it emits shines */
 };
 
-/* One shape: a mesh or a quadric, and what it is made of. */
+/* One shape: a mesh, a quadric or a run of curves, and what it is made of. */
 typedef struct {
     uint kind;           /* enum shape_kind */
     uint flags;          /* enum shape_flag */
     uint first_element;  /* number of its first element */
-    uint first_index;    /* meshes: its vertex indices start here in `indices`; 3 or 4 for an element */
+    uint first_index;    /* meshes: its vertex indices start here in `indices`; 3 or 4 for an element; curves: its segments in `curve_segments` */
     uint first_vertex;   /* meshes: added to every index */
     uint first_normal;   /* meshes: its normals start here in `normals`, one a vertex; NONE: it has none */
     uint first_uv;       /* meshes: its texture coordinates in `uvs`, one a vertex; NONE: the element's own (u, v) */
-    uint quadric;        /* in `quadrics`; NONE for meshes */
+    uint quadric;        /* in `quadrics`; NONE for meshes; curves: only the maps count, and NONE means that there is no need for them */
+    uint splits;         /* curves: each segment is 2^splits elements, one after the other */
     uint material;       /* in `materials` */
     uint alpha;          /* in `programs`: the texture that cuts it out; NONE: solid */
     uint first_light;    /* of its first element, in `lights`; NONE: it emits nothing */
@@ -50,6 +53,17 @@ typedef struct {
     float z_min, z_max;  /* sphere, cylinder; disk: z_min is its height */
     float phi_max;       /* in (0, 2 pi] */
 } quadric;
+
+enum curve_type { curve_flat, curve_cylinder, curve_ribbon };
+
+/* A cubic Bezier curve with a width, in the space of its hierarchy unless its shape names a quadric. */
+typedef struct {
+    vec3 p[4];           /* control points */
+    float width[2];      /* at both ends, linear in between */
+    uint type;           /* enum curve_type */
+    float normal_angle;  /* ribbon: between its normals, in [0, pi); 0: n[0] everywhere */
+    vec3 n[2];           /* ribbon: normals at both ends, of unit length */
+} curve;
 
 /* One placed copy of an object: a second level below the scene's hierarchy. One that moves is placed by its motions, the first of
    which is the outermost: an object that moves, in which a shape moves. */

@@ -86,6 +86,86 @@ static void meetDisk(const quadric& q, glm::dvec3 o, glm::dvec3 d, uint element,
     found.push_back({t, element, instance, cosine < 1e-2 ? 0 : margin, 2e-5 * std::max(1.0, glm::length(o)) / glm::length(d) / cosine});
 }
 
+static void meetCylinder(const quadric& q, glm::dvec3 o, glm::dvec3 d, uint element, uint instance, std::vector<Candidate>& found) {
+    const double a = d.x * d.x + d.y * d.y, r = q.radius, sine2 = a / glm::dot(d, d);
+    if (a == 0) return;
+    const double b = -(o.x * d.x + o.y * d.y) / a, nearest = std::hypot(o.x + b * d.x, o.y + b * d.y);
+    const double inside = (r * r - nearest * nearest) / (r * r);
+    if (inside < -1e-3) return;
+    /* Along the axis, or where it grazes, a ray may hit or miss */
+    const double half = std::sqrt(std::max(inside, 0.0)) * r / std::sqrt(a), blur = 2e-5 * std::max(1.0, glm::length(o)) / std::sqrt(a) / std::sqrt(sine2);
+    for (double t : {b - half, b + half}) {
+        const glm::dvec3 p = o + t * d;
+        double margin = inside < 2e-3 || sine2 < 1e-3 ? 0 : inside;
+        margin = std::min({margin, (p.z - q.z_min) / r, (q.z_max - p.z) / r});
+        if (q.phi_max < static_cast<float>(2 * M_PI)) {
+            double phi = std::atan2(p.y, p.x);
+            if (phi < 0) phi += 2 * M_PI;
+            margin = std::min({margin, phi <= q.phi_max ? std::min(phi, q.phi_max - phi) : -std::min(2 * M_PI - phi, phi - q.phi_max)});
+        }
+        found.push_back({t, element, instance, margin, blur + (inside < 1e-2 ? 0.1 * r / std::sqrt(a) : 0)});
+    }
+}
+
+/// Where the curve, seen along the ray, is nearest to it: that is a hit if the strip is wide enough there. By bisection of the product of
+/// distance and tangent, from steps of an eighth of a piece of the device's.
+static void meetCurve(const curve& c, uint splits, uint firstElement, glm::dvec3 o, glm::dvec3 d, uint instance, std::vector<Candidate>& found) {
+    const glm::dvec3 w = glm::normalize(d), p[4] = {toGlm(c.p[0]) - o, toGlm(c.p[1]) - o, toGlm(c.p[2]) - o, toGlm(c.p[3]) - o};
+    const double reach = glm::length(p[1] - p[0]) + glm::length(p[2] - p[1]) + glm::length(p[3] - p[2]) + static_cast<double>(std::max(c.width[0], c.width[1]));
+    const auto across = [&](glm::dvec3 v) { return v - glm::dot(v, w) * w; };
+    if (glm::length(across(p[0])) > reach) return;
+    const auto point = [&](double u) {
+        const double s = 1 - u;
+        return s * s * s * p[0] + 3 * s * s * u * p[1] + 3 * s * u * u * p[2] + u * u * u * p[3];
+    };
+    const auto tangent = [&](double u) {
+        const double s = 1 - u;
+        return s * s * (p[1] - p[0]) + 2 * s * u * (p[2] - p[1]) + u * u * (p[3] - p[2]);
+    };
+    const auto slope = [&](double u) { return glm::dot(across(point(u)), across(tangent(u))); };
+
+    constexpr double beyond = 1e-3;   /* of both ends: there a hit is possible, since ends round */
+    const double step = std::ldexp(1.0, -static_cast<int>(splits) - 6);
+    const auto within = [&](double from, double to) {   /* a bound on how far the curve gets from its middle, plus the strip */
+        const double speed = 3 * std::max({glm::length(p[1] - p[0]), glm::length(p[2] - p[1]), glm::length(p[3] - p[2])});
+        return glm::length(across(point(0.5 * (from + to)))) <= speed * 0.6 * (to - from) + static_cast<double>(std::max(c.width[0], c.width[1]));
+    };
+    std::vector<double> starts;
+    for (double from = -beyond; from < 1 + beyond; from += 1.0 / 16)
+        if (within(from, from + 1.0 / 16))
+            for (double u = from; u < from + 1.0 / 16; u += step) starts.push_back(u);
+    for (double u : starts) {
+        double low = u, high = u + step;
+        if (slope(low) > 0 || slope(high) < 0) continue;
+        for (int i = 0; i < 40; ++i) {
+            const double middle = 0.5 * (low + high);
+            (slope(middle) > 0 ? high : low) = middle;
+        }
+        const double width = [&] {
+            const double plain = glm::mix(static_cast<double>(c.width[0]), static_cast<double>(c.width[1]), low);
+            if (c.type != curve_ribbon) return plain;
+            const double angle = c.normal_angle;
+            const glm::dvec3 n = angle == 0 ? toGlm(c.n[0]) : (std::sin((1 - low) * angle) * toGlm(c.n[0]) + std::sin(low * angle) * toGlm(c.n[1])) / std::sin(angle);
+            return plain * std::abs(glm::dot(n, w));
+        }();
+        /* The device takes the nearest point of a chord for that of the curve: near the edge, at the ends, edge-on and where the curve runs
+           along the ray, it may decide otherwise */
+        double margin = 1 - 2 * glm::length(across(point(low))) / std::max(width, 1e-9);
+        const double piece = 8 * step, start = std::floor(low / piece) * piece;
+        const glm::dvec3 t0 = across(tangent(start)), t1 = across(tangent(start + piece));
+        const double turn = glm::dot(t0, t1) / std::max(glm::length(t0) * glm::length(t1), 1e-30);
+        const bool vague = low < beyond || low > 1 - beyond || width < 1e-4 || turn < 0.9 || glm::length(across(tangent(low))) < 0.2 * glm::length(tangent(low));
+        if (std::abs(margin) < 0.1 || (vague && margin > 0)) margin = 0;
+        const double depth = glm::dot(point(low), w), change = std::abs(glm::dot(point(start + piece) - point(start), w));
+        const double tolerance = ((vague ? 2 : 0.2) * change + 2e-5 * std::max(1.0, glm::length(o))) / glm::length(d);
+        const double part = std::ldexp(std::clamp(low, 0.0, 1 - 1e-12), static_cast<int>(splits));
+        const auto candidate = [&](double at, double m) { found.push_back({depth / glm::length(d), firstElement + static_cast<uint>(at), instance, m, tolerance}); };
+        candidate(part, margin);
+        for (const double side : {-1e-3, 1e-3})
+            if (std::floor(part + side) != std::floor(part) && part + side >= 0 && std::ldexp(part + side, -static_cast<int>(splits)) < 1) candidate(part + side, std::min(margin, 0.0));
+    }
+}
+
 /// Roots of a quadratic in u, then v and t on the line of constant u, by least squares.
 static void meetPatch(const glm::dvec3 (&p)[4], glm::dvec3 o, glm::dvec3 d, uint element, uint instance, std::vector<Candidate>& found) {
     /* (A + u B) + v (C + u D) - t d = 0 with A = p00 - o: the triple product of both parts with d vanishes */
@@ -120,9 +200,19 @@ void BruteForce::meetElement(uint element, uint instance, glm::dvec3 o, glm::dve
         meetPatch(p, o, d, element, instance, found);
         return;
     }
+    if (s.kind == shape_curve) {
+        /* All parts of a segment at once, with the first */
+        const uint number = element - s.first_element, parts = 1u << s.splits;
+        if (number % parts) return;
+        const bool mapped = s.quadric != NONE;
+        const affine* m = mapped ? &tables.quadrics[s.quadric].object_from_scene : nullptr;
+        meetCurve(tables.curve_segments[s.first_index + number / parts], s.splits, element, mapped ? mapPoint(*m, o) : o, mapped ? mapVector(*m, d) : d, instance, found);
+        return;
+    }
     const quadric& q = tables.quadrics[s.quadric];
     const glm::dvec3 oo = mapPoint(q.object_from_scene, o), od = mapVector(q.object_from_scene, d);
     if (s.kind == shape_sphere) meetSphere(q, oo, od, element, instance, found);
+    else if (s.kind == shape_cylinder) meetCylinder(q, oo, od, element, instance, found);
     else meetDisk(q, oo, od, element, instance, found);
 }
 

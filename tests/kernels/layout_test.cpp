@@ -24,8 +24,9 @@ namespace {
     M(camera, aperture_width) M(camera, aperture_height) M(camera, medium) M(filter, radius_x) M(filter, radius_y) \
     M(alias_entry, keep) M(alias_entry, other) M(alias_entry, pmf) \
     M(shape, kind) M(shape, flags) M(shape, first_element) M(shape, first_index) M(shape, first_vertex) M(shape, first_normal) M(shape, first_uv) \
-    M(shape, quadric) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, emission) M(shape, id) M(shape, inside) M(shape, outside) \
+    M(shape, quadric) M(shape, splits) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, emission) M(shape, id) M(shape, inside) M(shape, outside) \
     M(quadric, object_from_scene) M(quadric, scene_from_object) M(quadric, radius) M(quadric, inner_radius) M(quadric, z_min) M(quadric, z_max) M(quadric, phi_max) \
+    M(curve, p) M(curve, width) M(curve, type) M(curve, normal_angle) M(curve, n) \
     M(instance, object_from_scene) M(instance, scene_from_object) M(instance, root) M(instance, first_motion) M(instance, motion_count) M(instance, id) \
     M(motion, start) M(motion, end) M(motion, start_rotation) M(motion, end_rotation) M(motion, angle) M(motion, centre) \
     M(lens_element, z) M(lens_element, radius) M(lens_element, aperture) M(lens_element, eta) \

@@ -36,6 +36,8 @@ const DeviceFunction<LightResult>& sampler() {
         surface at;
         at.p = mul_add(s.wi, s.distance, p);
         at.ng = l.n;
+        at.uv = v;
+        if (l.kind == kind_cylinder_light) at.ng = normalize3(cylinder_light_across(l, unit_circle(v.x * l.extent)));
         if (l.kind == kind_sphere_light) at.ng = mul(sub(mul_add(s.wi, s.distance, p), l.p), 1.0f / l.radius);
         if (l.kind == kind_bilinear_light) at.ng = normalize3(cross3(mul_add(l.c, v.y, l.a), mul_add(l.c, v.x, l.b)));
         ray_item r = new_ray();
@@ -134,6 +136,20 @@ AreaCase diskCase(bool part) {
     return {part ? "disk_part" : "disk", l, surface, toGlm(l.n), {{0.1f, 0, 1}, {1, -1, 0.7f}, {0, 0, 30}}};
 }
 
+/// Elliptic, of a part of the circle or all of it; from inside and outside.
+AreaCase cylinderCase(bool part) {
+    light l = newLight(kind_cylinder_light);
+    l.p = {0, 0.1f, 0.2f}; l.a = {0.8f, 0, 0.1f}; l.b = {0, 0.5f, 0.1f}; l.c = {0.1f, 0.2f, 1.1f};
+    l.extent = part ? 0.6f : 1.0f;
+    l.n = {part ? -1.0f : 1.0f, 0, 0};
+    const double extent = l.extent;
+    const auto surface = [l, extent](double u, double v) {
+        const double phi = 2 * M_PI * u * extent;
+        return toGlm(l.p) + std::cos(phi) * toGlm(l.a) + std::sin(phi) * toGlm(l.b) + v * toGlm(l.c);
+    };
+    return {part ? "cylinder_part_inwards" : "cylinder", l, surface, glm::dvec3(0), {{0.05f, 0.2f, 0.8f}, {1.5f, -1, 0.7f}, {0, 20, 30}}};
+}
+
 class AreaLights : public testing::TestWithParam<AreaCase> {};
 
 /// Functions of direction whose integrals over the light, as seen from a point, are compared: 1 (its solid angle) and some of the
@@ -151,7 +167,8 @@ std::array<double, momentCount> integrate(const AreaCase& c, glm::dvec3 p) {
             const double u = (i + 0.5) / steps, v = (j + 0.5) / steps;
             const glm::dvec3 q = c.surface(u, v), du = (c.surface(u + h, v) - c.surface(u - h, v)) / (2 * h), dv = (c.surface(u, v + h) - c.surface(u, v - h)) / (2 * h);
             glm::dvec3 area = glm::cross(du, dv);
-            const glm::dvec3 side = c.l.kind == kind_sphere_light ? (q - toGlm(c.l.p)) * static_cast<double>(c.l.n.x) : c.outward;
+            if (c.l.kind == kind_cylinder_light) area *= c.l.n.x;
+            const glm::dvec3 side = c.l.kind == kind_cylinder_light ? area : c.l.kind == kind_sphere_light ? (q - toGlm(c.l.p)) * static_cast<double>(c.l.n.x) : c.outward;
             if (glm::dot(area, side) < 0) area = -area;
             const glm::dvec3 to = q - p;
             const double distance = glm::length(to), facing = -glm::dot(area, to) / distance;
@@ -201,6 +218,11 @@ TEST_P(AreaLights, SamplesLieOnTheLight) {
         if (r.pdf == 0) continue;
         const glm::dvec3 q = toGlm(p) + static_cast<double>(r.distance) * toGlm(r.wi) - toGlm(c.l.p);
         if (c.l.kind == kind_sphere_light) ASSERT_NEAR(glm::length(q), c.l.radius, 2e-6);
+        else if (c.l.kind == kind_cylinder_light) {
+            const glm::dvec3 local = glm::inverse(glm::dmat3(toGlm(c.l.a), toGlm(c.l.b), toGlm(c.l.c))) * q;
+            ASSERT_NEAR(std::hypot(local.x, local.y), 1, 1e-5);
+            ASSERT_NEAR(local.z, 0.5, 0.5 + 1e-5);
+        }
         else if (c.name != "bilinear_curved") ASSERT_NEAR(glm::dot(q, c.outward), 0, 2e-6);
         else {
             /* A saddle: z = u v / 2, with u and v from x and y */
@@ -213,7 +235,7 @@ TEST_P(AreaLights, SamplesLieOnTheLight) {
 /// From behind, light that is emitted on one side only does not arrive.
 TEST_P(AreaLights, OneSideIsDark) {
     const AreaCase& c = GetParam();
-    if (c.l.kind == kind_sphere_light || c.name == "bilinear_curved") GTEST_SKIP() << "has no plane to be behind of";
+    if (c.l.kind == kind_sphere_light || c.l.kind == kind_cylinder_light || c.name == "bilinear_curved") GTEST_SKIP() << "has no plane to be behind of";
     Random random(43);
     const auto u = generate(64, [&] { return random.unit(); });
     const auto v = generate(64, [&] { return random.square(); });
@@ -222,7 +244,7 @@ TEST_P(AreaLights, OneSideIsDark) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lights, AreaLights, testing::Values(triangleCase(false), triangleCase(true), bilinearCase(true), bilinearCase(false), sphereCase(false),
-                                                             sphereCase(true), diskCase(false), diskCase(true)), [](const auto& info) { return info.param.name; });
+                                                             sphereCase(true), diskCase(false), diskCase(true), cylinderCase(false), cylinderCase(true)), [](const auto& info) { return info.param.name; });
 
 // ---- lights without area --------------------------------------------------------------------------------------------
 

@@ -72,7 +72,7 @@ glm::dmat4 randomTransform(Random& random, double size) {
     return m;
 }
 
-Shape shapeOf(std::variant<TriangleMesh, BilinearMesh, Sphere, Disk> kind, const glm::dmat4& m = glm::dmat4(1)) {
+Shape shapeOf(decltype(Shape::kind) kind, const glm::dmat4& m = glm::dmat4(1)) {
     Shape s;
     s.kind = std::move(kind);
     s.worldFromObject = m;
@@ -120,6 +120,36 @@ Shape randomDisk(Random& random) {
     return shapeOf(d, randomTransform(random, 0.4));
 }
 
+Shape randomCylinder(Random& random) {
+    Cylinder c;
+    if (random.below(2)) { c.zMin = random.between(-2, 0); c.zMax = random.between(0.1f, 2); }
+    if (random.below(2)) c.phiMax = random.between(30, 330);
+    return shapeOf(c, randomTransform(random, 0.2));
+}
+
+/// Two segments, of any type, wider at one end; of every second the transform keeps angles.
+Shape randomCurve(Random& random) {
+    auto curve = std::make_shared<Curve>();
+    curve->kind = std::array{CurveKind::flat, CurveKind::cylinder, CurveKind::ribbon}[random.below(3)];
+    curve->splitDepth = static_cast<int>(random.below(5));
+    glm::vec3 p = toGlm(random.box(1)), step = 0.3f * toGlm(random.direction()), n = toGlm(random.direction());
+    double width = random.logBetween(0.01f, 0.2f);
+    for (int i = 0; i < 2; ++i) {
+        CurveSegment s;
+        for (glm::vec3& q : s.points) { q = p; p += step + toGlm(random.box(0.15f)); }
+        p = s.points[3];
+        s.normals[0] = n;
+        s.normals[1] = n = n + toGlm(random.box(0.4f));
+        s.width[0] = width;
+        s.width[1] = width *= random.between(0.5f, 1);
+        curve->segments.push_back(s);
+    }
+    glm::dmat4 m = randomTransform(random, 0.4);
+    if (random.below(2))
+        for (int i = 0; i < 3; ++i) m[i] = 0.5 * glm::normalize(m[i]);
+    return shapeOf(CurveShape{curve}, m);
+}
+
 Scene triangleScene() {
     Random random(60);
     Scene scene;
@@ -132,7 +162,15 @@ Scene mixedScene() {
     Scene scene;
     scene.shapes.push_back(randomTriangles(random, 60));
     scene.shapes.push_back(randomPatches(random, 60));
-    for (int i = 0; i < 40; ++i) { scene.shapes.push_back(randomSphere(random)); scene.shapes.push_back(randomDisk(random)); }
+    for (int i = 0; i < 40; ++i)
+        for (const auto make : {randomSphere, randomDisk, randomCylinder}) scene.shapes.push_back(make(random));
+    return scene;
+}
+
+Scene curveScene() {
+    Random random(77);
+    Scene scene;
+    for (int i = 0; i < 60; ++i) scene.shapes.push_back(randomCurve(random));
     return scene;
 }
 
@@ -143,7 +181,7 @@ Scene instancedScene() {
     scene.shapes.push_back(randomTriangles(random, 20));
     scene.objects.resize(2);
     scene.objects[0].shapes = {randomTriangles(random, 30)};
-    scene.objects[1].shapes = {randomTriangles(random, 10), randomPatches(random, 5), randomSphere(random), randomDisk(random)};
+    scene.objects[1].shapes = {randomTriangles(random, 10), randomPatches(random, 5), randomSphere(random), randomDisk(random), randomCylinder(random), randomCurve(random)};
     for (int i = 0; i < 24; ++i) scene.instances.push_back({i % 2, randomTransform(random, 0.3), {}});
     return scene;
 }
@@ -218,7 +256,7 @@ TEST_P(Traversal, RespectsTheLengthOfRays) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Traversal, testing::Values(SceneCase{"triangles", triangleScene, 12000}, SceneCase{"mixed", mixedScene, 12000}, SceneCase{"instances", instancedScene, 12000}),
+INSTANTIATE_TEST_SUITE_P(Scenes, Traversal, testing::Values(SceneCase{"triangles", triangleScene, 12000}, SceneCase{"mixed", mixedScene, 12000}, SceneCase{"curves", curveScene, 12000}, SceneCase{"instances", instancedScene, 12000}),
                          [](const auto& info) { return info.param.name; });
 
 /// The point that a triangle's coordinates name is the point on the ray.
@@ -426,6 +464,28 @@ TEST(AlphaCutOut, FractionsAreProbabilities) {
         met += hits[i].element != NONE;
     }
     EXPECT_NEAR(met / 20000, 0.3, 4 * std::sqrt(0.3 * 0.7 / 20000));
+}
+
+/// Behind a hole in a shape is its far side: from outside, a ray passes a fraction f twice with probability (1 - f)^2, and ends on the near
+/// side with probability f.
+TEST(AlphaCutOut, TheFarSideIsSeenThroughHoles) {
+    for (const char* kind : {"sphere", "cylinder"}) {
+        const PackedScene scene = packText("WorldBegin Shape \"" + std::string(kind) + "\" \"float alpha\" 0.3");
+        const affine& m = scene.tables.quadrics[0].scene_from_object;
+        Random random(76);
+        std::vector<Ray> rays;
+        constexpr int count = 20000;
+        for (int i = 0; i < count; ++i) rays.push_back({{m.xw + m.xx * random.between(-0.5f, 0.5f), m.yw - 3 * m.xx, m.zw + m.xx * random.between(-0.5f, 0.5f)}, {0, 1, 0}});
+        const auto hits = trace(scene, rays);
+        const auto dark = blocked(scene, rays);
+        double near = 0, far = 0;
+        for (int i = 0; i < count; ++i) {
+            ASSERT_EQ(hits[i].element != NONE, dark[i]);
+            if (hits[i].element != NONE) (hits[i].t < 3 * m.xx ? near : far) += 1.0 / count;
+        }
+        EXPECT_NEAR(near, 0.3, 4 * std::sqrt(0.3 * 0.7 / count)) << kind;
+        EXPECT_NEAR(far, 0.7 * 0.3, 4 * std::sqrt(0.21 * 0.79 / count)) << kind;
+    }
 }
 
 }  // namespace

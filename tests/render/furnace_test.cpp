@@ -44,6 +44,9 @@ TEST(Furnace, WhiteThingsOfEveryShapeCannotBeSeen) {
         AttributeBegin Translate -.8 1 0 Rotate -90 1 0 0 Shape "sphere" "float radius" 1 "float zmin" -1 "float zmax" 0 AttributeEnd
         AttributeBegin Translate 1.2 .5 .4 Shape "sphere" "float radius" .5 Shape "disk" "float radius" .8 "float height" .5 AttributeEnd
         Shape "trianglemesh" "integer indices" [0 1 2 1 0 3] "point3 P" [.5 1.2 -1  1.7 1.2 -1  1.1 .2 -.4  1.1 .2 -1.6]
+        AttributeBegin Translate -.2 .6 -1 Rotate 40 1 0 1 Shape "cylinder" "float radius" .3 "float zmax" .6 "float phimax" 300 AttributeEnd
+        Shape "curve" "string type" "cylinder" "float width" .3 "point3 P" [-1.5 .2 -1.5  -.5 1.5 -1.5  .5 -.5 -1.5  1.5 .6 -1.2]
+        Shape "loopsubdiv" "point3 P" [.2 1 .5  .6 1.6 .5  .6 1 1  .1 1.2 .9] "integer indices" [0 1 2 0 2 3 0 3 1 1 3 2]
         Shape "bilinearmesh" "point3 P" [-1 0 -1  1 .3 -1  -1 .3 1  1 0 1])"), surfaces()), 1, 0.002);
 }
 

@@ -74,6 +74,16 @@ TEST(Light, ASphere) {
     expectRadiance(onTheFloor(emitter("Translate 0 2 0 Shape \"sphere\" \"float radius\" .8")), rho * Le * 0.16);
 }
 
+// A wall around the point, from height a to b at distance R, fills a band of angles: E = pi L (sin^2 - sin^2) = pi L R^2 (1 / (R^2 + a^2) - 1 / (R^2 + b^2))
+// where it is whole, and as much of that as of the circle. Its outside does not shine.
+TEST(Light, ACylinder) {
+    const double band = 9 / (9 + .25) - 9 / (9 + 9.);
+    const std::string wall = "Rotate -90 1 0 0 Shape \"cylinder\" \"float radius\" 3 \"float zmin\" .5 \"float zmax\" 3";
+    expectRadiance(onTheFloor(emitter("ReverseOrientation " + wall)), rho * Le * band);
+    expectRadiance(onTheFloor(emitter("ReverseOrientation " + wall + " \"float phimax\" 270")), rho * Le * band * 0.75);
+    expectRadiance(onTheFloor(emitter(wall)), 0);
+}
+
 // A rectangle parallel to the floor at height 1 with a corner above the origin, sides a and b (Howell's catalogue of configuration factors, B-4):
 // E = L / 2 (a / sqrt(1 + a^2) atan(b / sqrt(1 + a^2)) + b / sqrt(1 + b^2) atan(a / sqrt(1 + b^2))).
 double irradianceOfRectangle(double a, double b) {

@@ -33,6 +33,37 @@ TEST_F(PbrtShapes, disks) {
     EXPECT_EQ(disk.phiMax, 90);
 }
 
+TEST_F(PbrtShapes, cylinders) {
+    const auto whole = kind<Cylinder>("\"cylinder\"");
+    EXPECT_EQ(whole.radius, 1);
+    EXPECT_EQ(whole.zMin, -1);
+    EXPECT_EQ(whole.zMax, 1);
+    EXPECT_EQ(whole.phiMax, 360);
+    const auto part = kind<Cylinder>("\"cylinder\" \"float radius\" 2 \"float zmin\" 5 \"float zmax\" 3 \"float phimax\" 90");
+    EXPECT_EQ(part.radius, 2);
+    EXPECT_EQ(part.zMin, 3);
+    EXPECT_EQ(part.zMax, 5);
+    EXPECT_EQ(part.phiMax, 90);
+}
+
+TEST_F(PbrtShapes, quadricsWithoutAreaAreLeftOut) {
+    for (const char* text : {"\"sphere\" \"float radius\" 0", "\"sphere\" \"float zmin\" 1", "\"disk\" \"float phimax\" 0", "\"disk\" \"float innerradius\" 1",
+                             "\"cylinder\" \"float zmin\" 1", "\"cylinder\" \"float radius\" 0"}) {
+        EXPECT_THAT(world("Shape " + std::string(text)).shapes, IsEmpty()) << text;
+        EXPECT_THAT(warnings_, ElementsAre(HasSubstr("has no area"))) << text;
+    }
+}
+
+TEST_F(PbrtShapes, subdividedMeshes) {
+    const std::string octahedron = "\"loopsubdiv\" \"point3 P\" [1 0 0 -1 0 0 0 1 0 0 -1 0 0 0 1 0 0 -1] \"integer indices\" [0 2 4 2 1 4 1 3 4 3 0 4 2 0 5 1 2 5 3 1 5 0 3 5] ";
+    EXPECT_EQ(kind<TriangleMesh>(octahedron).mesh->indices.size(), 3u * 8 * 64);
+    EXPECT_EQ(kind<TriangleMesh>(octahedron + "\"integer levels\" 0").mesh->indices.size(), 3u * 8);
+    EXPECT_THAT(errorOfWorld("Shape " + octahedron + "\"integer levels\" 12"), HasSubstr("\"integer levels\" is 12, which makes more than 33554432 triangles of this mesh; 11 would work"));
+    EXPECT_THAT(errorOfWorld("Shape \"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0]"), HasSubstr("needs the vertices of its faces"));
+    EXPECT_EQ(kind<TriangleMesh>("\"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 1 0 1 2] \"string scheme\" \"butterfly\"").mesh->indices.size(), 3u * 64);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("no subdivision scheme \"butterfly\""), HasSubstr("1 faces that name a vertex twice are left out")));
+}
+
 TEST_F(PbrtShapes, triangleMeshes) {
     const auto mesh = kind<TriangleMesh>(triangle + "\"normal N\" [0 0 1 0 0 1 0 0 1] \"point2 uv\" [0 0 1 0 0 1]").mesh;
     EXPECT_THAT(mesh->indices, ElementsAre(0, 1, 2));
@@ -103,13 +134,6 @@ TEST_F(PbrtShapes, objectsThatMakeNoSense) {
     EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectBegin \"b\" ObjectEnd ObjectEnd"), HasSubstr("ObjectBegin inside of the object \"a\""));
     EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectEnd ObjectBegin \"a\" ObjectEnd"), HasSubstr("there is already an object \"a\""));
     EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectInstance \"a\" ObjectEnd"), HasSubstr("objects cannot hold instances"));
-}
-
-TEST_F(PbrtShapes, whatIsNotRendered) {
-    EXPECT_THAT(world("Shape \"cylinder\" Shape \"cylinder\" Shape \"curve\"").shapes, IsEmpty());
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("test.pbrt:2:1: warning: shape \"cylinder\" is not rendered yet; it is left out"), HasSubstr("curve")));
-    EXPECT_EQ(world("Shape \"loopsubdiv\" \"integer levels\" 2 \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2]").shapes.size(), 1u);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("the mesh that it starts from takes its place")));
 }
 
 }  // namespace

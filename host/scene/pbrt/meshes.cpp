@@ -1,5 +1,7 @@
 #include "scene/pbrt/meshes.h"
 
+#include "scene/loop_subdivision.h"
+
 #include <tbb/parallel_for.h>
 
 #include <optional>
@@ -41,6 +43,25 @@ std::shared_ptr<Mesh> readMesh(Reading& reading, const Arguments& arguments, int
     if (arguments.kind().rule("N")) mesh->normals = perVertex(arguments.vectors3("N"), "N");
     if (arguments.kind().rule("uv")) mesh->uvs = perVertex(arguments.vectors2("uv"), "uv");
     return mesh;
+}
+
+std::shared_ptr<Mesh> readSubdividedMesh(Reading& reading, const Arguments& arguments) {
+    const std::string title = arguments.kind().title();
+    if (!arguments.has("indices")) throw SceneError(arguments.where(), title + " needs the vertices of its faces, \"integer indices\"");
+    const std::shared_ptr<const Mesh> control = readMesh(reading, arguments, 3);
+    if (const std::string scheme = arguments.text("scheme"); scheme != "loop")
+        reading.diagnostics.warn(arguments.whereOf("scheme"), "there is no subdivision scheme \"" + scheme + "\"; \"loop\" takes its place");
+
+    const int levels = control->indices.empty() ? 0 : std::max(arguments.integer("levels"), 0);
+    int possible = 0;
+    for (size_t count = control->indices.size() / 3; 4 * count <= mostSubdividedTriangles && possible < levels; count *= 4) ++possible;
+    if (possible < levels)
+        throw SceneError(arguments.whereOf("levels"), "\"integer levels\" is " + std::to_string(levels) + ", which makes more than " + std::to_string(mostSubdividedTriangles) +
+                                                          " triangles of this mesh; " + std::to_string(possible) + " would work");
+    SubdividedMesh result = subdivideByLoop(*control, levels);
+    if (result.droppedFaces > 0)
+        reading.diagnostics.warn(arguments.whereOf("indices"), std::to_string(result.droppedFaces) + " faces that name a vertex twice are left out");
+    return std::make_shared<Mesh>(std::move(result.mesh));
 }
 
 int PlyFiles::add(const std::string& path, const SourceLocation& where) {

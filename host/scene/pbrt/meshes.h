@@ -14,6 +14,9 @@ namespace eikonal::pbrt {
 /// The mesh of a shape "trianglemesh" (corners: 3) or "bilinearmesh" (4). Throws SceneError.
 std::shared_ptr<Mesh> readMesh(Reading& reading, const Arguments& arguments, int corners);
 
+/// The limit surface of a shape "loopsubdiv". Throws SceneError as readMesh, and where it had too many triangles.
+std::shared_ptr<Mesh> readSubdividedMesh(Reading& reading, const Arguments& arguments);
+
 /// The PLY files of a scene, each read once, all of them in parallel.
 class PlyFiles {
 public:

@@ -1,5 +1,7 @@
 #include "scene/pbrt/shapes.h"
 
+#include "scene/pbrt/curves.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -8,17 +10,17 @@
 namespace eikonal::pbrt {
 namespace {
 
-enum ShapeKind { sphereKind, diskKind, triangleMeshKind, bilinearMeshKind, plyMeshKind, loopSubdivKind, otherKind };
+enum ShapeKind { sphereKind, diskKind, cylinderKind, triangleMeshKind, bilinearMeshKind, plyMeshKind, loopSubdivKind, curveKind };
 
 Sphere readSphere(const Arguments& arguments) {
-    const double radius = arguments.number("radius");
+    const double radius = std::abs(arguments.number("radius"));
     const double z0 = arguments.number("zmin", -radius), z1 = arguments.number("zmax", radius);
-    const auto clamp = [&](double z) { return std::clamp(z, -std::abs(radius), std::abs(radius)); };
+    const auto clamp = [&](double z) { return std::clamp(z, -radius, radius); };
     return {radius, clamp(std::min(z0, z1)), clamp(std::max(z0, z1)), std::clamp(arguments.number("phimax"), 0., 360.)};
 }
 
 Disk readDisk(const Arguments& arguments) {
-    return {arguments.number("radius"), arguments.number("innerradius"), arguments.number("height"), std::clamp(arguments.number("phimax"), 0., 360.)};
+    return {std::abs(arguments.number("radius")), std::abs(arguments.number("innerradius")), arguments.number("height"), std::clamp(arguments.number("phimax"), 0., 360.)};
 }
 
 /// Where something that moves is in the end; nothing if it stands still. Throws SceneError if there is no way to interpolate.
@@ -30,21 +32,30 @@ std::optional<Transform> endOfMotion(const GraphicsState& state, const SourceLoc
     return state.transform[1];
 }
 
+Cylinder readCylinder(const Arguments& arguments) {
+    const double z0 = arguments.number("zmin"), z1 = arguments.number("zmax");
+    return {std::abs(arguments.number("radius")), std::min(z0, z1), std::max(z0, z1), std::clamp(arguments.number("phimax"), 0., 360.)};
+}
+
+/// Whether there is anything to see of a quadric.
+bool hasArea(const Sphere& s) { return s.radius > 0 && s.zMin < s.zMax && s.phiMax > 0; }
+bool hasArea(const Disk& d) { return d.innerRadius < d.radius && d.phiMax > 0; }
+bool hasArea(const Cylinder& c) { return c.radius > 0 && c.zMin < c.zMax && c.phiMax > 0; }
+
 }  // namespace
 
 const KindTable& shapeKinds() {
     static const KindTable table("shape", "floatmap alpha = 1", {
         {"sphere", sphereKind, "float radius = 1; float zmin; float zmax; float phimax = 360"},
         {"disk", diskKind, "float radius = 1; float innerradius = 0; float height = 0; float phimax = 360"},
+        {"cylinder", cylinderKind, "float radius = 1; float zmin = -1; float zmax = 1; float phimax = 360"},
         {"trianglemesh", triangleMeshKind, "integers indices; point3s P; normals N; vector3s S; point2s uv; integers faceIndices"},
         {"bilinearmesh", bilinearMeshKind, "integers indices; point3s P; normals N; point2s uv; integers faceIndices; file emissionfilename"},
         {"plymesh", plyMeshKind, "file filename; floattexture displacement; float edgelength = 1"},
-        {"cylinder", otherKind, "float radius = 1; float zmin = -1; float zmax = 1; float phimax = 360", "it is left out"},
-        {"curve", otherKind,
+        {"curve", curveKind,
          "point3s P; integer degree = 3; string basis = bezier; string type = flat; normals N; float width = 1; float width0; float width1;"
-         "integer splitdepth = 3", "it is left out"},
-        {"loopsubdiv", loopSubdivKind, "integers indices; point3s P; integer levels = 3; string scheme = loop",
-         "the mesh that it starts from takes its place"},
+         "integer splitdepth = 3"},
+        {"loopsubdiv", loopSubdivKind, "integers indices; point3s P; integer levels = 3; string scheme = loop"},
     });
     return table;
 }
@@ -52,8 +63,6 @@ const KindTable& shapeKinds() {
 void ShapeBook::add(const std::string& kindName, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
     const Kind& kind = shapeKinds().find(kindName, where);
     const Arguments arguments(reading_, kind, where, std::move(parameters), state.attributesOf(Target::shape), state.space);
-    if (kind.standIn) reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
-    if (kind.value == otherKind) return;
 
     Pending pending{{}, none, openObject_, state.material, state.inside, state.outside, {}};
     if (!readKind(arguments, pending)) return;
@@ -76,21 +85,32 @@ void ShapeBook::add(const std::string& kindName, const GraphicsState& state, Par
         reading_.unsupported("moving area light", where, "a shape that moves cannot emit (nor does it in pbrt-v4); its area light is ignored");
         pending.shape.areaLight = none;
     }
+    if (kind.value == curveKind && state.areaLight != none) {
+        reading_.diagnostics.warnOnce("emitting curve", where, "a curve cannot emit (pbrt-v4 stops there); its area light is ignored");
+        pending.shape.areaLight = none;
+    }
     if (const Parameter* alpha = arguments.given("alpha")) pending.alpha = *alpha;
     pending_.push_back(std::move(pending));
 }
 
 /// Fills in what the shape is. False: its file is missing.
 bool ShapeBook::readKind(const Arguments& arguments, Pending& pending) {
+    const auto quadric = [&](const auto& shape) {
+        pending.shape.kind = shape;
+        if (!hasArea(shape)) reading_.diagnostics.warn(arguments.where(), arguments.kind().title() + " has no area, by its radii and ranges; it is left out");
+        return hasArea(shape);
+    };
     switch (arguments.kind().value) {
-        case sphereKind: pending.shape.kind = readSphere(arguments); break;
-        case diskKind: pending.shape.kind = readDisk(arguments); break;
+        case sphereKind: return quadric(readSphere(arguments));
+        case diskKind: return quadric(readDisk(arguments));
+        case cylinderKind: return quadric(readCylinder(arguments));
         case triangleMeshKind:
             pending.shape.kind = TriangleMesh{readMesh(reading_, arguments, 3)};
             if (arguments.has("S"))
                 reading_.unsupported("tangents", arguments.whereOf("S"), "tangents of meshes are not used yet; they follow the texture coordinates");
             break;
-        case loopSubdivKind: pending.shape.kind = TriangleMesh{readMesh(reading_, arguments, 3)}; break;
+        case loopSubdivKind: pending.shape.kind = TriangleMesh{readSubdividedMesh(reading_, arguments)}; break;
+        case curveKind: pending.shape.kind = CurveShape{readCurve(reading_, arguments)}; break;
         case bilinearMeshKind:
             pending.shape.kind = BilinearMesh{readMesh(reading_, arguments, 4)};
             if (arguments.file("emissionfilename"))
