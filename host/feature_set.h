@@ -27,7 +27,11 @@ public:
     Features& require(Feature f) { bits_.set(static_cast<size_t>(f)); return *this; }
     Features operator|(const Features& other) const { Features both; both.bits_ = bits_ | other.bits_; return both; }
     bool operator==(const Features&) const = default;
-    static Features all() { Features f; f.bits_.set(); return f; }
+    Features without(Feature f) const { Features fewer = *this; fewer.bits_.reset(static_cast<size_t>(f)); return fewer; }
+    /// Every feature of rendering in RGB.
+    static Features all() { return allSpectral().without(Feature::SPECTRAL).without(Feature::DISPERSION); }
+    /// Every feature of rendering at wavelengths.
+    static Features allSpectral() { Features f; f.bits_.set(); return f; }
 
 private:
     std::bitset<featureCount> bits_;

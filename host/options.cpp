@@ -57,6 +57,8 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     value(app, "--seed", s.seed, "N", "Another seed gives other noise", integer(std::numeric_limits<int>::min()))->group(group);
     value(app, "--sampler", s.sampler, "NAME", "independent, or sobol: Owen-scrambled, low discrepancy",
           oneOf<SamplerKind>({{"independent", SamplerKind::independent}, {"sobol", SamplerKind::sobol}}))->group(group);
+    value(app, "--color", s.colorMode, "NAME", "rgb; spectral: at four wavelengths a path; auto (default): spectral where the scene needs it",
+          oneOf<ColorMode>({{"auto", ColorMode::automatic}, {"rgb", ColorMode::rgb}, {"spectral", ColorMode::spectral}}))->group(group);
     value(app, "--max-depth", s.maxDepth, "N", "Bounces; interfaces between media do not count", integer(0))->group(group);
     value(app, "--resolution", s.resolution, "WxH", "Pixels of the whole image", parseResolution)->group(group);
     value(app, "--cropwindow", s.cropWindow, "x0,x1,y0,y1", "Render a part, in fractions of the image", parseCropWindow)->group(group);

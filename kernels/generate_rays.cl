@@ -14,6 +14,8 @@ FN camera_path start_path(camera_tables tables, __global const settings *frame, 
     p.ray = sample.ray;
     p.ray.t_max = inside ? p.ray.t_max : -1.0f;
     p.path = new_path();
+    p.path.seed = p.ray.seed;
+    p.path.sample = p.ray.sample;
     p.path.L = uniform_spectrum(0.0f);
     p.path.weight = inside ? sample.weight : 0.0f;
     p.path.importance = sample.importance;

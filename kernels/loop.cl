@@ -81,7 +81,7 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
                 else if (f.hop < hop_miss) {
                     material m = material_set.materials[f.material];
                     s = relieve_surface(tables, m, s);
-                    hit_item h = make_hit(g, r, f, s);
+                    hit_item h = make_hit(g, r, f, s, m);
                     store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
                     out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h);
                     if (HAS_AOVS && r.depth == 0) store_first_surface(g, path, capacity, r, f, s);

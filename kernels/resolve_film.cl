@@ -1,6 +1,6 @@
 /* path -> film.  Adds a wave's samples to their pixels, in the order of the samples. A run of pixels of the tile for each work-item. */
+#include "color.clh"
 #include "queue.clh"
-#include "scene.clh"
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
 
@@ -36,22 +36,23 @@ FN film_item add_luminance(film_item f, float y, float square_weight) {
     return f;
 }
 
-FN film_item add_sample(film_item f, path_item p, float max_component_value) {
-    spectrum L = HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L;
+FN film_item add_sample(film_item f, path_item p, palette colors, __global const settings *frame) {
+    rgb L = color_seen(colors, frame->sensor_curves, HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L);
+    float max_component_value = frame->max_component_value;
     float brightest = max_component(L);
     if (max_component_value > 0.0f && brightest > max_component_value) L = mul(L, max_component_value / brightest);
-    spectrum x = mul(L, p.weight);
+    rgb x = mul(L, p.weight);
     compensated r = add_compensated(f.sum.r, f.compensation.r, x.r);
     compensated g = add_compensated(f.sum.g, f.compensation.g, x.g);
     compensated b = add_compensated(f.sum.b, f.compensation.b, x.b);
-    f.sum = make_spectrum(r.sum, g.sum, b.sum);
-    f.compensation = make_spectrum(r.compensation, g.compensation, b.compensation);
+    f.sum = make_rgb(r.sum, g.sum, b.sum);
+    f.compensation = make_rgb(r.compensation, g.compensation, b.compensation);
     compensated w = add_compensated(f.weight, f.weight_excess, p.weight);
     f.weight = w.sum;
     f.weight_excess = w.compensation;
     f = add_luminance(f, luminance(L), square(p.weight));
     f.count += 1;
-    f.albedo = add(f.albedo, mul(p.albedo, p.weight));
+    if (HAS_AOVS) f.albedo = add(f.albedo, mul(color_seen(colors, frame->albedo_curves, p.albedo), p.weight));
     f.normal = mul_add(p.normal, p.weight, f.normal);
     f.ng = mul_add(p.ng, p.weight, f.ng);
     f.position = add(f.position, p.position);
@@ -63,7 +64,8 @@ FN film_item add_sample(film_item f, path_item p, float max_component_value) {
     return f;
 }
 
-STAGE resolve_film(__global const settings *frame, __global const uint *path, uint capacity, __global uint *film, uint tile_pixels, uint samples) {
+STAGE resolve_film(COLOR_ARGUMENTS __global const settings *frame, __global const uint *path, uint capacity, __global uint *film, uint tile_pixels, uint samples) {
+    color_tables color_set = BIND_COLORS;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)tile_pixels);
     for (size_t pixel = first; pixel < last; ++pixel) {
         film_item f = load_film(film, tile_pixels, pixel);
@@ -71,7 +73,7 @@ STAGE resolve_film(__global const settings *frame, __global const uint *path, ui
             path_item p = load_path(path, capacity, (size_t)s * tile_pixels + pixel);
             if (p.weight == 0.0f && is_black(p.L)) continue;
             if (!is_finite(p.L)) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
-            f = add_sample(f, p, frame->max_component_value);
+            f = add_sample(f, p, path_palette(color_set, p.seed, p.sample), frame);
         }
         store_film(film, tile_pixels, pixel, f);
     }

@@ -68,7 +68,7 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
             uint slot = at[f.hop]++;
             material m = material_set.materials[f.material];
             s = relieve_surface(tables, m, s);
-            store_shading(hit, capacity, slot, tables, color_set, material_set, m, make_hit(g, r, f, s), s);
+            store_shading(hit, capacity, slot, tables, color_set, material_set, m, make_hit(g, r, f, s, m), s);
             if (HAS_AOVS && r.depth == 0) store_first_surface(g, path, capacity, r, f, s);
         }
     }

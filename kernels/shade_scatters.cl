@@ -25,7 +25,7 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     float roll = sample_1d(s.seed, s.sample, bounce_dimension_of(s.depth, dimension_roulette));
     roulette game = play_roulette(s.beta, s.r_u, HAS_TRANSMISSION ? s.eta_scale : 1.0f, s.depth, roll);
     ray_item r = new_ray();
-    r.path = s.path; r.seed = s.seed; r.sample = s.sample;
+    r.path = s.path; r.seed = s.seed; r.sample = s.sample; r.one_wave = s.one_wave;
     r.depth = s.depth + 1;
     r.time = s.time;
     r.seen = 1u;

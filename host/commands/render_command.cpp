@@ -102,7 +102,7 @@ int renderCommand(const Options& o) {
 
     const Stopwatch writeTime;
     FilmImage image = film.develop(packed);
-    expose(image, session.scene().film);
+    if (!packed.features.has(Feature::SPECTRAL)) expose(image, session.scene().film);
     selectAovs(image, o.output.aovs);
     writeAll(files, image, metadataOf(o, session, film.samples().fewest, renderSeconds, hash.get()), o.output.toneMapping);
     const double writeSeconds = writeTime.seconds();

@@ -51,6 +51,7 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.seed) scene.sampler.seed = *o.seed;
     if (o.sampler) scene.sampler.kind = *o.sampler;
     if (o.maxDepth) scene.integrator.maxDepth = *o.maxDepth;
+    if (o.colorMode) scene.colorMode = *o.colorMode;
     if (o.cropWindow) { scene.film.cropWindow = o.cropWindow; scene.film.pixelBounds.reset(); }
     if (o.pixelBounds) { scene.film.pixelBounds = o.pixelBounds; scene.film.cropWindow.reset(); }
     return scene;

@@ -23,7 +23,12 @@ private:
 
 static bool isPresent(const Features& features, const std::string& feature) { return feature == "ALWAYS" || features.has(featureNamed(feature)); }
 
-#define ADD_FIELD(q, type, name, FEATURE) builder.add(#name, #type, WORDS_##type, isPresent(features, #FEATURE));
+/// How many words a type takes, of which `inRgb` in RGB rendering.
+static int wordsOf(const std::string& type, int inRgb, const Features& features) {
+    return type == "spectrum" && features.has(Feature::SPECTRAL) ? CHANNELS_SPECTRAL : inRgb;
+}
+
+#define ADD_FIELD(q, type, name, FEATURE) builder.add(#name, #type, wordsOf(#type, WORDS_##type, features), isPresent(features, #FEATURE));
 #define ADD_QUEUE(q, FIELDS) { LayoutBuilder builder(#q); FIELDS(ADD_FIELD, q) layouts.push_back(builder.take()); }
 
 std::vector<QueueLayout> queueLayouts(const Features& features) {

@@ -3,10 +3,23 @@
 
 #include "eikonal/portable.h"
 #include "spectra/spectrum.h"
+#include "spectra/uplift.h"
+
+#include <map>
+#include <optional>
+#include <tuple>
+#include <vector>
 
 namespace eikonal {
 
 struct Packer;
+
+/// What packing colours remembers: the curves that are in `curves`, and the smooth spectra that were found for colours.
+struct ColorPacker {
+    std::map<DenseCurve, uint> curves;
+    std::map<std::tuple<double, double, double, ColorSpace>, SmoothReflectance> smooth;
+    std::optional<UpliftTable> table;     ///< made when the first image asks for it
+};
 
 /// Emitted light, times `factor`.
 color packEmission(Packer&, const Spectrum& light, double factor = 1);
@@ -14,10 +27,22 @@ color packEmission(Packer&, const Spectrum& light, double factor = 1);
 color packReflectance(Packer&, const Spectrum& reflectance);
 /// A coefficient of a medium, an index of refraction, or whatever else is not negative, times `factor`.
 color packCoefficient(Packer&, const Spectrum& coefficient, double factor = 1);
-/// The same in all channels.
+/// The same at all wavelengths.
+color packConstant(Packer&, double value);
+/// The same, to be read from `scale` only: what belongs to a texture of numbers.
 color packNumber(double value);
-/// Linear sRGB, of no spectrum in particular.
+/// Linear sRGB, of no spectrum in particular. For rendering in RGB.
 color packRgb(glm::dvec3 rgb);
+/// The light that texels of an environment are relative to.
+color packWhite(Packer&);
+/// Texels of an environment, linear sRGB, to the end of `environment_texels`.
+void packTexels(Packer&, const std::vector<glm::vec3>& texels);
+/// Makes sure that colours of images can be made spectra.
+void packUplift(Packer&);
+/// The greatest value, at any wavelength or in any channel, of a coefficient or of the sum of two; null: none.
+float greatestSum(const Packer&, const color* a, const color* b);
+/// What film and auxiliary channels make of wavelengths, after the curve that is 1. Comes first, and only for spectral rendering.
+void packSensor(Packer&);
 
 /// Luminance of emitted light, times `factor`, as it was rounded for the device: what light samplers go by.
 double luminanceOf(const Spectrum& light, double factor = 1);

@@ -263,9 +263,9 @@ private:
         if (image.width != image.height)
             throw SceneError(d.where, "the image of this infinite light is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
                                           "; it must be square, in the equal-area mapping. pbrt-v4's `imgtool makeequiarea` converts latitude-longitude images.");
-        light l = newLight(kind_image_environment, packNumber(1));
+        light l = newLight(kind_image_environment, packWhite(packer_));
         l.resolution = static_cast<uint>(image.width);
-        l.first_texel = static_cast<uint>(tables_.environment_texels.size() / TEXEL_WORDS);
+        l.first_texel = static_cast<uint>(tables_.environment_texels.size() / (packer_.spectral ? TEXEL_WORDS_SPECTRAL : TEXEL_WORDS_RGB));
         l.first_alias = static_cast<uint>(tables_.environment_aliases.size());
         const glm::dmat4 m = d.worldFromLight;
         l.a = toVec3(glm::normalize(glm::dvec3(m[0]))); l.b = toVec3(glm::normalize(glm::dvec3(m[1]))); l.n = toVec3(glm::normalize(glm::dvec3(m[2])));
@@ -305,7 +305,7 @@ private:
         const auto aliases = makeAliasTable(rows);
         tables_.environment_aliases.insert(tables_.environment_aliases.end(), aliases.begin(), aliases.end());
         tables_.environment_aliases.insert(tables_.environment_aliases.end(), columns.begin(), columns.end());
-        for (const glm::vec3& t : texels) tables_.environment_texels.insert(tables_.environment_texels.end(), {t.r, t.g, t.b});
+        packTexels(packer_, texels);
         return sum / (static_cast<double>(n) * n);
     }
 

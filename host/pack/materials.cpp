@@ -9,11 +9,17 @@
 
 namespace eikonal {
 
-// Slots of every BSDF's parameters, from the lists: slot_diffuse::reflectance, words_diffuse.
-#define PARAMETER_SLOT(q, type, name, FEATURE) name, name##_last = name + WORDS_##type - 1,
+// Slots of every BSDF's parameters, from the lists: slot_diffuse::reflectance. A slot is its number of words in RGB rendering, and, above that,
+// how many spectra come before it, each of which is longer in spectral rendering.
+constexpr uint spectrumBefore = 256;
+#define STEP_uint 1
+#define STEP_float 1
+#define STEP_spectrum (CHANNELS_RGB + spectrumBefore)
+#define PARAMETER_SLOT(q, type, name, FEATURE) name, name##_last = name + STEP_##type - 1,
+constexpr uint wordOf(uint slot, bool spectral) { return slot % spectrumBefore + (spectral ? (CHANNELS_SPECTRAL - CHANNELS_RGB) * (slot / spectrumBefore) : 0); }
 #define PARAMETER_SLOTS(bsdf, FEATURE, PARAMETERS) \
     namespace slot_##bsdf { enum : uint { PARAMETERS(PARAMETER_SLOT, bsdf) words }; } \
-    static_assert(slot_##bsdf::words <= BSDF_MAX_WORDS);
+    static_assert(wordOf(slot_##bsdf::words, true) <= BSDF_MAX_WORDS);
 BSDFS(PARAMETER_SLOTS)
 
 /// Collects the inputs of one material's BSDF.
@@ -36,30 +42,45 @@ public:
         add(slot, input_spectrum, packCoefficient(packer_, in.value), in.texture == none ? NONE : texture(in.texture));
     }
     void spectrum(uint slot, glm::dvec3 value) { add(slot, input_spectrum, packRgb(value), NONE); }
+    void constant(uint slot, double value) { add(slot, input_spectrum, packConstant(packer_, value), NONE); }
+    /// An index of refraction, which may be another for each wavelength.
+    void index(uint slot, const char* name) {
+        const Input& in = get(name);
+        if (in.texture != none || in.value.kind() != Spectrum::Kind::sampled) return number(slot, name);
+        if (!packer_.spectral) {
+            packer_.diagnostics.warnOnce("dispersion", in.where, "there is no dispersion in RGB: the mean of the index counts");
+            return number(slot, name);
+        }
+        packer_.packed.require(Feature::DISPERSION, why());
+        disperses_ = true;
+        add(slot, input_hero, packCoefficient(packer_, in.value), NONE);
+    }
+    bool disperses() const { return disperses_; }
     /// The k of a metal with eta = 1 that has this reflectance.
     void metal(uint slot, const char* name) {
         const Input& in = get(name);
+        if (packer_.spectral && !in.value.isConstant()) return add(slot, input_spectrum, {}, program(in, TextureUse::metal));
         const glm::dvec3 r = glm::clamp(in.value.isConstant() ? glm::dvec3(in.value.value()) : in.value.albedo(), 0.0, 0.9999);
         add(slot, input_spectrum, packRgb(2.0 * glm::sqrt(r / (1.0 - r))), in.texture == none ? NONE : texture(in.texture, TextureUse::metal));
     }
     void number(uint slot, const char* name) {
         const Input& in = get(name);
-        add(slot, input_number, packNumber(in.value.value()), in.texture == none ? NONE : texture(in.texture));
+        add(slot, input_number, packConstant(packer_, in.value.value()), in.texture == none ? NONE : texture(in.texture));
     }
-    void number(uint slot, double value) { add(slot, input_number, packNumber(value), NONE); }
+    void number(uint slot, double value) { add(slot, input_number, packConstant(packer_, value), NONE); }
     void count(uint slot, const char* name) {
-        material_input i{NONE, slot, input_count, static_cast<uint>(std::max(get(name).value.value(), 0.0)), {}};
+        material_input i{NONE, wordOf(slot, packer_.spectral), input_count, static_cast<uint>(std::max(get(name).value.value(), 0.0)), {}};
         packer_.packed.tables.material_inputs.push_back(i);
     }
     void file(uint slot) {
-        packer_.packed.tables.material_inputs.push_back({NONE, slot, input_count, packMeasured(packer_, description_.file, description_.where), {}});
+        packer_.packed.tables.material_inputs.push_back({NONE, wordOf(slot, packer_.spectral), input_count, packMeasured(packer_, description_.file, description_.where), {}});
     }
     /// A roughness as a microfacet width.
     void width(uint slot, const char* name) {
         const Input& in = get(name);
         const TextureUse use = description_.remapRoughness ? (regularize_ ? TextureUse::regularRoughness : TextureUse::roughness)
                                                            : (regularize_ ? TextureUse::regularWidth : TextureUse::asItIs);
-        add(slot, input_number, packNumber(widthOf(in.value.value())), in.texture == none ? NONE : texture(in.texture, use));
+        add(slot, input_number, packConstant(packer_, widthOf(in.value.value())), in.texture == none ? NONE : texture(in.texture, use));
     }
     /// Whether both roughnesses are so small everywhere that the surface is a mirror.
     bool isSmooth() const {
@@ -75,12 +96,17 @@ public:
     Packer& packer() { return packer_; }
 
 private:
+    /// A texture, or a value that becomes one.
+    uint program(const Input& in, TextureUse use) {
+        packer_.packed.require(Feature::TEXTURED, why());
+        return packColorInput(packer_, in, use);
+    }
     uint texture(int index, TextureUse use = TextureUse::asItIs) {
         packer_.packed.require(Feature::TEXTURED, why());
         return packTexture(packer_, index, use);
     }
     void add(uint slot, input_kind kind, const color& value, uint texture) {
-        packer_.packed.tables.material_inputs.push_back({texture, slot, kind, 0, value});
+        packer_.packed.tables.material_inputs.push_back({texture, wordOf(slot, packer_.spectral), static_cast<uint>(kind), 0, value});
     }
     double widthOf(double roughness) const {
         const double alpha = description_.remapRoughness ? std::sqrt(std::max(roughness, 0.0)) : roughness;
@@ -89,6 +115,7 @@ private:
     Packer& packer_;
     const Material& description_;
     bool regularize_;
+    bool disperses_ = false;
 };
 
 static hop packDiffuse(InputWriter& in) {
@@ -106,9 +133,9 @@ static hop packDiffuseTransmission(InputWriter& in) {
 /// fitted to what the metal reflects in a medium of index `around`.
 static void packMetal(InputWriter& in, uint etaSlot, uint kSlot, const char* eta = "eta", const char* k = "k", double around = 1) {
     if (in.has("reflectance")) {
-        in.spectrum(etaSlot, glm::dvec3(1));
+        in.constant(etaSlot, 1);
         in.metal(kSlot, "reflectance");
-    } else if (in.get(eta).texture != none || in.get(k).texture != none) {
+    } else if (in.packer().spectral || in.get(eta).texture != none || in.get(k).texture != none) {
         in.coefficient(etaSlot, eta);
         in.coefficient(kSlot, k);
     } else {
@@ -132,10 +159,10 @@ static hop packConductor(InputWriter& in) {
 
 static hop packDielectric(InputWriter& in) {
     if (in.isSmooth()) {
-        in.number(slot_specular_dielectric::eta, "eta");
+        in.index(slot_specular_dielectric::eta, "eta");
         return hop_specular_dielectric;
     }
-    in.number(slot_dielectric::eta, "eta");
+    in.index(slot_dielectric::eta, "eta");
     in.width(slot_dielectric::alpha_x, "uroughness");
     in.width(slot_dielectric::alpha_y, "vroughness");
     if (in.isAnisotropic()) in.packer().packed.require(Feature::ANISOTROPY, in.why());
@@ -143,13 +170,13 @@ static hop packDielectric(InputWriter& in) {
 }
 
 static hop packThinDielectric(InputWriter& in) {
-    in.number(slot_thin_dielectric::eta, "eta");
+    in.index(slot_thin_dielectric::eta, "eta");
     return hop_thin_dielectric;
 }
 
 static hop packCoatedDiffuse(InputWriter& in) {
     in.spectrum(slot_coated_diffuse::reflectance, "reflectance");
-    in.number(slot_coated_diffuse::eta, "eta");
+    in.index(slot_coated_diffuse::eta, "eta");
     in.width(slot_coated_diffuse::alpha_x, "uroughness");
     in.width(slot_coated_diffuse::alpha_y, "vroughness");
     in.number(slot_coated_diffuse::thickness, "thickness");
@@ -243,6 +270,7 @@ static void packMaterial(Packer& packer, const Material& description, material& 
     m.first_input = static_cast<uint>(tables.material_inputs.size());
     const hop h = packBsdf(inputs, description.kind);
     m.hop = h;
+    m.disperses = inputs.disperses() ? 1 : 0;
     m.input_count = static_cast<uint>(tables.material_inputs.size()) - m.first_input;
     requireBsdf(packer, h, inputs.why());
     if (description.displacement != none) {
@@ -257,7 +285,7 @@ static void packMaterial(Packer& packer, const Material& description, material& 
 
 uint packedMaterial(Packer& packer, int index) {
     std::vector<material>& materials = packer.packed.tables.materials;
-    const material blank{hop_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE};
+    const material blank{hop_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, 0};
     if (index == none) {
         if (packer.defaultMaterial == NONE) {
             Material grey;

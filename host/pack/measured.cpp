@@ -82,6 +82,7 @@ private:
 }  // namespace
 
 uint packMeasured(Packer& packer, const std::string& path, const SourceLocation& where) {
+    if (packer.spectral) packUplift(packer);
     const auto [found, isNew] = packer.measuredFiles.try_emplace(path, NONE);
     if (!isNew) return found->second;
     std::shared_ptr<const MeasuredBsdf> bsdf;

@@ -97,11 +97,10 @@ void packColorGrid(Packer& packer, medium& m, const Medium& description) {
 
     /* Bounds are those of a grid of the greatest component of sigma_t */
     Grid greatest{grid.nx, grid.ny, grid.nz, std::vector<float>(size_t(grid.nx) * grid.ny * grid.nz)};
-    const color nothing{};
     for (size_t i = 0; i < greatest.values.size(); ++i) {
-        const color& a = m.first_sigma_a == NONE ? nothing : tables.medium_colors[m.first_sigma_a + i];
-        const color& s = m.first_sigma_s == NONE ? nothing : tables.medium_colors[m.first_sigma_s + i];
-        greatest.values[i] = std::max({a.c0 + s.c0, a.c1 + s.c1, a.c2 + s.c2});
+        const color* a = m.first_sigma_a == NONE ? nullptr : &tables.medium_colors[m.first_sigma_a + i];
+        const color* s = m.first_sigma_s == NONE ? nullptr : &tables.medium_colors[m.first_sigma_s + i];
+        greatest.values[i] = greatestSum(packer, a, s);
     }
     const float everywhere = m.first_sigma_a == NONE || m.first_sigma_s == NONE ? 1.f : 0.f;   // what is not given is 1
     SceneTables scratch;
@@ -164,7 +163,7 @@ medium packMedium(Packer& packer, const Medium& description) {
         packSparse(tables, m, *description.sparseDensity, description.sparseTemperature.get(), mediumFromBox);
     }
     if (m.temperature != NONE) packBlackbodies(tables);
-    if (m.temperature != NONE || m.first_Le != NONE) m.Le = packNumber(description.emissionScale);
+    if (m.temperature != NONE || m.first_Le != NONE) m.Le = packConstant(packer, description.emissionScale);
     m.box_from_scene = toAffine(glm::inverse(description.worldFromMedium * mediumFromBox) * packer.space.worldFromScene());
     return m;
 }

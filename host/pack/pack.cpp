@@ -1,5 +1,6 @@
 #include "pack/pack.h"
 
+#include "pack/color_mode.h"
 #include "pack/motion.h"
 #include "pack/packer.h"
 
@@ -51,6 +52,12 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     packed.worldCenter = packer.space.center;
 
     packed.tables.frame.emplace_back();
+    const std::string need = scene.colorMode == ColorMode::automatic ? needOfWavelengths(scene) : "--color";
+    packer.spectral = scene.colorMode != ColorMode::rgb && !need.empty();
+    if (packer.spectral) {
+        packed.require(Feature::SPECTRAL, need);
+        packSensor(packer);
+    }
     packCamera(packer);
     packMedia(packer);
     packMaterials(packer);

@@ -22,6 +22,8 @@ struct Packer {
     SceneSpace space;
     Box bounds;              ///< of all that is placed in the scene, world space
     bool hasMedia = false;   ///< whether anything can ever be inside a medium
+    bool spectral = false;   ///< rendering at wavelengths, not in RGB
+    ColorPacker colors{};    ///< what packing colours remembers
 
     std::vector<std::shared_ptr<const ImageData>> images{};   ///< of scene.images
     std::map<std::pair<int, bool>, uint> packedImages{};      ///< (scene image, as a float texture?) -> `images`
@@ -52,6 +54,8 @@ uint packInput(Packer&, const Input& input);
 uint packEmissionImage(Packer&, const AreaLight&);
 /// Mean luminance of an image.
 double meanLuminance(Packer&, int image);
+/// The same of a texture or a plain colour.
+uint packColorInput(Packer&, const Input& input, TextureUse use);
 /// An image as textures read it; asFloat: of one channel.
 uint packImage(Packer&, int image, bool asFloat);
 /// A measured BSDF. Throws SceneError if the file is not one.

@@ -49,7 +49,7 @@ public:
         if (in.texture != none) { texture(in.texture); return; }
         texture_instruction i = instruction(kind_constant_texture, Feature::TEXTURE_CONSTANT, in.where);
         const bool isNumber = isFloat_ || in.value.isConstant();
-        i.value = isNumber ? packNumber(in.value.value()) : packReflectance(packer_, in.value);
+        i.value = isNumber ? packConstant(packer_, in.value.value()) : packReflectance(packer_, in.value);
         i.flags = isNumber ? static_cast<uint>(texture_number) : 0u;
         push(i);
         const glm::dvec3 value = isNumber ? glm::dvec3(in.value.value()) : in.value.albedo();
@@ -145,6 +145,7 @@ private:
     void imagemap(const ImagemapTexture& k, const Texture& t) {
         texture_instruction i = instruction(kind_imagemap_texture, Feature::TEXTURE_IMAGEMAP, t.where);
         i.image = packImage(packer_, k.image, t.isFloat);
+        if (packer_.spectral && !t.isFloat) packUplift(packer_);
         i.value = packNumber(k.scale);
         i.flags = (k.invert ? static_cast<uint>(texture_invert) : 0u) | (t.isFloat ? static_cast<uint>(texture_number) : 0u);
         map(i, k.mapping);
@@ -200,6 +201,7 @@ private:
         i.texture_from_scene = toAffine(scale * glm::inverse(k.worldFromTexture) * packer_.space.worldFromScene());
         push(i);
         if (k.pattern != NoisePattern::marble) leavesUnit_ = true;
+        else if (packer_.spectral) packUplift(packer_);
     }
 
     Packer& packer_;
@@ -238,6 +240,14 @@ uint packEmissionImage(Packer& packer, const AreaLight& light) {
     ProgramWriter writer(packer, false);
     writer.radiance(t);
     return writer.finish(t.where);
+}
+
+uint packColorInput(Packer& packer, const Input& input, TextureUse use) {
+    if (input.texture != none) return packTexture(packer, input.texture, use);
+    ProgramWriter writer(packer, false);
+    writer.input(input);
+    writer.use(use);
+    return writer.finish(input.where);
 }
 
 uint packInput(Packer& packer, const Input& input) {

@@ -319,6 +319,9 @@ struct SamplerDescription { SamplerKind kind = SamplerKind::sobol; int pixelSamp
 
 struct IntegratorDescription { std::string name = "path"; int maxDepth = 5; bool regularize = false; SourceLocation where; };
 
+/// How colours are carried: as linear sRGB, or at wavelengths. automatic: at wavelengths where the scene needs them (pack/color_mode.h).
+enum class ColorMode { automatic, rgb, spectral };
+
 // ---- the scene ----------------------------------------------------------------------------------------------------
 
 struct Scene {
@@ -328,6 +331,7 @@ struct Scene {
     FilterDescription filter;
     SamplerDescription sampler;
     IntegratorDescription integrator;
+    ColorMode colorMode = ColorMode::automatic;
     std::vector<Shape> shapes;
     std::vector<Object> objects;
     std::vector<Instance> instances;

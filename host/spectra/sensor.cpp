@@ -91,22 +91,37 @@ glm::dmat3 responseFromLinearSrgb(const Camera& camera) {
 
 }  // namespace
 
+/// The matrix that makes the daylight that is to become white the white of the output, in XYZ (von Kries' adaptation).
+static glm::dmat3 balanceOf(const SensorDescription& sensor) {
+    if (!(sensor.whiteBalance > 0)) return glm::dmat3(1);
+    const glm::dvec3 source = integrateXyz(daylight(sensor.whiteBalance));
+    const glm::dvec3 gains = (conesFromXyz * xyzOf(whitePoint(sensor.output))) / (conesFromXyz * (source / source.y));
+    const glm::dmat3 scale(gains.x, 0, 0, 0, gains.y, 0, 0, 0, gains.z);
+    return glm::inverse(conesFromXyz) * scale * conesFromXyz;
+}
+
+static Camera cameraNamed(const std::string& name) { return {curveNamed(name + "_r"), curveNamed(name + "_g"), curveNamed(name + "_b")}; }
+static DenseCurve whiteOf(const SensorDescription& sensor) { return daylight(sensor.whiteBalance > 0 ? sensor.whiteBalance : 6500); }
+
+std::array<glm::dvec3, wavelengthCount> linearSrgbResponse(const SensorDescription& sensor) {
+    std::array<glm::dvec3, wavelengthCount> response = matchingFunctions();
+    glm::dmat3 xyzFromSensor = balanceOf(sensor);
+    if (sensor.name != "cie1931") {
+        const Camera camera = cameraNamed(sensor.name);
+        for (int i = 0; i < wavelengthCount; ++i) response[i] = {camera.r[i], camera.g[i], camera.b[i]};
+        xyzFromSensor = xyzFromResponse(camera, whiteOf(sensor), sensor.output);
+    }
+    for (glm::dvec3& r : response) r = sensor.imagingRatio * rgbFromXyz(ColorSpace::srgb) * xyzFromSensor * r;
+    return response;
+}
+
 glm::dmat3 pixelFromLinearSrgb(const SensorDescription& sensor) {
     if (sensor.name == "cie1931") {
-        glm::dmat3 balance(1);
-        if (sensor.whiteBalance > 0) {
-            const glm::dvec3 source = integrateXyz(daylight(sensor.whiteBalance));
-            const glm::dvec3 gains = (conesFromXyz * xyzOf(whitePoint(sensor.output))) / (conesFromXyz * (source / source.y));
-            const glm::dmat3 scale(gains.x, 0, 0, 0, gains.y, 0, 0, 0, gains.z);
-            balance = glm::inverse(conesFromXyz) * scale * conesFromXyz;
-        } else if (sensor.output == ColorSpace::srgb) {
-            return glm::dmat3(sensor.imagingRatio);
-        }
-        return sensor.imagingRatio * rgbFromXyz(sensor.output) * balance * xyzFromRgb(ColorSpace::srgb);
+        if (!(sensor.whiteBalance > 0) && sensor.output == ColorSpace::srgb) return glm::dmat3(sensor.imagingRatio);
+        return sensor.imagingRatio * rgbFromXyz(sensor.output) * balanceOf(sensor) * xyzFromRgb(ColorSpace::srgb);
     }
-    const Camera camera{curveNamed(sensor.name + "_r"), curveNamed(sensor.name + "_g"), curveNamed(sensor.name + "_b")};
-    const DenseCurve white = daylight(sensor.whiteBalance > 0 ? sensor.whiteBalance : 6500);
-    return sensor.imagingRatio * rgbFromXyz(sensor.output) * xyzFromResponse(camera, white, sensor.output) *
+    const Camera camera = cameraNamed(sensor.name);
+    return sensor.imagingRatio * rgbFromXyz(sensor.output) * xyzFromResponse(camera, whiteOf(sensor), sensor.output) *
            responseFromLinearSrgb(camera);
 }
 

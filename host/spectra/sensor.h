@@ -3,6 +3,7 @@
 
 #include "spectra/observer.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct SensorDescription {
 /// that which fits best the swatches of a colour chart under daylight and incandescent light, then pbrt-v4's matrix from the
 /// camera's response to XYZ. The name must be known.
 glm::dmat3 pixelFromLinearSrgb(const SensorDescription& sensor);
+
+/// What light of each wavelength adds to the image, in linear sRGB, at 360, 361, ... 830 nm: pbrt-v4's sensors exactly. The name must be known.
+std::array<glm::dvec3, wavelengthCount> linearSrgbResponse(const SensorDescription& sensor);
 
 /// "cie1931" and the cameras, sorted.
 std::vector<std::string> sensorNames();

@@ -27,6 +27,9 @@ public:
     bool isConstant() const { return constant_; }                            ///< made by constant()
     const SampledCurve& curve() const { return *curve_; }                    ///< sampled
     double kelvin() const { return kelvin_; }                                ///< blackbody
+    glm::dvec3 color() const { return rgb_; }                                ///< rgb: in its space
+    ColorSpace space() const { return space_; }                              ///< rgb
+    double factor() const { return factor_; }                                ///< sampled, blackbody: times this
 
     /// Linear sRGB of a reflectance, transmittance or coefficient: what light of white (1, 1, 1) is multiplied with. Not negative.
     glm::dvec3 albedo() const;

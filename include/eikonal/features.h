@@ -12,6 +12,7 @@
 
 #define GENERAL_FEATURES(F) \
     F(SPECTRAL,         "rendering at wavelengths instead of in RGB") \
+    F(DISPERSION,       "an index of refraction that depends on the wavelength") \
     F(MEDIA,            "a participating medium") \
     F(FOCI,             "a light that is a point, and a homogeneous medium that scatters") \
     F(INTERFACE,        "a surface of material \"interface\"") \

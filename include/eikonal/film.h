@@ -7,8 +7,8 @@ CONTRACT_BEGIN
 /* F(queue, type, name, FEATURE). Samples are taken in their order, each after the one before, so that wave sizes, tiles and crops change no
    bit. The sums that make the image are compensated (Kahan), so that a million samples lose no more than a few do. */
 #define FILM_FIELDS(F, q) \
-    F(q, spectrum, sum,           ALWAYS)   /* of weight * L */ \
-    F(q, spectrum, compensation,  ALWAYS)   /* what the sum has too much by rounding */ \
+    F(q, rgb,      sum,           ALWAYS)   /* of weight * what the film makes of L */ \
+    F(q, rgb,      compensation,  ALWAYS)   /* what the sum has too much by rounding */ \
     F(q, float,    weight,        ALWAYS)   /* sum of weights */ \
     F(q, float,    weight_excess, ALWAYS)   /* what that sum has too much by rounding */ \
     F(q, float,    square_weight, ALWAYS)   /* sum of weight^2 */ \
@@ -16,7 +16,7 @@ CONTRACT_BEGIN
     F(q, float,    spread,        ALWAYS)   /* sum of weight^2 * (luminance - mean)^2, at most MOST_SPREAD */ \
     F(q, uint,     count,         ALWAYS)   /* samples */ \
     F(q, uint,     invalid,       ALWAYS)   /* samples that were not finite, counted as black */ \
-    F(q, spectrum, albedo,       AOVS)     /* sums of weight * what the path saw */ \
+    F(q, rgb,      albedo,       AOVS)     /* sums of weight * what the path saw */ \
     F(q, vec3,     normal,       AOVS) \
     F(q, vec3,     ng,           AOVS) \
     F(q, vec3,     position,     AOVS)     /* sums over the samples that saw a surface ... */ \

@@ -23,16 +23,26 @@ using uint = std::uint32_t;
 typedef struct { float x, y; } vec2;
 typedef struct { float x, y, z; } vec3;
 
-/* A distribution over wavelengths as a path carries it: throughput, radiance, a BSDF's parameter. Three linear sRGB channels.
+/* A distribution over wavelengths as a path carries it: throughput, radiance, a BSDF's parameter. Three channels of linear sRGB or,
+   with SPECTRAL, the values at four wavelengths of the path's own (kernels/color.clh).
    Only kernels/spectrum.clh and queue.clh know how many channels there are. */
+#if HAS_SPECTRAL
+typedef struct { float r, g, b, x; } spectrum;
+#else
 typedef struct { float r, g, b; } spectrum;
+#endif
+#define CHANNELS_RGB 3
+#define CHANNELS_SPECTRAL 4
 
-/* A distribution over wavelengths as a table holds it: eval_color (kernels/color.clh) makes a spectrum of it. Linear sRGB, with
-   which of the curves it is to be multiplied. */
+/* What a pixel holds: linear sRGB. */
+typedef struct { float r, g, b; } rgb;
+
+/* A distribution over wavelengths as a table holds it: eval_color (kernels/color.clh) makes a spectrum of it. A number (what is the
+   same at all wavelengths) can be read from `scale` alone. */
 typedef struct {
-    float c0, c1, c2;    /* red, green, blue */
-    float scale;         /* the value of a number: what is the same in all channels */
-    uint curve;          /* in `curves` */
+    float c0, c1, c2;    /* linear sRGB; with SPECTRAL the coefficients of a smooth spectrum: see eval_smooth */
+    float scale;         /* with SPECTRAL: times this */
+    uint curve;          /* with SPECTRAL: times this one of `curves` */
 } color;
 
 /* Rows of an affine map from one space to another: p' = (dot(row_x.xyz, p) + row_x.w, ...). */
@@ -43,7 +53,12 @@ typedef struct { float xx, xy, xz, xw, yx, yy, yz, yw, zx, zy, zz, zw; } affine;
 #define WORDS_vec2 2
 #define WORDS_vec3 3
 #define WORDS_color 5
-#define WORDS_spectrum 3
+#if HAS_SPECTRAL
+#define WORDS_spectrum CHANNELS_SPECTRAL
+#else
+#define WORDS_spectrum CHANNELS_RGB
+#endif
+#define WORDS_rgb 3
 
 /* "No such index", for every table. */
 #define NONE 0xffffffffu

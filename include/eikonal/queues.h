@@ -21,6 +21,7 @@
     F(q, float,    time,       MOTION)       /* in [0, 1]: between the start and the end of all motion */ \
     F(q, uint,     seen,       AOVS)         /* 1 from where something other than mirrors and clear glass was met */ \
     F(q, uint,     blurred,    REGULARIZE)   /* whether it has been scattered by anything but delta distributions */ \
+    F(q, uint,     one_wave,   DISPERSION)   /* 1: only the first wavelength is left, and stands for all */ \
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices, undone for Russian roulette */ \
     F(q, spectrum, r_u,        MEDIA)        /* density of this path under its own strategy, per channel, relative */
 
@@ -108,6 +109,8 @@
 
 /* What lives from camera to film, by path index: its own radiance, to which only this path adds. */
 #define PATH_FIELDS(F, q) \
+    F(q, uint,     seed,       SPECTRAL) \
+    F(q, uint,     sample,     SPECTRAL) \
     F(q, spectrum, L,          ALWAYS)       /* radiance gathered so far */ \
     F(q, float,    weight,     ALWAYS)       /* of this sample in its pixel; 0: outside of the image */ \
     F(q, float,    importance, IMPORTANCE)   /* what the film receives for a radiance of 1 */ \

@@ -23,9 +23,10 @@ typedef struct {
     uint mix_a, mix_b;   /* hop_mix: in `materials` */
     uint mix_amount;     /* hop_mix: in `programs`: the probability of b */
     uint regular;        /* with REGULARIZE: in `materials`: the same, rougher, for paths that are blurred already; itself: nothing is to be roughened */
+    uint disperses;      /* 1: it has an input_hero, and paths that meet it go on with their first wavelength */
 } material;
 
-enum input_kind { input_number, input_count, input_spectrum };
+enum input_kind { input_number, input_count, input_spectrum, input_hero /* a number: the value at the path's first wavelength */ };
 
 /* One parameter of a material: a texture, or else a value. */
 typedef struct {
@@ -90,10 +91,20 @@ typedef struct {
 
 /* What reading colours takes (kernels/color.clh). */
 #define COLOR_TABLES(T) \
-    T(float,          curves)                /* CURVE_WORDS values each, at 360, 361 ... 830 nm; the first is 1 everywhere */
+    T(float,          curves)                /* CURVE_WORDS values each, at 360, 361 ... 830 nm; the first is 1 everywhere */ \
+    T(float,          uplift)                /* coefficients of smooth spectra by colour: UPLIFT_CELLS (kernels/color.clh) */
 
+/* Only with SPECTRAL is there anything in these tables. */
+#define SHORTEST_WAVELENGTH 360
 #define CURVE_WORDS 471
-#define TEXEL_WORDS 3
+
+/* A texel of an environment: linear sRGB; with SPECTRAL, three coefficients and a scale. */
+#define TEXEL_WORDS_RGB 3
+#define TEXEL_WORDS_SPECTRAL 4
+
+/* The colours of `uplift`: for each channel that may be the largest, UPLIFT_CELLS values of it (z), and as many ratios of the next two to it
+   (x fastest, then y); three coefficients each. */
+#define UPLIFT_CELLS 32
 
 /* What ray generation reads. */
 #define CAMERA_TABLES(T) \
@@ -118,6 +129,8 @@ typedef struct {
     uint max_depth;        /* most scattering events on a path */
     uint light_count;
     float world_scale;     /* world units in one unit of scene space */
+    uint sensor_curves;    /* with SPECTRAL, in `curves`: three, linear sRGB of the image for light of each wavelength */
+    uint albedo_curves;    /* with SPECTRAL, in `curves`: three, linear sRGB of a reflectance in daylight */
     float max_component_value; /* brighter samples are scaled down to it; 0: none are */
 } settings;
 

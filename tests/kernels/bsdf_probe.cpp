@@ -14,9 +14,10 @@ namespace eikonal {
 
 std::vector<BsdfKind> bsdfKinds() {
     std::vector<BsdfKind> kinds;
-#define ADD_PARAMETER(q, type, name, FEATURE) kind.parameters.push_back({#type, #name, WORDS_##type});
-#define ADD_KIND(bsdf, FEATURE, PARAMETERS) { BsdfKind kind{#bsdf, {}}; PARAMETERS(ADD_PARAMETER, bsdf) if (hasKernelFile("bsdf/" #bsdf ".clh")) kinds.push_back(kind); }
-    BSDFS(ADD_KIND)
+    const auto words = [](const std::string& type, size_t inRgb, bool spectral) { return type == "spectrum" && spectral ? size_t{CHANNELS_SPECTRAL} : inRgb; };
+#define ADD_PARAMETER(q, type, name, FEATURE) kind.parameters.push_back({#type, #name, words(#type, WORDS_##type, spectral)});
+#define ADD_KIND(bsdf, FEATURE, PARAMETERS) { BsdfKind kind{#bsdf, spectral, {}}; PARAMETERS(ADD_PARAMETER, bsdf) if (hasKernelFile("bsdf/" #bsdf ".clh")) kinds.push_back(kind); }
+    for (bool spectral : {false, true}) { BSDFS(ADD_KIND) }
 #undef ADD_KIND
 #undef ADD_PARAMETER
     return kinds;
@@ -76,18 +77,25 @@ void BsdfInputs::add(const std::vector<uint>& b, vec3 w, vec3 elsewhere, Random&
     given.push_back(elsewhere);
 }
 
-static FunctionText probeText(const std::string& name) {
+static FunctionText probeText(const BsdfKind& kind) {
+    const std::string& name = kind.name;
     FunctionText text;
+    text.features = kind.spectral ? Features::allSpectral() : Features::all();
     text.include = fmt::format("bsdf/{}.clh", name);
     text.type = "bsdf_result";
     text.inputs = {name + "_item parameters", "vec3 wo", "float lobe", "vec2 u", "vec3 given"};
     text.declarations = fmt::format(R"(
 typedef struct {{
-    vec3 wi; spectrum weight; float pdf; int is_delta; float eta;
-    spectrum f, f_back; float pdf_here;
-    spectrum f_given; float pdf_given;
+    vec3 wi; rgb weight; float pdf; int is_delta; float eta;
+    rgb f, f_back; float pdf_here;
+    rgb f_given; float pdf_given;
     int kind_is_delta, is_random, is_one_way;
 }} bsdf_result;
+#if HAS_SPECTRAL
+FN rgb three_of(spectrum s) {{ return make_rgb(s.r, s.g, s.x); }}
+#else
+FN rgb three_of(spectrum s) {{ return make_rgb(s.r, s.g, s.b); }}
+#endif
 #ifndef {0}_is_random
 #define {0}_is_random 0
 #endif
@@ -101,11 +109,11 @@ typedef struct {{
     color_tables colors = BIND_COLORS;
     {0}_bound b = bind_tables(parameters, tables, path_palette(colors, 0, 0));
     bsdf_sample s = sample_{0}(b, wo, lobe, u);
-    result.wi = s.wi; result.weight = s.weight; result.pdf = s.pdf; result.is_delta = s.is_delta; result.eta = s.eta;
-    result.f = eval_{0}(b, wo, s.wi);
-    result.f_back = eval_{0}(b, s.wi, wo);
+    result.wi = s.wi; result.weight = three_of(s.weight); result.pdf = s.pdf; result.is_delta = s.is_delta; result.eta = s.eta;
+    result.f = three_of(eval_{0}(b, wo, s.wi));
+    result.f_back = three_of(eval_{0}(b, s.wi, wo));
     result.pdf_here = pdf_{0}(b, wo, s.wi);
-    result.f_given = eval_{0}(b, wo, given);
+    result.f_given = three_of(eval_{0}(b, wo, given));
     result.pdf_given = pdf_{0}(b, wo, given);
     result.kind_is_delta = {0}_is_delta;
     result.is_random = {0}_is_random;
@@ -114,25 +122,25 @@ typedef struct {{
 }
 
 /// A scene with one measured surface: GGX facets that reflect 0.7 of the light, without a grain but measured as if there were one.
-static const DeviceScene& measuredScene() {
-    static const PackedScene packed = [] {
-        const std::filesystem::path file = std::filesystem::temp_directory_path() / ("eikonal-measured-" + std::to_string(getpid()) + ".bsdf");
-        MeasuredFile measured;
-        measured.isotropic = false;
-        measured.reflectance = [](double) { return 0.7; };
-        measured.write(file.string());
-        PackedScene scene = packText("WorldBegin\nMaterial \"measured\" \"string filename\" \"" + file.string() + "\"\nShape \"sphere\"\n");
-        std::filesystem::remove(file);
-        return scene;
-    }();
-    static const DeviceScene scene(testContext(), packed);
+static PackedScene packMeasured(ColorMode color) {
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / ("eikonal-measured-" + std::to_string(getpid()) + ".bsdf");
+    MeasuredFile measured;
+    measured.isotropic = false;
+    measured.reflectance = [](double) { return 0.7; };
+    measured.write(file.string());
+    PackedScene scene = packText("WorldBegin\nMaterial \"measured\" \"string filename\" \"" + file.string() + "\"\nShape \"sphere\"\n", color);
+    std::filesystem::remove(file);
     return scene;
+}
+static const DeviceScene& measuredScene(bool spectral) {
+    static const DeviceScene inRgb(testContext(), packMeasured(ColorMode::rgb)), atWavelengths(testContext(), packMeasured(ColorMode::spectral));
+    return spectral ? atWavelengths : inRgb;
 }
 
 std::vector<BsdfResult> BsdfProbe::operator()(const BsdfInputs& in) const {
-    return function_.with(measuredScene(), in.parameters, in.wo, in.lobe, in.u, in.given);
+    return function_.with(measuredScene(spectral_), in.parameters, in.wo, in.lobe, in.u, in.given);
 }
 
-BsdfProbe::BsdfProbe(const std::string& name) : function_(probeText(name)) {}
+BsdfProbe::BsdfProbe(const BsdfKind& kind) : function_(probeText(kind)), spectral_(kind.spectral) {}
 
 }  // namespace eikonal

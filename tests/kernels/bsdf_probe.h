@@ -10,11 +10,11 @@
 
 namespace eikonal {
 
-/// One parameter of a BSDF, from its list.
+/// One parameter of a BSDF, from its list: as many words as it has in RGB, or at wavelengths.
 struct BsdfParameter { std::string type, name; size_t words; };
-struct BsdfKind { std::string name; std::vector<BsdfParameter> parameters; };
-inline void PrintTo(const BsdfKind& kind, std::ostream* out) { *out << kind.name; }
-/// All of BSDFS whose file exists.
+struct BsdfKind { std::string name; bool spectral; std::vector<BsdfParameter> parameters; };
+inline void PrintTo(const BsdfKind& kind, std::ostream* out) { *out << kind.name << (kind.spectral ? "_spectral" : ""); }
+/// All of BSDFS whose file exists, in RGB and at wavelengths.
 std::vector<BsdfKind> bsdfKinds();
 
 /// How parameters are drawn: within the range in which densities can be integrated on a grid, or at and beyond the ends of what
@@ -23,7 +23,7 @@ enum class Range { smooth, extreme };
 /// One set of parameters. A parameter of an unknown name is a number in [0, 1].
 std::vector<uint> drawParameters(const BsdfKind& kind, Range range, Random& random);
 
-/// What the device computes for one set of parameters, wo, (lobe, u) and another direction.
+/// What the device computes for one set of parameters, wo, (lobe, u) and another direction. Of four wavelengths, the first, second and last.
 struct BsdfResult {
     vec3 wi; spectrum weight; float pdf; int isDelta; float eta;   ///< sample_x
     spectrum f, fBack; float pdfHere;                              ///< eval_x(wo, wi), eval_x(wi, wo), pdf_x(wo, wi) at that wi
@@ -43,11 +43,12 @@ struct BsdfInputs {
 
 class BsdfProbe {
 public:
-    explicit BsdfProbe(const std::string& name);
+    explicit BsdfProbe(const BsdfKind& kind);
     std::vector<BsdfResult> operator()(const BsdfInputs& in) const;
 
 private:
     DeviceFunction<BsdfResult> function_;
+    bool spectral_;
 };
 
 /// Words as text, for messages.

@@ -36,7 +36,7 @@ std::string describe(vec3 v) { return "(" + std::to_string(v.x) + ", " + std::to
 class EveryBsdf : public testing::TestWithParam<BsdfKind> {
 protected:
     const BsdfKind& kind() const { return GetParam(); }
-    BsdfProbe probe{GetParam().name};
+    BsdfProbe probe{GetParam()};
     Random random{1};
 
     bool isRandom() { return one().isRandom; }
@@ -254,7 +254,7 @@ TEST_P(EveryBsdf, MirrorsAndRefractsExactly) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bsdfs, EveryBsdf, testing::ValuesIn(bsdfKinds()), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Bsdfs, EveryBsdf, testing::ValuesIn(bsdfKinds()), [](const auto& info) { return info.param.name + (info.param.spectral ? "_spectral" : ""); });
 
 }  // namespace
 }  // namespace eikonal

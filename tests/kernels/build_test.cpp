@@ -29,6 +29,7 @@ class Builds : public testing::TestWithParam<std::string> {};
 TEST_P(Builds, WithNothingAndWithEverything) {
     expectBuilds(GetParam(), Features(), "no feature");
     expectBuilds(GetParam(), Features::all(), "all features");
+    expectBuilds(GetParam(), Features::allSpectral(), "all features at wavelengths");
 }
 
 class SlowBuilds : public testing::TestWithParam<std::string> {};

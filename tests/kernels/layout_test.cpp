@@ -16,9 +16,9 @@ namespace {
 /// Members of the structs of the scene's tables, all of them but those of a light, which are listed in lights.h.
 #define STRUCT_MEMBERS(M) \
     M(material, hop) M(material, first_input) M(material, input_count) M(material, displacement) M(material, normal_map) M(material, mix_a) M(material, mix_b) \
-    M(material, mix_amount) M(material, regular) M(material_input, texture) M(material_input, slot) M(material_input, kind) M(material_input, count) M(material_input, value) M(color, c0) M(color, c1) M(color, c2) M(color, scale) M(color, curve) \
+    M(material, mix_amount) M(material, disperses) M(material, regular) M(material_input, texture) M(material_input, slot) M(material_input, kind) M(material_input, count) M(material_input, value) M(color, c0) M(color, c1) M(color, c2) M(color, scale) M(color, curve) \
     M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) M(settings, sequence_sample_bits) M(settings, sequence_tile_bits) M(settings, max_depth) M(settings, light_count) \
-    M(settings, world_scale) M(settings, max_component_value) \
+    M(settings, world_scale) M(settings, sensor_curves) M(settings, albedo_curves) M(settings, max_component_value) \
     M(camera, kind) M(camera, scene_from_camera) M(camera, screen_x) M(camera, screen_y) M(camera, step_x) M(camera, step_y) M(camera, lens_radius) \
     M(camera, focal_distance) M(camera, moving) M(camera, times) M(camera, equal_area) M(camera, element_count) M(camera, rear_z) M(camera, film_radius) \
     M(camera, aperture_width) M(camera, aperture_height) M(camera, medium) M(filter, radius_x) M(filter, radius_y) \
@@ -108,6 +108,8 @@ void expectEqualLayout(const Features& features, const std::string& what) {
 TEST(Layout, IsEqualOnBothSides) {
     expectEqualLayout(Features(), "none");
     expectEqualLayout(Features::all(), "all");
+    expectEqualLayout(Features().require(Feature::SPECTRAL), "spectral");
+    expectEqualLayout(Features::allSpectral(), "all, spectral");
 }
 
 /// Each feature that some field of a queue names, alone.
@@ -118,7 +120,7 @@ TEST(Layout, IsEqualForEachFeatureOfAField) {
 
 /// Only words: no padding anywhere, so a struct's size is the sum of its members' words.
 TEST(Layout, TheLastMemberEndsEachStruct) {
-    EXPECT_EQ(sizeof(material), offsetof(material, regular) + 4);
+    EXPECT_EQ(sizeof(material), offsetof(material, disperses) + 4);
 #define ADD_WORDS(type, member) + WORDS_##type
     EXPECT_EQ(sizeof(light), 4 * (0 LIGHT_FIELDS(ADD_WORDS)));
     EXPECT_EQ(sizeof(shape), offsetof(shape, outside) + 4);

@@ -9,9 +9,11 @@
 
 namespace eikonal {
 
-PackedScene packText(const std::string& text) {
+PackedScene packText(const std::string& text, ColorMode color) {
     Diagnostics diagnostics(LogLevel::silent, true);
-    PackedScene packed = packScene(readPbrtText(text, "test.pbrt", ".", diagnostics), diagnostics);
+    Scene scene = readPbrtText(text, "test.pbrt", ".", diagnostics);
+    scene.colorMode = color;
+    PackedScene packed = packScene(scene, diagnostics);
     if (!diagnostics.warnings().empty()) throw std::invalid_argument("the scene of a test gives a warning: " + diagnostics.warnings().front());
     return packed;
 }

@@ -11,6 +11,7 @@
 
 #include "eikonal/stages.h"
 #include "render/device_scene.h"
+#include "scene/scene.h"
 
 #include <map>
 #include <memory>
@@ -22,7 +23,7 @@ namespace eikonal {
 constexpr uint poison = 0x7fc0deadu;
 
 /// The scene of some pbrt text. Throws for anything that the reader or the packer complains about.
-PackedScene packText(const std::string& text);
+PackedScene packText(const std::string& text, ColorMode color = ColorMode::automatic);
 
 /// A scene on the device, a queue of each kind, and any stage to run over them.
 class StageBench {

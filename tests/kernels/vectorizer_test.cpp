@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace eikonal {
 namespace {
 
-struct VectorCase { std::string name, stage, world, head = {}; };
+struct VectorCase { std::string name, stage, world, head = {}; ColorMode color = ColorMode::automatic; };
 void PrintTo(const VectorCase& c, std::ostream* out) { *out << c.name; }
 
 constexpr const char* lamp = R"(
@@ -35,7 +35,7 @@ constexpr const char* lamp = R"(
 std::string sphereOf(const std::string& material) { return std::string(lamp) + "Material " + material + "\nShape \"sphere\"\n"; }
 
 std::vector<VectorCase> cases() {
-    return {{"generate_rays", "generate_rays", lamp},
+    std::vector<VectorCase> list = {{"generate_rays", "generate_rays", lamp},
             {"generate_rays_spherical", "generate_rays", lamp, "Camera \"spherical\"\n"},
             {"generate_rays_moving", "generate_rays", lamp, "ActiveTransform EndTime Rotate 30 0 1 0 ActiveTransform All Camera \"perspective\"\n"},
             {"shade_misses", "shade_misses", "LightSource \"infinite\" \"rgb L\" [ 1 1 1 ]\nShape \"sphere\"\n"},
@@ -50,6 +50,13 @@ std::vector<VectorCase> cases() {
             /* No pbrt material is principled: what counts is that the scene has directions along surfaces */
             {"shade_hits_principled", "shade_hits principled", sphereOf("\"conductor\" \"float uroughness\" 0.3")},
             {"shade_hits_hair", "shade_hits hair", sphereOf("\"hair\"")}};
+    /* The same at wavelengths */
+    for (VectorCase c : std::vector<VectorCase>(list)) {
+        c.name += "_spectral";
+        c.color = ColorMode::spectral;
+        list.push_back(c);
+    }
+    return list;
 }
 
 /// What must not pass for vectorised: a walk of unknown length.
@@ -65,7 +72,7 @@ TEST(VectorizerChild, DISABLED_BuildsOneStage) {
     all.push_back(aLoopingStage());
     for (const VectorCase& c : all) {
         if (c.name != wanted) continue;
-        const PackedScene scene = packText(c.head + "Sampler \"sobol\"\nWorldBegin\n" + c.world);
+        const PackedScene scene = packText(c.head + "Sampler \"sobol\"\nWorldBegin\n" + c.world, c.color);
         StageBench bench(scene, 64, false);
         for (const char* name : {"tile_x", "tile_y", "tile_log2_width", "tile_log2_height", "end_x", "end_y", "first_sample", "samples"}) bench.set(name, 0);
         for (const char* queue : {"hit", "miss", "emission"}) bench.clear(queue, 0);

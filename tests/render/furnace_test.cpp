@@ -54,6 +54,25 @@ TEST(Furnace, WhiteDiffuseOnBothSides) {
     expectRadiance(underWhiteSky("Material \"diffusetransmission\" \"rgb reflectance\" [.4 .4 .4] \"rgb transmittance\" [.6 .6 .6]"), 1, 0.005);
 }
 
+// At wavelengths: a ball under a white sky has the colour that its reflectance was given as, since that is what the smooth spectrum is made for;
+// and white glass that disperses cannot be seen, whichever wavelength is left.
+TEST(Furnace, AColorIsItselfAtWavelengths) {
+    View view;
+    view.samples = 1024;
+    view.sampler = "sobol";
+    const auto seen = [&](const std::string& material) {
+        const PackedScene scene = packScene(sceneText(view, "LightSource \"infinite\" \"rgb L\" [1 1 1]\n" + material + "\nShape \"sphere\""), ColorMode::spectral);
+        return estimate(render(scene).image).mean;
+    };
+    const glm::dvec3 wall = seen("Material \"diffuse\" \"rgb reflectance\" [.8 .3 .1]"),
+                     glass = seen("Material \"dielectric\" \"spectrum eta\" \"glass-F11\"");
+    const double expected[] = {.8, .3, .1};
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(wall[c], expected[c], 2e-3);
+        EXPECT_NEAR(glass[c], 1, 4e-3);
+    }
+}
+
 // A mirror of reflectance r has the k of a metal that reflects min(r, 0.9999) straight on (as in pbrt-v4); every path has that weight once,
 // a little more at an angle.
 TEST(Furnace, AMirrorReflectsAllButATenThousandth) {

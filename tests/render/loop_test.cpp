@@ -69,6 +69,18 @@ TEST(Loop, GivesTheSameBitsAsTheWavefront) {
     }
 }
 
+TEST(Loop, GivesTheSameBitsAtWavelengths) {
+    /* The second scene has glass that disperses */
+    std::string dispersive = worlds[1];
+    dispersive += "\nTranslate -4 0 0 Material \"dielectric\" \"spectrum eta\" \"glass-F11\" Shape \"sphere\"";
+    for (const std::string& world : {std::string(worlds[0]), dispersive}) {
+        const PackedScene scene = packScene(sceneText(view(), world), ColorMode::spectral);
+        RenderSetup setup;
+        setup.contraction = false;
+        expectSameBits(render(scene, setup).image, renderInLoop(scene, setup), world);
+    }
+}
+
 // With the shipped flags a*b+c may be fused in one program and not in the other.
 TEST(Loop, AgreesWithTheShippedFlags) {
     for (const char* world : worlds) {

@@ -6,6 +6,8 @@
 #include "rendering.h"
 #include "spectra/spectrum.h"
 
+#include "spectra/spectrum.h"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -36,6 +38,25 @@ glm::dvec3 transmittance(glm::dvec3 sigma, double d) { return glm::exp(-sigma * 
 // Beer's law over the ball's diameter of 2, in each colour by itself.
 TEST(Medium, WhatAbsorbsLeavesTheExponential) {
     expectRadiance(look(wall + medium("ink", everyColour) + ball("ink", "", 1)), Le * transmittance({.2, .5, 1}, 2), 0.02);
+}
+
+// At wavelengths it is Beer's law at each of them, for smooth spectra of the colours: what the eye makes of that is not the exponential of three numbers.
+// Absorbed or scattered out of the way, the hero wavelength's events stand for all four.
+TEST(Medium, ExtinctionFollowsTheSpectrumAtWavelengths) {
+    const DenseCurve sigma = Spectrum::rgb({.2, .5, 1}).dense(), white = whiteSpectrum(ColorSpace::srgb);
+    glm::dvec3 expected(0);
+    for (int i = 0; i < wavelengthCount; ++i)
+        expected += rgbFromXyz(ColorSpace::srgb) * matchingFunctions()[i] * white[i] * std::exp(-2 * sigma[i]) * Le / integrateXyz(white).y;
+    for (const char* name : {"a", "s"}) {
+        View view;
+        view.maxDepth = 0;
+        view.sampler = "sobol";
+        view.samples = 1024;
+        const std::string other = name == std::string("a") ? "s" : "a";
+        const std::string fog = medium("fog", fmt::format("\"rgb sigma_{}\" [.2 .5 1] \"rgb sigma_{}\" [0 0 0]", name, other));
+        const glm::dvec3 seen = estimate(render(packScene(sceneText(view, wall + fog + ball("fog", "", 1)), ColorMode::spectral)).image).mean;
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c] / expected[c], 1, 0.005) << "sigma_" << name << " channel " << c;
+    }
 }
 
 // What scatters out of the way is lost as well, where nothing can be scattered in: maxdepth 0.

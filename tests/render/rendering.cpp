@@ -37,16 +37,18 @@ std::string sceneText(const View& view, const std::string& world) {
                        view.lookAt, view.fov, view.width, view.height, view.sampler, view.samples, view.maxDepth, view.more, world);
 }
 
-PackedScene packScene(const std::string& text) {
+PackedScene packScene(const std::string& text, ColorMode color) {
     Diagnostics diagnostics(LogLevel::silent, true);
-    PackedScene packed = packScene(readPbrtText(text, "test.pbrt", ".", diagnostics), diagnostics);
+    Scene scene = readPbrtText(text, "test.pbrt", ".", diagnostics);
+    scene.colorMode = color;
+    PackedScene packed = packScene(scene, diagnostics);
     if (!diagnostics.warnings().empty()) throw std::invalid_argument("the scene of a test gives a warning: " + diagnostics.warnings().front());
     return packed;
 }
 
 Features surfaceFeatures() {
     using enum Feature;
-    const Features others = Features().require(MEDIA).require(AOVS).require(SOBOL).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
+    const Features others = Features().require(SPECTRAL).require(DISPERSION).require(MEDIA).require(AOVS).require(SOBOL).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
         .require(CAMERA_ORTHOGRAPHIC).require(CAMERA_SPHERICAL).require(CAMERA_REALISTIC).require(APERTURE).require(CAMERA_MOTION).require(MOTION)
         .require(LIGHT_IMAGE_ENVIRONMENT).require(TEXTURE_IMAGEMAP).require(TEXTURE_FBM).require(TEXTURE_WRINKLED).require(TEXTURE_WINDY).require(TEXTURE_MARBLE)
         .require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID).require(MEDIUM_RGBGRID).require(MEDIUM_CLOUD).require(MEDIUM_NANOVDB);

@@ -48,7 +48,7 @@ struct Rendered {
 };
 
 /// The scene of a pbrt text; throws for whatever the reader or the packer complains about.
-PackedScene packScene(const std::string& text);
+PackedScene packScene(const std::string& text, ColorMode color = ColorMode::automatic);
 /// Renders on the tests' device (device(), below).
 Rendered render(PackedScene scene, const RenderSetup& setup = {});
 inline Rendered render(const std::string& text, const RenderSetup& setup = {}) { return render(packScene(text), setup); }

@@ -3,6 +3,7 @@
 #include "spectra/sensor.h"
 #include "spectra/spectrum.h"
 #include "spectra/uplift.h"
+#include "eikonal/scene.h"
 
 #include <gmock/gmock.h>
 
@@ -148,6 +149,47 @@ TEST(Uplift, GivesACurveOfTheColor) {
         }
         expectNear(rgbFromXyz(ColorSpace::srgb) * integrateXyz(reflected) / integrateXyz(white).y, color, 1e-4);
     }
+}
+
+/// The colour that a smooth reflectance has under daylight.
+glm::dvec3 colorOf(const SmoothReflectance& smooth) {
+    const DenseCurve& white = whiteSpectrum(ColorSpace::srgb);
+    DenseCurve reflected;
+    for (int i = 0; i < wavelengthCount; ++i) reflected[i] = smooth(shortestWavelength + i) * white[i];
+    return rgbFromXyz(ColorSpace::srgb) * integrateXyz(reflected) / integrateXyz(white).y;
+}
+
+// What an image's texels go through. Colours between the table's nodes; worst where all but one channel vanish.
+TEST(UpliftTable, GivesACurveOfTheColor) {
+    const UpliftTable table(UPLIFT_CELLS);
+    double sum = 0, count = 0;
+    for (double r = 0.03; r < 1; r += 0.12)
+        for (double g = 0.02; g < 1; g += 0.11)
+            for (double b = 0.04; b < 1; b += 0.13) {
+                const glm::dvec3 color(r, g, b), error = colorOf(table(color)) - color;
+                const double worst = std::max({std::abs(error.x), std::abs(error.y), std::abs(error.z)});
+                EXPECT_LT(worst, 0.008) << r << " " << g << " " << b;
+                sum += worst;
+                ++count;
+            }
+    EXPECT_LT(sum / count, 0.0015);
+    expectNear(colorOf(table(glm::dvec3(.3))), glm::dvec3(.3), 1e-9);
+    expectNear(colorOf(table({0, 0, 0})), glm::dvec3(0), 1e-3);
+}
+
+// Daylight is white to the plain film; balanced to its own colour, to any; a sensor of a camera that is balanced to it sees it as white, too.
+TEST(Sensor, SeesTheLightThatItIsBalancedToAsWhite) {
+    const auto seen = [](const SensorDescription& sensor, const Spectrum& light) {
+        const auto response = linearSrgbResponse(sensor);
+        const DenseCurve curve = light.dense();
+        glm::dvec3 sum(0);
+        for (int i = 0; i < wavelengthCount; ++i) sum += response[i] * curve[i];
+        return sum / integrateXyz(curve).y;
+    };
+    expectNear(seen({}, named("stdillum-D65")), glm::dvec3(1), 1e-9);
+    expectNear(seen({.imagingRatio = 2.5}, named("stdillum-D65")), glm::dvec3(2.5), 1e-9);
+    expectNear(seen({.whiteBalance = 5000}, named("stdillum-D50")), glm::dvec3(1), 0.02);
+    expectNear(seen({.name = "canon_eos_100d", .whiteBalance = 6500}, named("stdillum-D65")), glm::dvec3(1), 0.03);
 }
 
 TEST(Spectrum, DenseCurveOfAColorHasThatColor) {

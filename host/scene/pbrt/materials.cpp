@@ -146,8 +146,6 @@ void MaterialBook::readInputs(const Arguments& arguments, Material& material) {
             reading_.diagnostics.warnOnce("index of 0", input.where, arguments.kind().title() + ": \"" + given->declaration() + "\" is 0; it counts as 1, as in pbrt-v4");
             input.value = Spectrum::constant(1);
         }
-        if (rule.wanted == Wanted::index && input.value.kind() == Spectrum::Kind::sampled)
-            reading_.unsupported("dispersion", input.where, "an index of refraction that varies with the wavelength is not rendered yet; its mean counts");
         material.inputs[rule.as] = std::move(input);
     }
 

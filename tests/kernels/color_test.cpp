@@ -1,0 +1,106 @@
+// Colours at wavelengths: what the device reads from tables is the spectrum that the scene gave, and the film makes its colour of it again.
+
+#include "device_function.h"
+#include "pack/packer.h"
+#include "random_inputs.h"
+#include "stage.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace eikonal {
+namespace {
+
+struct Four { float r, g, b, x; };
+
+/// A scene with no more than tables of colours.
+struct Colors {
+    Scene scene;
+    Diagnostics diagnostics{LogLevel::silent};
+    PackedScene packed;
+    Packer packer{scene, diagnostics, packed, {}, {}};
+    Colors() {
+        packed.tables.frame.emplace_back();
+        packer.spectral = true;
+        packSensor(packer);
+    }
+};
+
+/// Values of colours at wavelengths.
+std::vector<Four> evaluate(const PackedScene& scene, const std::vector<color>& colors, const std::vector<Four>& lambda) {
+    static const DeviceFunction<Four> function({.include = "color.clh", .type = "spectrum", .body = R"(
+        palette p = {curves, uplift, lambda};
+        result = eval_color(p, c);)", .inputs = {"color c", "spectrum lambda"}, .tables = "COLOR_ARGUMENTS", .features = Features::allSpectral()});
+    const DeviceScene onDevice(testContext(), scene);
+    return function.with(onDevice, colors, lambda);
+}
+
+TEST(Color, IsTheSpectrumThatTheSceneGave) {
+    Colors tables;
+    const Spectrum copper = Spectrum::sampled(namedSpectrum("metal-Cu-k")), lamp = Spectrum::blackbody(3000) * 7, fog = Spectrum::rgb({.2, 3, 1}),
+                   wall = Spectrum::rgb({.8, .3, .05}), grey = Spectrum::constant(.4);
+    const DenseCurve k = copper.dense(), glow = lamp.dense(), density = fog.dense();
+    const double luminance = integrateXyz(glow).y;
+    const SmoothReflectance paint = upliftReflectance({.8, .3, .05}, ColorSpace::srgb);
+    const std::vector<color> colors{packCoefficient(tables.packer, copper), packEmission(tables.packer, lamp, 2), packCoefficient(tables.packer, fog, .5),
+                                    packReflectance(tables.packer, wall), packReflectance(tables.packer, grey)};
+    for (float lambda : {360.f, 411.f, 500.f, 555.f, 640.f, 830.f}) {
+        const int i = static_cast<int>(lambda) - shortestWavelength;
+        const double expected[] = {k[i], glow[i] / luminance * 7 * 2, density[i] * .5, paint(lambda), .4};
+        const auto values = evaluate(tables.packed, colors, std::vector<Four>(colors.size(), Four{700, 600, 500, lambda}));
+        for (size_t c = 0; c < colors.size(); ++c) EXPECT_NEAR(values[c].x, expected[c], 2e-4 * std::abs(expected[c]) + 1e-6) << "color " << c << " at " << lambda;
+    }
+}
+
+/// An image's texel is looked up in the same table as the host's.
+TEST(Color, OfATexelIsThatOfTheTable) {
+    Colors tables;
+    packUplift(tables.packer);
+    static const DeviceFunction<Four> function({.include = "color.clh", .type = "spectrum", .body = R"(
+        palette p = {curves, uplift, lambda};
+        result = uplift_albedo(p, c.x, c.y, c.z);)", .inputs = {"vec3 c", "spectrum lambda"}, .tables = "COLOR_ARGUMENTS", .features = Features::allSpectral()});
+    Random random(61);
+    std::vector<vec3> colors = generate(500, [&] { return vec3{random.unit(), random.unit(), random.unit()}; });
+    colors.insert(colors.end(), {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}, {0, 1, 1}, {1e-6f, 0, 2e-6f}, {.3f, .3f, .3f}, {3, 2, 0}});
+    const DeviceScene onDevice(testContext(), tables.packed);
+    const auto values = function.with(onDevice, colors, std::vector<Four>(colors.size(), Four{420, 500, 580, 660}));
+    const UpliftTable table(UPLIFT_CELLS);
+    for (size_t i = 0; i < colors.size(); ++i) {
+        const glm::dvec3 c(colors[i].x, colors[i].y, colors[i].z);
+        const double largest = std::max({c.x, c.y, c.z}), scale = largest > 1 ? 2 * largest : 1;
+        const bool grey = c.x == c.y && c.y == c.z;
+        const auto expected = [&](double lambda) { return grey ? c.x : scale * table(c / scale)(lambda); };
+        EXPECT_NEAR(values[i].r, expected(420), 2e-4) << c.x << " " << c.y << " " << c.z;
+        EXPECT_NEAR(values[i].x, expected(660), 2e-4) << c.x << " " << c.y << " " << c.z;
+    }
+}
+
+/// Over the samples of a pixel, the film makes of light of a colour that colour; wavelengths have the density that they say, or white would not be 1.
+TEST(Color, ComesBackFromItsWavelengths) {
+    Colors tables;
+    static const DeviceFunction<vec3> function({.include = "color.clh", .type = "rgb", .body = R"(
+        color_tables set = BIND_COLORS;
+        palette p = path_palette(set, 77u, sample);
+        result = color_seen(p, from, eval_color(p, c));)", .inputs = {"color c", "uint sample", "uint from"}, .tables = "COLOR_ARGUMENTS", .features = Features::allSpectral()});
+    const uint light = tables.packed.frame().sensor_curves, surface = tables.packed.frame().albedo_curves;
+    struct Case { color c; uint from; glm::dvec3 expected; };
+    const Case cases[] = {{packEmission(tables.packer, Spectrum::rgb({1, 1, 1})), light, {1, 1, 1}},
+                          {packEmission(tables.packer, Spectrum::rgb({3, .5, 8})), light, {3, .5, 8}},
+                          {packReflectance(tables.packer, Spectrum::rgb({.7, .1, .2})), surface, {.7, .1, .2}},
+                          {packEmission(tables.packer, Spectrum::blackbody(4000)), light, Spectrum::blackbody(4000).illuminant()}};
+    constexpr uint samples = 8192;
+    const DeviceScene onDevice(testContext(), tables.packed);
+    std::vector<uint> numbers(samples);
+    for (uint i = 0; i < samples; ++i) numbers[i] = i;
+    for (const Case& test : cases) {
+        glm::dvec3 sum(0);
+        for (const vec3& v : function.with(onDevice, std::vector<color>(samples, test.c), numbers, std::vector<uint>(samples, test.from)))
+            sum += glm::dvec3(v.x, v.y, v.z) / static_cast<double>(samples);
+        /* Stratified over the distribution: far less than the standard error of independent wavelengths, which is 0.6 / sqrt(8192) */
+        for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(sum[channel], test.expected[channel], 2e-3 * std::max(1.0, test.expected[channel])) << channel;
+    }
+}
+
+}  // namespace
+}  // namespace eikonal
