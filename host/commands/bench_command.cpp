@@ -44,7 +44,7 @@ template <class F> double medianOf(const std::vector<Repeat>& repeats, F&& f) {
 
 /// The queue that a stage drains.
 std::string drainedBy(const std::string& stage) {
-#define DRAINED_BY(name, drains, fills, FEATURE) if (stage.starts_with(#name)) return drains;
+#define DRAINED_BY(name, reads, writes, FEATURE) if (stage.starts_with(#name)) return std::string(reads).substr(0, std::string_view(reads).find(' '));
     STAGES(DRAINED_BY)
 #undef DRAINED_BY
     return "";

@@ -34,7 +34,7 @@ static std::vector<StageRequest> requiredStages(const PackedScene& scene) {
     constexpr Feature ALWAYS = Feature::count;
     const auto required = [&](Feature f) { return f == ALWAYS || scene.features.has(f); };
     using enum Feature;
-#define ADD_STAGE(name, drains, fills, FEATURE) add(#name, required(FEATURE) && (std::string(#name) != "shade_misses" || scene.environments > 0));
+#define ADD_STAGE(name, reads, writes, FEATURE) add(#name, required(FEATURE) && (std::string(#name) != "shade_misses" || scene.environments > 0));
     STAGES(ADD_STAGE)
 #undef ADD_STAGE
     return list;

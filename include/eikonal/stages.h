@@ -1,4 +1,5 @@
 /* Every stage: one kernel from queues to queues. S(stage, queues it reads, queues it may write, FEATURE that makes it exist).
+   It runs over the slots of the first that it reads, and drains it.
    A stage called x is kernels/x.cl, whose head repeats both lists (tests/unit/stages_test.cpp holds them to its arguments); its profiler row
    and its test are called x too. */
 #ifndef EIKONAL_STAGES_H
@@ -10,9 +11,9 @@ CONTRACT_BEGIN
 #define STAGES(S) \
     S(generate_rays,    "pixels",     "ray path",           ALWAYS) \
     S(intersect_rays,   "ray",        "flight",             ALWAYS) \
-    S(extinguish_rays,  "ray flight", "ray flight path",    MEDIA) \
-    S(classify_flights, "ray flight", "flight",             ALWAYS) \
-    S(route_flights,    "ray flight", "hit scatter miss emission ray shadow path", ALWAYS) \
+    S(extinguish_rays,  "flight ray", "ray flight path",    MEDIA) \
+    S(classify_flights, "flight ray", "flight",             ALWAYS) \
+    S(route_flights,    "flight ray", "hit scatter miss emission ray shadow path", ALWAYS) \
     S(shade_misses,     "miss",       "path",               ALWAYS) \
     S(shade_emitters,   "emission",   "path",               EMITTERS) \
     S(shade_hits,       "hit",        "ray shadow path",    ALWAYS) \

@@ -11,7 +11,7 @@ namespace {
 void expectBuilds(const std::string& stage, Features features, const std::string& what) {
     const auto [kernel, text] = stageText(stage);
     /* A stage is only built for a scene that has what it is for */
-#define REQUIRE_STAGE(name, drains, fills, FEATURE) if (kernel == #name && featureNamed(#FEATURE) != Feature::count) features.require(featureNamed(#FEATURE));
+#define REQUIRE_STAGE(name, reads, writes, FEATURE) if (kernel == #name && featureNamed(#FEATURE) != Feature::count) features.require(featureNamed(#FEATURE));
     STAGES(REQUIRE_STAGE)
 #undef REQUIRE_STAGE
     for (int environments : {0, 2}) {

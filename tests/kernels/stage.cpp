@@ -34,7 +34,7 @@ std::vector<std::string> allStages() {
         BSDFS(ADD_BSDF)
 #undef ADD_BSDF
     };
-#define ADD_STAGE(name, drains, fills, FEATURE) add(#name);
+#define ADD_STAGE(name, reads, writes, FEATURE) add(#name);
     STAGES(ADD_STAGE)
 #undef ADD_STAGE
     return stages;
