@@ -116,7 +116,7 @@ TEST_F(LensFile, ErrorsSayWhere) {
     EXPECT_THAT(errorOf(camera("35 4 glass 20")), HasSubstr("lens.dat:1:6: \"glass\" found where a number is expected"));
     EXPECT_THAT(errorOf(camera("35 4 1.5 -2")), HasSubstr("must be above 0"));
     EXPECT_THAT(errorOf(camera("# nothing")), HasSubstr("this lens file has no numbers"));
-    EXPECT_THAT(errorOf(camera("35 4 1.5 20", "\"float focusdistance\" 0")), HasSubstr("must be above 0"));
+    EXPECT_THAT(errorOf(camera("35 4 1.5 20", "\"float focusdistance\" 0")), HasSubstr("must be in (0, inf)"));
     EXPECT_THAT(errorOf(camera("35 4 1.5 20", "\"string aperture\" \"hexagon.png\"")), HasSubstr("hexagon.png"));
     EXPECT_THAT(errorOf("Camera \"realistic\"\nWorldBegin"), HasSubstr("needs a \"string lensfile\""));
     EXPECT_THAT(errorOf("Camera \"spherical\" \"string mapping\" \"cubic\"\nWorldBegin"), HasSubstr("it can be \"equalarea\" or \"equirectangular\""));

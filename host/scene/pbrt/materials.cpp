@@ -36,17 +36,20 @@ const KindTable& materialKinds() {
         {"", kindOf(MaterialKind::interface), ""},
         {"coatedconductor", kindOf(MaterialKind::coatedConductor),
          "spectrummap conductor.eta = metal-Cu-eta -> metal_eta; spectrummap conductor.k = metal-Cu-k -> metal_k; colormap reflectance;"
-         "floatmap conductor.uroughness | conductor.roughness = 0 -> metal_uroughness;"
-         "floatmap conductor.vroughness | conductor.roughness = 0 -> metal_vroughness;"
-         "floatmap interface.uroughness | interface.roughness = 0 -> uroughness; floatmap interface.vroughness | interface.roughness = 0 -> vroughness;"
-         "index interface.eta = 1.5 -> eta; floatmap thickness = 0.01; floatmap g = 0; colormap albedo = 0; integer maxdepth = 10; integer nsamples = 1"},
+         "floatmap conductor.uroughness | conductor.roughness = 0 clamped to [0, inf) -> metal_uroughness;"
+         "floatmap conductor.vroughness | conductor.roughness = 0 clamped to [0, inf) -> metal_vroughness;"
+         "floatmap interface.uroughness | interface.roughness = 0 clamped to [0, inf) -> uroughness;"
+         "floatmap interface.vroughness | interface.roughness = 0 clamped to [0, inf) -> vroughness;"
+         "index interface.eta = 1.5 in [0, inf) -> eta; floatmap thickness = 0.01 clamped to [0, inf); floatmap g = 0 clamped to [-1, 1]; colormap albedo = 0;"
+         "integer maxdepth = 10 clamped to [0, inf); integer nsamples = 1 in [1, inf)"},
         {"subsurface", kindOf(MaterialKind::coatedDiffuse),
          "colormap reflectance; floatmap uroughness | roughness = 0; floatmap vroughness | roughness = 0; index eta = 1.33;"
          "string name -> -; spectrummap sigma_a -> -; spectrummap sigma_s -> -; spectrummap mfp -> -; float scale = 1 -> -; float g = 0 -> -",
          "a coated diffuse surface stands in for it"},
         {"hair", kindOf(MaterialKind::hair),
-         "spectrummap sigma_a; colormap reflectance | color -> -; floatmap eumelanin = 0 -> -; floatmap pheomelanin = 0 -> -; floatmap eta = 1.55;"
-         "floatmap beta_m = 0.3; floatmap beta_n = 0.3; floatmap alpha = 2"},
+         "spectrummap sigma_a; colormap reflectance | color -> -; floatmap eumelanin = 0 clamped to [0, inf) -> -;"
+         "floatmap pheomelanin = 0 clamped to [0, inf) -> -; floatmap eta = 1.55 in (0, inf);"
+         "floatmap beta_m = 0.3 clamped to [0, 1]; floatmap beta_n = 0.3 clamped to [0, 1]; floatmap alpha = 2"},
         {"measured", kindOf(MaterialKind::measured), "file filename -> -"},
     });
     return table;

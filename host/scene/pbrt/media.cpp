@@ -152,15 +152,17 @@ void readNanoVdbMedium(const Arguments& arguments, Medium& medium) {
 }  // namespace
 
 const KindTable& mediumKinds() {
-    static const std::string coefficients = "float g = 0; spectrum sigma_a = 1; spectrum sigma_s = 1;", box = "point3 p0; point3 p1;",
+    static const std::string coefficients = "float g = 0 clamped to [-1, 1]; spectrum sigma_a = 1; spectrum sigma_s = 1;", box = "point3 p0; point3 p1;",
                              size = "integer nx = 1; integer ny = 1; integer nz = 1;";
-    static const std::string uniformGrid = coefficients + box + size + glow + "float scale = 1; spectrum Le = 0; floats Lescale; floats density; floats temperature";
-    static const std::string rgbGrid = box + size + "colors sigma_a; colors sigma_s; colors Le; float Lescale = 1; float scale = 1; float g = 0";
-    static const std::string cloud = coefficients + box + "float density = 1; float wispiness = 1; float frequency = 5";
-    static const std::string nanoVdb = coefficients + glow + "file filename; string gridname = density; string temperaturename = temperature; float Lescale = 1; float scale = 1";
+    static const std::string uniformGrid = coefficients + box + size + glow + "float scale = 1 in [0, inf); spectrum Le = 0; floats Lescale; floats density; floats temperature";
+    static const std::string rgbGrid = box + size + "colors sigma_a; colors sigma_s; colors Le; float Lescale = 1 in [0, inf); float scale = 1 in [0, inf); float g = 0 clamped to [-1, 1]";
+    static const std::string cloud = coefficients + box + "float density = 1 in [0, inf); float wispiness = 1; float frequency = 5";
+    static const std::string nanoVdb = coefficients + glow + "file filename; string gridname = density; string temperaturename = temperature; float Lescale = 1 in [0, inf);"
+                                       "float scale = 1 in [0, inf)";
     static const KindTable table("medium", "string type", {
         {"homogeneous", homogeneousKind,
-         "string preset; spectrum sigma_a = 1; spectrum sigma_s = 1; float scale = 1; spectrum Le = 0; float Lescale = 1; float g = 0"},
+         "string preset; spectrum sigma_a = 1; spectrum sigma_s = 1; float scale = 1 in [0, inf); spectrum Le = 0; float Lescale = 1 in [0, inf);"
+         "float g = 0 clamped to [-1, 1]"},
         {"uniformgrid", uniformGridKind, uniformGrid.c_str()},
         {"rgbgrid", rgbGridKind, rgbGrid.c_str()},
         {"cloud", cloudKind, cloud.c_str()},

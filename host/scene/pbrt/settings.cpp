@@ -16,7 +16,7 @@ namespace {
 constexpr const char* screenParameters =
     "float frameaspectratio in (0, inf); floats screenwindow; float lensradius = 0 clamped to [0, inf); float focaldistance = 1e6; float shutteropen = 0; float shutterclose = 1";
 constexpr const char* filmParameters =
-    "integer xresolution = 1280; integer yresolution = 720; floats cropwindow; integers pixelbounds; string filename; float diagonal = 35;"
+    "integer xresolution = 1280; integer yresolution = 720; floats cropwindow; integers pixelbounds; string filename; float diagonal = 35 in (0, inf);"
     "string sensor = cie1931; float iso = 100 in (0, inf); float whitebalance = 0 in [0, inf); float maxcomponentvalue = 0 in (0, inf); bool savefp16 = true";
 constexpr const char* samplerParameters = "integer seed; string randomization";
 constexpr const char* instead = "\"path\" renders it";
@@ -25,7 +25,7 @@ const KindTable& cameraKinds() {
     static const KindTable table("camera", screenParameters, {
         {"perspective", int(CameraKind::perspective), "float fov = 90 in (0, 180)"},
         {"orthographic", int(CameraKind::orthographic), ""},
-        {"realistic", int(CameraKind::realistic), "file lensfile; float aperturediameter = 1; float focusdistance = 10; string aperture"},
+        {"realistic", int(CameraKind::realistic), "file lensfile; float aperturediameter = 1 in (0, inf); float focusdistance = 10 in (0, inf); string aperture"},
         {"spherical", int(CameraKind::spherical), "string mapping = equalarea"},
     });
     return table;
@@ -206,8 +206,6 @@ void Settings::applyLens(const Arguments& arguments) {
     if (path) camera.lens = readLensFile(*path);
     camera.apertureDiameter = arguments.number("aperturediameter");
     camera.focusDistance = arguments.number("focusdistance");
-    for (const char* name : {"aperturediameter", "focusdistance"})
-        if (!(arguments.number(name) > 0)) throw SceneError(arguments.whereOf(name), std::string("\"float ") + name + "\" must be above 0");
 
     const std::string aperture = arguments.text("aperture");
     constexpr std::pair<const char*, ApertureShape> shapes[] = {{"", ApertureShape::round}, {"gaussian", ApertureShape::gaussian},
@@ -236,7 +234,6 @@ void Settings::applyFilm(const Arguments& arguments) {
     film.whiteBalance = arguments.number("whitebalance");
     film.maxComponentValue = arguments.number("maxcomponentvalue");
     film.diagonal = arguments.number("diagonal");
-    if (!(film.diagonal > 0)) throw SceneError(arguments.whereOf("diagonal"), "\"float diagonal\" must be above 0");
     film.sensor = arguments.text("sensor");
     if (const auto names = sensorNames(); !std::ranges::count(names, film.sensor)) {
         const std::string near = nearestWord(film.sensor, names);
