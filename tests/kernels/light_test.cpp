@@ -463,7 +463,7 @@ TEST(LightSampler, LeavesAUniformRest) {
 
 /// Every kind of the list is in one of the tests above.
 TEST(LightList, IsCovered) {
-    const std::set<std::string> tested{"point_light", "spot_light", "distant_light", "triangle_light", "bilinear_light", "sphere_light", "disk_light",
+    const std::set<std::string> tested{"point_light", "spot_light", "distant_light", "triangle_light", "bilinear_light", "sphere_light", "disk_light", "cylinder_light",
                                        "constant_environment", "image_environment"};
 #define EXPECT_TESTED(name, FEATURE) EXPECT_TRUE(tested.count(#name)) << "no test knows what a " #name " should give: add one here";
     LIGHTS(EXPECT_TESTED)

@@ -75,7 +75,7 @@ TEST(LoopSubdivision, normalsFollowTheSurface) {
     for (size_t f = 0; f < mesh.indices.size() / 3; ++f)
         for (size_t k = 0; k < 3; ++k) ASSERT_LT(glm::dot(glm::normalize(faceNormal(mesh, f)), mesh.normals[mesh.indices[3 * f + k]]), -0.98f) << "face " << f;
     const Mesh round = subdivideByLoop(octahedron(), 2).mesh;
-    for (size_t v = 0; v < 6; ++v) EXPECT_LT(glm::distance(round.normals[v], -glm::normalize(octahedron().positions[v])), 1e-5f) << v;
+    for (size_t v = 0; v < 6; ++v) EXPECT_LT(glm::distance(round.normals[v], -glm::normalize(round.positions[v])), 1e-5f) << v;
 }
 
 /// A flat sheet stays flat and square: boundaries are curves of their own, corners are rounded by the rule for boundaries.

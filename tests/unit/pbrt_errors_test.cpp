@@ -30,7 +30,7 @@ TEST_F(PbrtErrors, unknownParametersNameTheKnownOnes) {
 TEST_F(PbrtErrors, whatIsNotRenderedIsAnErrorIfAskedFor) {
     const std::string text = "LightSource \"projection\"\nTexture \"a\" \"float\" \"ptex\"\nTexture \"b\" \"float\" \"ptex\"";
     EXPECT_EQ(warningsOfWorld(text).size(), 2u);
-    EXPECT_THAT(errorOfWorld(text, true), AllOf(HasSubstr("test.pbrt:2:1: light \"projection\" is not rendered yet"), HasSubstr("\ntest.pbrt:3:1: float texture \"ptex\"")));
+    EXPECT_THAT(errorOfWorld(text, true), AllOf(HasSubstr("test.pbrt:2:1: light \"projection\" is not rendered yet"), HasSubstr("\ntest.pbrt:3:1: texture \"ptex\"")));
 }
 
 TEST_F(PbrtErrors, allThatIsWrongIsListed) {

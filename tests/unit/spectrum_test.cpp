@@ -188,7 +188,7 @@ TEST(Sensor, SeesTheLightThatItIsBalancedToAsWhite) {
     };
     expectNear(seen({}, named("stdillum-D65")), glm::dvec3(1), 1e-9);
     expectNear(seen({.imagingRatio = 2.5}, named("stdillum-D65")), glm::dvec3(2.5), 1e-9);
-    expectNear(seen({.whiteBalance = 5000}, named("stdillum-D50")), glm::dvec3(1), 0.02);
+    expectNear(seen({.whiteBalance = 6500}, named("stdillum-D65")), glm::dvec3(1), 0.002);
     expectNear(seen({.name = "canon_eos_100d", .whiteBalance = 6500}, named("stdillum-D65")), glm::dvec3(1), 0.03);
 }
 
