@@ -62,11 +62,17 @@ AttributeBegin Material "dielectric" MediumInterface "smoke" "" Translate 1.5 -.
 AttributeBegin AreaLightSource "diffuse" "rgb L" [20 20 20] Material "diffuse" MediumInterface "" "smoke" Translate -.6 .2 -1.2 Shape "sphere" "float radius" .05 AttributeEnd
 )";
 
-/// Every feature but those that choose another method, where the same image is only the same on average: a filter's table, a sampler, a
-/// lens of radius 0, a camera that moves nowhere, frames along the surface, and media, with which strategies are weighted by the balance heuristic instead of the power heuristic.
+/// Every feature but those that choose another method, where the same image is only the same on average: wavelengths, a filter's table, a sampler, a
+/// lens of radius 0, a camera of another kind or one that moves nowhere, frames along the surface, curves (with them, light is sampled from where the
+/// next ray starts), and media, with which strategies are weighted by the
+/// balance heuristic instead of the power heuristic.
 Features allButMethods() {
     using enum Feature;
-    const Features methods = Features().require(ANISOTROPY).require(FILTER).require(SOBOL).require(LENS).require(CAMERA_MOTION).require(MEDIA).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID).require(FOCI);
+    Features methods;
+    for (Feature f : {SPECTRAL, DISPERSION, ANISOTROPY, SHAPE_CURVE, FILTER, SOBOL, LENS, CAMERA_MOTION, MEDIA, FOCI}) methods.require(f);
+#define REQUIRE(name, FEATURE) methods.require(Feature::FEATURE);
+    MEDIA_KINDS(REQUIRE) CAMERAS(REQUIRE)
+#undef REQUIRE
     Features features;
     for (size_t i = 0; i < featureCount; ++i)
         if (!methods.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));
