@@ -100,6 +100,7 @@ void Session::prepare() {
 std::string sceneHash(const PackedScene& scene) {
     settings frame = scene.frame();
     frame.seed = 0;
+    frame.sequence_sample_bits = frame.sequence_tile_bits = 0;  /* follow from the samples and the image */
     std::uint64_t hash = hashBytes({reinterpret_cast<const char*>(&frame), sizeof frame});
     const auto add = [&](const auto& table) {
         using Element = typename std::decay_t<decltype(table)>::value_type;

@@ -84,7 +84,7 @@ void KernelSource::append(const std::string& text, const std::string& name) {
         ++number;
         const std::string included = includedBy(line);
         if (included.empty()) text_ += line + "\n";
-        else if (!files_.insert(included).second) text_ += "\n";
+        else if (!files_.insert(included).second && !included.ends_with(".cl")) text_ += "\n";  // a stage may be there once for each BSDF
         else {
             include(included);
             text_ += fmt::format("#line {} \"{}\"\n", number + 1, name);

@@ -104,12 +104,14 @@ TEST(Medium, CloudsInGlassAndOnWhiteCannotBeSeenEither) {
     expectRadiance(look(sky + ball("cloud", "", 1) + ball("cloud", "cloud", .5, "\"diffuse\" \"rgb reflectance\" [1 1 1]"), 500), 1, 0.01);
 }
 
-// A grid of the same density everywhere is a homogeneous medium.
+// A grid of the same density everywhere is a homogeneous medium: well within its bounds, beyond whose outermost centres density and emission fall off.
 TEST(Medium, AnEvenGridIsHomogeneous) {
     const std::string sky = "LightSource \"infinite\" \"rgb L\" [1 .5 .2]\nLightSource \"point\" \"rgb I\" [5 5 5] \"point3 from\" [2 2 -2]\n";
     const std::string coefficients = "\"rgb sigma_a\" [.3 .2 .1] \"rgb sigma_s\" [1 1.5 2] \"float g\" .3 \"rgb Le\" [.2 .1 .3] ";
-    std::string grid = "\"integer nx\" 3 \"integer ny\" 2 \"integer nz\" 4 \"point3 p0\" [-1 -1 -1] \"point3 p1\" [1 1 1] \"float density\" [";
-    for (int i = 0; i < 24; ++i) grid += " .8";
+    std::string grid = "\"integer nx\" 6 \"integer ny\" 5 \"integer nz\" 7 \"point3 p0\" [-3 -3 -3] \"point3 p1\" [3 3 3] \"float density\" [";
+    for (int i = 0; i < 6 * 5 * 7; ++i) grid += " .8";
+    grid += " ] \"float Lescale\" [";
+    for (int i = 0; i < 6 * 5 * 7; ++i) grid += " 1";
     expectEqualMeans(look(sky + medium("smoke", coefficients + "\"float scale\" .8") + ball("smoke", "", 1)),
                      look(sky + medium("smoke", coefficients + grid + " ]", "uniformgrid") + ball("smoke", "", 1)), 0.03);
 }
