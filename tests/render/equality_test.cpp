@@ -79,14 +79,15 @@ Features allButMethods() {
     return features;
 }
 
+/// Contracted or not, kernels are the same in all of these; without contraction they are shared with the tests of features below.
+RenderSetup plain() {
+    RenderSetup setup;
+    setup.contraction = false;
+    return setup;
+}
+
 class Equality : public testing::TestWithParam<std::string> {
 protected:
-    /// Contracted or not, kernels are the same in all of these; without contraction they are shared with the tests of features below.
-    static RenderSetup plain() {
-        RenderSetup setup;
-        setup.contraction = false;
-        return setup;
-    }
     const std::string text = sceneText(view(), GetParam() == "media" ? mediumWorld : surfaceWorld);
     const Rendered reference = render(text, plain());
 };
@@ -107,14 +108,6 @@ TEST_P(Equality, WaveSizeAndTilesDoNotShow) {
     }
 }
 
-// The number of slots in a run and the size of work-groups decide who handles an item, never what becomes of it.
-TEST_P(Equality, LocalSizeAndRunDoNotShow) {
-    RenderSetup setup = plain();
-    setup.shape.localSize = 16;
-    setup.shape.run = 8;
-    expectSameBits(reference.image, render(text, setup).image, "groups of 16, runs of 8");
-}
-
 TEST_P(Equality, SamplesMayComeInParts) {
     for (const std::vector<unsigned>& splits : {std::vector<unsigned>{1}, {3, 4, 7}}) {
         RenderSetup setup = plain();
@@ -131,15 +124,30 @@ TEST_P(Equality, ACropHasThePixelsOfTheWhole) {
     expectSameBits(reference.image, crop.image, "the crop");
 }
 
+INSTANTIATE_TEST_SUITE_P(Of, Equality, testing::Values("surfaces", "media"));
+
+/// With kernels built anew, which takes most of the time: one world holds both.
+class OtherKernels : public testing::Test {
+protected:
+    const std::string text = sceneText(view(), mediumWorld);
+    const Rendered reference = render(text, plain());
+};
+
+// The number of slots in a run and the size of work-groups decide who handles an item, never what becomes of it.
+TEST_F(OtherKernels, LocalSizeAndRunDoNotShow) {
+    RenderSetup setup = plain();
+    setup.shape.localSize = 16;
+    setup.shape.run = 8;
+    expectSameBits(reference.image, render(text, setup).image, "groups of 16, runs of 8");
+}
+
 // Kernels that know only what the scene requires, and kernels that know everything there is.
-TEST_P(Equality, FeaturesThatTheSceneDoesNotRequireDoNotShow) {
+TEST_F(OtherKernels, FeaturesThatTheSceneDoesNotRequireDoNotShow) {
     RenderSetup everything = plain();
     everything.forced = allButMethods();
     everything.allStages = true;
     expectSameBits(reference.image, render(text, everything).image, "all features");
 }
-
-INSTANTIATE_TEST_SUITE_P(Of, Equality, testing::Values("surfaces", "media"));
 
 // Simple scenes, where nearly everything is left out.
 TEST(MinimalFeatures, GiveTheSameImageAsAll) {
