@@ -13,7 +13,7 @@ namespace {
 struct Count { const char *key, *name; size_t value; };
 
 std::vector<Count> countsOf(const SceneCounts& c) {
-    return {{"triangles", "triangles", c.triangles}, {"patches", "bilinear patches", c.patches}, {"quadrics", "spheres, disks and cylinders", c.quadrics}, {"curves", "segments of curves", c.curves},
+    return {{"triangles", "triangles", c.triangles}, {"patches", "bilinear patches", c.patches}, {"quadrics", "spheres, disks and cylinders", c.quadrics}, {"curves", "segments of curves", c.curves}, {"implicits", "implicit surfaces", c.implicits},
             {"objects", "objects", c.objects},       {"instances", "instances", c.instances},    {"lights", "lights", c.lights},
             {"materials", "materials", c.materials}, {"textures", "textures", c.textures},       {"images", "images", c.images},
             {"media", "media", c.media}};

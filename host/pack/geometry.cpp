@@ -1,6 +1,7 @@
 // Shapes, objects, instances, and the hierarchy over them.
 
 #include "pack/curves.h"
+#include "pack/implicit.h"
 #include "pack/motion.h"
 #include "pack/packer.h"
 
@@ -145,7 +146,8 @@ private:
             [&](const Sphere& q) { return addSphere(group, packed, s, q, groupFromObject, instanceSwaps); },
             [&](const Disk& q) { return addDisk(group, packed, s, q, groupFromObject, instanceSwaps); },
             [&](const Cylinder& q) { return addCylinder(group, packed, s, q, groupFromObject, instanceSwaps); },
-            [&](const CurveShape& c) { return addCurve(group, packed, s, *c.curve, groupFromObject, instanceSwaps); }}, s.kind);
+            [&](const CurveShape& c) { return addCurve(group, packed, s, *c.curve, groupFromObject, instanceSwaps); },
+            [&](const ImplicitSurface& f) { return addImplicit(group, packed, s, f, groupFromObject, instanceSwaps); }}, s.kind);
         if (elements == 0) return;
         tables_.element_shapes.insert(tables_.element_shapes.end(), elements, static_cast<uint>(tables_.shapes.size()));
         if (emits) packAreaLight(packer_, s, packed, groupFromObject, elements);
@@ -206,7 +208,6 @@ private:
         q.object_from_scene = toAffine(glm::inverse(m));
         tables_.quadrics.push_back(q);
         addBox(group, boundsOf(s, m), packed.first_element);
-        ++packer_.packed.counts.quadrics;
         return 1;
     }
 
@@ -215,6 +216,7 @@ private:
     size_t addSphere(Group& group, shape& packed, const Shape& s, const Sphere& sphere, const glm::dmat4& m, bool instanceSwaps) {
         packed.kind = shape_sphere;
         packer_.packed.require(Feature::SHAPE_SPHERE, s.where.toString());
+        ++packer_.packed.counts.quadrics;
         quadric q{};
         q.radius = static_cast<float>(sphere.radius);
         q.z_min = static_cast<float>(std::clamp(std::min(sphere.zMin, sphere.zMax), -sphere.radius, sphere.radius));
@@ -226,6 +228,7 @@ private:
     size_t addDisk(Group& group, shape& packed, const Shape& s, const Disk& disk, const glm::dmat4& m, bool instanceSwaps) {
         packed.kind = shape_disk;
         packer_.packed.require(Feature::SHAPE_DISK, s.where.toString());
+        ++packer_.packed.counts.quadrics;
         quadric q{};
         q.radius = static_cast<float>(disk.radius);
         q.inner_radius = static_cast<float>(disk.innerRadius);
@@ -237,12 +240,24 @@ private:
     size_t addCylinder(Group& group, shape& packed, const Shape& s, const Cylinder& cylinder, const glm::dmat4& m, bool instanceSwaps) {
         packed.kind = shape_cylinder;
         packer_.packed.require(Feature::SHAPE_CYLINDER, s.where.toString());
+        ++packer_.packed.counts.quadrics;
         quadric q{};
         q.radius = static_cast<float>(cylinder.radius);
         q.z_min = static_cast<float>(cylinder.zMin);
         q.z_max = static_cast<float>(cylinder.zMax);
         q.phi_max = radians(cylinder.phiMax);
         return addQuadric(group, packed, s, q, m, instanceSwaps);
+    }
+
+    size_t addImplicit(Group& group, shape& packed, const Shape& s, const ImplicitSurface& surface, const glm::dmat4& m, bool instanceSwaps) {
+        packed.kind = shape_implicit;
+        packed.first_index = static_cast<uint>(tables_.implicits.size());
+        packer_.packed.require(Feature::SHAPE_IMPLICIT, s.where.toString());
+        const std::vector<implicit_instruction> program = implicitProgram(*surface.F, s.where);
+        tables_.implicits.push_back({toVec3(surface.low), toVec3(surface.high), static_cast<uint>(tables_.implicit_instructions.size()), static_cast<uint>(program.size())});
+        tables_.implicit_instructions.insert(tables_.implicit_instructions.end(), program.begin(), program.end());
+        ++packer_.packed.counts.implicits;
+        return addQuadric(group, packed, s, quadric{}, m, instanceSwaps);
     }
 
     /// In the space of the hierarchy if its widths and its left and right stay what they are, else with maps, which each ray then goes through.

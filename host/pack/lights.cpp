@@ -174,7 +174,8 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
             [&](const Sphere& q) { return sphereLight(packer, s, packed, q, m, L); },
             [&](const Disk& q) { return diskLight(packed, q, m, L); },
             [&](const Cylinder& q) { return cylinderLight(packed, q, m, L); },
-            [&](const CurveShape&) -> light { throw std::logic_error("curves do not emit"); }}, s.kind);
+            [&](const CurveShape&) -> light { throw std::logic_error("curves do not emit"); },
+            [&](const ImplicitSurface&) -> light { throw std::logic_error("implicit surfaces do not emit"); }}, s.kind);
         l.two_sided = description.twoSided ? 1 : 0;
         /* Cut out altogether, it shines unseen (as in pbrt-v4) */
         l.invisible = isUnseen;
@@ -196,7 +197,8 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
         [](const TriangleMesh&) { return Feature::LIGHT_TRIANGLE; }, [](const BilinearMesh&) { return Feature::LIGHT_BILINEAR; },
         [](const Sphere&) { return Feature::LIGHT_SPHERE; }, [](const Disk&) { return Feature::LIGHT_DISK; },
         [](const Cylinder&) { return Feature::LIGHT_CYLINDER; },
-        [](const CurveShape&) -> Feature { throw std::logic_error("curves do not emit"); }}, s.kind), why);
+        [](const CurveShape&) -> Feature { throw std::logic_error("curves do not emit"); },
+        [](const ImplicitSurface&) -> Feature { throw std::logic_error("implicit surfaces do not emit"); }}, s.kind), why);
 }
 
 // ---- lights without a shape ---------------------------------------------------------------------------------------

@@ -94,6 +94,11 @@ Box boundsOf(const Shape& shape, const glm::dmat4& m) {
             }
             return box;
         },
+        [&](const ImplicitSurface& s) {
+            Box box;
+            growByCorners(box, m, s.low, s.high);
+            return box;
+        },
         [&](const Cylinder& s) {
             /* A circle reaches as far along each axis as its two radii together, at right angles */
             const glm::dvec3 reach = s.radius * glm::sqrt(glm::dvec3(m[0] * m[0] + m[1] * m[1]));

@@ -26,7 +26,8 @@ using Transform = glm::dmat4;
 
 // ---- images and textures ------------------------------------------------------------------------------------------
 
-struct ImageData;  // scene/image.h
+struct ImageData;   // scene/image.h
+struct Expression;  // scene/expression.h
 
 enum class ColorEncoding { automatic, srgb, linear };  ///< automatic: sRGB for files of integers, linear for others
 enum class WrapMode { repeat, black, clamp, octahedral };
@@ -201,10 +202,13 @@ struct Curve {
 };
 struct CurveShape { std::shared_ptr<const Curve> curve; };
 
+/// Where F is 0, within a box in object space. Inside is where F < 0.
+struct ImplicitSurface { std::shared_ptr<const Expression> F; glm::dvec3 low, high; };
+
 struct MediumInterface { int inside = none, outside = none; };  ///< in Scene::media; none: vacuum
 
 struct Shape {
-    std::variant<TriangleMesh, BilinearMesh, Sphere, Disk, Cylinder, CurveShape> kind;
+    std::variant<TriangleMesh, BilinearMesh, Sphere, Disk, Cylinder, CurveShape, ImplicitSurface> kind;
     Transform worldFromObject{1};
     std::optional<Transform> worldFromObjectAtEnd;  ///< set: it moves, and is there at Scene::motionEnd
     bool reverseOrientation = false;

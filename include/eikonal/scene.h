@@ -46,6 +46,8 @@ typedef struct {
     T(shape,          shapes) \
     T(quadric,        quadrics) \
     T(curve,          curve_segments) \
+    T(implicit,       implicits) \
+    T(implicit_instruction, implicit_instructions) \
     T(instance,       instances) \
     T(motion,         motions)               /* of instances that move */ \
     T(uint,           indices)               /* vertices of each element of a mesh */ \

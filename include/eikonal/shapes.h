@@ -13,7 +13,8 @@ CONTRACT_BEGIN
     S(sphere,   SHAPE_SPHERE) \
     S(disk,     SHAPE_DISK) \
     S(cylinder, SHAPE_CYLINDER) \
-    S(curve,    SHAPE_CURVE)
+    S(curve,    SHAPE_CURVE) \
+    S(implicit, SHAPE_IMPLICIT)
 
 #define SHAPE_KIND(name, FEATURE) shape_##name,
 enum shape_kind { SHAPES(SHAPE_KIND) shape_kinds };
@@ -25,16 +26,16 @@ enum shape_flag {
     shape_is_unseen     = 8  /* its alpha is 0: no ray meets it, but what it emits shines */
 };
 
-/* One shape: a mesh, a quadric or a run of curves, and what it is made of. */
+/* One shape: a mesh, a quadric, an implicit surface or a run of curves, and what it is made of. */
 typedef struct {
     uint kind;           /* enum shape_kind */
     uint flags;          /* enum shape_flag */
     uint first_element;  /* number of its first element */
-    uint first_index;    /* meshes: its vertex indices start here in `indices`; 3 or 4 for an element; curves: its segments in `curve_segments` */
+    uint first_index;    /* meshes: its vertex indices start here in `indices`; 3 or 4 for an element; curves: its segments in `curve_segments`; its place in `implicits` */
     uint first_vertex;   /* meshes: added to every index */
     uint first_normal;   /* meshes: its normals start here in `normals`, one a vertex; NONE: it has none */
     uint first_uv;       /* meshes: its texture coordinates in `uvs`, one a vertex; NONE: the element's own (u, v) */
-    uint quadric;        /* in `quadrics`; NONE for meshes; curves: only the maps count, and NONE means that there is no need for them */
+    uint quadric;        /* in `quadrics`; NONE for meshes; implicit surfaces: only the maps count; curves: only the maps count, and NONE means that there is no need for them */
     uint splits;         /* curves: each segment is 2^splits elements, one after the other */
     uint material;       /* in `materials` */
     uint alpha;          /* in `programs`: the texture that cuts it out; NONE: solid */
@@ -64,6 +65,40 @@ typedef struct {
     float normal_angle;  /* ribbon: between its normals, in [0, pi); 0: n[0] everywhere */
     vec3 n[2];           /* ribbon: normals at both ends, of unit length */
 } curve;
+
+/* What the program of an implicit surface is made of: each instruction sets one register to a function of one or two others. */
+enum implicit_operation {
+    implicit_number,         /* number */
+    implicit_add,            /* a + b */
+    implicit_subtract,       /* a - b */
+    implicit_shift,          /* a + number */
+    implicit_scale,          /* a * number */
+    implicit_multiply,       /* a * b */
+    implicit_square,         /* a * a */
+    implicit_integer_power,  /* a^b: b is an integer, 3 or more */
+    implicit_power,          /* a^number, a >= 0: number > 0 */
+    implicit_reciprocal,     /* 1 / a */
+    implicit_sqrt, implicit_exp, implicit_log, implicit_sine, implicit_asin, implicit_atan, implicit_abs,   /* of a */
+    implicit_min, implicit_max,
+    implicit_atan2           /* the angle of the point (b, a) */
+};
+
+/* Registers 0, 1 and 2 hold x, y and z. */
+#define IMPLICIT_REGISTERS 32
+
+typedef struct {
+    uint operation;          /* enum implicit_operation */
+    uint target, a, b;       /* registers */
+    float number;
+    float limit;             /* powers: the largest number whose power is not too large */
+} implicit_instruction;
+
+/* The surface F(x, y, z) = 0 within a box, object space; its maps are in `quadrics`. */
+typedef struct {
+    vec3 low, high;
+    uint first_instruction;  /* in `implicit_instructions`; the last one's target is F */
+    uint instruction_count;
+} implicit;
 
 /* One placed copy of an object: a second level below the scene's hierarchy. One that moves is placed by its motions, the first of
    which is the outermost: an object that moves, in which a shape moves. */

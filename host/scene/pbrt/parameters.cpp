@@ -58,7 +58,7 @@ template <class Add> void readEach(TokenStream& tokens, const Token& first, Add&
     for (Token token = tokens.next(); token.kind != Token::Kind::close; token = tokens.next()) add(token);
 }
 
-Values readValues(TokenStream& tokens, const Parameter& parameter) {
+Values readValues(TokenStream& tokens, Parameter& parameter) {
     const Token first = tokens.next();
     if (parameter.type == ParameterType::integer) return readNumbers<int>(tokens, first, parameter);
     if (isGeometric(parameter.type)) return readNumbers<float>(tokens, first, parameter);
@@ -83,6 +83,10 @@ Values readValues(TokenStream& tokens, const Parameter& parameter) {
     std::vector<std::string> strings;
     readEach(tokens, first, [&](const Token& token) {
         if (token.kind != Token::Kind::quoted) throwUnexpected(tokens, token, parameter);
+        if (strings.empty()) {
+            parameter.whereText = tokens.locate(token);
+            ++parameter.whereText.column;
+        }
         strings.emplace_back(token.text);
     });
     return strings;

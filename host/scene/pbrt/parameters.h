@@ -22,6 +22,7 @@ struct Parameter {
     Values values;          ///< bool; float, rgb, blackbody, spectrum: double; integer; points, vectors, normals: float; others: string
     ColorSpace space = ColorSpace::srgb;  ///< in which its colours are given
     SourceLocation where;
+    SourceLocation whereText;  ///< strings: of the first character of the first one
 
     /// "type name", as it was written.
     std::string declaration() const;

@@ -1,6 +1,7 @@
 #include "scene/pbrt/shapes.h"
 
 #include "scene/pbrt/curves.h"
+#include "scene/pbrt/implicit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace eikonal::pbrt {
 namespace {
 
-enum ShapeKind { sphereKind, diskKind, cylinderKind, triangleMeshKind, bilinearMeshKind, plyMeshKind, loopSubdivKind, curveKind };
+enum ShapeKind { sphereKind, diskKind, cylinderKind, triangleMeshKind, bilinearMeshKind, plyMeshKind, loopSubdivKind, curveKind, implicitKind };
 
 Sphere readSphere(const Arguments& arguments) {
     const double radius = std::abs(arguments.number("radius"));
@@ -56,6 +57,7 @@ const KindTable& shapeKinds() {
          "point3s P; integer degree = 3; string basis = bezier; string type = flat; normals N; float width = 1; float width0; float width1;"
          "integer splitdepth = 3"},
         {"loopsubdiv", loopSubdivKind, "integers indices; point3s P; integer levels = 3; string scheme = loop"},
+        {"implicit", implicitKind, "string F; point3s bounds; float a; float b; float c; float d"},
     });
     return table;
 }
@@ -89,6 +91,10 @@ void ShapeBook::add(const std::string& kindName, const GraphicsState& state, Par
         reading_.diagnostics.warnOnce("emitting curve", where, "a curve cannot emit (pbrt-v4 stops there); its area light is ignored");
         pending.shape.areaLight = none;
     }
+    if (kind.value == implicitKind && state.areaLight != none) {
+        reading_.diagnostics.warnOnce("emitting implicit surface", where, "an implicit surface cannot emit, since no point of it can be sampled; its area light is ignored");
+        pending.shape.areaLight = none;
+    }
     if (const Parameter* alpha = arguments.given("alpha")) pending.alpha = *alpha;
     pending_.push_back(std::move(pending));
 }
@@ -111,6 +117,7 @@ bool ShapeBook::readKind(const Arguments& arguments, Pending& pending) {
             break;
         case loopSubdivKind: pending.shape.kind = TriangleMesh{readSubdividedMesh(reading_, arguments)}; break;
         case curveKind: pending.shape.kind = CurveShape{readCurve(reading_, arguments)}; break;
+        case implicitKind: pending.shape.kind = readImplicit(arguments); break;
         case bilinearMeshKind:
             pending.shape.kind = BilinearMesh{readMesh(reading_, arguments, 4)};
             if (arguments.file("emissionfilename"))
