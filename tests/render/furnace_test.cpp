@@ -46,6 +46,7 @@ TEST(Furnace, WhiteThingsOfEveryShapeCannotBeSeen) {
         Shape "trianglemesh" "integer indices" [0 1 2 1 0 3] "point3 P" [.5 1.2 -1  1.7 1.2 -1  1.1 .2 -.4  1.1 .2 -1.6]
         AttributeBegin Translate -.2 .6 -1 Rotate 40 1 0 1 Shape "cylinder" "float radius" .3 "float zmax" .6 "float phimax" 300 AttributeEnd
         Shape "curve" "string type" "cylinder" "float width" .3 "point3 P" [-1.5 .2 -1.5  -.5 1.5 -1.5  .5 -.5 -1.5  1.5 .6 -1.2]
+        AttributeBegin Translate .3 .3 -1.4 Scale .8 .8 .8 Shape "implicit" "string F" "x^2*y^2 + y^2*z^2 + z^2*x^2 - x*y*z" "point3 bounds" [-.5 -.5 -.5 .5 .5 .5] AttributeEnd
         Shape "loopsubdiv" "point3 P" [.2 1 .5  .6 1.6 .5  .6 1 1  .1 1.2 .9] "integer indices" [0 1 2 0 2 3 0 3 1 1 3 2]
         Shape "bilinearmesh" "point3 P" [-1 0 -1  1 .3 -1  -1 .3 1  1 0 1])"), surfaces()), 1, 0.002);
 }
@@ -93,6 +94,11 @@ TEST(Furnace, RoughMetalNeverGains) {
 
 // Radiance is squeezed by eta^2 on its way in and stretched by the same on its way out; Fresnel's parts add up to one.
 TEST(Furnace, ClearGlassCannotBeSeen) { expectRadiance(underWhiteSky("Material \"dielectric\" \"float eta\" 1.5"), 1, 0.005); }
+// So does a surface that is given by a formula: of a torus, which light passes through twice or is led around in; and of a shell between two balls.
+TEST(Furnace, AGlassTorusCannotBeSeen) {
+    for (const char* F : {"(x^2 + y^2 + z^2 + .3456)^2 - 1.7424*(x^2 + y^2)", "abs(sqrt(x^2 + y^2 + z^2) - .8) - .1"})
+        expectRadiance(underWhiteSky("Material \"dielectric\" \"float eta\" 1.5", "Shape \"implicit\" \"point3 bounds\" [-1 -1 -1 1 1 1] \"string F\" \"" + std::string(F) + "\""), 1, 0.005);
+}
 TEST(Furnace, AnAirBubbleCannotBeSeen) { expectRadiance(underWhiteSky("Material \"dielectric\" \"float eta\" .7"), 1, 0.005); }
 TEST(Furnace, ThinGlassCannotBeSeen) { expectRadiance(underWhiteSky("Material \"thindielectric\" \"float eta\" 1.8"), 1, 0.005); }
 

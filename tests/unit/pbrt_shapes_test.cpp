@@ -46,6 +46,20 @@ TEST_F(PbrtShapes, cylinders) {
     EXPECT_EQ(part.phiMax, 90);
 }
 
+TEST_F(PbrtShapes, implicitSurfaces) {
+    const auto surface = kind<ImplicitSurface>("\"implicit\" \"string F\" \"x^2 + a*y\" \"float a\" 3 \"point3 bounds\" [1 2 -3  -1 0 4]");
+    expectNear(surface.low, {-1, 0, -3});
+    expectNear(surface.high, {1, 2, 4});
+    const std::string cube = " \"point3 bounds\" [-1 -1 -1 1 1 1]";
+    EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x + * y\"" + cube), HasSubstr("test.pbrt:2:34: F: \"*\" found where a number"));
+    EXPECT_THAT(errorOfWorld("Shape \"implicit\"" + cube + " \"string F\" [\n \"x + b\"]"), HasSubstr("test.pbrt:3:7: F: there is no \"b\": give it with \"float b\""));
+    EXPECT_THAT(errorOfWorld("Shape \"implicit\"" + cube), HasSubstr("needs its function, as in"));
+    EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x\""), HasSubstr("needs the box that it is looked for in"));
+    EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x\" \"point3 bounds\" [0 0 0 1 0 1]"), HasSubstr("its corners have the same y"));
+    EXPECT_EQ(world("AreaLightSource \"diffuse\" Shape \"implicit\" \"string F\" \"x\"" + cube).shapes.at(0).areaLight, none);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("an implicit surface cannot emit")));
+}
+
 TEST_F(PbrtShapes, quadricsWithoutAreaAreLeftOut) {
     for (const char* text : {"\"sphere\" \"float radius\" 0", "\"sphere\" \"float zmin\" 1", "\"disk\" \"float phimax\" 0", "\"disk\" \"float innerradius\" 1",
                              "\"cylinder\" \"float zmin\" 1", "\"cylinder\" \"float radius\" 0"}) {
