@@ -20,6 +20,7 @@ struct SceneOptions {
     std::optional<int> seed;
     std::optional<SamplerKind> sampler;
     std::optional<ColorMode> colorMode;
+    std::optional<IntegratorKind> integrator;
     std::optional<int> maxDepth;                      ///< bounces, >= 0
     std::optional<std::array<int, 2>> resolution;     ///< width and height in pixels
     std::optional<std::array<double, 4>> cropWindow;  ///< x0 x1 y0 y1, fractions of the image

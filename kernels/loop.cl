@@ -7,6 +7,7 @@
 #include "route.clh"
 #include "route_items.clh"
 #include "shade_misses.cl"
+#include "shade_occlusions.cl"
 #include "shade_scatters.cl"
 #include "test_shadows.cl"
 
@@ -78,7 +79,12 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
                     add_radiance(path, capacity, slot, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
                 }
                 if (HAS_INTERFACE && f.hop == hop_passage) out.ray = make_passage(g, r, f, s);
-                else if (f.hop < hop_miss) {
+                else if (HAS_AMBIENT_OCCLUSION && f.hop == hop_occlusion) {
+                    hit_item h = make_hit(g, r, f, s, material_set.materials[f.material]);
+                    out.shadow = shade_occlusion(color_set, frame, h, 1);
+                    if (HAS_AOVS) store_first_surface(g, path, capacity, r, f, s);
+                    if (HAS_AOVS) STORE_FIELD(path, spectrum, albedo, path, capacity, slot, seen_albedo(h, uniform_spectrum(1.0f)));
+                } else if (f.hop < hop_miss) {
                     material m = material_set.materials[f.material];
                     s = relieve_surface(tables, m, s);
                     hit_item h = make_hit(g, r, f, s, m);

@@ -15,6 +15,15 @@
 #define BSDF_LOOPS    JOIN(BSDF, _loops)
 #endif
 
+/* A direction that knows nothing of the BSDF. */
+FN bsdf_sample JOIN(scatter_uniformly_, BSDF)(BSDF_BOUND b, vec3 wo, vec2 u) {
+    bsdf_sample s = absorbed_sample();
+    s.wi = warp_sphere(u);
+    s.weight = mul(EVAL_BSDF(b, wo, s.wi), fabs(s.wi.z) * (4.0f * PI));
+    s.pdf = INV_4PI;
+    return s;
+}
+
 FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __global const settings *frame, hit_item h, BSDF_BOUND b, int alive) {
     frame3 shading = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
     vec3 wo = to_local(shading, h.wo);
@@ -27,13 +36,13 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
         l = sample_light_at(lights, path_palette(colors, h.seed, h.sample), frame, h.seed, h.sample, h.depth, seen_from);
         vec3 wi = to_local(shading, l.wi);
         spectrum f = mul(EVAL_BSDF(b, wo, wi), fabs(wi.z));
-        out.shadow = light_from_surface(h, seen_from, l, f, PDF_BSDF(b, wo, wi), alive);
+        out.shadow = light_from_surface(h, seen_from, l, f, HAS_UNIFORM_DIRECTIONS ? INV_4PI : PDF_BSDF(b, wo, wi), alive);
     } else out.shadow = no_shadow(h.path);
 
     /* On along the BSDF */
     float lobe = sample_1d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_lobe));
     vec2 u = sample_2d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_direction));
-    bsdf_sample s = SAMPLE_BSDF(b, wo, lobe, u);
+    bsdf_sample s = HAS_UNIFORM_DIRECTIONS ? JOIN(scatter_uniformly_, BSDF)(b, wo, u) : SAMPLE_BSDF(b, wo, lobe, u);
     out.ray = ray_from_surface(h, from_local(shading, s.wi), s, alive);
     if (BSDF_IS_DELTA) out.ray.seen = h.seen;
     return out;

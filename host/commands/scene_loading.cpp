@@ -50,6 +50,10 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.spp) scene.sampler.pixelSamples = *o.spp;
     if (o.seed) scene.sampler.seed = *o.seed;
     if (o.sampler) scene.sampler.kind = *o.sampler;
+    if (o.integrator) {
+        scene.integrator.kind = *o.integrator;
+        scene.integrator.standsFor.clear();
+    }
     if (o.maxDepth) scene.integrator.maxDepth = *o.maxDepth;
     if (o.colorMode) scene.colorMode = *o.colorMode;
     if (o.cropWindow) { scene.film.cropWindow = o.cropWindow; scene.film.pixelBounds.reset(); }

@@ -208,6 +208,7 @@ public:
     explicit LightPacker(Packer& packer) : packer_(packer), tables_(packer.packed.tables) {}
 
     void pack() {
+        if (!countsMaterials(packer_.scene.integrator)) return;
         powers_ = packer_.areaPowers;
         for (const Light& description : packer_.scene.lights) std::visit([&](const auto& kind) { add(description, kind); }, description.kind);
         makeSampler();
@@ -333,8 +334,8 @@ private:
         double total = 0;
         for (double p : powers_) total += p;
         if (powers_.empty()) return;
-        if (total <= 0) {
-            /* Nothing to sample: only what paths meet by themselves, if anything, emits */
+        if (total <= 0 || !samplesLights(packer_.scene.integrator)) {
+            /* Nothing to sample: only what paths meet by themselves, if anything, is seen */
             for (light& l : tables_.lights) l.pmf = 0;
             return;
         }

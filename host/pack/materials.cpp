@@ -266,6 +266,8 @@ static void requireBsdf(Packer& packer, hop h, const std::string& why) {
 /// Everything but what a mix is mixed of, and the twin for regularization.
 static void packMaterial(Packer& packer, const Material& description, material& m, bool regularize = false) {
     SceneTables& tables = packer.packed.tables;
+    const bool isSurface = description.kind != MaterialKind::interface && description.kind != MaterialKind::mix;
+    if (isSurface && !countsMaterials(packer.scene.integrator)) { m.hop = hop_occlusion; return; }
     InputWriter inputs(packer, description, regularize);
     m.first_input = static_cast<uint>(tables.material_inputs.size());
     const hop h = packBsdf(inputs, description.kind);
@@ -312,7 +314,7 @@ uint packedMaterial(Packer& packer, int index) {
         m.mix_amount = packInput(packer, description.inputs.at("amount"));
     }
     m.regular = here;
-    if (packer.scene.integrator.regularize && description.inputs.count("uroughness")) {
+    if (packer.scene.integrator.regularize && m.hop != hop_occlusion && description.inputs.count("uroughness")) {
         packer.packed.require(Feature::REGULARIZE, packer.scene.integrator.where.toString());
         m.regular = static_cast<uint>(materials.size());
         material rougher = blank;

@@ -46,7 +46,8 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     PackedScene packed;
     Packer packer{scene, diagnostics, packed, {}, worldBounds(scene)};
     packer.space = spaceOf(packer.bounds);
-    packer.hasMedia = mediaAreUsed(scene);
+    const bool wouldUseMedia = mediaAreUsed(scene);
+    packer.hasMedia = wouldUseMedia && countsMedia(scene.integrator);
     packer.images = loadImages(scene.images);
     packed.worldScale = 1 / packer.space.scale;
     packed.worldCenter = packer.space.center;
@@ -58,6 +59,7 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
         packed.require(Feature::SPECTRAL, need);
         packSensor(packer);
     }
+    packIntegrator(packer, wouldUseMedia && !packer.hasMedia);
     packCamera(packer);
     packMedia(packer);
     packMaterials(packer);
@@ -70,7 +72,6 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     /* The indices of a tile's samples fit in 32 bits */
     frame.sequence_sample_bits = static_cast<uint>(std::bit_width(static_cast<uint>(std::max(scene.sampler.pixelSamples, 1)) - 1));
     frame.sequence_tile_bits = std::min(8u, (32 - frame.sequence_sample_bits) / 2);
-    frame.max_depth = static_cast<uint>(std::max(scene.integrator.maxDepth, 0));
     frame.light_count = static_cast<uint>(packed.tables.light_aliases.size());
     frame.world_scale = static_cast<float>(packed.worldScale);
     frame.max_component_value = static_cast<float>(scene.film.maxComponentValue);

@@ -35,6 +35,13 @@ struct Packer {
     std::vector<double> areaPowers{};                         ///< of the lights that geometry brought: what the light sampler goes by
 };
 
+/// Which parts of a scene an integrator looks at.
+bool countsMedia(const IntegratorDescription&);
+bool countsMaterials(const IntegratorDescription&);   ///< and lights
+bool samplesLights(const IntegratorDescription&);
+
+/// The integrator's numbers; warns of what it stands for, and of media that it leaves out.
+void packIntegrator(Packer&, bool hasUnusedMedia);
 void packCamera(Packer&);
 void packMedia(Packer&);
 void packMaterials(Packer&);

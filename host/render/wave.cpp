@@ -89,7 +89,7 @@ unsigned Wave::shade(const Counts& counts) {
     run(counts[hop_emission] ? stages_.find("shade_emitters") : nullptr, counts[hop_emission], segment(0, counts[hop_emission]));
     unsigned first = 0;
     for (uint hop = 0; hop < hop_miss; ++hop) {
-        const Stage* stage = hop == hop_scatter ? stages_.find("shade_scatters") : stages_.shading(hop);
+        const Stage* stage = hop == hop_scatter ? stages_.find("shade_scatters") : hop == hop_occlusion ? stages_.find("shade_occlusions") : stages_.shading(hop);
         if (counts[hop]) run(stage, counts[hop], segment(first, counts[hop]));
         first += shape_.padded(counts[hop]);
     }

@@ -4,6 +4,7 @@
 // Positions and lengths are in world units, angles in degrees as the file gives them, matrices column-major (glm).
 
 #include "error.h"
+#include "scene/integrator.h"
 #include "spectra/spectrum.h"
 
 #include <glm/glm.hpp>
@@ -320,8 +321,6 @@ struct FilterDescription {
 enum class SamplerKind { independent, sobol };
 
 struct SamplerDescription { SamplerKind kind = SamplerKind::sobol; int pixelSamples = 16; int seed = 0; SourceLocation where; };
-
-struct IntegratorDescription { std::string name = "path"; int maxDepth = 5; bool regularize = false; SourceLocation where; };
 
 /// How colours are carried: as linear sRGB, or at wavelengths. automatic: at wavelengths where the scene needs them (pack/color_mode.h).
 enum class ColorMode { automatic, rgb, spectral };

@@ -35,6 +35,8 @@
     F(FILTER,           "a pixel filter other than a box of one pixel") \
     F(SOBOL,            "a low-discrepancy sampler") \
     F(REGULARIZE,       "an integrator that regularizes") \
+    F(AMBIENT_OCCLUSION, "an integrator that only looks for what is near") \
+    F(UNIFORM_DIRECTIONS, "an integrator that knows of no better directions than uniform ones") \
     F(AOVS,             "auxiliary image channels")
 
 /* Calls F(FEATURE, name of the kind) for the kinds of each list. */

@@ -129,6 +129,9 @@ typedef struct {
     uint sequence_sample_bits; /* low-discrepancy sampler: a pixel's samples are numbered with so many bits */
     uint sequence_tile_bits;   /* and 2^bits x 2^bits pixels share a sequence; at most 8 */
     uint max_depth;        /* most scattering events on a path */
+    color ambient;         /* AMBIENT_OCCLUSION: what arrives from where nothing is near */
+    float ambient_distance; /* how near that is, scene units */
+    uint ambient_cosine;   /* 1: directions follow the cosine; 0: they are uniform */
     uint light_count;
     float world_scale;     /* world units in one unit of scene space */
     uint sensor_curves;    /* with SPECTRAL, in `curves`: three, linear sRGB of the image for light of each wavelength */

@@ -17,6 +17,7 @@ CONTRACT_BEGIN
     S(shade_misses,     "miss",       "path",               ALWAYS) \
     S(shade_emitters,   "emission",   "path",               EMITTERS) \
     S(shade_hits,       "hit",        "ray shadow path",    ALWAYS) \
+    S(shade_occlusions, "hit",        "ray shadow path",    AMBIENT_OCCLUSION) \
     S(shade_scatters,   "scatter",    "ray shadow",         MEDIA) \
     S(test_shadows,     "shadow",     "path",               ALWAYS) \
     S(resolve_film,     "path",       "film",               ALWAYS)
@@ -26,6 +27,7 @@ CONTRACT_BEGIN
 enum hop {
     hop_passage,             /* straight on: an interface between media */
     hop_scatter,             /* shade_scatters */
+    hop_occlusion,           /* shade_occlusions */
     BSDFS(HOP_OF_BSDF)       /* shade_hits, built for that BSDF */
     hop_miss,                /* shade_misses */
     hop_emission,            /* shade_emitters; besides another hop */

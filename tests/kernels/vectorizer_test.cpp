@@ -56,6 +56,8 @@ std::vector<VectorCase> cases() {
         c.color = ColorMode::spectral;
         list.push_back(c);
     }
+    /* Of other integrators */
+    list.push_back({"shade_occlusions", "shade_occlusions", sphereOf("\"diffuse\""), "Integrator \"ambientocclusion\"\n"});
     return list;
 }
 

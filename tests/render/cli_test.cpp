@@ -224,6 +224,19 @@ TEST_F(Cli, StrictTurnsWhatIsNotRenderedIntoAnError) {
     EXPECT_THAT(strict.error, HasSubstr("--strict"));
 }
 
+/// The option counts more than the scene, and then there is nothing to be warned of.
+TEST_F(Cli, TheIntegratorMayBeChosen) {
+    write("photons.pbrt", tinyScene("Integrator \"sppm\""));
+    const Outcome lax = run({"info", "photons.pbrt"}), chosen = run({"info", "photons.pbrt", "--integrator", "ambientocclusion", "--strict"});
+    EXPECT_EQ(lax.error.find("warning: "), lax.error.rfind("warning: ")) << "one warning: " << lax.error;
+    EXPECT_EQ(chosen.status, 0);
+    EXPECT_EQ(chosen.error, "");
+    EXPECT_THAT(chosen.out, HasSubstr("AMBIENT_OCCLUSION"));
+    const Outcome unknown = run({"info", "photons.pbrt", "--integrator", "bdpt"});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_THAT(unknown.error, HasSubstr("--integrator is one of volpath, path, direct"));
+}
+
 // ---- what is printed ----------------------------------------------------------------------------------------------------
 
 TEST_F(Cli, QuietPrintsNothing) {

@@ -64,12 +64,13 @@ AttributeBegin AreaLightSource "diffuse" "rgb L" [20 20 20] Material "diffuse" M
 
 /// Every feature but those that choose another method, where the same image is only the same on average: wavelengths, a filter's table, a sampler, a
 /// lens of radius 0, a camera of another kind or one that moves nowhere, frames along the surface, curves (with them, light is sampled from where the
-/// next ray starts), and media, with which strategies are weighted by the
+/// next ray starts), another integrator, and media, with which strategies are weighted by the
 /// balance heuristic instead of the power heuristic.
 Features allButMethods() {
     using enum Feature;
     Features methods;
-    for (Feature f : {SPECTRAL, DISPERSION, ANISOTROPY, SHAPE_CURVE, FILTER, SOBOL, LENS, CAMERA_MOTION, MEDIA, FOCI}) methods.require(f);
+    for (Feature f : {SPECTRAL, DISPERSION, ANISOTROPY, SHAPE_CURVE, FILTER, SOBOL, LENS, CAMERA_MOTION, MEDIA, FOCI,
+                      AMBIENT_OCCLUSION, UNIFORM_DIRECTIONS}) methods.require(f);
 #define REQUIRE(name, FEATURE) methods.require(Feature::FEATURE);
     MEDIA_KINDS(REQUIRE) CAMERAS(REQUIRE)
 #undef REQUIRE

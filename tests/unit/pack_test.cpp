@@ -57,6 +57,42 @@ TEST_F(Pack, RegularizationMakesARougherTwin) {
     EXPECT_EQ(pack("Material \"conductor\" Shape \"sphere\"").tables.materials.size(), 1u);
 }
 
+// Those that pbrt-v4 has and Eikonal has not are rendered as "volpath", and that is said once; with --strict it is an error.
+TEST_F(Pack, IntegratorsThatAreNotRenderedAreNamedOnce) {
+    for (const char* name : {"bdpt", "mlt", "sppm", "lightpath", "function"}) {
+        Scene scene = read("Integrator \"" + std::string(name) + "\"\nWorldBegin\nShape \"sphere\"");
+        Diagnostics lax(LogLevel::silent), strict(LogLevel::silent, true);
+        packScene(scene, lax);
+        EXPECT_THAT(lax.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1: warning: integrator \"" + std::string(name) + "\""), HasSubstr("\"volpath\"")))) << name;
+        EXPECT_THROW(packScene(scene, strict), SceneError) << name;
+    }
+}
+
+// Only "volpath" renders media, as in pbrt-v4; the others say what they leave out, where there is something.
+TEST_F(Pack, IntegratorsWithoutMediaSayWhatTheyLeaveOut) {
+    const std::string smoke = "MakeNamedMedium \"m\" \"string type\" \"homogeneous\" MediumInterface \"m\" \"\" Shape \"sphere\"";
+    for (const auto& [name, kind] : integratorNames) {
+        const std::string head = "Integrator \"" + std::string(name) + "\"\nWorldBegin\n";
+        Diagnostics empty(LogLevel::silent), smoky(LogLevel::silent);
+        packScene(read(head + "Shape \"sphere\""), empty);
+        EXPECT_THAT(empty.warnings(), IsEmpty()) << name;
+        const bool rendersMedia = packScene(read(head + smoke), smoky).features.has(Feature::MEDIA);
+        EXPECT_EQ(rendersMedia, kind == IntegratorKind::volpath) << name;
+        if (rendersMedia) EXPECT_THAT(smoky.warnings(), IsEmpty()) << name;
+        else EXPECT_THAT(smoky.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1"), HasSubstr("media")))) << name;
+    }
+}
+
+// What an integrator does not look at is not packed: no kernel is built for it.
+TEST_F(Pack, AmbientOcclusionNeedsNoMaterialsAndNoLights) {
+    Diagnostics diagnostics(LogLevel::silent, true);
+    const PackedScene scene = packScene(read("Integrator \"ambientocclusion\"\nWorldBegin\nLightSource \"infinite\" LightSource \"point\"\n"
+                                             "AreaLightSource \"diffuse\" Material \"conductor\" Shape \"sphere\""), diagnostics);
+    EXPECT_TRUE(scene.tables.lights.empty() && scene.tables.material_inputs.empty());
+    EXPECT_EQ(scene.environments, 0);
+    for (const Feature f : {Feature::LIGHTS, Feature::EMITTERS, Feature::BSDF_CONDUCTOR, Feature::LIGHT_POINT}) EXPECT_FALSE(scene.features.has(f)) << featureName(f);
+}
+
 // The reflectance of a measured file is the colour of its spectra under daylight: that of white paper, which reflects the same everywhere, and of what
 // reflects only long wavelengths.
 TEST_F(Pack, MeasuredSpectraBecomeColors) {

@@ -112,13 +112,43 @@ TEST_F(PbrtSettings, samplers) {
     EXPECT_THAT(errorOfSettings("Sampler \"stratified\" \"integer xsamples\" 100000 \"integer ysamples\" 100000"), HasSubstr("10000000000 samples"));
 }
 
-TEST_F(PbrtSettings, integratorsThatAreNotRenderedAreNamed) {
-    EXPECT_EQ(settings("Integrator \"volpath\" \"integer maxdepth\" 100").integrator.maxDepth, 100);
-    EXPECT_EQ(settings("Integrator \"path\" \"string lightsampler\" \"bvh\" \"bool regularize\" false").integrator.maxDepth, 5);
+TEST_F(PbrtSettings, integrators) {
+    const auto read = [&](const std::string& directive) { return settings("Integrator " + directive).integrator; };
+    EXPECT_EQ(settings("").integrator.kind, IntegratorKind::volpath);
+    EXPECT_EQ(read("\"volpath\" \"integer maxdepth\" 100").maxDepth, 100);
+    EXPECT_EQ(read("\"path\" \"string lightsampler\" \"bvh\" \"bool regularize\" false").maxDepth, 5);
+    EXPECT_TRUE(read("\"path\" \"bool regularize\" true").regularize);
+    for (const auto& [name, kind] : integratorNames) {
+        EXPECT_EQ(read('"' + std::string(name) + '"').kind, kind) << name;
+        EXPECT_EQ(read('"' + std::string(name) + '"').standsFor, "") << name;
+    }
     EXPECT_THAT(warnings_, IsEmpty());
-    EXPECT_EQ(settings("Integrator \"bdpt\" \"integer maxdepth\" 7").integrator.maxDepth, 7);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("test.pbrt:1:1: warning: integrator \"bdpt\" is not rendered yet; \"path\" renders it")));
     EXPECT_THAT(errorOfSettings("Integrator \"path\" \"integer maxdepth\" -1"), HasSubstr("must not be negative"));
+}
+
+TEST_F(PbrtSettings, parametersOfIntegrators) {
+    const auto read = [&](const std::string& directive) { return settings("Integrator " + directive).integrator; };
+    EXPECT_TRUE(read("\"simplepath\"").sampleLights && read("\"simplepath\"").sampleBsdf);
+    EXPECT_FALSE(read("\"simplepath\" \"bool samplelights\" false").sampleLights || read("\"simplepath\" \"bool samplebsdf\" false").sampleBsdf);
+    EXPECT_TRUE(read("\"ambientocclusion\"").cosine);
+    EXPECT_EQ(read("\"ambientocclusion\"").maxDistance, 0);
+    EXPECT_FALSE(read("\"ambientocclusion\" \"bool cossample\" false").cosine);
+    EXPECT_EQ(read("\"ambientocclusion\" \"float maxdistance\" 2.5").maxDistance, 2.5);
+    EXPECT_EQ(settings("ColorSpace \"rec2020\" Integrator \"ambientocclusion\"").integrator.colorSpace, ColorSpace::rec2020);
+    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_THAT(errorOfSettings("Integrator \"ambientocclusion\" \"float maxdistance\" 0"), HasSubstr("(0, inf)"));
+    EXPECT_THAT(errorOfSettings("Integrator \"directlighting\""), HasSubstr("\"direct\""));
+}
+
+/// That another one is rendered is said when it is known that it is: tests/unit/pack_test.cpp.
+TEST_F(PbrtSettings, integratorsThatAreNotRenderedAreRemembered) {
+    for (const char* name : {"bdpt", "mlt", "sppm", "lightpath", "function"}) {
+        const IntegratorDescription read = settings("Integrator \"" + std::string(name) + "\" \"integer maxdepth\" 7").integrator;
+        EXPECT_EQ(read.standsFor, name);
+        EXPECT_EQ(read.kind, IntegratorKind::volpath);
+        EXPECT_EQ(read.maxDepth, 7);
+    }
+    EXPECT_THAT(warnings_, IsEmpty());
 }
 
 TEST_F(PbrtSettings, theLastOfASortCounts) {

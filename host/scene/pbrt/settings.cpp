@@ -19,7 +19,7 @@ constexpr const char* filmParameters =
     "integer xresolution = 1280; integer yresolution = 720; floats cropwindow; integers pixelbounds; string filename; float diagonal = 35 in (0, inf);"
     "string sensor = cie1931; float iso = 100 in (0, inf); float whitebalance = 0 in [0, inf); float maxcomponentvalue = 0 in (0, inf); bool savefp16 = true";
 constexpr const char* samplerParameters = "integer seed; string randomization";
-constexpr const char* instead = "\"path\" renders it";
+constexpr const char* instead = "\"volpath\" renders it";
 
 const KindTable& cameraKinds() {
     static const KindTable table("camera", screenParameters, {
@@ -64,22 +64,22 @@ const KindTable& samplerKinds() {
     return table;
 }
 
-// What "path" and "volpath" compute, the first rows only compute by simpler means.
 const KindTable& integratorKinds() {
     static const KindTable table("integrator", "integer maxdepth = 5", {
-        {"path", 0, "string lightsampler; bool regularize = false"},
-        {"volpath", 0, "string lightsampler; bool regularize = false"},
-        {"simplepath", 0, "bool samplelights = true; bool samplebsdf = true"},
-        {"simplevolpath", 0, ""},
-        {"randomwalk", 0, ""},
-        {"lightpath", 0, "", instead},
-        {"bdpt", 0, "bool visualizestrategies = false; bool visualizeweights = false; bool regularize = false", instead},
-        {"mlt", 0,
+        {"path", int(IntegratorKind::path), "string lightsampler; bool regularize = false"},
+        {"volpath", int(IntegratorKind::volpath), "string lightsampler; bool regularize = false"},
+        {"simplepath", int(IntegratorKind::simplePath), "bool samplelights = true; bool samplebsdf = true"},
+        {"simplevolpath", int(IntegratorKind::volpath), ""},
+        {"randomwalk", int(IntegratorKind::randomWalk), ""},
+        {"ambientocclusion", int(IntegratorKind::ambientOcclusion), "bool cossample = true; float maxdistance in (0, inf)"},
+        {"direct", int(IntegratorKind::direct), ""},
+        {"lightpath", int(IntegratorKind::volpath), "", instead},
+        {"bdpt", int(IntegratorKind::volpath), "bool visualizestrategies = false; bool visualizeweights = false; bool regularize = false", instead},
+        {"mlt", int(IntegratorKind::volpath),
          "integer bootstrapsamples = 100000; integer chains = 1000; integer mutationsperpixel = 100; float largestepprobability = 0.3;"
          "float sigma = 0.01; bool regularize = false", instead},
-        {"sppm", 0, "integer photonsperiteration = -1; float radius = 1; integer seed = 0", instead},
-        {"ambientocclusion", 0, "bool cossample = true; float maxdistance", instead},
-        {"function", 0, "string function = step; string filename; bool skipbad = true; string imagefilename", instead},
+        {"sppm", int(IntegratorKind::volpath), "integer photonsperiteration = -1; float radius = 1; integer seed = 0", instead},
+        {"function", int(IntegratorKind::volpath), "string function = step; string filename; bool skipbad = true; string imagefilename", instead},
     });
     return table;
 }
@@ -128,7 +128,8 @@ void Settings::set(Sort sort, const std::string& kindName, const GraphicsState& 
         cameraMedium_ = state.outside;
     }
     if (sort == Sort::film) reading_.scene.film.colorSpace = state.space;
-    if (kind.standIn) reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
+    /* For integrators this is said when the scene is packed: --integrator may choose another */
+    if (kind.standIn && sort != Sort::integrator) reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
 }
 
 void Settings::setOption(const std::string& name, const std::string& value, const SourceLocation& where, const SourceLocation& valueWhere) {
@@ -287,11 +288,23 @@ void Settings::applySampler(const Arguments& arguments) {
 }
 
 void Settings::applyIntegrator(const Arguments& arguments) {
-    reading_.scene.integrator.where = arguments.where();
-    reading_.scene.integrator.maxDepth = arguments.integer("maxdepth");
-    if (reading_.scene.integrator.maxDepth < 0) throw SceneError(arguments.whereOf("maxdepth"), "\"integer maxdepth\" must not be negative");
-    if (arguments.kind().rule("regularize") && arguments.flag("regularize"))
-        reading_.scene.integrator.regularize = true;
+    IntegratorDescription& integrator = reading_.scene.integrator;
+    const Kind& kind = arguments.kind();
+    integrator.where = arguments.where();
+    integrator.kind = static_cast<IntegratorKind>(kind.value);
+    if (kind.standIn) integrator.standsFor = kind.name;
+    integrator.maxDepth = arguments.integer("maxdepth");
+    if (integrator.maxDepth < 0) throw SceneError(arguments.whereOf("maxdepth"), "\"integer maxdepth\" must not be negative");
+    if (kind.rule("regularize")) integrator.regularize = arguments.flag("regularize");
+    if (integrator.kind == IntegratorKind::simplePath) {
+        integrator.sampleLights = arguments.flag("samplelights");
+        integrator.sampleBsdf = arguments.flag("samplebsdf");
+    }
+    if (integrator.kind == IntegratorKind::ambientOcclusion) {
+        integrator.cosine = arguments.flag("cossample");
+        if (arguments.has("maxdistance")) integrator.maxDistance = arguments.number("maxdistance");
+        integrator.colorSpace = arguments.space();
+    }
 }
 
 }  // namespace eikonal::pbrt

@@ -29,7 +29,7 @@ constexpr Change changes[] = {
     {"sampler", "02sequence", "\"paddedsobol\""},
     {"sampler", "lowdiscrepancy", "\"paddedsobol\""},
     {"sampler", "maxmindist", "\"pmj02bn\""},
-    {"integrator", "directlighting", "\"path\" with \"integer maxdepth\" 1"},
+    {"integrator", "directlighting", "\"direct\""},
     {"integrator", "whitted", "\"path\""},
     {"camera", "environment", "\"spherical\""},
     {"shape", "cone", nothing},

@@ -1,0 +1,51 @@
+// What the integrator makes of a scene: which of its parts count, and the numbers that its stages read.
+
+#include "pack/packer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace eikonal {
+
+static std::string titleOf(const IntegratorDescription& integrator) {
+    const auto* name = std::ranges::find(integratorNames, integrator.kind, &std::pair<const char*, IntegratorKind>::second);
+    return fmt::format("integrator \"{}\"", name->first);
+}
+
+bool countsMedia(const IntegratorDescription& integrator) { return integrator.kind == IntegratorKind::volpath; }
+bool countsMaterials(const IntegratorDescription& integrator) { return integrator.kind != IntegratorKind::ambientOcclusion; }
+bool samplesLights(const IntegratorDescription& integrator) {
+    if (integrator.kind == IntegratorKind::randomWalk) return false;
+    return integrator.kind != IntegratorKind::simplePath || integrator.sampleLights;
+}
+
+void packIntegrator(Packer& packer, bool hasUnusedMedia) {
+    const IntegratorDescription& integrator = packer.scene.integrator;
+    const std::string title = titleOf(integrator), why = integrator.where.toString() + ": " + title;
+    if (!integrator.standsFor.empty())
+        packer.diagnostics.unsupported("integrator", integrator.where,
+                                       fmt::format("integrator \"{}\" is not rendered; \"volpath\" computes the same by its own means", integrator.standsFor));
+    if (hasUnusedMedia)
+        packer.diagnostics.warn(integrator.where, title + " leaves out participating media (as in pbrt-v4), and the scene has some; \"volpath\" renders them");
+
+    settings& frame = packer.packed.frame();
+    int depth = std::max(integrator.maxDepth, 0);
+    switch (integrator.kind) {
+        case IntegratorKind::volpath: case IntegratorKind::path: break;
+        case IntegratorKind::direct: depth = std::min(depth, 1); break;
+        case IntegratorKind::ambientOcclusion:
+            depth = 1;
+            packer.packed.require(Feature::AMBIENT_OCCLUSION, why);
+            frame.ambient = packEmission(packer, Spectrum::rgb(glm::dvec3(1), integrator.colorSpace));
+            frame.ambient_distance = integrator.maxDistance > 0 ? static_cast<float>(std::min(integrator.maxDistance * packer.space.scale, double{FAR_AWAY})) : FAR_AWAY;
+            frame.ambient_cosine = integrator.cosine;
+            break;
+        case IntegratorKind::simplePath: case IntegratorKind::randomWalk:
+            if (integrator.kind == IntegratorKind::randomWalk || !integrator.sampleBsdf) packer.packed.require(Feature::UNIFORM_DIRECTIONS, why);
+            break;
+    }
+    frame.max_depth = static_cast<uint>(depth);
+}
+
+}  // namespace eikonal
