@@ -59,7 +59,7 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
           oneOf<SamplerKind>({{"independent", SamplerKind::independent}, {"sobol", SamplerKind::sobol}}))->group(group);
     value(app, "--color", s.colorMode, "NAME", "rgb; spectral: at four wavelengths a path; auto (default): spectral where the scene needs it",
           oneOf<ColorMode>({{"auto", ColorMode::automatic}, {"rgb", ColorMode::rgb}, {"spectral", ColorMode::spectral}}))->group(group);
-    value(app, "--integrator", s.integrator, "NAME", "How light is carried: volpath, path, direct, ambientocclusion, simplepath, simplevolpath, randomwalk",
+    value(app, "--integrator", s.integrator, "NAME", "How light is carried: volpath, path, direct, whitted, ambientocclusion, simplepath, simplevolpath, randomwalk",
           oneOf<IntegratorKind>({std::begin(integratorNames), std::end(integratorNames)}))->group(group);
     value(app, "--max-depth", s.maxDepth, "N", "Bounces; interfaces between media do not count", integer(0))->group(group);
     value(app, "--resolution", s.resolution, "WxH", "Pixels of the whole image", parseResolution)->group(group);

@@ -9,7 +9,7 @@ typedef struct { ray_item ray; path_item path; } camera_path;
 
 /* The ray and the path of a slot; `inside` says whether it belongs to the image. */
 FN camera_path start_path(camera_tables tables, __global const settings *frame, uint x, uint y, uint sample_index, uint slot, int inside) {
-    camera_sample sample = generate_ray(tables, frame, x, y, sample_index, slot);
+    camera_sample sample = generate_ray(tables, frame, x, y, sample_index, path_of_slot(frame, slot));
     camera_path p;
     p.ray = sample.ray;
     p.ray.t_max = inside ? p.ray.t_max : -1.0f;
@@ -39,7 +39,7 @@ STAGE generate_rays(CAMERA_ARGUMENTS
         int inside = (x < end_x) & (y < end_y) & (at.sample < samples);
         camera_path p = start_path(tables, frame, x, y, first_sample + at.sample, (uint)i, inside);
         store_ray(ray, capacity, i, p.ray);
-        store_path(path, capacity, i, p.path);
+        store_path(path, capacity, HAS_TREE ? p.ray.path : i, p.path);
     }
 }
 #endif

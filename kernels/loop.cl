@@ -11,8 +11,8 @@
 #include "shade_scatters.cl"
 #include "test_shadows.cl"
 
-#define SHADE_CASE(name) if (hop == hop_##name) return JOIN(shade_, name)(lights, colors, frame, h, bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, path_palette(colors, h.seed, h.sample)), 1);
-FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables colors, __global const settings *frame, __global const uint *hit, uint capacity, uint slot, uint hop, hit_item h) {
+#define SHADE_CASE(name) if (hop == hop_##name) return JOIN(shade_, name)(lights, colors, frame, h, bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, path_palette(colors, h.seed, h.sample)), turn, 1);
+FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables colors, __global const settings *frame, __global const uint *hit, uint capacity, uint slot, uint hop, hit_item h, uint turn) {
     SCENE_BSDFS(SHADE_CASE)
     scattering nothing;
     nothing.ray.t_max = -1.0f;
@@ -29,10 +29,16 @@ FN kept_albedo albedo_any(bsdf_tables tables, palette colors, __global const uin
     return k;
 }
 
+FN void meet_light(geometry g, texture_tables tables, medium_tables media, color_tables colors, __global uint *path, uint capacity, shadow_item s) {
+    if (s.t_max < 0.0f) return;
+    spectrum L = test_shadow(g, tables, media, colors, s);
+    if (!is_black(L)) add_radiance(path, capacity, s.path, L);
+}
+
 STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS BSDF_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS CAMERA_ARGUMENTS
            __global const settings *frame, __global uint *hit, __global uint *path, uint capacity,
            uint tile_x, uint tile_y, uint tile_log2_width, uint tile_log2_height, uint end_x, uint end_y, uint first_sample, uint samples,
-           uint most_hops, uint count) {
+           uint most_hops, uint turns, uint count) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
@@ -47,63 +53,72 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
         uint x = tile_x + at.x, y = tile_y + at.y;
         int inside = (x < end_x) & (y < end_y) & (at.sample < samples);
         camera_path started = start_path(camera_set, frame, x, y, first_sample + at.sample, slot, inside);
-        store_path(path, capacity, slot, started.path);
+        store_path(path, capacity, started.ray.path, started.path);
 
-        ray_item r = started.ray;
-        for (uint hop = 0; r.t_max >= 0.0f && hop < most_hops; ++hop) {
-            /* Where the ray ends, and what comes next */
-            flight_item f = intersect_ray(g, tables, r);
-            f.hop = hop_none;
-            f.material = NONE;
-            if (HAS_MEDIA && r.medium != NONE) {
-                extinguished e = extinguish_ray(medium_set, color_set, r, f);
-                r = e.ray;
-                f = e.flight;
-                if (!is_black(e.L)) add_radiance(path, capacity, slot, e.L);
-            }
-            next_hop next = classify_flight(g, tables, material_set, frame, r, f);
-            f.hop = next.hop;
-            f.material = next.material;
-
-            /* Shade it */
-            scattering out;
-            out.ray = r;
-            out.ray.t_max = -1.0f;
-            out.shadow = no_shadow(slot);
-            if (ENVIRONMENTS && f.hop == hop_miss) add_radiance(path, capacity, slot, shade_miss(light_set, color_set, make_miss(r)));
-            else if (HAS_MEDIA && f.hop == hop_scatter) out = shade_scatter(light_set, color_set, frame, make_scatter(medium_set, r, f), 1);
-            else if (f.element != NONE) {
-                surface s = flight_surface(g, tables, r, f);
-                if (HAS_EMITTERS && flight_emits(g, f)) {
-                    emission_item e = make_emission(g, tables, light_set, color_set, r, f, s);
-                    add_radiance(path, capacity, slot, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
+        /* Rays that are still to be followed: several in a tree of rays */
+        ray_item waiting[HAS_TREE ? MOST_TREE_RAYS : 1];
+        uint rays = 1;
+        waiting[0] = started.ray;
+        while (rays > 0) {
+            ray_item r = waiting[--rays];
+            for (uint hop = 0; r.t_max >= 0.0f && hop < most_hops; ++hop) {
+                /* Where the ray ends, and what comes next */
+                flight_item f = intersect_ray(g, tables, r);
+                f.hop = hop_none;
+                f.material = NONE;
+                if (HAS_MEDIA && r.medium != NONE) {
+                    extinguished e = extinguish_ray(medium_set, color_set, r, f);
+                    r = e.ray;
+                    f = e.flight;
+                    if (!is_black(e.L)) add_radiance(path, capacity, r.path, e.L);
                 }
-                if (HAS_INTERFACE && f.hop == hop_passage) out.ray = make_passage(g, r, f, s);
-                else if (HAS_AMBIENT_OCCLUSION && f.hop == hop_occlusion) {
-                    hit_item h = make_hit(g, r, f, s, material_set.materials[f.material]);
-                    out.shadow = shade_occlusion(color_set, frame, h, 1);
-                    if (HAS_AOVS) store_first_surface(g, path, capacity, r, f, s);
-                    if (HAS_AOVS) STORE_FIELD(path, spectrum, albedo, path, capacity, slot, seen_albedo(h, uniform_spectrum(1.0f)));
-                } else if (f.hop < hop_miss) {
-                    material m = material_set.materials[f.material];
-                    s = relieve_surface(tables, m, s);
-                    hit_item h = make_hit(g, r, f, s, m);
-                    store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
-                    out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h);
-                    if (HAS_AOVS && r.depth == 0) store_first_surface(g, path, capacity, r, f, s);
-                    if (HAS_AOVS && !h.seen) {
-                        kept_albedo k = albedo_any(bsdf_set, path_palette(color_set, h.seed, h.sample), hit, capacity, slot, f.hop);
-                        if (k.is) STORE_FIELD(path, spectrum, albedo, path, capacity, slot, seen_albedo(h, k.albedo));
+                next_hop next = classify_flight(g, tables, material_set, frame, r, f);
+                f.hop = next.hop;
+                f.material = next.material;
+
+                /* Shade it */
+                scattering out;
+                out.ray = r;
+                out.ray.t_max = -1.0f;
+                out.shadow = no_shadow(r.path);
+                if (ENVIRONMENTS && f.hop == hop_miss) add_radiance(path, capacity, r.path, shade_miss(light_set, color_set, make_miss(r)));
+                else if (HAS_MEDIA && f.hop == hop_scatter) out = shade_scatter(light_set, color_set, frame, make_scatter(medium_set, r, f), 1);
+                else if (f.element != NONE) {
+                    surface s = flight_surface(g, tables, r, f);
+                    if (HAS_EMITTERS && flight_emits(g, f)) {
+                        emission_item e = make_emission(g, tables, light_set, color_set, r, f, s);
+                        add_radiance(path, capacity, r.path, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
+                    }
+                    if (HAS_INTERFACE && f.hop == hop_passage) out.ray = make_passage(g, r, f, s);
+                    else if (HAS_AMBIENT_OCCLUSION && f.hop == hop_occlusion) {
+                        hit_item h = make_hit(g, r, f, s, material_set.materials[f.material]);
+                        out.shadow = shade_occlusion(color_set, frame, h, 1);
+                        if (HAS_AOVS) store_first_surface(g, path, capacity, r, f, s);
+                        if (HAS_AOVS) STORE_FIELD(path, spectrum, albedo, path, capacity, r.path, seen_albedo(h, uniform_spectrum(1.0f)));
+                    } else if (f.hop < hop_miss) {
+                        material m = material_set.materials[f.material];
+                        s = relieve_surface(tables, m, s);
+                        hit_item h = make_hit(g, r, f, s, m);
+                        store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
+                        out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h, 0u);
+                        if (HAS_TREE) { meet_light(g, tables, medium_set, color_set, path, capacity, out.shadow); out.shadow.t_max = -1.0f; }
+                        for (uint turn = 1; HAS_TREE && turn < turns; ++turn) {
+                            scattering more = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h, turn);
+                            if (more.ray.t_max >= 0.0f) waiting[rays++] = more.ray;
+                            meet_light(g, tables, medium_set, color_set, path, capacity, more.shadow);
+                        }
+                        if (HAS_AOVS && r.depth == 0) store_first_surface(g, path, capacity, r, f, s);
+                        if (HAS_AOVS && !h.seen) {
+                            kept_albedo k = albedo_any(bsdf_set, path_palette(color_set, h.seed, h.sample), hit, capacity, slot, f.hop);
+                            if (k.is) STORE_FIELD(path, spectrum, albedo, path, capacity, r.path, seen_albedo(h, k.albedo));
+                        }
                     }
                 }
-            }
 
-            /* Light from one light, and on */
-            if (out.shadow.t_max >= 0.0f) {
-                spectrum L = test_shadow(g, tables, medium_set, color_set, out.shadow);
-                if (!is_black(L)) add_radiance(path, capacity, slot, L);
+                /* Light from one light, and on */
+                meet_light(g, tables, medium_set, color_set, path, capacity, out.shadow);
+                r = out.ray;
             }
-            r = out.ray;
         }
     }
 }

@@ -1,6 +1,7 @@
 /* path -> film.  Adds a wave's samples to their pixels, in the order of the samples. A run of pixels of the tile for each work-item. */
 #include "color.clh"
 #include "queue.clh"
+#include "film/pixel.clh"
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
 
@@ -64,13 +65,24 @@ FN film_item add_sample(film_item f, path_item p, palette colors, __global const
     return f;
 }
 
+/* The path of a slot, with what all rays of its tree have gathered. */
+FN path_item gather_path(__global const settings *frame, __global const uint *path, uint capacity, uint slot) {
+    uint first = path_of_slot(frame, slot);
+    path_item p = load_path(path, capacity, first);
+    for (uint branch = 1; HAS_TREE && branch < 1u << frame->tree_forks; ++branch) {
+        p.L = add(p.L, LOAD_FIELD(path, spectrum, L, path, capacity, first + branch));
+        if (HAS_AOVS) p.albedo = add(p.albedo, LOAD_FIELD(path, spectrum, albedo, path, capacity, first + branch));
+    }
+    return p;
+}
+
 STAGE resolve_film(COLOR_ARGUMENTS __global const settings *frame, __global const uint *path, uint capacity, __global uint *film, uint tile_pixels, uint samples) {
     color_tables color_set = BIND_COLORS;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)tile_pixels);
     for (size_t pixel = first; pixel < last; ++pixel) {
         film_item f = load_film(film, tile_pixels, pixel);
         for (uint s = 0; s < samples; ++s) {
-            path_item p = load_path(path, capacity, (size_t)s * tile_pixels + pixel);
+            path_item p = gather_path(frame, path, capacity, s * tile_pixels + (uint)pixel);
             if (p.weight == 0.0f && is_black(p.L)) continue;
             if (!is_finite(p.L)) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
             f = add_sample(f, p, path_palette(color_set, p.seed, p.sample), frame);

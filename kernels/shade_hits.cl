@@ -1,6 +1,8 @@
-/* hit -> ray, shadow, slot i to slot i; path.  Scatters each path at a surface: a shadow ray to one light, and a ray on.
+/* hit -> ray, shadow, slot i to slot i; path.  Scatters each path at a surface: a shadow ray to one light, and a ray on. With trees of rays
+   it runs in turns: turn r makes the r-th ray that leaves, in slot i + r * turn_slots, and the shadow ray to the r-th light.
    Built once for each BSDF (the macro BSDF), over that BSDF's own segment of the hit queue. Straight-line, unless the BSDF loops. */
 #include "scatter.clh"
+#include "tree.clh"
 
 #ifndef JOIN
 #define JOIN_(a, b) a##b
@@ -13,7 +15,21 @@
 #define SAMPLE_BSDF   JOIN(sample_, BSDF)
 #define BSDF_IS_DELTA JOIN(BSDF, _is_delta)
 #define BSDF_LOOPS    JOIN(BSDF, _loops)
+#define BSDF_IS_MATTE JOIN(BSDF, _is_matte)
+#define SPLIT_BSDF    JOIN(split_, BSDF)
+#define BRANCH_OF     JOIN(branch_, BSDF)
 #endif
+
+/* Ray `which` of those that leave in a tree of rays. */
+FN tree_branch BRANCH_OF(__global const settings *frame, hit_item h, BSDF_BOUND b, vec3 wo, uint which, float lobe, vec2 u) {
+#if BSDF_IS_DELTA
+    return fork_branch(frame, h, SPLIT_BSDF(b, wo), which, lobe, u);
+#elif BSDF_IS_MATTE
+    return no_branch();
+#else
+    return bundle_branch(frame, h, which, lobe, u);
+#endif
+}
 
 /* A direction that knows nothing of the BSDF. */
 FN bsdf_sample JOIN(scatter_uniformly_, BSDF)(BSDF_BOUND b, vec3 wo, vec2 u) {
@@ -24,26 +40,35 @@ FN bsdf_sample JOIN(scatter_uniformly_, BSDF)(BSDF_BOUND b, vec3 wo, vec2 u) {
     return s;
 }
 
-FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __global const settings *frame, hit_item h, BSDF_BOUND b, int alive) {
+FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __global const settings *frame, hit_item h, BSDF_BOUND b, uint turn, int alive) {
     frame3 shading = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
     vec3 wo = to_local(shading, h.wo);
+    float lobe = sample_1d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_lobe));
+    vec2 u = sample_2d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_direction));
+    tree_branch way = no_branch();
+    if (HAS_TREE) { way = BRANCH_OF(frame, h, b, wo, turn, lobe, u); lobe = way.lobe; u = way.u; }
     scattering out;
 
     /* Light from one light, seen by the BSDF */
     light_sample l = no_light();
     if (!BSDF_IS_DELTA && HAS_LIGHTS) {
         vec3 seen_from = light_origin(h);
-        l = sample_light_at(lights, path_palette(colors, h.seed, h.sample), frame, h.seed, h.sample, h.depth, seen_from);
+        palette wavelengths = path_palette(colors, h.seed, h.sample);
+        l = HAS_TREE ? sample_tree_light(lights, wavelengths, frame, h, seen_from, turn)
+                     : sample_light_at(lights, wavelengths, frame, h.seed, h.sample, h.depth, seen_from);
         vec3 wi = to_local(shading, l.wi);
         spectrum f = mul(EVAL_BSDF(b, wo, wi), fabs(wi.z));
-        out.shadow = light_from_surface(h, seen_from, l, f, HAS_UNIFORM_DIRECTIONS ? INV_4PI : PDF_BSDF(b, wo, wi), alive);
+        float pdf = HAS_UNIFORM_DIRECTIONS ? INV_4PI : PDF_BSDF(b, wo, wi);
+        /* Nothing else could find it where no ray goes on */
+        if (HAS_TREE) pdf = way.spreads ? pdf : 0.0f;
+        out.shadow = light_from_surface(h, seen_from, l, f, pdf, alive);
     } else out.shadow = no_shadow(h.path);
 
     /* On along the BSDF */
-    float lobe = sample_1d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_lobe));
-    vec2 u = sample_2d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_direction));
     bsdf_sample s = HAS_UNIFORM_DIRECTIONS ? JOIN(scatter_uniformly_, BSDF)(b, wo, u) : SAMPLE_BSDF(b, wo, lobe, u);
+    if (HAS_TREE) s.weight = mul(s.weight, way.weight);
     out.ray = ray_from_surface(h, from_local(shading, s.wi), s, alive);
+    if (HAS_TREE) out.ray = grow_branch(frame, out.ray, way);
     if (BSDF_IS_DELTA) out.ray.seen = h.seen;
     return out;
 }
@@ -51,23 +76,23 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
 #ifndef AS_LIBRARY
 STAGE shade_hits(LIGHT_ARGUMENTS BSDF_ARGUMENTS COLOR_ARGUMENTS
                  __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, __global uint *path,
-                 uint capacity, uint first, uint count) {
+                 uint capacity, uint first, uint count, uint turn, uint turn_slots) {
     light_tables light_set = BIND_LIGHTS;
     bsdf_tables bsdf_set = BIND_BSDFS;
     color_tables color_set = BIND_COLORS;
     FOR_EACH_SLOT(at, count) {
-        size_t i = first + at;
+        size_t i = first + at, to = HAS_TREE ? i + turn * turn_slots : i;
         int alive = at < count;
         if (BSDF_LOOPS && !alive) {
             /* Nobody knows what such a slot would have it do */
-            STORE_FIELD(ray, float, t_max, next_ray, capacity, i, -1.0f);
+            STORE_FIELD(ray, float, t_max, next_ray, capacity, to, -1.0f);
             STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
             continue;
         }
         hit_item h = load_hit(hit, capacity, i);
         BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_palette(color_set, h.seed, h.sample));
-        scattering out = JOIN(shade_, BSDF)(light_set, color_set, frame, h, b, alive);
-        store_ray(next_ray, capacity, i, out.ray);
+        scattering out = JOIN(shade_, BSDF)(light_set, color_set, frame, h, b, turn, alive);
+        store_ray(next_ray, capacity, to, out.ray);
         if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
         else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
         if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.seen) STORE_FIELD(path, spectrum, albedo, path, capacity, h.path, seen_albedo(h, ALBEDO_BSDF(b)));

@@ -30,6 +30,7 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     r.time = s.time;
     r.seen = 1u;
     r.blurred = 1u;
+    r.forks = s.forks;
     r.eta_scale = s.eta_scale;
     r.beta = game.beta;
     r.o = s.p;

@@ -24,7 +24,7 @@ Repeat renderOnce(Session& session) {
     Profile& profile = session.profile();
     profile.reset();
     const Stopwatch time;
-    render(session.context(), session.wave(), film, session.shape(), profile, control);
+    render(session.context(), session.wave(), film, profile, control);
     const double seconds = time.seconds();
     profile.collect();
     return {seconds, profile.stages(), profile.rays, profile.shadowRays, profile.paths};

@@ -33,7 +33,7 @@ void renderFilm(const Options& o, Session& session, Film& film) {
         bar.show(p);
     };
     control.stop = [&] { return Interrupt::signal() != 0 || (o.output.timeLimit && isWhole && time.seconds() > *o.output.timeLimit); };
-    render(session.context(), session.wave(), film, session.shape(), session.profile(), control);
+    render(session.context(), session.wave(), film, session.profile(), control);
 }
 
 /// Says what the image lacks, if it lacks anything.

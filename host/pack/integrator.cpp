@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 namespace eikonal {
+
+static_assert(mostTreeRays == MOST_TREE_RAYS);
 
 static std::string titleOf(const IntegratorDescription& integrator) {
     const auto* name = std::ranges::find(integratorNames, integrator.kind, &std::pair<const char*, IntegratorKind>::second);
@@ -19,6 +22,9 @@ bool samplesLights(const IntegratorDescription& integrator) {
     if (integrator.kind == IntegratorKind::randomWalk) return false;
     return integrator.kind != IntegratorKind::simplePath || integrator.sampleLights;
 }
+
+/// The most scattering events that the field `depth` of a ray has room for beside the number of its branch (kernels/dimension.clh).
+constexpr int mostTreeDepth = 0xffff;
 
 void packIntegrator(Packer& packer, bool hasUnusedMedia) {
     const IntegratorDescription& integrator = packer.scene.integrator;
@@ -43,6 +49,13 @@ void packIntegrator(Packer& packer, bool hasUnusedMedia) {
             break;
         case IntegratorKind::simplePath: case IntegratorKind::randomWalk:
             if (integrator.kind == IntegratorKind::randomWalk || !integrator.sampleBsdf) packer.packed.require(Feature::UNIFORM_DIRECTIONS, why);
+            break;
+        case IntegratorKind::whitted:
+            depth = std::min(depth, mostTreeDepth);
+            packer.packed.require(Feature::TREE, why);
+            frame.tree_forks = static_cast<uint>(std::countr_zero(static_cast<unsigned>(integrator.rays)));
+            frame.tree_bundle = integrator.bundle ? static_cast<uint>(std::countr_zero(static_cast<unsigned>(integrator.bundle))) : NONE;
+            frame.tree_threshold = static_cast<float>(integrator.threshold);
             break;
     }
     frame.max_depth = static_cast<uint>(depth);

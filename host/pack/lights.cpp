@@ -341,6 +341,10 @@ private:
         }
         tables_.light_aliases = makeAliasTable(powers_);
         for (size_t i = 0; i < powers_.size(); ++i) tables_.lights[i].pmf = tables_.light_aliases[i].pmf;
+        if (packer_.scene.integrator.kind == IntegratorKind::whitted && powers_.size() <= MOST_TREE_LIGHTS) {
+            for (light& l : tables_.lights) l.pmf = l.pmf > 0 ? 1.0f : 0.0f;
+            packer_.packed.frame().tree_lights = static_cast<uint>(powers_.size());
+        }
         packer_.packed.require(Feature::LIGHTS, std::to_string(powers_.size()) + " lights");
     }
 

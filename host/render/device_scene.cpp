@@ -1,8 +1,17 @@
 #include "render/device_scene.h"
 
+#include <algorithm>
+
 namespace eikonal {
 
-DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : maxDepth_(scene.frame().max_depth) {
+Branching Branching::of(const PackedScene& scene) {
+    if (!scene.features.has(Feature::TREE)) return {};
+    const settings& frame = scene.frame();
+    const unsigned branches = std::max(2u, frame.tree_bundle == NONE ? 0 : 1u << std::min(frame.tree_bundle, frame.tree_forks));
+    return {frame.tree_forks, branches, std::max(branches, frame.tree_lights)};
+}
+
+DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : maxDepth_(scene.frame().max_depth), branching_(Branching::of(scene)) {
     const auto upload = [&](const auto& table, const char* name) {
         using Element = typename std::decay_t<decltype(table)>::value_type;
         buffers_.push_back(Buffer::of<Element>(context, table, std::string("table ") + name));

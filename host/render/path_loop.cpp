@@ -22,22 +22,24 @@ static std::string loopText(const Features& features) {
 
 PathLoop::PathLoop(const Context& context, Compiler& compiler, const DeviceScene& deviceScene, const PackedScene& scene, const StageShape& shape,
                    const BuildSettings& settings, Profile& profile)
-    : context_(context), scene_(deviceScene), shape_(shape), profile_(profile) {
+    : context_(context), scene_(deviceScene), shape_(shape), mostPaths_(std::max(shape.wavePaths >> deviceScene.branching().forks, 1u)), profile_(profile) {
     const BuildSettings complete = completeSettings(settings, scene, shape);
     loop_ = Kernel(compiler.build(loopText(complete.features), "loop", complete));
     resolve_ = Kernel(compiler.build("#include \"resolve_film.cl\"\n", "resolve_film", complete));
-    const unsigned capacity = shape.padded(shape.wavePaths);
+    const unsigned capacity = shape.padded(mostPaths_ << deviceScene.branching().forks);
     const auto words = [&](int count) { return static_cast<size_t>(capacity) * static_cast<size_t>(count) * sizeof(cl_uint); };
     hit_ = Buffer(context, words(queueLayout("hit", complete.features).words + bsdfWords(complete.features)), "hits");
     path_ = Buffer(context, words(queueLayout("path", complete.features).words), "paths");
     bindings_.set("hit", hit_);
     bindings_.set("path", path_);
     bindings_.set("capacity", capacity);
+    bindings_.set("turns", deviceScene.branching().turns);
     bindings_.set("most_hops", mostHops(deviceScene));
 }
 
 void PathLoop::trace(const Tile& tile, int endX, int endY) {
     bindTile(bindings_, tile, endX, endY);
+    if (scene_.branching().forks) path_.clear(context_, 0, path_.size());
     bindings_.set("count", tile.paths());
     profile_.add("loop", tile.paths(), loop_.launch(context_, scene_.bindings(), bindings_, shape_.workItems(tile.paths()), shape_.localSize));
     context_.finish();

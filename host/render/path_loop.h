@@ -12,6 +12,7 @@ class PathLoop : public Tracer {
 public:
     PathLoop(const Context& context, Compiler& compiler, const DeviceScene& deviceScene, const PackedScene& scene, const StageShape& shape,
              const BuildSettings& settings, Profile& profile);
+    unsigned mostPaths() const override { return mostPaths_; }
     void trace(const Tile& tile, int endX, int endY) override;
     void resolve(const Tile& tile, const Buffer& film) override;
 
@@ -19,6 +20,7 @@ private:
     const Context& context_;
     const DeviceScene& scene_;
     StageShape shape_;
+    unsigned mostPaths_;
     Profile& profile_;
     Kernel loop_, resolve_;
     Buffer hit_, path_;

@@ -30,22 +30,22 @@ constexpr unsigned smallestTile = 1024;
 /// What the next pass over the image is: its tiles and how many samples of each pixel. As few samples as fill a wave at first,
 /// then about twice as many as there are already, so that the whole image is there early and waves get compact later.
 struct Pass { unsigned tilePixels, samples; };
-static Pass nextPass(unsigned done, unsigned left, const PixelRect& rect, const StageShape& shape) {
+static Pass nextPass(unsigned done, unsigned left, const PixelRect& rect, unsigned mostPaths) {
     const unsigned long pixels = static_cast<unsigned long>(rect.width()) * static_cast<unsigned long>(rect.height());
-    const unsigned fill = static_cast<unsigned>(std::max<unsigned long>(shape.wavePaths / std::max(pixels, 1ul), 1));
+    const unsigned fill = static_cast<unsigned>(std::max<unsigned long>(mostPaths / std::max(pixels, 1ul), 1));
     const unsigned wanted = std::min(std::max(fill, done + 1), left);
-    const unsigned tilePixels = std::bit_floor(std::max(shape.wavePaths / wanted, std::min(smallestTile, shape.wavePaths)));
-    return {tilePixels, std::min(left, std::max(shape.wavePaths / tilePixels, 1u))};
+    const unsigned tilePixels = std::bit_floor(std::max(mostPaths / wanted, std::min(smallestTile, mostPaths)));
+    return {tilePixels, std::min(left, std::max(mostPaths / tilePixels, 1u))};
 }
 
-unsigned render(const Context& context, Tracer& tracer, Film& film, const StageShape& shape, Profile& profile, const RenderControl& control) {
+unsigned render(const Context& context, Tracer& tracer, Film& film, Profile& profile, const RenderControl& control) {
     const PixelRect& rect = film.pixels();
     const auto start = std::chrono::steady_clock::now();
     const double allSamples = control.endSample - control.firstSample;
     Buffer tileFilm;
     unsigned done = 0;
     while (control.firstSample + done < control.endSample) {
-        const auto [tilePixels, samples] = nextPass(done, control.endSample - control.firstSample - done, rect, shape);
+        const auto [tilePixels, samples] = nextPass(done, control.endSample - control.firstSample - done, rect, tracer.mostPaths());
         const TileSize size = chooseTileSize(rect, tilePixels);
         const int width = 1 << size.log2Width, height = 1 << size.log2Height;
         tileFilm = Buffer(context, static_cast<size_t>(width) * static_cast<size_t>(height) * static_cast<size_t>(film.words()) * sizeof(uint), "a tile of the film");

@@ -25,7 +25,7 @@ struct RenderControl {
 
 /// Renders the film's pixels. Every pixel gets its samples in order, so stopping, tiling and wave size change no bit of those it has.
 /// Returns the number of samples that every pixel has.
-unsigned render(const Context& context, Tracer& tracer, Film& film, const StageShape& shape, Profile& profile, const RenderControl& control);
+unsigned render(const Context& context, Tracer& tracer, Film& film, Profile& profile, const RenderControl& control);
 
 /// How wide and high, as powers of two, tiles of at most `pixels` pixels should be to cover a rectangle with the fewest of them.
 struct TileSize { int log2Width, log2Height; };

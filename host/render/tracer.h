@@ -28,6 +28,8 @@ unsigned mostHops(const DeviceScene& scene);
 class Tracer {
 public:
     virtual ~Tracer() = default;
+    /// The most paths of a tile that it takes.
+    virtual unsigned mostPaths() const = 0;
     /// Follows every path of a tile from the camera to its end. endX, endY: no pixel from there on. Enqueues.
     virtual void trace(const Tile& tile, int endX, int endY) = 0;
     /// Adds the traced paths to the tile of the film in `film`. Enqueues.

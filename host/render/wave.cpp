@@ -2,12 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace eikonal {
 
-/// Room for every path, for the segments of the hit queue to begin at multiples of a group, and for paths that nobody has.
-static unsigned capacityFor(const StageShape& shape) { return shape.padded(shape.wavePaths) + (hops + 1) * shape.group(); }
+static unsigned mostPathsFor(const StageShape& shape, const Branching& branching) { return std::max(shape.wavePaths >> branching.forks, 1u); }
+
+/// Room for every ray of every path, for the segments of the hit queue to begin at multiples of a group, as often as rays may leave a
+/// surface; and for paths that nobody has.
+static unsigned capacityFor(const StageShape& shape, const Branching& branching) {
+    const unsigned rays = mostPathsFor(shape, branching) << branching.forks;
+    return branching.branches * (shape.padded(rays) + hops * shape.group()) + shape.group();
+}
 
 struct PlannedQueue { QueueLayout layout; size_t items; std::string name; };
 
@@ -26,18 +33,20 @@ static std::vector<PlannedQueue> queuesFor(const Features& features, bool hasMis
 
 size_t Wave::plannedBytes(const PackedScene& scene, const StageShape& shape) {
     size_t bytes = 0;
-    for (const PlannedQueue& q : queuesFor(scene.features, scene.environments > 0, capacityFor(shape)))
+    for (const PlannedQueue& q : queuesFor(scene.features, scene.environments > 0, capacityFor(shape, Branching::of(scene))))
         bytes += q.items * static_cast<size_t>(q.layout.words) * sizeof(cl_uint);
     return bytes;
 }
 
 Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile)
-    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), capacity_(capacityFor(shape)),
-      mostHops_(mostHops(scene)) {
+    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), branching_(scene.branching()),
+      mostPaths_(mostPathsFor(shape, branching_)), capacity_(capacityFor(shape, branching_)), mostHops_(mostHops(scene)),
+      tMaxSlot_(queueLayout("ray", features).field("t_max").slot) {
     for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), capacity_)) {
         addQueue(queue.layout, queue.items, queue.name);
         if (queue.name == "ray") rays_[0] = &buffers_.back();
         if (queue.name == "next_ray") rays_[1] = &buffers_.back();
+        if (queue.name == "path") paths_ = &buffers_.back();
     }
     counts_ = Buffer(context, sizeof(Counts), "counts");
     cursors_ = Buffer(context, sizeof(Counts), "cursors");
@@ -84,16 +93,38 @@ Wave::Counts Wave::countAndRoute(unsigned rays) {
     return counts;
 }
 
-unsigned Wave::shade(const Counts& counts) {
-    run(counts[hop_miss] ? stages_.find("shade_misses") : nullptr, counts[hop_miss], segment(0, counts[hop_miss]));
-    run(counts[hop_emission] ? stages_.find("shade_emitters") : nullptr, counts[hop_emission], segment(0, counts[hop_emission]));
+/// Rays that pass an interface are in the first of the slots that belong to their branches; in the others there is none.
+void Wave::endPassages(const Counts& counts, unsigned slots) {
+    const std::vector<float> dead(shape_.padded(counts[hop_passage]), -1.0f);
+    for (unsigned branch = 1; branch < branching_.branches; ++branch)
+        rays_[1]->write(context_, dead.data(), dead.size() * sizeof(float), (static_cast<size_t>(tMaxSlot_) * capacity_ + branch * slots) * sizeof(float));
+}
+
+/// Everything that scatters: the `turn`-th ray on from each point, and light from one light, or with trees of rays from the `turn`-th.
+void Wave::shadeTurn(const Counts& counts, unsigned turn, unsigned slots) {
     unsigned first = 0;
     for (uint hop = 0; hop < hop_miss; ++hop) {
         const Stage* stage = hop == hop_scatter ? stages_.find("shade_scatters") : hop == hop_occlusion ? stages_.find("shade_occlusions") : stages_.shading(hop);
-        if (counts[hop]) run(stage, counts[hop], segment(first, counts[hop]));
+        Bindings own = segment(first, counts[hop]);
+        own.set("turn", turn);
+        own.set("turn_slots", slots);
+        /* More lights than rays: what is written as rays on must not be read */
+        if (turn >= branching_.branches) { own.set("turn_slots", 0); own.set("next_ray", *rays_[0]); }
+        if (counts[hop]) run(stage, counts[hop], own);
         first += shape_.padded(counts[hop]);
     }
-    return first;
+    run(slots ? stages_.find("test_shadows") : nullptr, slots, segment(0, slots));
+}
+
+/// Returns how many slots of the queue of rays may hold one.
+unsigned Wave::shade(const Counts& counts) {
+    run(counts[hop_miss] ? stages_.find("shade_misses") : nullptr, counts[hop_miss], segment(0, counts[hop_miss]));
+    run(counts[hop_emission] ? stages_.find("shade_emitters") : nullptr, counts[hop_emission], segment(0, counts[hop_emission]));
+    unsigned slots = 0;
+    for (uint hop = 0; hop < hop_miss; ++hop) slots += shape_.padded(counts[hop]);
+    for (unsigned turn = 0; turn < branching_.turns; ++turn) shadeTurn(counts, turn, slots);
+    if (counts[hop_passage]) endPassages(counts, slots);
+    return slots * branching_.branches;
 }
 
 void Wave::trace(const Tile& tile, int endX, int endY) {
@@ -101,6 +132,7 @@ void Wave::trace(const Tile& tile, int endX, int endY) {
     bindings_.set("ray", *rays_[0]);
     bindings_.set("next_ray", *rays_[1]);
     tally_.clear(context_, 0, tallies * sizeof(cl_uint));
+    if (branching_.forks) paths_->clear(context_, 0, paths_->size());
 
     run(stages_.find("generate_rays"), tile.paths(), segment(0, tile.paths()));
     unsigned rays = tile.paths();
@@ -108,8 +140,7 @@ void Wave::trace(const Tile& tile, int endX, int endY) {
         run(stages_.find("intersect_rays"), rays, segment(0, rays));     // ray -> flight
         run(stages_.find("extinguish_rays"), rays, segment(0, rays));    // flight -> flight, if there are media
         const Counts counts = countAndRoute(rays);                       // flight -> hit, scatter, miss, emission, next ray
-        rays = shade(counts);                                            // -> path, next ray, shadow
-        run(rays ? stages_.find("test_shadows") : nullptr, rays, segment(0, rays));  // shadow -> path
+        rays = shade(counts);                                            // -> path, next ray, shadow -> path
         std::swap(rays_[0], rays_[1]);
         bindings_.set("ray", *rays_[0]);
         bindings_.set("next_ray", *rays_[1]);
@@ -129,7 +160,7 @@ void Wave::resolve(const Tile& tile, const Buffer& film) {
 void Wave::warmUp() {
     const Buffer film(context_, 1024, "film");
     Bindings nothing = segment(0, 0);
-    for (const char* name : {"tile_x", "tile_y", "tile_log2_width", "tile_log2_height", "end_x", "end_y", "first_sample", "samples", "tile_pixels"})
+    for (const char* name : {"turn", "turn_slots", "tile_x", "tile_y", "tile_log2_width", "tile_log2_height", "end_x", "end_y", "first_sample", "samples", "tile_pixels"})
         nothing.set(name, 0u);
     nothing.set("film", film);
     nothing.set("ray", *rays_[0]);

@@ -20,6 +20,7 @@ public:
     /// Runs every kernel once over nothing, so that an implementation that compiles at the first launch does it now.
     void warmUp();
 
+    unsigned mostPaths() const override { return mostPaths_; }
     /// Waits only for one small read a bounce.
     void trace(const Tile& tile, int endX, int endY) override;
     void resolve(const Tile& tile, const Buffer& film) override;
@@ -34,18 +35,23 @@ private:
     void run(const Stage* stage, unsigned items, const Bindings& extra);
     Counts countAndRoute(unsigned rays);
     unsigned shade(const Counts& counts);
+    void shadeTurn(const Counts& counts, unsigned turn, unsigned slots);
+    void endPassages(const Counts& counts, unsigned slots);
 
     const Context& context_;
     const Bindings& scene_;
     Stages& stages_;
     StageShape shape_;
     Profile& profile_;
-    unsigned capacity_;
+    Branching branching_;
+    unsigned mostPaths_, capacity_;
     unsigned mostHops_;   ///< after so many a path ends, wherever it is
     std::list<Buffer> buffers_;
     Buffer counts_, cursors_, tally_;
     Bindings bindings_;
-    std::array<const Buffer*, 2> rays_{};
+    std::array<Buffer*, 2> rays_{};
+    Buffer* paths_ = nullptr;
+    int tMaxSlot_;        ///< where queue ray has its t_max
     size_t bytes_ = 0;
 };
 

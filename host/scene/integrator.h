@@ -9,13 +9,16 @@
 
 namespace eikonal {
 
-enum class IntegratorKind { volpath, path, direct, ambientOcclusion, simplePath, randomWalk };
+enum class IntegratorKind { volpath, path, direct, whitted, ambientOcclusion, simplePath, randomWalk };
 
 /// As scenes and --integrator name them.
 inline constexpr std::pair<const char*, IntegratorKind> integratorNames[] = {
-    {"volpath", IntegratorKind::volpath}, {"path", IntegratorKind::path}, {"direct", IntegratorKind::direct},
+    {"volpath", IntegratorKind::volpath}, {"path", IntegratorKind::path}, {"direct", IntegratorKind::direct}, {"whitted", IntegratorKind::whitted},
     {"ambientocclusion", IntegratorKind::ambientOcclusion}, {"simplepath", IntegratorKind::simplePath}, {"simplevolpath", IntegratorKind::volpath},
     {"randomwalk", IntegratorKind::randomWalk}};
+
+/// The most rays that a camera ray may become with IntegratorKind::whitted.
+constexpr int mostTreeRays = 64;
 
 struct IntegratorDescription {
     IntegratorKind kind = IntegratorKind::volpath;
@@ -27,6 +30,9 @@ struct IntegratorDescription {
     bool cosine = true;                    ///< ambientOcclusion: whether directions follow the cosine; if not, they are uniform
     double maxDistance = 0;                ///< ambientOcclusion: what is farther away does not occlude, world units; 0: everything does
     ColorSpace colorSpace = ColorSpace::srgb;  ///< ambientOcclusion: whose white the light has
+    int rays = 16;                         ///< whitted: the most that a camera ray may become, a power of two, at most mostTreeRays
+    int bundle = 4;                        ///< whitted: how many leave a rough surface, 0 or a power of two, at most mostTreeRays
+    double threshold = 0.004;              ///< whitted: rays of less weight are not followed
     SourceLocation where;
 };
 

@@ -36,6 +36,7 @@
     F(SOBOL,            "a low-discrepancy sampler") \
     F(REGULARIZE,       "an integrator that regularizes") \
     F(AMBIENT_OCCLUSION, "an integrator that only looks for what is near") \
+    F(TREE,             "an integrator that follows trees of rays") \
     F(UNIFORM_DIRECTIONS, "an integrator that knows of no better directions than uniform ones") \
     F(AOVS,             "auxiliary image channels")
 

@@ -16,12 +16,13 @@
     F(q, uint,     path,       ALWAYS)       /* index of its path state */ \
     F(q, uint,     seed,       ALWAYS)       /* hash of its pixel: which random sequence */ \
     F(q, uint,     sample,     ALWAYS)       /* index in that sequence */ \
-    F(q, uint,     depth,      ALWAYS)       /* scattering events so far; interfaces do not count */ \
+    F(q, uint,     depth,      ALWAYS)       /* scattering events so far; interfaces do not count. With TREE: dimension.clh */ \
     F(q, spectrum, beta,       ALWAYS)       /* throughput: contribution of the path so far over its density */ \
     F(q, float,    time,       MOTION)       /* in [0, 1]: between the start and the end of all motion */ \
     F(q, uint,     seen,       AOVS)         /* 1 from where something other than mirrors and clear glass was met */ \
     F(q, uint,     blurred,    REGULARIZE)   /* whether it has been scattered by anything but delta distributions */ \
     F(q, uint,     one_wave,   DISPERSION)   /* 1: only the first wavelength is left, and stands for all */ \
+    F(q, uint,     forks,      TREE)         /* how often it may still fork in two: it owns 2^forks path states, from `path` on */ \
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices, undone for Russian roulette */ \
     F(q, spectrum, r_u,        MEDIA)        /* density of this path under its own strategy, per channel, relative */
 

@@ -120,6 +120,11 @@ typedef struct {
     GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) BSDF_TABLES(T) MEDIUM_TABLES(T) COLOR_TABLES(T) CAMERA_TABLES(T) \
     T(settings,       frame)
 
+/* The most rays that a camera ray may become (kernels/tree.clh). */
+#define MOST_TREE_RAYS 64
+/* With so many lights it looks at all of them at each surface, otherwise at one that it chooses. */
+#define MOST_TREE_LIGHTS 16
+
 /* What holds for a whole render; a table of one element. */
 typedef struct {
     camera view;
@@ -132,6 +137,10 @@ typedef struct {
     color ambient;         /* AMBIENT_OCCLUSION: what arrives from where nothing is near */
     float ambient_distance; /* how near that is, scene units */
     uint ambient_cosine;   /* 1: directions follow the cosine; 0: they are uniform */
+    uint tree_forks;       /* TREE: a camera ray may become 2^tree_forks rays */
+    uint tree_bundle;      /* 2^tree_bundle rays leave a rough surface; NONE: none */
+    uint tree_lights;      /* so many lights are looked at, each of pmf 1; 0: one is chosen */
+    float tree_threshold;  /* rays of less weight are not followed */
     uint light_count;
     float world_scale;     /* world units in one unit of scene space */
     uint sensor_curves;    /* with SPECTRAL, in `curves`: three, linear sRGB of the image for light of each wavelength */

@@ -90,6 +90,7 @@ typedef struct {{
     rgb f, f_back; float pdf_here;
     rgb f_given; float pdf_given;
     int kind_is_delta, is_random, is_one_way;
+    float split;
 }} bsdf_result;
 #if HAS_SPECTRAL
 FN rgb three_of(spectrum s) {{ return make_rgb(s.r, s.g, s.x); }}
@@ -101,6 +102,9 @@ FN rgb three_of(spectrum s) {{ return make_rgb(s.r, s.g, s.b); }}
 #endif
 #ifndef {0}_is_one_way
 #define {0}_is_one_way 0
+#endif
+#if !{0}_is_delta
+FN float split_{0}({0}_bound b, vec3 wo) {{ return 0.0f; }}
 #endif
 )", name);
     text.tables = "BSDF_ARGUMENTS COLOR_ARGUMENTS";
@@ -117,7 +121,8 @@ FN rgb three_of(spectrum s) {{ return make_rgb(s.r, s.g, s.b); }}
     result.pdf_given = pdf_{0}(b, wo, given);
     result.kind_is_delta = {0}_is_delta;
     result.is_random = {0}_is_random;
-    result.is_one_way = {0}_is_one_way;)", name);
+    result.is_one_way = {0}_is_one_way;
+    result.split = split_{0}(b, wo);)", name);
     return text;
 }
 

@@ -29,6 +29,7 @@ struct BsdfResult {
     spectrum f, fBack; float pdfHere;                              ///< eval_x(wo, wi), eval_x(wi, wo), pdf_x(wo, wi) at that wi
     spectrum fGiven; float pdfGiven;                               ///< eval_x and pdf_x at (wo, given)
     int kindIsDelta, isRandom, isOneWay;                           ///< x_is_delta, x_is_random, x_is_one_way
+    float split;                                                   ///< split_x of a delta distribution
 };
 
 struct BsdfInputs {

@@ -256,6 +256,20 @@ TEST_P(EveryBsdf, MirrorsAndRefractsExactly) {
     }
 }
 
+/// What trees of rays go by: below the split it reflects, above it transmits.
+TEST_P(EveryBsdf, SplitsBetweenReflectionAndTransmission) {
+    if (!isDelta()) GTEST_SKIP() << "not a delta distribution";
+    const BsdfInputs in = various(20000, Range::smooth, 1e-3f);
+    const auto results = probe(in);
+    for (size_t i = 0; i < results.size(); ++i) {
+        const BsdfResult& r = results[i];
+        ASSERT_GE(r.split, 0) << describeItem(in, i);
+        ASSERT_LE(r.split, 1) << describeItem(in, i);
+        if (largest(r.weight) == 0) continue;
+        ASSERT_EQ(r.wi.z * in.wo[i].z > 0, in.lobe[i] < r.split) << describeItem(in, i);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Bsdfs, EveryBsdf, testing::ValuesIn(bsdfKinds()), [](const auto& info) { return info.param.name + (info.param.spectral ? "_spectral" : ""); });
 
 }  // namespace

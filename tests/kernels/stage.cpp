@@ -58,6 +58,7 @@ StageBench::StageBench(const PackedScene& scene, unsigned paths, bool poisonItem
         bindings_.set(name, buffers_[name]);
     }
     bindings_.set("capacity", capacity_);
+    for (const char* name : {"turn", "turn_slots"}) bindings_.set(name, 0u);
 }
 
 QueueWords StageBench::empty(const std::string& queue) const { return {layouts_.at(queue).first, layouts_.at(queue).second, poison}; }

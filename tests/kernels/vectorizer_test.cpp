@@ -57,7 +57,10 @@ std::vector<VectorCase> cases() {
         list.push_back(c);
     }
     /* Of other integrators */
+    const std::string tree = "Integrator \"whitted\"\n";
     list.push_back({"shade_occlusions", "shade_occlusions", sphereOf("\"diffuse\""), "Integrator \"ambientocclusion\"\n"});
+    list.push_back({"shade_hits_of_a_tree", "shade_hits specular_dielectric", sphereOf("\"dielectric\""), tree});
+    list.push_back({"shade_hits_of_a_bundle", "shade_hits conductor", sphereOf("\"conductor\" \"float roughness\" 0.3"), tree});
     return list;
 }
 

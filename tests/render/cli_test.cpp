@@ -234,7 +234,7 @@ TEST_F(Cli, TheIntegratorMayBeChosen) {
     EXPECT_THAT(chosen.out, HasSubstr("AMBIENT_OCCLUSION"));
     const Outcome unknown = run({"info", "photons.pbrt", "--integrator", "bdpt"});
     EXPECT_EQ(unknown.status, 2);
-    EXPECT_THAT(unknown.error, HasSubstr("--integrator is one of volpath, path, direct"));
+    EXPECT_THAT(unknown.error, HasSubstr("--integrator is one of volpath, path, direct, whitted"));
 }
 
 // ---- what is printed ----------------------------------------------------------------------------------------------------

@@ -70,7 +70,7 @@ Features allButMethods() {
     using enum Feature;
     Features methods;
     for (Feature f : {SPECTRAL, DISPERSION, ANISOTROPY, SHAPE_CURVE, FILTER, SOBOL, LENS, CAMERA_MOTION, MEDIA, FOCI,
-                      AMBIENT_OCCLUSION, UNIFORM_DIRECTIONS}) methods.require(f);
+                      AMBIENT_OCCLUSION, TREE, UNIFORM_DIRECTIONS}) methods.require(f);
 #define REQUIRE(name, FEATURE) methods.require(Feature::FEATURE);
     MEDIA_KINDS(REQUIRE) CAMERAS(REQUIRE)
 #undef REQUIRE

@@ -27,7 +27,7 @@ FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {
     Film film(static_cast<int>(scene.frame().width), static_cast<int>(scene.frame().height), scene.pixels, scene.features);
     RenderControl control;
     control.endSample = static_cast<unsigned>(scene.samples);
-    render(device(), loop, film, setup.shape, profile, control);
+    render(device(), loop, film, profile, control);
     return film.develop(scene);
 }
 

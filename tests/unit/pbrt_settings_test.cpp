@@ -135,7 +135,14 @@ TEST_F(PbrtSettings, parametersOfIntegrators) {
     EXPECT_FALSE(read("\"ambientocclusion\" \"bool cossample\" false").cosine);
     EXPECT_EQ(read("\"ambientocclusion\" \"float maxdistance\" 2.5").maxDistance, 2.5);
     EXPECT_EQ(settings("ColorSpace \"rec2020\" Integrator \"ambientocclusion\"").integrator.colorSpace, ColorSpace::rec2020);
+    const IntegratorDescription tree = read("\"whitted\" \"integer rays\" 64 \"integer bundle\" 0 \"float threshold\" 0.1");
+    EXPECT_EQ(tree.rays, 64);
+    EXPECT_EQ(tree.bundle, 0);
+    EXPECT_EQ(tree.threshold, 0.1);
     EXPECT_THAT(warnings_, IsEmpty());
+    for (const char* rays : {"0", "3", "128", "-2"})
+        EXPECT_THAT(errorOfSettings("Integrator \"whitted\" \"integer rays\" " + std::string(rays)), HasSubstr("a power of two from 1 to 64"));
+    EXPECT_THAT(errorOfSettings("Integrator \"whitted\" \"integer bundle\" 5"), HasSubstr("test.pbrt:1:22: error: \"integer bundle\" is 5; it must be 0 or a power of two from 1 to 64"));
     EXPECT_THAT(errorOfSettings("Integrator \"ambientocclusion\" \"float maxdistance\" 0"), HasSubstr("(0, inf)"));
     EXPECT_THAT(errorOfSettings("Integrator \"directlighting\""), HasSubstr("\"direct\""));
 }

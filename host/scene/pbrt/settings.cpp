@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -73,6 +74,7 @@ const KindTable& integratorKinds() {
         {"randomwalk", int(IntegratorKind::randomWalk), ""},
         {"ambientocclusion", int(IntegratorKind::ambientOcclusion), "bool cossample = true; float maxdistance in (0, inf)"},
         {"direct", int(IntegratorKind::direct), ""},
+        {"whitted", int(IntegratorKind::whitted), "integer rays = 16; integer bundle = 4; float threshold = 0.004 in [0, 1)"},
         {"lightpath", int(IntegratorKind::volpath), "", instead},
         {"bdpt", int(IntegratorKind::volpath), "bool visualizestrategies = false; bool visualizeweights = false; bool regularize = false", instead},
         {"mlt", int(IntegratorKind::volpath),
@@ -287,6 +289,15 @@ void Settings::applySampler(const Arguments& arguments) {
     if (arguments.has("seed")) sampler.seed = arguments.integer("seed");
 }
 
+/// Throws SceneError unless it is a power of two from 1 to mostTreeRays, or the number that `orElse` is.
+static int treeRays(const Arguments& arguments, const std::string& name, int orElse) {
+    const int rays = arguments.integer(name);
+    if (rays != orElse && (rays < 1 || rays > mostTreeRays || !std::has_single_bit(static_cast<unsigned>(rays))))
+        throw SceneError(arguments.whereOf(name), fmt::format("\"integer {}\" is {}; it must be {}a power of two from 1 to {}", name, rays,
+                                                              orElse == 0 ? "0 or " : "", mostTreeRays));
+    return rays;
+}
+
 void Settings::applyIntegrator(const Arguments& arguments) {
     IntegratorDescription& integrator = reading_.scene.integrator;
     const Kind& kind = arguments.kind();
@@ -304,6 +315,11 @@ void Settings::applyIntegrator(const Arguments& arguments) {
         integrator.cosine = arguments.flag("cossample");
         if (arguments.has("maxdistance")) integrator.maxDistance = arguments.number("maxdistance");
         integrator.colorSpace = arguments.space();
+    }
+    if (integrator.kind == IntegratorKind::whitted) {
+        integrator.rays = treeRays(arguments, "rays", 1);
+        integrator.bundle = treeRays(arguments, "bundle", 0);
+        integrator.threshold = arguments.number("threshold");
     }
 }
 

@@ -30,7 +30,6 @@ constexpr Change changes[] = {
     {"sampler", "lowdiscrepancy", "\"paddedsobol\""},
     {"sampler", "maxmindist", "\"pmj02bn\""},
     {"integrator", "directlighting", "\"direct\""},
-    {"integrator", "whitted", "\"path\""},
     {"camera", "environment", "\"spherical\""},
     {"shape", "cone", nothing},
     {"shape", "hyperboloid", nothing},
