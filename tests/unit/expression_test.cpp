@@ -75,7 +75,7 @@ TEST(Expressions, HaveTheFunctionsOfTheDocument) {
 
 /// What is written twice is computed once, and numbers are put together.
 TEST(Expressions, AreShort) {
-    EXPECT_EQ(implicitProgram(readExpression("(x^2 + y^2 - 2*3)*(y*0.5/.25) + (x^2 + y^2 - 6)", start), start).size(), 7u);
+    EXPECT_EQ(implicitProgram(readExpression("(x^2 + y^2 - 2*3)*(y*0.5/.25) + (x^2 + y^2 - 6)", start), start).size(), 8u);
     EXPECT_EQ(implicitProgram(readExpression("x*x - 1", start), start).front().operation, static_cast<uint>(implicit_square));
     EXPECT_EQ(implicitProgram(readExpression("z", start), start).size(), 1u);
 }
