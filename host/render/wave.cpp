@@ -40,8 +40,7 @@ size_t Wave::plannedBytes(const PackedScene& scene, const StageShape& shape) {
 
 Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile)
     : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), branching_(scene.branching()),
-      mostPaths_(mostPathsFor(shape, branching_)), capacity_(capacityFor(shape, branching_)), mostHops_(mostHops(scene)),
-      tMaxSlot_(queueLayout("ray", features).field("t_max").slot) {
+      mostPaths_(mostPathsFor(shape, branching_)), capacity_(capacityFor(shape, branching_)), mostHops_(mostHops(scene)) {
     for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), capacity_)) {
         addQueue(queue.layout, queue.items, queue.name);
         if (queue.name == "ray") rays_[0] = &buffers_.back();
@@ -93,14 +92,8 @@ Wave::Counts Wave::countAndRoute(unsigned rays) {
     return counts;
 }
 
-/// Rays that pass an interface are in the first of the slots that belong to their branches; in the others there is none.
-void Wave::endPassages(const Counts& counts, unsigned slots) {
-    const std::vector<float> dead(shape_.padded(counts[hop_passage]), -1.0f);
-    for (unsigned branch = 1; branch < branching_.branches; ++branch)
-        rays_[1]->write(context_, dead.data(), dead.size() * sizeof(float), (static_cast<size_t>(tMaxSlot_) * capacity_ + branch * slots) * sizeof(float));
-}
-
-/// Everything that scatters: the `turn`-th ray on from each point, and light from one light, or with trees of rays from the `turn`-th.
+/// Everything that scatters: the `turn`-th ray on from each point, and light from one light, or with trees of rays from the `turn`-th. (Where there
+/// are trees there are no media, and so no rays that pass an interface.)
 void Wave::shadeTurn(const Counts& counts, unsigned turn, unsigned slots) {
     unsigned first = 0;
     for (uint hop = 0; hop < hop_miss; ++hop) {
@@ -123,7 +116,6 @@ unsigned Wave::shade(const Counts& counts) {
     unsigned slots = 0;
     for (uint hop = 0; hop < hop_miss; ++hop) slots += shape_.padded(counts[hop]);
     for (unsigned turn = 0; turn < branching_.turns; ++turn) shadeTurn(counts, turn, slots);
-    if (counts[hop_passage]) endPassages(counts, slots);
     return slots * branching_.branches;
 }
 

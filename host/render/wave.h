@@ -36,7 +36,6 @@ private:
     Counts countAndRoute(unsigned rays);
     unsigned shade(const Counts& counts);
     void shadeTurn(const Counts& counts, unsigned turn, unsigned slots);
-    void endPassages(const Counts& counts, unsigned slots);
 
     const Context& context_;
     const Bindings& scene_;
@@ -51,7 +50,6 @@ private:
     Bindings bindings_;
     std::array<Buffer*, 2> rays_{};
     Buffer* paths_ = nullptr;
-    int tMaxSlot_;        ///< where queue ray has its t_max
     size_t bytes_ = 0;
 };
 

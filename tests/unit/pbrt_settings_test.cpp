@@ -142,7 +142,7 @@ TEST_F(PbrtSettings, parametersOfIntegrators) {
     EXPECT_THAT(warnings_, IsEmpty());
     for (const char* rays : {"0", "3", "128", "-2"})
         EXPECT_THAT(errorOfSettings("Integrator \"whitted\" \"integer rays\" " + std::string(rays)), HasSubstr("a power of two from 1 to 64"));
-    EXPECT_THAT(errorOfSettings("Integrator \"whitted\" \"integer bundle\" 5"), HasSubstr("test.pbrt:1:22: error: \"integer bundle\" is 5; it must be 0 or a power of two from 1 to 64"));
+    EXPECT_THAT(errorOfSettings("Integrator \"whitted\" \"integer bundle\" 5"), HasSubstr("test.pbrt:1:22: \"integer bundle\" is 5; it must be 0 or a power of two from 1 to 64"));
     EXPECT_THAT(errorOfSettings("Integrator \"ambientocclusion\" \"float maxdistance\" 0"), HasSubstr("(0, inf)"));
     EXPECT_THAT(errorOfSettings("Integrator \"directlighting\""), HasSubstr("\"direct\""));
 }
