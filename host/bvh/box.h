@@ -15,14 +15,14 @@ inline float4 minimum(float4 a, float4 b) { return a < b ? a : b; }
 inline float4 maximum(float4 a, float4 b) { return a > b ? a : b; }
 
 /// A box with axes x, y, z in the first three lanes. The fourth lane means nothing here.
-struct Box {
+struct WideBox {
     float4 low, high;
 
-    static Box empty() {
+    static WideBox empty() {
         constexpr float huge = std::numeric_limits<float>::max();
         return {float4{huge, huge, huge, huge}, float4{-huge, -huge, -huge, -huge}};
     }
-    void grow(const Box& other) { low = minimum(low, other.low); high = maximum(high, other.high); }
+    void grow(const WideBox& other) { low = minimum(low, other.low); high = maximum(high, other.high); }
     void grow(float4 point) { low = minimum(low, point); high = maximum(high, point); }
     /// Half of its surface; 0 for an empty box.
     float halfArea() const {
@@ -33,10 +33,10 @@ struct Box {
 
 /// One element on its way into the tree: its box and, in the fourth lanes, which it is.
 struct Reference {
-    Box box;
+    WideBox box;
 
     Reference() = default;
-    Reference(Box bounds, leaf_kind kind, uint source, uint index) : box(bounds) {
+    Reference(WideBox bounds, leaf_kind kind, uint source, uint index) : box(bounds) {
         box.low[3] = std::bit_cast<float>(index);
         box.high[3] = std::bit_cast<float>(static_cast<uint>(kind) << 29 | source);
     }
@@ -55,7 +55,7 @@ struct Reference {
 /// A run of references, and what is known of them.
 struct Range {
     uint begin = 0, end = 0;
-    Box box = Box::empty(), centroids = Box::empty();
+    WideBox box = WideBox::empty(), centroids = WideBox::empty();
     uint kinds = 0;  ///< bit k: has some of leaf kind k
 
     uint size() const { return end - begin; }

@@ -64,7 +64,7 @@ static References collectReferences(const Sources& sources) {
 /// A subtree, or one node above others.
 struct Piece {
     Subtree part;                                   ///< of the one node: all but its children
-    std::vector<std::pair<Box, Piece>> children;
+    std::vector<std::pair<WideBox, Piece>> children;
     uint firstNode = 0, firstBlock = 0, firstElement = 0;  ///< where part's tables begin in the joined ones
 };
 

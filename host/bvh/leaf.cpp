@@ -32,14 +32,14 @@ std::optional<Reference> Sources::reference(uint range, size_t i) const {
     /* With two equal corners all edge functions cancel exactly: no ray ever hits it. Other slivers stay, they may close a gap */
     if (equal(a, b) || equal(b, c) || equal(c, a)) return std::nullopt;
     if (!isUsable(load(a)) || !isUsable(load(b)) || !isUsable(load(c))) return std::nullopt;
-    Box box = Box::empty();
+    WideBox box = WideBox::empty();
     box.grow(load(a)); box.grow(load(b)); box.grow(load(c));
     return Reference(box, leaf_triangles, range, static_cast<uint>(i));
 }
 
 std::optional<Reference> Sources::reference(size_t other) const {
     const BoxedElement& element = others[other];
-    const Box box = {load(element.low), load(element.high)};
+    const WideBox box = {load(element.low), load(element.high)};
     if (!isUsable(box.low) || !isUsable(box.high)) return std::nullopt;
     return Reference(box, element.kind, 0, static_cast<uint>(other));
 }
@@ -78,8 +78,8 @@ uint appendLeaf(BvhTables& tables, const Sources& sources, std::span<const Refer
     return leafReference(kind, references.size(), first);
 }
 
-void setChild(bvh_node& node, int lane, const Box& box, uint child) {
-    const Box padded = padBox(box);
+void setChild(bvh_node& node, int lane, const WideBox& box, uint child) {
+    const WideBox padded = padBox(box);
     for (int axis = 0; axis < 3; ++axis) {
         node.bounds[2 * axis][lane] = padded.low[axis];
         node.bounds[2 * axis + 1][lane] = padded.high[axis];

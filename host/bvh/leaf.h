@@ -25,6 +25,6 @@ struct Sources {
 uint appendLeaf(BvhTables& tables, const Sources& sources, std::span<const Reference> references);
 
 /// Sets child `lane` of a node: its box, padded, and where it leads.
-void setChild(bvh_node& node, int lane, const Box& box, uint child);
+void setChild(bvh_node& node, int lane, const WideBox& box, uint child);
 
 }  // namespace eikonal

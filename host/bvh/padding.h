@@ -26,14 +26,14 @@ namespace eikonal {
 constexpr float boxPadding = 0x1p-20f;
 
 /// The largest coordinate of a box, as a distance from the origin.
-inline float largestCoordinate(const Box& box) {
+inline float largestCoordinate(const WideBox& box) {
     float largest = 0;
     for (int axis = 0; axis < 3; ++axis) largest = std::max({largest, std::fabs(box.low[axis]), std::fabs(box.high[axis])});
     return largest;
 }
 
 /// The box that a node holds for `box`. Padded parents contain padded children.
-inline Box padBox(Box box) {
+inline WideBox padBox(WideBox box) {
     const float pad = boxPadding * largestCoordinate(box);
     box.low -= pad;
     box.high += pad;

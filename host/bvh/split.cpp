@@ -26,12 +26,12 @@ struct Binning {
 
 /// What lies in each bin.
 struct Bins {
-    std::array<std::array<Box, maxBins>, 3> boxes;
+    std::array<std::array<WideBox, maxBins>, 3> boxes;
     std::array<std::array<uint, maxBins>, 3> counts;
 
     explicit Bins(int bins) {
         for (int axis = 0; axis < 3; ++axis) {
-            std::fill_n(boxes[axis].begin(), bins, Box::empty());
+            std::fill_n(boxes[axis].begin(), bins, WideBox::empty());
             std::fill_n(counts[axis].begin(), bins, 0u);
         }
     }
@@ -69,7 +69,7 @@ static Cut bestCut(const Bins& in, const Binning& binning) {
         if (binning.scale[axis] == 0) continue;
         /* From the right: the cost of everything above each border */
         std::array<float, maxBins> above;
-        Box box = Box::empty();
+        WideBox box = WideBox::empty();
         uint count = 0;
         for (int i = bins - 1; i > 0; --i) {
             box.grow(in.boxes[axis][i]);
@@ -77,7 +77,7 @@ static Cut bestCut(const Bins& in, const Binning& binning) {
             above[i] = count ? box.halfArea() * blocksOf(count) : -1.f;
         }
         /* From the left, with that */
-        box = Box::empty();
+        box = WideBox::empty();
         count = 0;
         for (int i = 1; i < bins; ++i) {
             box.grow(in.boxes[axis][i - 1]);
