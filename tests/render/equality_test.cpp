@@ -69,7 +69,7 @@ AttributeBegin AreaLightSource "diffuse" "rgb L" [20 20 20] Material "diffuse" M
 Features allButMethods() {
     using enum Feature;
     Features methods;
-    for (Feature f : {SPECTRAL, DISPERSION, ANISOTROPY, SHAPE_CURVE, FILTER, SOBOL, LENS, CAMERA_MOTION, MEDIA, FOCI,
+    for (Feature f : {SPECTRAL, DISPERSION, ANISOTROPY, SHAPE_CURVE, SHAPE_IMPLICIT, FILTER, SOBOL, LENS, CAMERA_MOTION, MEDIA, FOCI,
                       AMBIENT_OCCLUSION, TREE, UNIFORM_DIRECTIONS}) methods.require(f);
 #define REQUIRE(name, FEATURE) methods.require(Feature::FEATURE);
     MEDIA_KINDS(REQUIRE) CAMERAS(REQUIRE)
@@ -134,8 +134,10 @@ protected:
     const Rendered reference = render(text, plain());
 };
 
+using SlowKernels = OtherKernels;
+
 // The number of slots in a run and the size of work-groups decide who handles an item, never what becomes of it.
-TEST_F(OtherKernels, LocalSizeAndRunDoNotShow) {
+TEST_F(SlowKernels, LocalSizeAndRunDoNotShow) {
     RenderSetup setup = plain();
     setup.shape.localSize = 16;
     setup.shape.run = 8;

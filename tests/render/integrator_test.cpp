@@ -230,6 +230,7 @@ protected:
     const std::string text = sceneText(cabinetView("\"whitted\" \"integer maxdepth\" 6"), cabinet);
     const Rendered reference = render(text, plain());
 };
+using SlowTrees = Trees;
 
 TEST_F(Trees, DoNotDependOnHowTheyAreLaidOut) {
     EXPECT_EQ(reference.invalid.count, 0u);
@@ -246,7 +247,7 @@ TEST_F(Trees, DoNotDependOnHowTheyAreLaidOut) {
     expectSameBits(reference.image, render(scene, plain()).image, "a crop");
 }
 
-TEST_F(Trees, AreTheSameInALoop) {
+TEST_F(SlowTrees, AreTheSameInALoop) {
     for (const char* integrator : {"\"whitted\" \"integer maxdepth\" 6", "\"ambientocclusion\" \"float maxdistance\" .5"}) {
         PackedScene scene = packScene(sceneText(cabinetView(integrator), cabinet));
         scene.require(Feature::AOVS, "the test");
