@@ -117,7 +117,7 @@ struct Compiled { bool ok = false; std::string remarks; Arithmetic arithmetic; }
 Compiled compile(const std::string& name) {
     const fs::path folder = fs::temp_directory_path() / ("eikonal-vectorizer-" + std::to_string(getpid()));
     fs::create_directories(folder);
-    const std::string command = "cd '" + folder.string() + "' && env TMPDIR='" + folder.string() + "' POCL_CACHE_DIR='" + folder.string() + "' EIKONAL_TEST_STAGE=" + name +
+    const std::string command = "cd '" + folder.string() + "' && env -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX TMPDIR='" + folder.string() + "' POCL_CACHE_DIR='" + folder.string() + "' EIKONAL_TEST_STAGE=" + name +
                                 " POCL_VECTORIZER_REMARKS=1 '" + fs::read_symlink("/proc/self/exe").string() +
                                 "' --gtest_also_run_disabled_tests --gtest_filter=VectorizerChild.* > remarks 2>&1" +
                                 " && find . -name '*.so' -exec objdump --disassemble --no-show-raw-insn {} + > code";
