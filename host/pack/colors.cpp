@@ -121,8 +121,9 @@ void packTexels(Packer& packer, const std::vector<glm::vec3>& texels) {
     std::vector<float>& table = packer.packed.tables.environment_texels;
     for (const glm::vec3& t : texels) {
         if (!packer.spectral) { table.insert(table.end(), {t.x, t.y, t.z}); continue; }
+        if (t.x == t.y && t.y == t.z) { table.insert(table.end(), {0, 0, saturated, t.x}); continue; }
         const float scale = 2 * std::max({t.x, t.y, t.z});
-        const glm::vec3 c = scale > 0 ? glm::vec3(upliftTable(packer)(glm::dvec3(t) / double(scale)).c) : glm::vec3(0);
+        const glm::vec3 c(upliftTable(packer)(glm::dvec3(t) / double(scale)).c);
         table.insert(table.end(), {c.x, c.y, c.z, scale});
     }
 }

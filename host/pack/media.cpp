@@ -184,14 +184,14 @@ void packFoci(Packer& packer) {
     SceneTables& tables = packer.packed.tables;
     std::vector<std::pair<float, vec3>> points;
     for (const light& l : tables.lights)
-        if (l.kind == kind_point_light || l.kind == kind_spot_light) points.emplace_back(std::max({l.L.c0, l.L.c1, l.L.c2}), l.p);
+        if (l.kind == kind_point_light || l.kind == kind_spot_light) points.emplace_back(greatestSum(packer, &l.L, nullptr), l.p);
     std::ranges::stable_sort(points, [](const auto& a, const auto& b) { return a.first > b.first; });
     points.resize(std::min(points.size(), size_t{MOST_FOCI}));
     float sum = 0;
     for (const auto& [intensity, p] : points) sum += intensity;
     if (!(sum > 0)) return;
     for (medium& m : tables.media) {
-        if (m.kind != kind_homogeneous_medium || m.sigma_s.c0 + m.sigma_s.c1 + m.sigma_s.c2 <= 0) continue;
+        if (m.kind != kind_homogeneous_medium || greatestSum(packer, &m.sigma_s, nullptr) <= 0) continue;
         m.focus_count = static_cast<uint>(points.size());
         packer.packed.require(Feature::FOCI, "the scene has a light that is a point, and a medium that scatters");
     }

@@ -275,6 +275,20 @@ TEST(ExtremeMedia, EveryOpticalDepthIsFiniteAndRight) {
         }
 }
 
+/// The brighter light has the larger share, and only what scatters has any, in RGB and at wavelengths.
+TEST(Foci, ShareWaysByBrightness) {
+    for (ColorMode color : {ColorMode::rgb, ColorMode::spectral}) {
+        const auto pack = [&](const std::string& sigma) {
+            return packText("WorldBegin\nLightSource \"point\" \"rgb I\" [ 1 .5 .2 ] LightSource \"point\" \"rgb I\" [ 3 1.5 .6 ] \"point3 from\" [ 1 0 0 ]\n"
+                            "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" " + sigma + " MediumInterface \"fog\" \"\" Material \"interface\" Shape \"sphere\"", color);
+        };
+        const PackedScene fog = pack("\"rgb sigma_s\" [ 1 1 1 ]");
+        ASSERT_EQ(fog.tables.foci.size(), 2u);
+        EXPECT_NEAR(fog.tables.foci[0].share, 0.75, 1e-5);
+        EXPECT_FALSE(pack("\"rgb sigma_a\" [ 1 1 1 ] \"rgb sigma_s\" [ 0 0 0 ]").features.has(Feature::FOCI));
+    }
+}
+
 /// Ways that are sampled towards point lights: the density that they are weighted with is theirs, and means are right in every channel.
 TEST(Foci, WaysTowardsThemAreWeightedRight) {
     const PackedScene packed = sceneWith("homogeneous", parametersOf("homogeneous"), R"(LightSource "point" "point3 from" [ 0 0.32 0.1 ] LightSource "spot" "rgb I" [ 3 3 3 ] "point3 from" [ 0.4 0.6 0.3 ])");
