@@ -115,7 +115,7 @@ float greatestSum(const Packer& packer, const color* a, const color* b) {
     return toFloat(bound(p) + bound(q));
 }
 
-color packWhite(Packer& packer) { return packEmission(packer, Spectrum::rgb(glm::dvec3(1))); }
+color packWhite(Packer& packer, double factor) { return packEmission(packer, Spectrum::rgb(glm::dvec3(1)), factor); }
 
 void packTexels(Packer& packer, const std::vector<glm::vec3>& texels) {
     std::vector<float>& table = packer.packed.tables.environment_texels;

@@ -33,9 +33,9 @@ color packConstant(Packer&, double value);
 color packNumber(double value);
 /// Linear sRGB, of no spectrum in particular. For rendering in RGB.
 color packRgb(glm::dvec3 rgb);
-/// The light that texels of an environment are relative to.
-color packWhite(Packer&);
-/// Texels of an environment, linear sRGB, to the end of `environment_texels`.
+/// The light that texels of a light's image are relative to, times `factor`.
+color packWhite(Packer&, double factor = 1);
+/// Texels of a light's image, linear sRGB, to the end of `environment_texels`.
 void packTexels(Packer&, const std::vector<glm::vec3>& texels);
 /// Makes sure that colours of images can be made spectra.
 void packUplift(Packer&);

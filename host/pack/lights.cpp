@@ -2,7 +2,7 @@
 
 #include "pack/packer.h"
 
-#include "scene/equal_area.h"
+#include "pack/image_lights.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -43,15 +43,14 @@ std::vector<alias_entry> makeAliasTable(const std::vector<double>& weights) {
     return table;
 }
 
-static light newLight(light_kind kind, const color& L) {
+light newLight(light_kind kind, const color& L) {
     light l{};
     l.kind = kind;
     l.L = L;
     l.pmf = 1;
     l.extent = 1;
     l.element = NONE;
-    /* Straight-line sampling computes every kind for every light: an image of one texel is harmless, one of none is not */
-    l.resolution = 1;
+    l.resolution = l.rows = 1;
     return l;
 }
 
@@ -226,8 +225,7 @@ private:
     }
 
     void add(const Light& d, const PointLight& k) {
-        const double watts = d.power ? *d.power / (4 * M_PI) : 1;
-        const double factor = d.scale * watts * intensityScale();
+        const double factor = d.scale * intensityScale();
         light l = newLight(kind_point_light, packEmission(packer_, k.I, factor));
         l.p = toVec3(transformPoint(packer_.space.sceneFromWorld() * d.worldFromLight, k.from));
         push(d, l, 4 * M_PI * luminanceOf(k.I, factor), Feature::LIGHT_POINT);
@@ -236,8 +234,7 @@ private:
     void add(const Light& d, const SpotLight& k) {
         const double outer = std::cos(glm::radians(k.coneAngle)), inner = std::cos(glm::radians(k.coneAngle - k.coneDeltaAngle));
         const double solidAngle = 2 * M_PI * ((1 - inner) + (inner - outer) / 2);
-        const double watts = d.power ? *d.power / solidAngle : 1;
-        const double factor = d.scale * watts * intensityScale();
+        const double factor = d.scale * intensityScale();
         light l = newLight(kind_spot_light, packEmission(packer_, k.I, factor));
         l.p = toVec3(transformPoint(packer_.space.sceneFromWorld() * d.worldFromLight, k.from));
         l.n = toVec3(glm::normalize(transformVector(d.worldFromLight, k.to - k.from)));
@@ -248,27 +245,28 @@ private:
     }
 
     void add(const Light& d, const DistantLight& k) {
-        const double factor = d.scale * d.illuminance.value_or(1);
-        light l = newLight(kind_distant_light, packEmission(packer_, k.L, factor));
+        light l = newLight(kind_distant_light, packEmission(packer_, k.L, d.scale));
         l.n = toVec3(glm::normalize(transformVector(d.worldFromLight, k.from - k.to)));
-        push(d, l, M_PI * sceneRadius() * sceneRadius() * luminanceOf(k.L, factor), Feature::LIGHT_DISTANT);
+        push(d, l, M_PI * sceneRadius() * sceneRadius() * luminanceOf(k.L, d.scale), Feature::LIGHT_DISTANT);
     }
 
     void add(const Light& d, const ConstantInfiniteLight& k) {
-        const double scale = d.scale * (d.illuminance ? *d.illuminance / M_PI : 1);
-        const light l = newLight(kind_constant_environment, packEmission(packer_, k.L, scale));
+        const light l = newLight(kind_constant_environment, packEmission(packer_, k.L, d.scale));
         tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
-        push(d, l, 4 * M_PI * M_PI * sceneRadius() * sceneRadius() * luminanceOf(k.L, scale), Feature::LIGHT_CONSTANT_ENVIRONMENT);
+        push(d, l, 4 * M_PI * M_PI * sceneRadius() * sceneRadius() * luminanceOf(k.L, d.scale), Feature::LIGHT_CONSTANT_ENVIRONMENT);
     }
 
+    template <class Kind> void addImageLight(const Light& d, const Kind& k, Feature feature) {
+        const PackedLight packed = packImageLight(packer_, d, k);
+        push(d, packed.l, packed.power, feature);
+    }
+    void add(const Light& d, const GoniometricLight& k) { addImageLight(d, k, Feature::LIGHT_GONIOMETRIC); }
+    void add(const Light& d, const ProjectionLight& k) { addImageLight(d, k, Feature::LIGHT_PROJECTION); }
     void add(const Light& d, const ImageInfiniteLight& k) {
-        const ImageData& image = *packer_.images[static_cast<size_t>(k.image)];
-        if (image.width != image.height)
-            throw SceneError(d.where, "the image of this infinite light is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                                          "; it must be square, in the equal-area mapping. pbrt-v4's `imgtool makeequiarea` converts latitude-longitude images.");
+        const ImageData& image = sphereImage(packer_, d, k.image);
         light l = newLight(kind_image_environment, packWhite(packer_));
         l.resolution = static_cast<uint>(image.width);
-        l.first_texel = static_cast<uint>(tables_.environment_texels.size() / (packer_.spectral ? TEXEL_WORDS_SPECTRAL : TEXEL_WORDS_RGB));
+        l.first_texel = nextTexel(packer_);
         l.first_alias = static_cast<uint>(tables_.environment_aliases.size());
         const glm::dmat4 m = d.worldFromLight;
         l.a = toVec3(glm::normalize(glm::dvec3(m[0]))); l.b = toVec3(glm::normalize(glm::dvec3(m[1]))); l.n = toVec3(glm::normalize(glm::dvec3(m[2])));
@@ -284,11 +282,8 @@ private:
         double scale = d.scale, sum = 0;
         std::vector<glm::vec3> texels;
         for (int y = 0; y < n; ++y)
-            for (int x = 0; x < n; ++x) {
-                const auto channel = [&](int c) { return std::max(image.at(x, y, image.channels == 1 ? 0 : c), 0.0f); };
-                texels.push_back({channel(0), channel(1), channel(2)});
-            }
-        if (d.illuminance) scale *= *d.illuminance / upwardIlluminance(texels, n);
+            for (int x = 0; x < n; ++x) texels.emplace_back(texelOf(image, x, y));
+        if (d.illuminance) scale *= *d.illuminance / upwardIlluminance(image);
         std::vector<double> rows;
         std::vector<alias_entry> columns;
         for (int y = 0; y < n; ++y) {
@@ -311,9 +306,6 @@ private:
         packTexels(packer_, texels);
         return sum / (static_cast<double>(n) * n);
     }
-
-    /// Illuminance of a surface that faces +z, as pbrt-v4 measures an environment.
-    static double upwardIlluminance(const std::vector<glm::vec3>& texels, int n);
 
     /// What lies infinitely far away has no power that could be compared with a lamp's: each has the probability of all lamps together,
     /// which share theirs by power (as pbrt-v4's light BVH has it).
@@ -352,16 +344,6 @@ private:
     SceneTables& tables_;
     std::vector<double> powers_;
 };
-
-double LightPacker::upwardIlluminance(const std::vector<glm::vec3>& texels, int n) {
-    double sum = 0;
-    for (int y = 0; y < n; ++y)
-        for (int x = 0; x < n; ++x) {
-            const double z = directionFromSquare({(x + 0.5) / n, (y + 0.5) / n}).z;
-            if (z > 0) sum += luminanceOf(texels[static_cast<size_t>(y) * n + x]) * z;
-        }
-    return std::max(sum * 4 * M_PI / (static_cast<double>(n) * n), 1e-30);
-}
 
 void packLights(Packer& packer) { LightPacker(packer).pack(); }
 

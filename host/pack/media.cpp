@@ -184,7 +184,8 @@ void packFoci(Packer& packer) {
     SceneTables& tables = packer.packed.tables;
     std::vector<std::pair<float, vec3>> points;
     for (const light& l : tables.lights)
-        if (l.kind == kind_point_light || l.kind == kind_spot_light) points.emplace_back(greatestSum(packer, &l.L, nullptr), l.p);
+        if (l.kind == kind_point_light || l.kind == kind_spot_light || l.kind == kind_goniometric_light || l.kind == kind_projection_light)
+            points.emplace_back(greatestSum(packer, &l.L, nullptr), l.p);
     std::ranges::stable_sort(points, [](const auto& a, const auto& b) { return a.first > b.first; });
     points.resize(std::min(points.size(), size_t{MOST_FOCI}));
     float sum = 0;

@@ -27,6 +27,7 @@ struct Packer {
 
     std::vector<std::shared_ptr<const ImageData>> images{};   ///< of scene.images
     std::map<std::pair<int, bool>, uint> packedImages{};      ///< (scene image, as a float texture?) -> `images`
+    std::map<std::pair<int, bool>, uint> lightTexels{};       ///< (scene image, in grey?) -> `environment_texels`
     std::map<int, double> meanLuminances{};                   ///< of scene.images, where asked for
     std::map<std::pair<int, int>, uint> packedPrograms{};     ///< (texture, TextureUse) -> `programs`
     std::vector<uint> materialIndices{};                      ///< scene.materials -> `materials`

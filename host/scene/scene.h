@@ -231,19 +231,23 @@ struct Instance {
 
 // ---- lights -------------------------------------------------------------------------------------------------------
 
-/// Intensity and radiance: spectrum * scale; with power > 0, scaled so that the emitted power is that many watts.
+/// Intensity and radiance: spectrum * scale.
 struct PointLight { Spectrum I; glm::dvec3 from{0}; };
 struct SpotLight { Spectrum I; glm::dvec3 from{0}, to{0, 0, 1}; double coneAngle = 30, coneDeltaAngle = 5; };
+/// A point whose intensity is I times an image over the sphere of directions (square, equal-area), whose +z is +y of light space.
+struct GoniometricLight { Spectrum I; int image = none; };
+/// A slide in front of a point, projected along +z of light space, its top at +y; fov: degrees that its shorter side spans.
+struct ProjectionLight { int image = none; double fov = 90; };
 struct DistantLight { Spectrum L; glm::dvec3 from{0}, to{0, 0, 1}; };
 struct ConstantInfiniteLight { Spectrum L; };
 /// An image over the sphere of directions, square, in the equal-area octahedral mapping of Clarberg 2008.
 struct ImageInfiniteLight { int image = none; };
 
 struct Light {
-    std::variant<PointLight, SpotLight, DistantLight, ConstantInfiniteLight, ImageInfiniteLight> kind;
+    std::variant<PointLight, SpotLight, GoniometricLight, ProjectionLight, DistantLight, ConstantInfiniteLight, ImageInfiniteLight> kind;
     double scale = 1;
-    std::optional<double> power;          ///< point, spot: watts
-    std::optional<double> illuminance;    ///< distant, infinite: lux
+    std::optional<double> power;          ///< goniometric, projection: what is emitted in all, where the image is taken as it is
+    std::optional<double> illuminance;    ///< infinite with an image: lux on a surface that faces the image's +z
     Transform worldFromLight{1};
     SourceLocation where;
 };

@@ -14,6 +14,8 @@ CONTRACT_BEGIN
     L(sphere_light,      LIGHT_SPHERE) \
     L(disk_light,        LIGHT_DISK) \
     L(cylinder_light,    LIGHT_CYLINDER) \
+    L(goniometric_light, LIGHT_GONIOMETRIC) \
+    L(projection_light,  LIGHT_PROJECTION) \
     L(constant_environment, LIGHT_CONSTANT_ENVIRONMENT) \
     L(image_environment, LIGHT_IMAGE_ENVIRONMENT)
 
@@ -30,6 +32,8 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
      disk         p (centre), a, b (radii: point = p + x a + y b), radius (of its hole, 1: all of it), extent, n, inverse_area, L
      cylinder     p (centre of the end at z_min), a, b (radii), c (axis: point = p + cos a + sin b + v c), extent, n.x (the side that
                   emits: 1 that of dp/dphi x c, or -1), inverse_area (of all of it), L
+     goniometric  p, a, b, n (rows of image-from-scene), first_texel, resolution, L (intensity where the image is 1)
+     projection   p, a, b, n (rows of image-from-scene: the slide fills |x / z| <= 1, |y / z| <= 1), first_texel, resolution, rows, L (intensity)
      constant     L
      image        a, b, n (rows of light-from-scene), first_texel, first_alias, resolution, L (scale)
    Areas emit on the side of n, on both with `two_sided`. */
@@ -52,7 +56,8 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
     F(color,    L) \
     F(uint,     first_texel)  /* in `environment_texels`: resolution^2 texels */ \
     F(uint,     first_alias)  /* in `environment_aliases`: one entry a row, then the entries of each row */ \
-    F(uint,     resolution)   /* texels on a side of the square; 1 for other kinds, which straight-line code looks up as well */
+    F(uint,     resolution)   /* texels on a side of the square; 1 for other kinds, which straight-line code looks up as well */ \
+    F(uint,     rows)         /* projection: texels in a column, of `resolution` columns; 1 for other kinds */
 
 #define LIGHT_MEMBER(type, name) type name;
 typedef struct { LIGHT_FIELDS(LIGHT_MEMBER) } light;

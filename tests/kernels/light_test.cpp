@@ -81,7 +81,7 @@ light newLight(light_kind kind) {
     l.kind = kind;
     l.pmf = 1;
     l.extent = 1;
-    l.resolution = 1;
+    l.resolution = l.rows = 1;
     l.element = NONE;
     l.L = packRgb({1, 2, 3});
     return l;
@@ -385,6 +385,30 @@ TEST(ImageEnvironment, BesideOtherLights) {
     for (int n : seen) EXPECT_GT(n, 0);
 }
 
+/// Beside a large image of another kind as well, which straight-line code must not take for its own.
+TEST(ImageEnvironment, BesideLargerImages) {
+    Scene description;
+    for (int n : {2, 64}) {
+        auto pixels = std::make_shared<ImageData>();
+        pixels->width = pixels->height = n;
+        pixels->floats.assign(static_cast<size_t>(n * n), 1);
+        ImageFile file;
+        file.pixels = pixels;
+        description.images.push_back(file);
+    }
+    Light sky, slide, lamp;
+    sky.kind = ImageInfiniteLight{0};
+    slide.kind = ProjectionLight{1, 90};
+    lamp.kind = GoniometricLight{Spectrum::constant(1), 1};
+    description.lights = {slide, sky, lamp};
+    Diagnostics diagnostics(LogLevel::silent);
+    const PackedScene scene = packScene(description, diagnostics);
+    Random random(52);
+    const auto u = generate(4096, [&] { return random.unit(); });
+    const auto v = generate(4096, [&] { return random.square(); });
+    for (const LightResult& r : sample(scene, {0, 0, -1}, u, v)) ASSERT_TRUE(std::isfinite(r.pdf) && std::isfinite(r.L.r) && std::isfinite(r.Le.r) && std::isfinite(r.pdfEnvironment));
+}
+
 /// The equal-area mapping on the device is the host's, both ways, to a millionth.
 TEST(ImageEnvironment, MappingIsTheHosts) {
     struct Mapped { vec2 square; vec3 sphere; };
@@ -464,7 +488,8 @@ TEST(LightSampler, LeavesAUniformRest) {
 /// Every kind of the list is in one of the tests above.
 TEST(LightList, IsCovered) {
     const std::set<std::string> tested{"point_light", "spot_light", "distant_light", "triangle_light", "bilinear_light", "sphere_light", "disk_light", "cylinder_light",
-                                       "constant_environment", "image_environment"};
+                                       "constant_environment", "image_environment",
+                                       "goniometric_light", "projection_light" /* image_light_test.cpp */};
 #define EXPECT_TESTED(name, FEATURE) EXPECT_TRUE(tested.count(#name)) << "no test knows what a " #name " should give: add one here";
     LIGHTS(EXPECT_TESTED)
 #undef EXPECT_TESTED

@@ -171,6 +171,49 @@ TEST(Light, ManyLightsAddUp) {
                    rho / pi * (3. / 4 + 0.1 + Le * pi * 0.0016 + 1), 0.06);
 }
 
+// ---- lights with an image --------------------------------------------------------------------
+
+/// Three times three texels, of which only the middle one is not black.
+class ImageLights : public testing::Test {
+protected:
+    ImageLights() { std::ofstream(file_) << "P3\n3 3\n255\n0 0 0 0 0 0 0 0 0\n0 0 0 255 188 137 0 0 0\n0 0 0 0 0 0 0 0 0\n"; }
+    ~ImageLights() override { std::filesystem::remove(file_); }
+    /// At height 2, its +z turned by an angle from the floor's origin, in degrees.
+    std::string slide(double angle) const {
+        return fmt::format("AttributeBegin Translate 0 2 0 Rotate {} 1 0 0 LightSource \"projection\" \"float fov\" 90 \"float scale\" 3 \"string filename\" \"{}\" AttributeEnd\n", 90 + angle, file_.string());
+    }
+    /// The same with its +y.
+    std::string lamp(double angle) const {
+        return fmt::format("AttributeBegin Translate 0 2 0 Rotate {} 1 0 0 LightSource \"goniometric\" \"rgb I\" [3 1 2] \"string filename\" \"{}\" AttributeEnd\n", 180 + angle, file_.string());
+    }
+    static double linear(double byte) { return std::pow((byte / 255 + 0.055) / 1.055, 2.4); }
+    static inline const glm::dvec3 texel{1, linear(188), linear(137)};
+    static inline const glm::dvec3 fromSlide = rho / pi * 3. / 4 * texel, fromLamp = rho / pi / 4 * (texel.x + texel.y + texel.z) / 3 * glm::dvec3(3, 1, 2);
+
+private:
+    const std::filesystem::path file_ = std::filesystem::temp_directory_path() / fmt::format("eikonal_light_image_{}.ppm", ::getpid());
+};
+
+// E = I / d^2. The middle texel of the slide ends at atan(1/3) = 18.4 degrees. That of the lamp, a third of the square, is met in its middle:
+// there z = 1 - (1/3)^2 in Clarberg's mapping, which is at 27.3 degrees.
+TEST_F(ImageLights, SendAsTheirImageSays) {
+    expectRadiance(onTheFloor(slide(0)), fromSlide);
+    expectRadiance(onTheFloor(slide(17)), fromSlide);
+    expectRadiance(onTheFloor(slide(20)), glm::dvec3(0));
+    expectRadiance(onTheFloor(lamp(0)), fromLamp);
+    expectRadiance(onTheFloor(lamp(26)), fromLamp);
+    expectRadiance(onTheFloor(lamp(29)), glm::dvec3(0));
+}
+
+// Both at wavelengths.
+TEST_F(ImageLights, AreTheSameAtWavelengths) {
+    View view = atTheOrigin();
+    view.sampler = "sobol";
+    view.samples = 1024;
+    const glm::dvec3 seen = estimate(render(packScene(sceneText(view, slide(0) + lamp(0) + floorShape), ColorMode::spectral)).image).mean, expected = fromSlide + fromLamp;
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c] / expected[c], 1, 0.01) << "channel " << c;
+}
+
 // ---- what stands between ------------------------------------------------------------------------------------------------
 
 const std::string brightWall = "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [4 4 4] Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n"
@@ -251,6 +294,27 @@ const std::string lamps = R"(Rotate -90 1 0 0
 
 TEST(Strategies, AgreeOnADiffuseFloor) { expectStrategiesAgree("\"diffuse\"", lamps); }
 TEST(Strategies, AgreeOnRoughMetal) { expectStrategiesAgree("\"conductor\" \"float roughness\" .3", lamps); }
+
+// The same with a light tree: what a path finds by itself has the probability of the tree, which depends on where it came from.
+TEST(Strategies, AgreeWithALightTree) {
+    View view = atTheOrigin(2);
+    view.samples = 1024;
+    view.more = "Integrator \"volpath\" \"integer maxdepth\" 2 \"string lightsampler\" \"bvh\"";
+    RenderSetup bsdfOnly = surfaces();
+    bsdfOnly.edit = [](PackedScene& s) {
+        for (light& l : s.tables.lights) l.pmf = 0;
+        s.frame().lights_in_tree = s.frame().infinite_count = 0;
+    };
+    for (const char* material : {"\"diffuse\"", "\"conductor\" \"float roughness\" .3"}) {
+        SCOPED_TRACE(material);
+        std::string shining = lamps;
+        for (size_t at; (at = shining.find("@")) != std::string::npos;) shining.replace(at, 1, "");
+        const std::string text = sceneText(view, shining + "\nMaterial " + material + "\nShape \"disk\" \"float radius\" 9 ");
+        const Rendered both = render(text, surfaces()), bsdf = render(text, bsdfOnly);
+        expectEqualMeans(both, bsdf, 0.03);
+        EXPECT_LT(estimate(both.image).error.g, 1.5 * estimate(bsdf.image).error.g);
+    }
+}
 
 // The same for a sky: an environment is light that only misses find.
 TEST(Strategies, AgreeUnderASky) {

@@ -100,9 +100,19 @@ TEST_F(PbrtLights, whatCannotEmit) {
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a shape of an object cannot emit")));
 }
 
+TEST_F(PbrtLights, lightsWithAnImage) {
+    write("slide.png", "an image");
+    const Light lamp = light("\"goniometric\" \"string filename\" \"slide.png\" \"rgb I\" [1 2 3] \"float power\" 7");
+    expectNear(std::get<GoniometricLight>(lamp.kind).I.illuminant(), {1, 2, 3});
+    EXPECT_EQ(lamp.power, 7);
+    const Light slide = light("\"projection\" \"string filename\" \"slide.png\"");
+    EXPECT_EQ(std::get<ProjectionLight>(slide.kind).fov, 90);
+    EXPECT_FALSE(slide.power.has_value());
+    EXPECT_THAT(errorOfWorld("LightSource \"projection\""), HasSubstr("test.pbrt:2:1: error: light \"projection\" needs an image"));
+    EXPECT_THAT(errorOfWorld("LightSource \"projection\" \"string filename\" \"slide.png\" \"float fov\" 180"), HasSubstr("it must be in (0, 180)"));
+}
+
 TEST_F(PbrtLights, whatIsNotRendered) {
-    EXPECT_THAT(world("LightSource \"projection\" LightSource \"projection\" LightSource \"goniometric\"").lights, IsEmpty());
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("test.pbrt:2:1: warning: light \"projection\" is not rendered yet; it is left out"), HasSubstr("goniometric")));
     EXPECT_EQ(world("LightSource \"infinite\" \"point3 portal\" [0 0 0  1 0 0  1 1 0  0 1 0]").lights.size(), 1u);
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("portals are not rendered yet")));
 }

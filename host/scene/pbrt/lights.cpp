@@ -8,7 +8,7 @@
 namespace eikonal::pbrt {
 namespace {
 
-enum LightKind { pointKind, spotKind, distantKind, infiniteKind, otherKind };
+enum LightKind { pointKind, spotKind, distantKind, infiniteKind, goniometricKind, projectionKind };
 
 Spectrum whiteOf(const Arguments& arguments) { return Spectrum::rgb({1, 1, 1}, arguments.space()); }
 
@@ -48,19 +48,38 @@ void readDistant(const Arguments& arguments, Light& light) {
     if (const double illuminance = arguments.number("illuminance"); illuminance > 0) light.scale *= illuminance;
 }
 
+/// The image of a light that needs one; none: the file is missing, which is noted.
+int readImage(TextureBook& textures, const Arguments& arguments, WrapMode wrap) {
+    if (!arguments.has("filename")) throw SceneError(arguments.where(), arguments.kind().title() + " needs an image: \"string filename\"");
+    const std::optional<std::string> path = arguments.file("filename");
+    if (!path) return none;
+    ImageFile file{*path};
+    file.wrap = wrap;
+    file.where = arguments.whereOf("filename");
+    return textures.image(file);
+}
+
+void readGoniometric(TextureBook& textures, const Arguments& arguments, Light& light) {
+    light.kind = GoniometricLight{arguments.spectrum("I", whiteOf(arguments)), readImage(textures, arguments, WrapMode::octahedral)};
+    if (const double power = arguments.number("power"); power > 0) light.power = power;
+}
+
+void readProjection(TextureBook& textures, const Arguments& arguments, Light& light) {
+    light.kind = ProjectionLight{readImage(textures, arguments, WrapMode::clamp), arguments.number("fov")};
+    if (const double power = arguments.number("power"); power > 0) light.power = power;
+}
+
 /// False: it has an image that is missing.
 bool readInfinite(Reading& reading, TextureBook& textures, const Arguments& arguments, Light& light) {
     const double illuminance = arguments.number("illuminance");
     if (arguments.has("portal"))
         reading.unsupported("portal", arguments.whereOf("portal"), "portals are not rendered yet; the light shines from everywhere");
-    if (arguments.has("filename")) {
-        if (arguments.has("L")) throw SceneError(arguments.whereOf("L"), "light \"infinite\" has either \"L\" or \"filename\", not both");
-        const std::optional<std::string> path = arguments.file("filename");
-        if (!path) return false;
-        ImageFile file{*path};
-        file.wrap = WrapMode::octahedral;
-        file.where = arguments.whereOf("filename");
-        light.kind = ImageInfiniteLight{textures.image(file)};
+    if (arguments.has("filename") && arguments.has("L"))
+        throw SceneError(arguments.whereOf("L"), "light \"infinite\" has either \"L\" or \"filename\", not both");
+    const int image = arguments.has("filename") ? readImage(textures, arguments, WrapMode::octahedral) : none;
+    if (arguments.has("filename") && image == none) return false;
+    if (image != none) {
+        light.kind = ImageInfiniteLight{image};
         if (illuminance > 0) light.illuminance = illuminance;
     } else {
         light.kind = ConstantInfiniteLight{arguments.spectrum("L", whiteOf(arguments))};
@@ -77,8 +96,8 @@ const KindTable& lightKinds() {
         {"spot", spotKind, "spectrum I; float power = -1; point3 from; point3 to; float coneangle = 30 in (0, 180]; float conedeltaangle = 5 in [0, 180]"},
         {"distant", distantKind, "spectrum L; float illuminance = -1; point3 from; point3 to"},
         {"infinite", infiniteKind, "spectrum L; file filename; float illuminance = -1; point3s portal"},
-        {"goniometric", otherKind, "spectrum I; file filename; float power = -1", "it is left out"},
-        {"projection", otherKind, "file filename; float power = -1; float fov = 90", "it is left out"},
+        {"goniometric", goniometricKind, "spectrum I; file filename; float power = -1"},
+        {"projection", projectionKind, "file filename; float power = -1; float fov = 90 in (0, 180)"},
     });
     return table;
 }
@@ -94,10 +113,6 @@ void addLight(Reading& reading, TextureBook& textures, const std::string& kindNa
               const SourceLocation& where) {
     const Kind& kind = lightKinds().find(kindName, where);
     const Arguments arguments(reading, kind, where, std::move(parameters), state.attributesOf(Target::light), state.space);
-    if (kind.standIn) {
-        reading.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
-        return;
-    }
     if (state.transform[0] != state.transform[1])
         reading.unsupported("moving light", where, "a light that moves is not rendered yet; it stays where it is when the shutter opens");
     if (kind.value != pointKind && !isInvertible(state.transform))
@@ -110,6 +125,14 @@ void addLight(Reading& reading, TextureBook& textures, const std::string& kindNa
         case pointKind: readPoint(arguments, light); break;
         case spotKind: readSpot(reading, arguments, light); break;
         case distantKind: readDistant(arguments, light); break;
+        case goniometricKind:
+            readGoniometric(textures, arguments, light);
+            if (std::get<GoniometricLight>(light.kind).image == none) return;
+            break;
+        case projectionKind:
+            readProjection(textures, arguments, light);
+            if (std::get<ProjectionLight>(light.kind).image == none) return;
+            break;
         default:
             if (!readInfinite(reading, textures, arguments, light)) return;
     }
