@@ -62,6 +62,8 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     value(app, "--integrator", s.integrator, "NAME", "How light is carried: volpath, path, direct, whitted, ambientocclusion, simplepath, simplevolpath, randomwalk",
           oneOf<IntegratorKind>({std::begin(integratorNames), std::end(integratorNames)}))->group(group);
     value(app, "--max-depth", s.maxDepth, "N", "Bounces; interfaces between media do not count", integer(0))->group(group);
+    value(app, "--light-sampler", s.lightSampler, "NAME", "How the light is chosen that a point is lit by: bvh, power or uniform (default: power where lights are few, else bvh)",
+          oneOf<LightSampler>({std::begin(lightSamplerNames), std::end(lightSamplerNames)}))->group(group);
     value(app, "--resolution", s.resolution, "WxH", "Pixels of the whole image", parseResolution)->group(group);
     value(app, "--cropwindow", s.cropWindow, "x0,x1,y0,y1", "Render a part, in fractions of the image", parseCropWindow)->group(group);
     value(app, "--pixelbounds", s.pixelBounds, "x0,x1,y0,y1", "Render a part, in pixels: x0 <= x < x1", parsePixelBounds)->group(group);

@@ -82,7 +82,7 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
                 out.ray.t_max = -1.0f;
                 out.shadow = no_shadow(r.path);
                 if (ENVIRONMENTS && f.hop == hop_miss) add_radiance(path, capacity, r.path, shade_miss(light_set, color_set, make_miss(r)));
-                else if (HAS_MEDIA && f.hop == hop_scatter) out = shade_scatter(light_set, color_set, frame, make_scatter(medium_set, r, f), 1);
+                else if (HAS_MEDIA && f.hop == hop_scatter) out = shade_scatter(light_set, color_set, frame, choose_scatters_light(light_set, frame, make_scatter(medium_set, r, f)), 1);
                 else if (f.element != NONE) {
                     surface s = flight_surface(g, tables, r, f);
                     if (HAS_EMITTERS && flight_emits(g, f)) {
@@ -98,7 +98,7 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
                     } else if (f.hop < hop_miss) {
                         material m = material_set.materials[f.material];
                         s = relieve_surface(tables, m, s);
-                        hit_item h = make_hit(g, r, f, s, m);
+                        hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m));
                         store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
                         out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h, 0u);
                         if (HAS_TREE) { meet_light(g, tables, medium_set, color_set, path, capacity, out.shadow); out.shadow.t_max = -1.0f; }

@@ -24,7 +24,7 @@ FN uint segment_start(__global const uint *counts, uint hop) {
 }
 
 STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS
-                    __global const uint *ray, __global const uint *flight, uint capacity, uint count,
+                    __global const settings *frame, __global const uint *ray, __global const uint *flight, uint capacity, uint count,
                     __global const uint *counts, __global uint *cursors,
                     __global uint *hit, __global uint *scatter, __global uint *miss, __global uint *emission, __global uint *next_ray,
                     __global uint *shadow, __global uint *path) {
@@ -60,7 +60,10 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
         if (f.hop >= hops && !emits) continue;
         ray_item r = load_ray(ray, capacity, i);
         if (ENVIRONMENTS && f.hop == hop_miss) { store_miss(miss, capacity, at[hop_miss]++, make_miss(r)); continue; }
-        if (HAS_MEDIA && f.hop == hop_scatter) { store_scatter(scatter, capacity, at[hop_scatter]++, make_scatter(medium_set, r, f)); continue; }
+        if (HAS_MEDIA && f.hop == hop_scatter) {
+            store_scatter(scatter, capacity, at[hop_scatter]++, choose_scatters_light(light_set, frame, make_scatter(medium_set, r, f)));
+            continue;
+        }
         surface s = flight_surface(g, tables, r, f);
         if (emits) store_emission(emission, capacity, at[hop_emission]++, make_emission(g, tables, light_set, color_set, r, f, s));
         if (HAS_INTERFACE && f.hop == hop_passage) store_passage(next_ray, shadow, capacity, at[hop_passage]++, make_passage(g, r, f, s));
@@ -68,7 +71,7 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
             uint slot = at[f.hop]++;
             material m = material_set.materials[f.material];
             s = relieve_surface(tables, m, s);
-            store_shading(hit, capacity, slot, tables, color_set, material_set, m, make_hit(g, r, f, s, m), s);
+            store_shading(hit, capacity, slot, tables, color_set, material_set, m, choose_hits_light(light_set, frame, make_hit(g, r, f, s, m)), s);
             if (HAS_AOVS && r.depth == 0) store_first_surface(g, path, capacity, r, f, s);
         }
     }

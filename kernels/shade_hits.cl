@@ -52,10 +52,11 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
     /* Light from one light, seen by the BSDF */
     light_sample l = no_light();
     if (!BSDF_IS_DELTA && HAS_LIGHTS) {
+        LIGHT_CHOICE_OF(h, alive, found)
         vec3 seen_from = light_origin(h);
         palette wavelengths = path_palette(colors, h.seed, h.sample);
-        l = HAS_TREE ? sample_tree_light(lights, wavelengths, frame, h, seen_from, turn)
-                     : sample_light_at(lights, wavelengths, frame, h.seed, h.sample, h.depth, seen_from);
+        l = HAS_TREE ? sample_tree_light(lights, wavelengths, frame, h, seen_from, found, turn)
+                     : sample_light_at(lights, wavelengths, frame, h.seed, h.sample, h.depth, seen_from, found);
         vec3 wi = to_local(shading, l.wi);
         spectrum f = mul(EVAL_BSDF(b, wo, wi), fabs(wi.z));
         float pdf = HAS_UNIFORM_DIRECTIONS ? INV_4PI : PDF_BSDF(b, wo, wi);

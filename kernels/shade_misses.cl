@@ -6,6 +6,7 @@
 FN spectrum shade_miss(light_tables lights, color_tables color_set, miss_item m) {
     palette colors = path_palette(color_set, m.seed, m.sample);
     spectrum sum = uniform_spectrum(0.0f);
+    _Pragma("unroll")
     for (int e = 0; e < ENVIRONMENTS; ++e) {
         light l = fetch(lights.lights + lights.environments[e]);
         spectrum L = eval_color(colors, l.L), Le = uniform_spectrum(0.0f);
@@ -20,6 +21,13 @@ FN spectrum shade_miss(light_tables lights, color_tables color_set, miss_item m)
             spectrum texel = eval_image_environment(lights, colors, l, L, m.d);
             float density = pdf_image_environment(lights, l, m.d);
             Le = choose(is, texel, Le);
+            pdf = is ? density : pdf;
+        }
+        if (HAS_LIGHT_PORTAL_ENVIRONMENT && HAS_PORTALS) {
+            int is = l.kind == kind_portal_environment;
+            portal_light seen = eval_portal_environment(lights, colors, l, L, m.o, m.d);
+            float density = seen.pdf;
+            Le = choose(is, seen.Le, Le);
             pdf = is ? density : pdf;
         }
         sum = add(sum, weigh_emission(m.beta, Le, m.r_u, m.r_l, m.pdf, pdf * l.pmf));

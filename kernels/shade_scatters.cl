@@ -9,7 +9,8 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     /* Light from one light, seen by the phase function */
     shadow_item shadow = no_shadow(s.path);
     if (HAS_LIGHTS) {
-        light_sample l = sample_light_at(lights, path_palette(colors, s.seed, s.sample), frame, s.seed, s.sample, s.depth, s.p);
+        LIGHT_CHOICE_OF(s, alive, found)
+        light_sample l = sample_light_at(lights, path_palette(colors, s.seed, s.sample), frame, s.seed, s.sample, s.depth, s.p, found);
         float phase = eval_phase(s.g, s.wo, l.wi);
         shadow.seed = s.seed; shadow.sample = s.sample; shadow.depth = s.depth;
         shadow.time = s.time;
@@ -38,6 +39,7 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     r.t_max = alive & game.survives ? FAR_AWAY : -1.0f;
     r.pdf = eval_phase(s.g, s.wo, wi);
     r.traveled = 0.0f;
+    r.n = make_vec3(0.0f, 0.0f, 0.0f);
     r.medium = s.medium;
     r.r_u = s.r_u;
     r.r_l = mul(s.r_u, 1.0f / max1(r.pdf, 1e-30f));

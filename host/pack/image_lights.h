@@ -19,11 +19,12 @@ uint nextTexel(const Packer&);
 /// hemisphere alone, so that this is half of what arrives, and a scene with an "illuminance" twice as bright as it says.
 double upwardIlluminance(const ImageData&);
 
-/// A light, and its luminance times solid angle, which the light sampler goes by.
+/// A light, and its luminance times solid angle (infinite: and the scene's area), which the light sampler goes by.
 struct PackedLight { light l; double power; };
 
 /// Their texels go to `environment_texels`. The mean of R, G and B is the image of a goniometric light, as in pbrt-v4.
 PackedLight packImageLight(Packer&, const Light&, const GoniometricLight&);
 PackedLight packImageLight(Packer&, const Light&, const ProjectionLight&);
+PackedLight packImageLight(Packer&, const Light&, const PortalInfiniteLight&);
 
 }  // namespace eikonal

@@ -1,9 +1,11 @@
-// Lights of every kind, and the light sampler: an alias table by power.
+// Lights of every kind, and the light sampler: an alias table, or a tree.
 
 #include "pack/packer.h"
 
 #include "pack/image_lights.h"
+#include "pack/light_tree.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -49,7 +51,7 @@ light newLight(light_kind kind, const color& L) {
     l.L = L;
     l.pmf = 1;
     l.extent = 1;
-    l.element = NONE;
+    l.element = l.leaf = NONE;
     l.resolution = l.rows = 1;
     return l;
 }
@@ -209,11 +211,21 @@ public:
     void pack() {
         if (!countsMaterials(packer_.scene.integrator)) return;
         powers_ = packer_.areaPowers;
-        for (const Light& description : packer_.scene.lights) std::visit([&](const auto& kind) { add(description, kind); }, description.kind);
+        for (const bool infinite : {false, true}) {
+            firstInfinite_ = tables_.lights.size();
+            for (const Light& description : packer_.scene.lights)
+                std::visit([&](const auto& kind) { if (isInfinite(kind) == infinite) add(description, kind); }, description.kind);
+        }
         makeSampler();
     }
 
 private:
+    static bool isInfinite(const DistantLight&) { return true; }
+    static bool isInfinite(const ConstantInfiniteLight&) { return true; }
+    static bool isInfinite(const ImageInfiniteLight&) { return true; }
+    static bool isInfinite(const PortalInfiniteLight&) { return true; }
+    template <class Kind> static bool isInfinite(const Kind&) { return false; }
+
     /// Intensities fall with the square of the distance, which is in scene units.
     double intensityScale() const { return packer_.space.scale * packer_.space.scale; }
     double sceneRadius() const { return packer_.bounds.empty() ? 1 : std::max(packer_.bounds.radius() * packer_.space.scale, 1e-6); }
@@ -262,6 +274,11 @@ private:
     }
     void add(const Light& d, const GoniometricLight& k) { addImageLight(d, k, Feature::LIGHT_GONIOMETRIC); }
     void add(const Light& d, const ProjectionLight& k) { addImageLight(d, k, Feature::LIGHT_PROJECTION); }
+    void add(const Light& d, const PortalInfiniteLight& k) {
+        tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
+        addImageLight(d, k, Feature::LIGHT_PORTAL_ENVIRONMENT);
+    }
+
     void add(const Light& d, const ImageInfiniteLight& k) {
         const ImageData& image = sphereImage(packer_, d, k.image);
         light l = newLight(kind_image_environment, packWhite(packer_));
@@ -310,19 +327,38 @@ private:
     /// What lies infinitely far away has no power that could be compared with a lamp's: each has the probability of all lamps together,
     /// which share theirs by power (as pbrt-v4's light BVH has it).
     void weighInfiniteLights() {
-        const auto isInfinite = [](const light& l) {
-            return l.kind == kind_distant_light || l.kind == kind_constant_environment || l.kind == kind_image_environment;
-        };
         double finite = 0;
-        for (size_t i = 0; i < powers_.size(); ++i)
-            if (!isInfinite(tables_.lights[i])) finite += powers_[i];
-        for (size_t i = 0; i < powers_.size(); ++i)
-            if (isInfinite(tables_.lights[i]) && powers_[i] > 0) powers_[i] = finite > 0 ? finite : 1;
+        for (size_t i = 0; i < firstInfinite_; ++i) finite += powers_[i];
+        for (size_t i = firstInfinite_; i < powers_.size(); ++i)
+            if (powers_[i] > 0) powers_[i] = finite > 0 ? finite : 1;
+    }
+
+    /// Every light as likely as another.
+    void weighAlike() {
+        for (double& p : powers_) p = p > 0 ? 1 : 0;
+    }
+
+    /// A tree over all lights but the infinite ones, each of which is as likely as the tree.
+    void makeTree() {
+        std::vector<LightBounds> bounds;
+        for (size_t i = 0; i < firstInfinite_; ++i) bounds.push_back(powers_[i] > 0 ? boundsOfLight(tables_.lights[i], powers_[i]) : LightBounds{});
+        LightTree tree = buildLightTree(bounds);
+        settings& frame = packer_.packed.frame();
+        frame.first_infinite = static_cast<uint>(firstInfinite_);
+        frame.infinite_count = static_cast<uint>(powers_.size() - firstInfinite_);
+        frame.lights_in_tree = static_cast<uint>(tree.lights);
+        const float lots = static_cast<float>(frame.infinite_count + (tree.lights > 0 ? 1 : 0));
+        for (size_t i = 0; i < powers_.size(); ++i) {
+            tables_.lights[i].leaf = i < firstInfinite_ ? tree.leaves[i] : NONE;
+            tables_.lights[i].pmf = i >= firstInfinite_ || tree.leaves[i] != NONE ? 1 / lots : 0;
+        }
+        tables_.light_nodes = std::move(tree.nodes);
+        packer_.packed.require(Feature::LIGHT_TREE, std::to_string(powers_.size()) + " lights");
     }
 
     void makeSampler() {
         for (double& p : powers_) p = std::max(p, 0.0);   // what takes light away is not sampled, and leaves the others alone
-        weighInfiniteLights();
+        const LightSampler asked = packer_.scene.integrator.lightSampler;
         double total = 0;
         for (double p : powers_) total += p;
         if (powers_.empty()) return;
@@ -331,18 +367,26 @@ private:
             for (light& l : tables_.lights) l.pmf = 0;
             return;
         }
+        packer_.packed.require(Feature::LIGHTS, std::to_string(powers_.size()) + " lights");
+        /* Of lights behind portals, an item can carry a direction for one */
+        const bool looksAtAll = packer_.scene.integrator.kind == IntegratorKind::whitted && powers_.size() <= MOST_TREE_LIGHTS && !packer_.packed.features.has(Feature::PORTALS);
+        const auto sampled = std::count_if(powers_.begin(), powers_.end(), [](double p) { return p > 0; });
+        const bool many = sampled > static_cast<std::ptrdiff_t>(fewLights);
+        if (!looksAtAll && (asked == LightSampler::bvh || (asked == LightSampler::automatic && many))) { makeTree(); return; }
+        if (asked == LightSampler::uniform) weighAlike();
+        else weighInfiniteLights();
         tables_.light_aliases = makeAliasTable(powers_);
         for (size_t i = 0; i < powers_.size(); ++i) tables_.lights[i].pmf = tables_.light_aliases[i].pmf;
-        if (packer_.scene.integrator.kind == IntegratorKind::whitted && powers_.size() <= MOST_TREE_LIGHTS) {
+        if (looksAtAll) {
             for (light& l : tables_.lights) l.pmf = l.pmf > 0 ? 1.0f : 0.0f;
             packer_.packed.frame().tree_lights = static_cast<uint>(powers_.size());
         }
-        packer_.packed.require(Feature::LIGHTS, std::to_string(powers_.size()) + " lights");
     }
 
     Packer& packer_;
     SceneTables& tables_;
     std::vector<double> powers_;
+    size_t firstInfinite_ = 0;   ///< lights from this one on are infinitely far away
 };
 
 void packLights(Packer& packer) { LightPacker(packer).pack(); }

@@ -2,8 +2,6 @@
 
 #include "pack/packer.h"
 
-#include "eikonal/stages.h"
-
 #include <cmath>
 #include <cstring>
 
@@ -253,12 +251,14 @@ static hop packBsdf(InputWriter& in, MaterialKind kind) {
     return hop_none;
 }
 
+bool transmits(hop h) { return h == hop_dielectric || h == hop_specular_dielectric || h == hop_diffuse_transmission || h == hop_hair; }
+
 /// Which features a hop's BSDF brings.
 static void requireBsdf(Packer& packer, hop h, const std::string& why) {
 #define REQUIRE_BSDF(name, FEATURE, PARAMETERS) if (h == hop_##name) packer.packed.require(Feature::FEATURE, why);
     BSDFS(REQUIRE_BSDF)
 #undef REQUIRE_BSDF
-    if (h == hop_dielectric || h == hop_specular_dielectric) packer.packed.require(Feature::TRANSMISSION, why);
+    if (transmits(h)) packer.packed.require(Feature::TRANSMISSION, why);
     if (h == hop_passage) packer.packed.require(Feature::INTERFACE, why);
     if (h == hop_mix) packer.packed.require(Feature::MIX, why);
 }

@@ -2,6 +2,7 @@
 // What the parts of packing share. One function for each group of tables, in the order in which they depend on each other.
 
 #include "diagnostics.h"
+#include "eikonal/stages.h"
 #include "pack/colors.h"
 #include "pack/space.h"
 #include "pack/tables.h"
@@ -70,6 +71,9 @@ uint packImage(Packer&, int image, bool asFloat);
 uint packMeasured(Packer&, const std::string& path, const SourceLocation& where);
 /// The material of a shape.
 uint packedMaterial(Packer&, int material);
+
+/// Whether a surface with this BSDF scatters light from behind it, or lets it through with another index of refraction.
+bool transmits(hop h);
 
 /// The lights of a shape that emits, one for each of its elements; sets its first_light. `m` takes its object space to scene space.
 void packAreaLight(Packer&, const Shape&, shape& packed, const glm::dmat4& m, size_t elements);

@@ -20,11 +20,17 @@ inline constexpr std::pair<const char*, IntegratorKind> integratorNames[] = {
 /// The most rays that a camera ray may become with IntegratorKind::whitted.
 constexpr int mostTreeRays = 64;
 
+/// How the light is chosen that a point is lit by. automatic: by power where lights are few, by the tree where they are many.
+enum class LightSampler { automatic, bvh, power, uniform };
+/// As scenes and --light-sampler name them.
+inline constexpr std::pair<const char*, LightSampler> lightSamplerNames[] = {{"bvh", LightSampler::bvh}, {"power", LightSampler::power}, {"uniform", LightSampler::uniform}};
+
 struct IntegratorDescription {
     IntegratorKind kind = IntegratorKind::volpath;
     std::string standsFor;                 ///< what the scene asks for, if this takes its place; otherwise empty
     int maxDepth = 5;                      ///< most scattering events on a path
     bool regularize = false;
+    LightSampler lightSampler = LightSampler::automatic;
     bool sampleLights = true;              ///< simplePath: whether lights are sampled; if not, paths have to find them by themselves
     bool sampleBsdf = true;                ///< simplePath: whether directions follow the BSDF; if not, they are uniform
     bool cosine = true;                    ///< ambientOcclusion: whether directions follow the cosine; if not, they are uniform

@@ -242,9 +242,12 @@ struct DistantLight { Spectrum L; glm::dvec3 from{0}, to{0, 0, 1}; };
 struct ConstantInfiniteLight { Spectrum L; };
 /// An image over the sphere of directions, square, in the equal-area octahedral mapping of Clarberg 2008.
 struct ImageInfiniteLight { int image = none; };
+/// An infinite light as far as it comes in through a rectangle: world space, not moved by worldFromLight. From corner 0, x runs to
+/// corner 3 and y to corner 1; x cross y points out of the room. L everywhere, or an image as above.
+struct PortalInfiniteLight { Spectrum L; int image = none; std::array<glm::dvec3, 4> portal; };
 
 struct Light {
-    std::variant<PointLight, SpotLight, GoniometricLight, ProjectionLight, DistantLight, ConstantInfiniteLight, ImageInfiniteLight> kind;
+    std::variant<PointLight, SpotLight, GoniometricLight, ProjectionLight, DistantLight, ConstantInfiniteLight, ImageInfiniteLight, PortalInfiniteLight> kind;
     double scale = 1;
     std::optional<double> power;          ///< goniometric, projection: what is emitted in all, where the image is taken as it is
     std::optional<double> illuminance;    ///< infinite with an image: lux on a surface that faces the image's +z

@@ -27,6 +27,8 @@
     F(EMITTERS,         "a surface that emits") \
     F(LIGHT_PATTERN,    "an area light with an image, or cut out by an alpha texture") \
     F(LIGHTS,           "a light that can be sampled") \
+    F(LIGHT_TREE,       "many lights, or \"lightsampler\" \"bvh\"") \
+    F(PORTALS,          "an infinite light with a portal") \
     F(LENS,             "a lens with an aperture") \
     F(APERTURE,         "an aperture that is not round") \
     F(IMPORTANCE,       "a film that receives more light through some rays than through others") \

@@ -17,7 +17,8 @@ CONTRACT_BEGIN
     L(goniometric_light, LIGHT_GONIOMETRIC) \
     L(projection_light,  LIGHT_PROJECTION) \
     L(constant_environment, LIGHT_CONSTANT_ENVIRONMENT) \
-    L(image_environment, LIGHT_IMAGE_ENVIRONMENT)
+    L(image_environment, LIGHT_IMAGE_ENVIRONMENT) \
+    L(portal_environment, LIGHT_PORTAL_ENVIRONMENT)
 
 #define LIGHT_KIND(name, FEATURE) kind_##name,
 enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
@@ -36,13 +37,14 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
      projection   p, a, b, n (rows of image-from-scene: the slide fills |x / z| <= 1, |y / z| <= 1), first_texel, resolution, rows, L (intensity)
      constant     L
      image        a, b, n (rows of light-from-scene), first_texel, first_alias, resolution, L (scale)
+     portal       p, c (opposite corners), a, b, n (its sides and the normal that points out), first_texel, first_sum, resolution, L (scale)
    Areas emit on the side of n, on both with `two_sided`. */
 #define LIGHT_FIELDS(F) \
     F(uint,     kind)         /* enum light_kind */ \
     F(uint,     two_sided)    /* 0 or 1 */ \
     F(uint,     element)      /* area whose radiance varies (an image, alpha): its element; otherwise NONE. L is the mean, without alpha */ \
     F(uint,     invisible)    /* 1: an area that no ray hits, since its alpha is 0: only light sampling finds it */ \
-    F(float,    pmf)          /* probability with which the light sampler picks this light; 0: only BSDF sampling finds it */ \
+    F(float,    pmf)          /* probability with which the light sampler picks this light, or the tree that it is in; 0: only BSDF sampling finds it */ \
     F(float,    inverse_area) \
     F(float,    extent)       /* disk, cylinder: how much of the circle there is, in (0, 1] */ \
     F(vec3,     p) \
@@ -57,7 +59,9 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
     F(uint,     first_texel)  /* in `environment_texels`: resolution^2 texels */ \
     F(uint,     first_alias)  /* in `environment_aliases`: one entry a row, then the entries of each row */ \
     F(uint,     resolution)   /* texels on a side of the square; 1 for other kinds, which straight-line code looks up as well */ \
-    F(uint,     rows)         /* projection: texels in a column, of `resolution` columns; 1 for other kinds */
+    F(uint,     rows)         /* projection: texels in a column, of `resolution` columns; 1 for other kinds */ \
+    F(uint,     first_sum)    /* portal: in `portal_sums`: (resolution + 1)^2 of them */ \
+    F(uint,     leaf)         /* in the light tree: node * LIGHT_TREE_WIDTH + child; NONE: not in it */
 
 #define LIGHT_MEMBER(type, name) type name;
 typedef struct { LIGHT_FIELDS(LIGHT_MEMBER) } light;
@@ -68,6 +72,21 @@ typedef struct {
     uint other;
     float pmf;           /* of this entry, to evaluate its density */
 } alias_entry;
+
+/* A node of the light tree: what bounds the lights under each of its eight children, as in a `bvh_node` side by side.
+   Conty Estevez and Kulla 2018, "Importance sampling of many lights with adaptive tree splitting". */
+#define LIGHT_TREE_WIDTH 8
+typedef struct {
+    float x[LIGHT_TREE_WIDTH], y[LIGHT_TREE_WIDTH], z[LIGHT_TREE_WIDTH], radius[LIGHT_TREE_WIDTH];  /* a sphere around them */
+    float axis_x[LIGHT_TREE_WIDTH], axis_y[LIGHT_TREE_WIDTH], axis_z[LIGHT_TREE_WIDTH];             /* a cone of their normals ... */
+    float cos_normals[LIGHT_TREE_WIDTH];     /* ... and cosine of its angle */
+    float cos_emission[LIGHT_TREE_WIDTH];    /* in [0, 1): how far from its normal any of them emits */
+    float intensity[LIGHT_TREE_WIDTH];       /* sum of luminous intensities along the normals; 0: no child */
+    uint two_sided[LIGHT_TREE_WIDTH];        /* ~0: some emit on both sides; else 0 */
+    uint child[LIGHT_TREE_WIDTH];            /* a node, or with LIGHT_BIT a light */
+    uint parent;                             /* node * LIGHT_TREE_WIDTH + child; NONE: this is the root, node 0 */
+} light_node;
+#define LIGHT_BIT 0x80000000u
 
 CONTRACT_END
 #endif

@@ -26,6 +26,14 @@
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices, undone for Russian roulette */ \
     F(q, spectrum, r_u,        MEDIA)        /* density of this path under its own strategy, per channel, relative */
 
+/* The light that is sampled at a vertex, as far as finding it takes a walk: chosen where items are made, for shading has no loops. */
+#define LIGHT_CHOICE_FIELDS(F, q) \
+    F(q, uint,     light,      LIGHT_TREE)   /* which */ \
+    F(q, float,    light_pmf,  LIGHT_TREE)   /* probability of that; 0: none */ \
+    F(q, vec3,     light_wi,   PORTALS)      /* if it has a portal: a direction through it, */ \
+    F(q, float,    light_density, PORTALS)   /*   its density over solid angle (0: none), */ \
+    F(q, uint,     light_texel, PORTALS)     /*   and the texel that is seen */
+
 /* A ray on its way: filled by generate_rays and shading, drained by intersect_rays. Sparse. */
 #define RAY_FIELDS(F, q) \
     TRAVEL_FIELDS(F, q) \
@@ -34,6 +42,7 @@
     F(q, float,    t_max,      ALWAYS)       /* < 0: this slot is dead */ \
     F(q, float,    pdf,        ALWAYS)       /* density over solid angle with which d was sampled; 0: no light could sample it */ \
     F(q, float,    traveled,   INTERFACE)    /* from where d was sampled to o: interfaces passed on the way */ \
+    F(q, vec3,     n,          LIGHT_TREE)   /* shading normal where d was sampled, on the side of wo; zero: not on a surface */ \
     F(q, spectrum, r_l,        MEDIA)        /* density of this path had a light been sampled instead, but for the light's own */ \
     F(q, uint,     medium,     MEDIA)        /* which fills the space at o, or NONE */
 
@@ -58,7 +67,8 @@
     F(q, vec3,     tangent,    ANISOTROPY)   /* along dp/du, perpendicular to ns */ \
     F(q, vec3,     wo,         ALWAYS)       /* towards where the path came from */ \
     F(q, uint,     inside,     MEDIA)        /* medium on the side away from ng */ \
-    F(q, uint,     outside,    MEDIA)        /* medium on the side of ng */
+    F(q, uint,     outside,    MEDIA)        /* medium on the side of ng */ \
+    LIGHT_CHOICE_FIELDS(F, q)
 
 /* A point in a medium, to be scattered at: filled by route_flights, drained by shade_scatters. Dense. */
 #define SCATTER_FIELDS(F, q) \
@@ -66,7 +76,8 @@
     F(q, vec3,     p,          ALWAYS) \
     F(q, vec3,     wo,         ALWAYS) \
     F(q, uint,     medium,     ALWAYS) \
-    F(q, float,    g,          ALWAYS)       /* mean cosine of the phase function */
+    F(q, float,    g,          ALWAYS)       /* mean cosine of the phase function */ \
+    LIGHT_CHOICE_FIELDS(F, q)
 
 /* A ray that left the scene: filled by route_flights, drained by shade_misses. Dense. */
 #define MISS_FIELDS(F, q) \
@@ -78,7 +89,8 @@
     F(q, spectrum, r_u,        MEDIA) \
     F(q, spectrum, r_l,        MEDIA)        /* as in ray */ \
     F(q, vec3,     d,          ALWAYS) \
-    F(q, float,    pdf,        ALWAYS)       /* as in ray */
+    F(q, float,    pdf,        ALWAYS)       /* as in ray */ \
+    F(q, vec3,     o,          PORTALS)      /* from where d was sampled */
 
 /* A hit on something that emits: filled by route_flights, drained by shade_emitters. Dense. */
 #define EMISSION_FIELDS(F, q) \

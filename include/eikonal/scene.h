@@ -74,7 +74,9 @@ typedef struct {
     T(alias_entry,    light_aliases)         /* the light sampler: one entry a light */ \
     T(uint,           environments)          /* those of `lights` that surround the scene */ \
     T(float,          environment_texels)    /* TEXEL_WORDS for each texel */ \
-    T(alias_entry,    environment_aliases)
+    T(alias_entry,    environment_aliases) \
+    T(uint,           portal_sums)           /* of the weights of texels above and left of each texel's corner; below 2^31 */ \
+    T(light_node,     light_nodes)           /* the light tree; its root comes first */
 
 /* What shading reads of surfaces besides their parameters. */
 #define BSDF_TABLES(T) \
@@ -141,7 +143,9 @@ typedef struct {
     uint tree_bundle;      /* 2^tree_bundle rays leave a rough surface; NONE: none */
     uint tree_lights;      /* so many lights are looked at, each of pmf 1; 0: one is chosen */
     float tree_threshold;  /* rays of less weight are not followed */
-    uint light_count;
+    uint light_count;      /* entries of `light_aliases`; 0: there is a light tree instead, or nothing to sample */
+    uint first_infinite, infinite_count; /* lights infinitely far away, last in `lights`: with LIGHT_TREE each is as likely as the tree */
+    uint lights_in_tree;     /* how many lights the tree holds */
     float world_scale;     /* world units in one unit of scene space */
     uint sensor_curves;    /* with SPECTRAL, in `curves`: three, linear sRGB of the image for light of each wavelength */
     uint albedo_curves;    /* with SPECTRAL, in `curves`: three, linear sRGB of a reflectance in daylight */

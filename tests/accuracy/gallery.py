@@ -25,6 +25,7 @@ MEAN_LIMIT = 0.01
 # block may be for that reason: what was found, and half as much again.
 REASONS = {
     "light-projection": ("RGB: yellow and blue light on tiles, see below", 0.012, 4),
+    "light-infinite-portal": ("noise of the reference where it is all but black, see below", 0.01, 9),
     "material-diffuse-imagemap": ("RGB: the dark channel of a saturated yellow, see below", 0.01, 1.5),
     "material-dielectric-dispersive": ("noise of colour of the reference, see below", 0.005, 1.5),
     "medium-absorb": ("RGB: exp(-x) of three numbers, see below", 0.022, 4),

@@ -2,6 +2,7 @@
 // a new test. Directions as in kernels/bsdf/bsdf.clh.
 
 #include "bsdf_probe.h"
+#include "pack/packer.h"
 #include "statistics.h"
 
 #include <gtest/gtest.h>
@@ -59,6 +60,18 @@ protected:
                " wo " + describe(in.wo[i]) + " lobe " + std::to_string(in.lobe[i]) + " u " + std::to_string(in.u[i].x) + " " + std::to_string(in.u[i].y);
     }
 };
+
+/// The light tree leaves out what is behind a surface, unless it is known to transmit.
+TEST_P(EveryBsdf, IsDarkFromBehindUnlessItTransmits) {
+    bool known = false;
+#define IS_KNOWN(bsdf, FEATURE, PARAMETERS) if (kind().name == #bsdf) known = transmits(hop_##bsdf);
+    BSDFS(IS_KNOWN)
+#undef IS_KNOWN
+    BsdfInputs in = various(4000, Range::smooth, 1e-2f);
+    for (size_t i = 0; i < in.size(); ++i)
+        if (in.given[i].z * in.wo[i].z > 0) in.given[i].z = -in.given[i].z;
+    for (const BsdfResult& r : probe(in)) ASSERT_TRUE(known || largest(r.fGiven) == 0) << "name it in transmits() of pack/materials.cpp";
+}
 
 /// The weight of a sample is eval * |cos| / pdf, and pdf_x says the same density as sample_x. Relative to 1 %: narrow lobes lose
 /// digits when the facet is found again from the two directions.

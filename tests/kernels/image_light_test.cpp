@@ -1,4 +1,4 @@
-// Lights whose directions are an image's texels: goniometric and projection lights.
+// Lights whose directions are an image's texels: goniometric and projection lights, and infinite lights with a portal.
 
 #include "device_function.h"
 #include "pack/pack.h"
@@ -39,18 +39,23 @@ PackedScene packLight(const Light& l, int width, int height) {
     return packScene(scene, diagnostics);
 }
 
-struct ImageLightResult { spectrum L; vec3 wi; float pdf; int isDelta; };
+struct ImageLightResult { spectrum L; vec3 wi; float pdf; int isDelta; spectrum Le; float pdfHere; };
 
-/// A sample of light 0 at p.
+/// A sample of light 0 at p, and what a portal is found to send along it.
 std::vector<ImageLightResult> sample(const PackedScene& scene, const std::vector<vec3>& p, const std::vector<vec2>& v) {
-    static const DeviceFunction<ImageLightResult> function({.include = "light/light.clh", .type = "image_light_result", .body = R"(
+    static const DeviceFunction<ImageLightResult> function({.include = "light/choose.clh", .type = "image_light_result", .body = R"(
         light_tables tables = BIND_LIGHTS;
         color_tables color_set = BIND_COLORS;
         palette colors = path_palette(color_set, 0u, 0u);
-        light_sample s = sample_light(tables, colors, 1u, p, 0.5f, v);
-        result.L = s.L; result.wi = s.wi; result.pdf = s.pdf; result.is_delta = s.is_delta;)",
+        light l = fetch(tables.lights);
+        light_choice found = no_choice();
+        found.pmf = 1.0f;
+        if (l.kind == kind_portal_environment) found = sample_portal(tables, l, p, v, found);
+        light_sample s = sample_light(tables, colors, found, p, v);
+        portal_light seen = eval_portal_environment(tables, colors, l, eval_color(colors, l.L), p, s.wi);
+        result.L = s.L; result.wi = s.wi; result.pdf = s.pdf; result.is_delta = s.is_delta; result.Le = seen.Le; result.pdf_here = seen.pdf;)",
         .inputs = {"vec3 p", "vec2 v"},
-        .declarations = "typedef struct { spectrum L; vec3 wi; float pdf; int is_delta; } image_light_result;",
+        .declarations = "typedef struct { spectrum L; vec3 wi; float pdf; int is_delta; spectrum Le; float pdf_here; } image_light_result;",
         .tables = "LIGHT_ARGUMENTS COLOR_ARGUMENTS"});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, p, v);
@@ -123,8 +128,8 @@ TEST(ProjectionLight, ProjectsItsImage) {
 /// A sky of radiance L gives E = pi L; pbrt-v4 measures half of that, and so makes it twice as bright as its "illuminance" says.
 TEST(ImageLights, AnIlluminanceIsHalfOfWhatArrives) {
     Scene scene;
-    ImageFile file = imageFile(16, 16);
-    file.pixels = std::make_shared<ImageData>(equalAreaImage(16, 1, [](glm::dvec3) { return glm::dvec3(0.3); }));
+    ImageFile file = imageFile(128, 128);
+    file.pixels = std::make_shared<ImageData>(equalAreaImage(128, 1, [](glm::dvec3) { return glm::dvec3(0.3); }));
     scene.images.push_back(file);
     scene.lights.resize(1);
     scene.lights[0].kind = ImageInfiniteLight{0};
@@ -147,6 +152,128 @@ TEST(ImageLights, EmitTheirPower) {
         for (const ImageLightResult& r : sample(scene, p, std::vector<vec2>(p.size(), {0.5f, 0.5f}))) flux.add(4 * M_PI * (0.2126 * r.L.r + 0.7152 * r.L.g + 0.0722 * r.L.b));
         EXPECT_NEAR(flux.estimate().mean, 30, 4 * flux.estimate().error);
     }
+}
+
+// ---- portals ------------------------------------------------------------------------------------------------------------
+
+/// A turned rectangle, from which x cross y points away from the points below.
+constexpr double portalWidth = 1.3, portalHeight = 0.8;
+struct Portal { std::array<glm::dvec3, 4> corners; glm::dvec3 x, y, n; };
+Portal portal() {
+    const glm::dmat3 turn(somewhere());
+    const glm::dvec3 x = turn[0], y = turn[1], at(0.2, 0.4, 0.1);
+    return {{at, at + portalHeight * y, at + portalHeight * y + portalWidth * x, at + portalWidth * x}, x, y, glm::cross(x, y)};
+}
+PackedScene portalScene(int n) {
+    Light l;
+    l.kind = PortalInfiniteLight{Spectrum::constant(2), n > 0 ? 0 : none, portal().corners};
+    l.scale = 3;
+    l.worldFromLight = glm::inverse(somewhere());
+    return packLight(l, std::max(n, 1), std::max(n, 1));
+}
+
+/// Functions of direction whose integrals over the portal, as seen from a point, are compared.
+constexpr size_t momentCount = 6;
+std::array<double, momentCount> moments(glm::dvec3 w) { return {1, w.x, w.y, w.z, w.x * w.y, w.z * w.z}; }
+
+/// Near, far, to the side, in the portal's plane nearly, and so far that the window is a small part of a texel.
+std::vector<glm::dvec3> portalPoints() {
+    const Portal p = portal();
+    const glm::dvec3 middle = (p.corners[0] + p.corners[2]) / 2.;
+    return {middle - 0.3 * p.n, middle - 2. * p.n + 0.7 * p.x, middle - 0.05 * p.n + 1.5 * p.x + 0.2 * p.y, middle - 30. * p.n + 3. * p.y};
+}
+
+/// The mean of f / pdf is the integral of f over the portal's solid angle (by the midpoint rule: dw = cos / d^2 dA), the sample lies in the
+/// portal, and its density and radiance are those which a path finds that goes the same way by itself.
+TEST(PortalEnvironment, SamplesFollowTheWindow) {
+    const Portal at = portal();
+    Random random(65);
+    const auto v = generate(40000, [&] { return random.square(); });
+    for (int n : {0, 1, 8, 64}) {
+        SCOPED_TRACE(n);
+        const PackedScene scene = portalScene(n);
+        for (const glm::dvec3& p : portalPoints()) {
+            std::array<Accumulator, momentCount> estimates;
+            int elsewhere = 0;
+            for (const ImageLightResult& r : sample(scene, std::vector<vec3>(v.size(), toVec3(p)), v)) {
+                ASSERT_GT(r.pdf, 0);
+                ASSERT_NEAR(glm::length(toGlm(r.wi)), 1, 1e-5);
+                const auto m = moments(toGlm(r.wi));
+                for (size_t k = 0; k < momentCount; ++k) estimates[k].add(m[k] / r.pdf);
+                const double way = glm::dot(at.corners[0] - p, at.n) / glm::dot(toGlm(r.wi), at.n);
+                const glm::dvec3 q = p + way * toGlm(r.wi) - at.corners[0];
+                const double slack = 1e-5 * (1 + way * way);
+                ASSERT_GT(way, 0);
+                ASSERT_TRUE(glm::dot(q, at.x) > -slack && glm::dot(q, at.x) < portalWidth + slack && glm::dot(q, at.y) > -slack && glm::dot(q, at.y) < portalHeight + slack);
+                if (!(std::abs(r.pdfHere / r.pdf - 1) < 1e-3 && r.Le.g == r.L.g)) ++elsewhere;
+            }
+            EXPECT_LT(elsewhere, 200) << "at edges of texels and of the window only";
+            std::array<double, momentCount> expected{};
+            constexpr int steps = 300;
+            for (int i = 0; i < steps * steps; ++i) {
+                const glm::dvec3 q = at.corners[0] + (i % steps + 0.5) / steps * portalWidth * at.x + (i / steps + 0.5) / steps * portalHeight * at.y;
+                const glm::dvec3 to = q - p;
+                const double d = glm::length(to), solid = glm::dot(to / d, at.n) / (d * d) * portalWidth * portalHeight / (steps * steps);
+                const auto m = moments(to / d);
+                for (size_t k = 0; k < momentCount; ++k) expected[k] += m[k] * solid;
+            }
+            for (size_t k = 0; k < momentCount; ++k) {
+                const Estimate e = estimates[k].estimate();
+                EXPECT_NEAR(e.mean, expected[k], 4 * e.error + 1e-3 * expected[0]) << "moment " << k << " from " << p.x << " " << p.y << " " << p.z;
+            }
+        }
+    }
+}
+
+/// Radiance of every direction, in light space, where it varies slowly: the portal shows the environment, neither turned nor mirrored.
+TEST(PortalEnvironment, ShowsTheEnvironment) {
+    const auto radiance = [](glm::dvec3 d) { return glm::dvec3(2 + d.x, 2 + d.y, 2 + d.z); };
+    Scene description;
+    ImageFile file;
+    file.pixels = std::make_shared<ImageData>(equalAreaImage(64, 2, radiance));
+    description.images.push_back(file);
+    Light l;
+    l.kind = PortalInfiniteLight{Spectrum::constant(1), 0, portal().corners};
+    l.scale = 3;
+    l.worldFromLight = glm::inverse(somewhere());
+    description.lights.push_back(l);
+    Diagnostics diagnostics(LogLevel::silent);
+    const PackedScene scene = packScene(description, diagnostics);
+    Random random(66);
+    const auto v = generate(2000, [&] { return random.square(); });
+    for (const ImageLightResult& r : sample(scene, std::vector<vec3>(v.size(), toVec3(portalPoints()[0])), v)) {
+        const glm::dvec3 expected = 3. * radiance(glm::dmat3(somewhere()) * toGlm(r.wi));
+        ASSERT_NEAR(r.L.r, expected.x, 0.15);
+        ASSERT_NEAR(r.L.g, expected.y, 0.15);
+        ASSERT_NEAR(r.L.b, expected.z, 0.15);
+    }
+    for (const ImageLightResult& r : sample(portalScene(0), std::vector<vec3>(v.size(), toVec3(portalPoints()[0])), v)) ASSERT_NEAR(r.L.g, 3 * 2, 1e-5);
+}
+
+/// Behind it, and beside it, all is dark.
+TEST(PortalEnvironment, IsDarkElsewhere) {
+    const Portal at = portal();
+    const PackedScene scene = portalScene(8);
+    Random random(67);
+    const auto v = generate(200, [&] { return random.square(); });
+    for (const ImageLightResult& r : sample(scene, std::vector<vec3>(v.size(), toVec3(at.corners[0] + 0.3 * at.n)), v)) ASSERT_EQ(r.pdf, 0);
+    static const DeviceFunction<float> here({.include = "light/choose.clh", .type = "float", .body = R"(
+        light_tables tables = BIND_LIGHTS;
+        color_tables color_set = BIND_COLORS;
+        portal_light seen = eval_portal_environment(tables, path_palette(color_set, 0u, 0u), fetch(tables.lights), uniform_spectrum(1.0f), p, d);
+        result = seen.pdf + max_component(seen.Le);)", .inputs = {"vec3 p", "vec3 d"}, .tables = "LIGHT_ARGUMENTS COLOR_ARGUMENTS"});
+    const DeviceScene onDevice(testContext(), scene);
+    const glm::dvec3 p = portalPoints()[0];
+    std::vector<vec3> d;
+    std::vector<bool> through;
+    for (int i = 0; i < 2000; ++i) {
+        d.push_back(random.direction());
+        const double way = glm::dot(at.corners[0] - p, at.n) / glm::dot(toGlm(d.back()), at.n);
+        const glm::dvec3 q = p + way * toGlm(d.back()) - at.corners[0];
+        through.push_back(way > 0 && glm::dot(q, at.x) > 0 && glm::dot(q, at.x) < portalWidth && glm::dot(q, at.y) > 0 && glm::dot(q, at.y) < portalHeight);
+    }
+    const auto results = here.with(onDevice, std::vector<vec3>(d.size(), toVec3(p)), d);
+    for (size_t i = 0; i < d.size(); ++i) ASSERT_EQ(results[i] > 0, through[i]);
 }
 
 }  // namespace

@@ -18,11 +18,13 @@ namespace {
     M(material, hop) M(material, first_input) M(material, input_count) M(material, displacement) M(material, normal_map) M(material, mix_a) M(material, mix_b) \
     M(material, mix_amount) M(material, disperses) M(material, regular) M(material_input, texture) M(material_input, slot) M(material_input, kind) M(material_input, count) M(material_input, value) M(color, c0) M(color, c1) M(color, c2) M(color, scale) M(color, curve) \
     M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) M(settings, sequence_sample_bits) M(settings, sequence_tile_bits) M(settings, max_depth) M(settings, light_count) \
-    M(settings, world_scale) M(settings, sensor_curves) M(settings, albedo_curves) M(settings, max_component_value) \
+    M(settings, first_infinite) M(settings, infinite_count) M(settings, lights_in_tree) M(settings, world_scale) M(settings, sensor_curves) M(settings, albedo_curves) M(settings, max_component_value) \
     M(camera, kind) M(camera, scene_from_camera) M(camera, screen_x) M(camera, screen_y) M(camera, step_x) M(camera, step_y) M(camera, lens_radius) \
     M(camera, focal_distance) M(camera, moving) M(camera, times) M(camera, equal_area) M(camera, element_count) M(camera, rear_z) M(camera, film_radius) \
     M(camera, aperture_width) M(camera, aperture_height) M(camera, medium) M(filter, radius_x) M(filter, radius_y) \
     M(alias_entry, keep) M(alias_entry, other) M(alias_entry, pmf) \
+    M(light_node, x) M(light_node, y) M(light_node, z) M(light_node, radius) M(light_node, axis_x) M(light_node, axis_y) M(light_node, axis_z) \
+    M(light_node, cos_normals) M(light_node, cos_emission) M(light_node, intensity) M(light_node, two_sided) M(light_node, child) M(light_node, parent) \
     M(shape, kind) M(shape, flags) M(shape, first_element) M(shape, first_index) M(shape, first_vertex) M(shape, first_normal) M(shape, first_uv) \
     M(shape, quadric) M(shape, splits) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, emission) M(shape, id) M(shape, inside) M(shape, outside) \
     M(quadric, object_from_scene) M(quadric, scene_from_object) M(quadric, radius) M(quadric, inner_radius) M(quadric, z_min) M(quadric, z_max) M(quadric, phi_max) \
@@ -114,7 +116,7 @@ TEST(Layout, IsEqualOnBothSides) {
 
 /// Each feature that some field of a queue names, alone.
 TEST(Layout, IsEqualForEachFeatureOfAField) {
-    for (Feature f : {Feature::MEDIA, Feature::INTERFACE, Feature::TRANSMISSION, Feature::INSTANCES, Feature::ANISOTROPY, Feature::AOVS})
+    for (Feature f : {Feature::MEDIA, Feature::INTERFACE, Feature::TRANSMISSION, Feature::INSTANCES, Feature::ANISOTROPY, Feature::AOVS, Feature::LIGHT_TREE, Feature::PORTALS})
         expectEqualLayout(Features().require(f), featureName(f));
 }
 

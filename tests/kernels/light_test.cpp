@@ -29,7 +29,9 @@ const DeviceFunction<LightResult>& sampler() {
         light_tables tables = BIND_LIGHTS;
         color_tables color_set = BIND_COLORS;
         palette colors = path_palette(color_set, 0u, 0u);
-        light_sample s = sample_light(tables, colors, count, p, u, v);
+        light_choice found = choose_light_by_power(tables, no_choice(), count, u);
+        if (tables.lights[found.light].kind == kind_portal_environment) found = sample_portal(tables, fetch(tables.lights + found.light), p, v, found);
+        light_sample s = sample_light(tables, colors, found, p, v);
         result.L = s.L; result.wi = s.wi; result.distance = s.distance; result.pdf = s.pdf; result.is_delta = s.is_delta;
         result.index = sample_light_index(tables, count, u);
         light l = fetch(tables.lights + result.index);
@@ -48,7 +50,12 @@ const DeviceFunction<LightResult>& sampler() {
         int image = l.kind == kind_image_environment;
         result.Le = eval_constant_environment(eval_color(colors, l.L));
         result.pdf_environment = pdf_constant_environment();
-        if (image) { result.Le = eval_image_environment(tables, colors, l, eval_color(colors, l.L), s.wi); result.pdf_environment = pdf_image_environment(tables, l, s.wi); })",
+        if (image) { result.Le = eval_image_environment(tables, colors, l, eval_color(colors, l.L), s.wi); result.pdf_environment = pdf_image_environment(tables, l, s.wi); }
+        if (l.kind == kind_portal_environment) {
+            portal_light seen = eval_portal_environment(tables, colors, l, eval_color(colors, l.L), p, s.wi);
+            result.Le = seen.Le;
+            result.pdf_environment = seen.pdf;
+        })",
         .inputs = {"vec3 p", "float u", "vec2 v", "uint count"},
         .declarations = "typedef struct { spectrum L; vec3 wi; float distance, pdf; int is_delta; uint index; float pdf_hit; spectrum Le; float pdf_environment; } light_result;",
         .tables = "LIGHT_ARGUMENTS COLOR_ARGUMENTS"});
@@ -82,7 +89,7 @@ light newLight(light_kind kind) {
     l.pmf = 1;
     l.extent = 1;
     l.resolution = l.rows = 1;
-    l.element = NONE;
+    l.element = l.leaf = NONE;
     l.L = packRgb({1, 2, 3});
     return l;
 }
@@ -396,11 +403,13 @@ TEST(ImageEnvironment, BesideLargerImages) {
         file.pixels = pixels;
         description.images.push_back(file);
     }
-    Light sky, slide, lamp;
+    Light sky, slide, lamp, window;
     sky.kind = ImageInfiniteLight{0};
     slide.kind = ProjectionLight{1, 90};
     lamp.kind = GoniometricLight{Spectrum::constant(1), 1};
-    description.lights = {slide, sky, lamp};
+    window.kind = PortalInfiniteLight{Spectrum::constant(1), 1, {glm::dvec3{-1, -1, 2}, {-1, 1, 2}, {1, 1, 2}, {1, -1, 2}}};
+    description.lights = {slide, sky, lamp, window};
+    description.integrator.lightSampler = LightSampler::power;
     Diagnostics diagnostics(LogLevel::silent);
     const PackedScene scene = packScene(description, diagnostics);
     Random random(52);
@@ -489,7 +498,7 @@ TEST(LightSampler, LeavesAUniformRest) {
 TEST(LightList, IsCovered) {
     const std::set<std::string> tested{"point_light", "spot_light", "distant_light", "triangle_light", "bilinear_light", "sphere_light", "disk_light", "cylinder_light",
                                        "constant_environment", "image_environment",
-                                       "goniometric_light", "projection_light" /* image_light_test.cpp */};
+                                       "goniometric_light", "projection_light", "portal_environment" /* image_light_test.cpp */};
 #define EXPECT_TESTED(name, FEATURE) EXPECT_TRUE(tested.count(#name)) << "no test knows what a " #name " should give: add one here";
     LIGHTS(EXPECT_TESTED)
 #undef EXPECT_TESTED

@@ -32,6 +32,11 @@ constexpr const char* lamp = R"(
     AttributeEnd
 )";
 
+/// Every kind of light whose directions are an image's.
+const std::string sky = "\"string filename\" \"" EIKONAL_SOURCE_DIR "/scenes/assets/sky.exr\" ";
+const std::string imageLights = "LightSource \"infinite\" " + sky + "LightSource \"infinite\" " + sky + "\"point3 portal\" [ -1 -1 4  -1 1 4  1 1 4  1 -1 4 ]\n"
+    "LightSource \"goniometric\" " + sky + "LightSource \"projection\" " + sky;
+
 std::string sphereOf(const std::string& material) { return std::string(lamp) + "Material " + material + "\nShape \"sphere\"\n"; }
 
 std::vector<VectorCase> cases() {
@@ -42,6 +47,8 @@ std::vector<VectorCase> cases() {
             {"shade_emitters", "shade_emitters", lamp},
             {"shade_hits_diffuse", "shade_hits diffuse", sphereOf("\"diffuse\"")},
             {"shade_hits_diffuse_transmission", "shade_hits diffuse_transmission", sphereOf("\"diffusetransmission\"")},
+            {"shade_misses_with_a_portal", "shade_misses", imageLights + "Shape \"sphere\"\n"},
+            {"shade_hits_with_images_and_a_light_tree", "shade_hits diffuse", imageLights + sphereOf("\"diffuse\""), "Integrator \"path\" \"string lightsampler\" \"bvh\"\n"},
             {"shade_hits_conductor", "shade_hits conductor", sphereOf("\"conductor\" \"float roughness\" 0.3")},
             {"shade_hits_specular_conductor", "shade_hits specular_conductor", sphereOf("\"conductor\" \"float roughness\" 0")},
             {"shade_hits_dielectric", "shade_hits dielectric", sphereOf("\"dielectric\" \"float roughness\" 0.3")},

@@ -189,6 +189,17 @@ TEST(Whitted, BundlesSpreadAsTheSurfaceDoes) {
     expectEqualMeans(direct, renderTree("\"integer bundle\" 0", lamps + "Material \"conductor\" \"float roughness\" .3 Shape \"sphere\"", 256), 0.02);
 }
 
+/// Where there are more lights than it looks at, or one has a portal, one of them is chosen, as for paths.
+TEST(Whitted, ChoosesAmongManyLightsAndWithPortals) {
+    std::string points;
+    for (int i = 0; i < 20; ++i) points += fmt::format("LightSource \"point\" \"rgb I\" [{0} {0} 1] \"point3 from\" [{1} .3 -1.5]\n", i % 3 + 1, .2 * i - 2);
+    const std::string portal = "LightSource \"infinite\" \"rgb L\" [2 2 2] \"point3 portal\" [-1 -1 -1  1 -1 -1  1 1 -1  -1 1 -1] LightSource \"point\" \"point3 from\" [0 0 -1]\n";
+    for (const std::string& lights : {points, portal}) {
+        const std::string world = lights + "Material \"diffuse\"" + across(0);
+        expectEqualMeans(render(sceneText(view("\"direct\""), world), surfaces()), renderTree("", world, 256), 0.02);
+    }
+}
+
 /// Albedos are gathered by the same weights.
 TEST(Whitted, AlbedoIsSeenByAllRays) {
     View v = view("\"whitted\"");

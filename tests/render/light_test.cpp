@@ -166,12 +166,12 @@ TEST(Light, AnEmitterLooksAsBrightAsItIs) {
 
 // Lights add up, whichever is picked how often.
 TEST(Light, ManyLightsAddUp) {
-    expectRadiance(onTheFloor("LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 2 0]\nLightSource \"distant\" \"rgb L\" [.1 .1 .1] \"point3 from\" [0 1 0] \"point3 to\" [0 0 0]\n" +
+    expectRadiance(onTheFloor("LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 2 0]\nLightSource \"distant\" \"rgb L\" [.1 .1 .1] \"point3 from\" [1 1 0] \"point3 to\" [0 0 0]\n" +
                               emitter("Translate 0 2.5 0 Shape \"sphere\" \"float radius\" .1") + "\nLightSource \"point\" \"rgb I\" [.01 .01 .01] \"point3 from\" [0 .1 0]"),
-                   rho / pi * (3. / 4 + 0.1 + Le * pi * 0.0016 + 1), 0.06);
+                   rho / pi * (3. / 4 + 0.1 * std::sqrt(0.5) + Le * pi * 0.0016 + 1), 0.06);
 }
 
-// ---- lights with an image --------------------------------------------------------------------
+// ---- lights with an image, portals, and light samplers --------------------------------------------------------------------
 
 /// Three times three texels, of which only the middle one is not black.
 class ImageLights : public testing::Test {
@@ -205,13 +205,41 @@ TEST_F(ImageLights, SendAsTheirImageSays) {
     expectRadiance(onTheFloor(lamp(29)), glm::dvec3(0));
 }
 
-// Both at wavelengths.
+// All of them at wavelengths, with a portal and a light tree.
 TEST_F(ImageLights, AreTheSameAtWavelengths) {
     View view = atTheOrigin();
     view.sampler = "sobol";
     view.samples = 1024;
-    const glm::dvec3 seen = estimate(render(packScene(sceneText(view, slide(0) + lamp(0) + floorShape), ColorMode::spectral)).image).mean, expected = fromSlide + fromLamp;
+    view.more = "Integrator \"volpath\" \"integer maxdepth\" 1 \"string lightsampler\" \"bvh\"";
+    const std::string sky = "LightSource \"infinite\" \"rgb L\" [4 3 1] \"point3 portal\" [0 1 0  1.2 1 0  1.2 1 .7  0 1 .7]\n";
+    const glm::dvec3 seen = estimate(render(packScene(sceneText(view, slide(0) + lamp(0) + sky + floorShape), ColorMode::spectral)).image).mean;
+    const glm::dvec3 expected = fromSlide + fromLamp + rho / pi * irradianceOfRectangle(1.2, .7) / Le * glm::dvec3(4, 3, 1);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c] / expected[c], 1, 0.01) << "channel " << c;
+}
+
+// A sky of radiance Le that comes in through a rectangle lights the floor as a rectangle of that radiance does, and is as bright.
+TEST(Light, APortalIsARectangleOfSky) {
+    const std::string sky = "LightSource \"infinite\" \"rgb L\" [4 4 4] ";
+    expectRadiance(onTheFloor(sky + "\"point3 portal\" [0 1 0  0 1 .7  1.2 1 .7  1.2 1 0]"), glm::dvec3(0));
+    expectRadiance(onTheFloor(sky + "\"point3 portal\" [0 1 0  1.2 1 0  1.2 1 .7  0 1 .7]"), rho / pi * irradianceOfRectangle(1.2, .7));
+    View view;
+    view.maxDepth = 0;
+    expectRadiance(render(sceneText(view, sky + "\"point3 portal\" [-1 -1 1  -1 1 1  1 1 1  1 -1 1]"), surfaces()), Le);
+    expectRadiance(render(sceneText(view, sky + "\"point3 portal\" [1 -1 1  1 1 1  2 1 1  2 -1 1]"), surfaces()), glm::dvec3(0));
+}
+
+// Whoever chooses the lights, they add up to the same.
+TEST(Light, EverySamplerAddsUpToTheSame) {
+    for (const char* sampler : {"bvh", "power", "uniform"}) {
+        SCOPED_TRACE(sampler);
+        View view = atTheOrigin();
+        view.more = fmt::format("Integrator \"volpath\" \"integer maxdepth\" 1 \"string lightsampler\" \"{}\"", sampler);
+        const std::string lights = "LightSource \"infinite\" \"rgb L\" [.2 .2 .2]\nLightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 2 0]\n"
+            "LightSource \"distant\" \"rgb L\" [.1 .1 .1] \"point3 from\" [1 1 0] \"point3 to\" [0 0 0]\n" +
+            emitter("Translate 0 2.5 0 Shape \"sphere\" \"float radius\" .1") + "\nLightSource \"point\" \"rgb I\" [.01 .01 .01] \"point3 from\" [0 .1 0]";
+        /* The lamp hides a part of the sky: that of its cone, which is (r / h)^2 of the cosine-weighted half */
+        expectRadiance(render(sceneText(view, lights + "\n" + floorShape), surfaces()), rho / pi * (3. / 4 + 0.1 * std::sqrt(0.5) + Le * pi * 0.0016 + 1 + 0.2 * pi * (1 - 0.0016)), 0.06);
+    }
 }
 
 // ---- what stands between ------------------------------------------------------------------------------------------------

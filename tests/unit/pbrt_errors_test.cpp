@@ -28,9 +28,9 @@ TEST_F(PbrtErrors, unknownParametersNameTheKnownOnes) {
 }
 
 TEST_F(PbrtErrors, whatIsNotRenderedIsAnErrorIfAskedFor) {
-    const std::string text = "LightSource \"projection\"\nTexture \"a\" \"float\" \"ptex\"\nTexture \"b\" \"float\" \"ptex\"";
+    const std::string text = "AttributeBegin ActiveTransform EndTime Translate 1 0 0\nLightSource \"point\" AttributeEnd\nTexture \"a\" \"float\" \"ptex\"\nTexture \"b\" \"float\" \"ptex\"";
     EXPECT_EQ(warningsOfWorld(text).size(), 2u);
-    EXPECT_THAT(errorOfWorld(text, true), AllOf(HasSubstr("test.pbrt:2:1: light \"projection\" is not rendered yet"), HasSubstr("\ntest.pbrt:3:1: texture \"ptex\"")));
+    EXPECT_THAT(errorOfWorld(text, true), AllOf(HasSubstr("test.pbrt:3:1: a light that moves is not rendered yet"), HasSubstr("\ntest.pbrt:4:1: texture \"ptex\"")));
 }
 
 TEST_F(PbrtErrors, allThatIsWrongIsListed) {

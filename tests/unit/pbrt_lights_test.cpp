@@ -108,13 +108,19 @@ TEST_F(PbrtLights, lightsWithAnImage) {
     const Light slide = light("\"projection\" \"string filename\" \"slide.png\"");
     EXPECT_EQ(std::get<ProjectionLight>(slide.kind).fov, 90);
     EXPECT_FALSE(slide.power.has_value());
-    EXPECT_THAT(errorOfWorld("LightSource \"projection\""), HasSubstr("test.pbrt:2:1: error: light \"projection\" needs an image"));
+    EXPECT_THAT(errorOfWorld("LightSource \"projection\""), HasSubstr("test.pbrt:2:1: light \"projection\" needs an image"));
     EXPECT_THAT(errorOfWorld("LightSource \"projection\" \"string filename\" \"slide.png\" \"float fov\" 180"), HasSubstr("it must be in (0, 180)"));
 }
 
-TEST_F(PbrtLights, whatIsNotRendered) {
-    EXPECT_EQ(world("LightSource \"infinite\" \"point3 portal\" [0 0 0  1 0 0  1 1 0  0 1 0]").lights.size(), 1u);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("portals are not rendered yet")));
+TEST_F(PbrtLights, portals) {
+    const Light l = light("\"infinite\" \"rgb L\" [1 2 3] \"float illuminance\" 10 \"point3 portal\" [0 0 0  0 1 0  2 1 0  2 0 0]");
+    EXPECT_EQ(std::get<PortalInfiniteLight>(l.kind).image, none);
+    expectNear(std::get<PortalInfiniteLight>(l.kind).L.illuminant(), {1, 2, 3});
+    expectNear(std::get<PortalInfiniteLight>(l.kind).portal[2], {2, 1, 0});
+    EXPECT_NEAR(l.scale, 10 / pi, 1e-9);
+    EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"point3 portal\" [0 0 0  1 0 0  1 1 0]"), HasSubstr("a portal has 4 corners; here are 3"));
+    for (const char* crooked : {"0 0 0  1 0 0  1 2 0  0 1 0", "0 0 0  1 0 0  1 1 0  0 1 1", "0 0 0  0 0 0  1 1 0  1 1 0", "0 0 0  1 .2 0  1 1.2 0  0 1 0"})
+        EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"point3 portal\" [" + std::string(crooked) + "]"), HasSubstr("a rectangle"));
 }
 
 }  // namespace

@@ -69,20 +69,34 @@ void readProjection(TextureBook& textures, const Arguments& arguments, Light& li
     if (const double power = arguments.number("power"); power > 0) light.power = power;
 }
 
+/// The corners of a portal. Throws SceneError unless they are those of a rectangle.
+std::array<glm::dvec3, 4> readPortal(const Arguments& arguments) {
+    const std::vector<glm::vec3> corners = arguments.vectors3("portal");
+    if (corners.size() != 4)
+        throw SceneError(arguments.whereOf("portal"), "a portal has 4 corners; here are " + std::to_string(corners.size()));
+    const std::array<glm::dvec3, 4> p{corners[0], corners[1], corners[2], corners[3]};
+    const glm::dvec3 x = p[3] - p[0], y = p[1] - p[0], across = p[2] - p[1], up = p[2] - p[3];
+    const double size = std::max(glm::length(x), glm::length(y));
+    const bool isRectangle = std::min(glm::length(x), glm::length(y)) > 0 && glm::length(across - x) <= 1e-3 * size && glm::length(up - y) <= 1e-3 * size &&
+                             std::abs(glm::dot(x, y)) <= 1e-3 * glm::length(x) * glm::length(y);
+    if (!isRectangle) throw SceneError(arguments.whereOf("portal"), "the corners of a portal must be those of a rectangle, one after the other along its edge");
+    return p;
+}
+
 /// False: it has an image that is missing.
-bool readInfinite(Reading& reading, TextureBook& textures, const Arguments& arguments, Light& light) {
+bool readInfinite(TextureBook& textures, const Arguments& arguments, Light& light) {
     const double illuminance = arguments.number("illuminance");
-    if (arguments.has("portal"))
-        reading.unsupported("portal", arguments.whereOf("portal"), "portals are not rendered yet; the light shines from everywhere");
     if (arguments.has("filename") && arguments.has("L"))
         throw SceneError(arguments.whereOf("L"), "light \"infinite\" has either \"L\" or \"filename\", not both");
     const int image = arguments.has("filename") ? readImage(textures, arguments, WrapMode::octahedral) : none;
     if (arguments.has("filename") && image == none) return false;
+    const Spectrum L = arguments.spectrum("L", whiteOf(arguments));
+    if (arguments.has("portal")) light.kind = PortalInfiniteLight{L, image, readPortal(arguments)};
+    else if (image != none) light.kind = ImageInfiniteLight{image};
+    else light.kind = ConstantInfiniteLight{L};
     if (image != none) {
-        light.kind = ImageInfiniteLight{image};
         if (illuminance > 0) light.illuminance = illuminance;
     } else {
-        light.kind = ConstantInfiniteLight{arguments.spectrum("L", whiteOf(arguments))};
         if (illuminance > 0) light.scale *= illuminance / glm::pi<double>();
     }
     return true;
@@ -134,7 +148,7 @@ void addLight(Reading& reading, TextureBook& textures, const std::string& kindNa
             if (std::get<ProjectionLight>(light.kind).image == none) return;
             break;
         default:
-            if (!readInfinite(reading, textures, arguments, light)) return;
+            if (!readInfinite(textures, arguments, light)) return;
     }
     reading.scene.lights.push_back(std::move(light));
 }

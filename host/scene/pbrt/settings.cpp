@@ -289,6 +289,21 @@ void Settings::applySampler(const Arguments& arguments) {
     if (arguments.has("seed")) sampler.seed = arguments.integer("seed");
 }
 
+void Settings::applyLightSampler(const Arguments& arguments) {
+    const std::string name = arguments.text("lightsampler");
+    LightSampler& sampler = reading_.scene.integrator.lightSampler;
+    std::vector<std::string> words;
+    for (const auto& [word, value] : lightSamplerNames) {
+        words.emplace_back(word);
+        if (name == word) { sampler = value; return; }
+    }
+    /* pbrt-v4's fourth: what a tree of bounds comes near to, with the same expectation */
+    if (name == "exhaustive") { sampler = LightSampler::bvh; return; }
+    const std::string near = nearestWord(name, words);
+    throw SceneError(arguments.whereOf("lightsampler"), "there is no light sampler \"" + name + "\"; " +
+                                                            (near.empty() ? "there are \"bvh\", \"power\" and \"uniform\"" : "did you mean \"" + near + "\"?"));
+}
+
 /// Throws SceneError unless it is a power of two from 1 to mostTreeRays, or the number that `orElse` is.
 static int treeRays(const Arguments& arguments, const std::string& name, int orElse) {
     const int rays = arguments.integer(name);
@@ -306,6 +321,7 @@ void Settings::applyIntegrator(const Arguments& arguments) {
     if (kind.standIn) integrator.standsFor = kind.name;
     integrator.maxDepth = arguments.integer("maxdepth");
     if (integrator.maxDepth < 0) throw SceneError(arguments.whereOf("maxdepth"), "\"integer maxdepth\" must not be negative");
+    if (kind.rule("lightsampler") && arguments.has("lightsampler")) applyLightSampler(arguments);
     if (kind.rule("regularize")) integrator.regularize = arguments.flag("regularize");
     if (integrator.kind == IntegratorKind::simplePath) {
         integrator.sampleLights = arguments.flag("samplelights");

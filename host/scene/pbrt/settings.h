@@ -38,6 +38,7 @@ private:
     void applyFilm(const Arguments& arguments);
     void applyFilter(const Arguments& arguments);
     void applySampler(const Arguments& arguments);
+    void applyLightSampler(const Arguments&);
     void applyIntegrator(const Arguments& arguments);
 
     Reading& reading_;
