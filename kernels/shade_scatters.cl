@@ -6,7 +6,8 @@
 FN scattering shade_scatter(light_tables lights, color_tables colors, __global const settings *frame, scatter_item s, int alive) {
     scattering out;
 
-    /* Light from one light, seen by the phase function */
+    /* Light from one light, seen by the phase function. None reaches the inside of a body that is bounded by a dielectric: paths leave it by themselves */
+    int lit = HAS_SUBSURFACE ? alive & (s.within == 0u) : alive;
     shadow_item shadow = no_shadow(s.path);
     if (HAS_LIGHTS) {
         LIGHT_CHOICE_OF(s, alive, found)
@@ -16,7 +17,7 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
         shadow.time = s.time;
         shadow.o = s.p;
         shadow.medium = s.medium;
-        shadow = light_contribution(shadow, s.beta, s.r_u, l, uniform_spectrum(phase), phase, alive);
+        shadow = light_contribution(shadow, s.beta, s.r_u, l, uniform_spectrum(phase), phase, lit);
     }
     out.shadow = shadow;
 
@@ -37,12 +38,14 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     r.o = s.p;
     r.d = wi;
     r.t_max = alive & game.survives ? FAR_AWAY : -1.0f;
-    r.pdf = eval_phase(s.g, s.wo, wi);
+    float pdf = eval_phase(s.g, s.wo, wi);
+    r.pdf = HAS_SUBSURFACE && s.within ? 0.0f : pdf;
     r.traveled = 0.0f;
     r.n = make_vec3(0.0f, 0.0f, 0.0f);
     r.medium = s.medium;
+    r.within = s.within; r.uncounted = s.uncounted; r.around = s.around;
     r.r_u = s.r_u;
-    r.r_l = mul(s.r_u, 1.0f / max1(r.pdf, 1e-30f));
+    r.r_l = mul(s.r_u, 1.0f / max1(pdf, 1e-30f));
     out.ray = r;
     return out;
 }

@@ -19,15 +19,16 @@ bool isIndexOfMetal(const Material& m, const std::string& name) {
     return name == "k" || name == "metal_eta" || name == "metal_k" || (name == "eta" && m.kind == MaterialKind::conductor);
 }
 
+bool isMeasured(const Medium& m) { return isMeasured(m.sigmaA) || isMeasured(m.sigmaS) || isMeasured(m.Le); }
+
 /// A metal's eta and k are left to three indices that reflect as it does (spectra/spectrum.h).
 bool isMeasured(const Material& m) {
     for (const auto& [name, input] : m.inputs)
         if (input.texture == none && isMeasured(input.value) && !isIndexOfMetal(m, name)) return true;
-    return false;
+    return m.interior && isMeasured(*m.interior);
 }
 
 bool isMeasured(const AreaLight& light) { return isMeasured(light.L); }
-bool isMeasured(const Medium& m) { return isMeasured(m.sigmaA) || isMeasured(m.sigmaS) || isMeasured(m.Le); }
 
 /// The first of a list that is measured, in words.
 template <class Thing> std::string firstMeasured(const std::vector<Thing>& things, const char* what) {

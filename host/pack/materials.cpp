@@ -238,7 +238,8 @@ static hop packBsdf(InputWriter& in, MaterialKind kind) {
         case MaterialKind::diffuse: return packDiffuse(in);
         case MaterialKind::diffuseTransmission: return packDiffuseTransmission(in);
         case MaterialKind::conductor: return packConductor(in);
-        case MaterialKind::dielectric: return packDielectric(in);
+        case MaterialKind::dielectric:
+        case MaterialKind::subsurface: return packDielectric(in);
         case MaterialKind::thinDielectric: return packThinDielectric(in);
         case MaterialKind::coatedDiffuse: return packCoatedDiffuse(in);
         case MaterialKind::coatedConductor: return packCoatedConductor(in);
@@ -263,6 +264,14 @@ static void requireBsdf(Packer& packer, hop h, const std::string& why) {
     if (h == hop_mix) packer.packed.require(Feature::MIX, why);
 }
 
+/// What refracts light exactly lets nobody aim at a light from inside; those that have no size are not found otherwise.
+static void warnOfPoints(Packer& packer) {
+    for (const Light& l : packer.scene.lights)
+        if (std::holds_alternative<PointLight>(l.kind) || std::holds_alternative<SpotLight>(l.kind) || std::holds_alternative<DistantLight>(l.kind))
+            packer.diagnostics.warnOnce("lights without a size", l.where,
+                                        "light from a point or of one direction does not get below the smooth surface of material \"subsurface\"; with a \"roughness\" it does");
+}
+
 /// Everything but what a mix is mixed of, and the twin for regularization.
 static void packMaterial(Packer& packer, const Material& description, material& m, bool regularize = false) {
     SceneTables& tables = packer.packed.tables;
@@ -273,8 +282,10 @@ static void packMaterial(Packer& packer, const Material& description, material& 
     const hop h = packBsdf(inputs, description.kind);
     m.hop = h;
     m.disperses = inputs.disperses() ? 1 : 0;
+    m.interior = packInterior(packer, description.interior, inputs.why());
     m.input_count = static_cast<uint>(tables.material_inputs.size()) - m.first_input;
     requireBsdf(packer, h, inputs.why());
+    if (description.interior && h == hop_specular_dielectric) warnOfPoints(packer);
     if (description.displacement != none) {
         packer.packed.require(Feature::BUMP, inputs.why());
         m.displacement = packTexture(packer, description.displacement, TextureUse::displacement);
@@ -287,7 +298,7 @@ static void packMaterial(Packer& packer, const Material& description, material& 
 
 uint packedMaterial(Packer& packer, int index) {
     std::vector<material>& materials = packer.packed.tables.materials;
-    const material blank{hop_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, 0};
+    const material blank{hop_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0};
     if (index == none) {
         if (packer.defaultMaterial == NONE) {
             Material grey;

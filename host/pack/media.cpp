@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace eikonal {
 namespace {
@@ -180,6 +181,17 @@ void packMedia(Packer& packer) {
     }
 }
 
+uint packInterior(Packer& packer, const std::shared_ptr<const Medium>& interior, const std::string& why) {
+    if (!interior) return NONE;
+    std::vector<medium>& media = packer.packed.tables.media;
+    const auto [place, isNew] = packer.interiors.try_emplace(interior.get(), static_cast<uint>(media.size()));
+    if (isNew) {
+        for (Feature feature : {Feature::SUBSURFACE, Feature::MEDIA, Feature::MEDIUM_HOMOGENEOUS}) packer.packed.require(feature, why);
+        media.push_back(packMedium(packer, *interior));
+    }
+    return place->second;
+}
+
 void packFoci(Packer& packer) {
     SceneTables& tables = packer.packed.tables;
     std::vector<std::pair<float, vec3>> points;
@@ -191,7 +203,9 @@ void packFoci(Packer& packer) {
     float sum = 0;
     for (const auto& [intensity, p] : points) sum += intensity;
     if (!(sum > 0)) return;
-    for (medium& m : tables.media) {
+    /* The media of the scene come first; what fills a body is lit through its surface */
+    const size_t open = packer.hasMedia ? packer.scene.media.size() : 0;
+    for (medium& m : std::span(tables.media).first(open)) {
         if (m.kind != kind_homogeneous_medium || greatestSum(packer, &m.sigma_s, nullptr) <= 0) continue;
         m.focus_count = static_cast<uint>(points.size());
         packer.packed.require(Feature::FOCI, "the scene has a light that is a point, and a medium that scatters");

@@ -32,6 +32,7 @@ struct Packer {
     std::map<int, double> meanLuminances{};                   ///< of scene.images, where asked for
     std::map<std::pair<int, int>, uint> packedPrograms{};     ///< (texture, TextureUse) -> `programs`
     std::vector<uint> materialIndices{};                      ///< scene.materials -> `materials`
+    std::map<const Medium*, uint> interiors{};                ///< of bodies that light wanders in -> `media`
     std::map<std::string, uint> measuredFiles{};              ///< path -> `measured_files`
     uint defaultMaterial = NONE;
     std::vector<double> areaPowers{};                         ///< of the lights that geometry brought: what the light sampler goes by
@@ -46,6 +47,8 @@ bool samplesLights(const IntegratorDescription&);
 void packIntegrator(Packer&, bool hasUnusedMedia);
 void packCamera(Packer&);
 void packMedia(Packer&);
+/// What fills bodies of a material.
+uint packInterior(Packer&, const std::shared_ptr<const Medium>&, const std::string& why);
 void packMaterials(Packer&);
 void packGeometry(Packer&);
 /// Everything but area lights, which geometry brings; then the light sampler.

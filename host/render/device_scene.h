@@ -25,12 +25,15 @@ public:
     /// Most scattering events on a path.
     unsigned maxDepth() const { return maxDepth_; }
     Branching branching() const { return branching_; }
+    /// Whether there are bodies in which paths wander: events there are no depth.
+    bool hasWalks() const { return hasWalks_; }
 
 private:
     std::list<Buffer> buffers_;
     Bindings bindings_;
     size_t bytes_ = 0;
     unsigned maxDepth_;
+    bool hasWalks_;
     Branching branching_;
 };
 

@@ -14,6 +14,6 @@ void bindTile(Bindings& bindings, const Tile& tile, int endX, int endY) {
     bindings.set("tile_pixels", tile.pixels());
 }
 
-unsigned mostHops(const DeviceScene& scene) { return scene.maxDepth() + 1 + 1024; }
+unsigned mostHops(const DeviceScene& scene) { return scene.maxDepth() + 1 + (scene.hasWalks() ? 16384 : 1024); }
 
 }  // namespace eikonal

@@ -22,7 +22,7 @@ struct Tile {
 void bindTile(Bindings& bindings, const Tile& tile, int endX, int endY);
 
 /// How often a path goes from one surface to the next at most. Interfaces between media do not count as depth: a path that has passed a
-/// thousand more than it may scatter is lost between two that touch.
+/// thousand more than it may scatter is lost between two that touch. Nor do events inside of a body that light wanders in; there it may be sixteen thousand.
 unsigned mostHops(const DeviceScene& scene);
 
 class Tracer {

@@ -98,8 +98,10 @@ struct Texture {
 // ---- materials ----------------------------------------------------------------------------------------------------
 
 enum class MaterialKind {
-    diffuse, coatedDiffuse, coatedConductor, conductor, dielectric, thinDielectric, diffuseTransmission, hair, measured, principled, interface, mix
+    diffuse, coatedDiffuse, coatedConductor, conductor, dielectric, thinDielectric, diffuseTransmission, hair, measured, principled, subsurface, interface, mix
 };
+
+struct Medium;
 
 /// A material. `inputs` has every parameter of its kind under pbrt-v4's name, defaults filled in by the reader:
 ///   diffuse              reflectance
@@ -113,6 +115,7 @@ enum class MaterialKind {
 ///   hair                 sigma_a eta beta_m beta_n alpha h (-1 to 1 across the fiber)
 ///   measured             (`file`)
 ///   principled           base metallic eta uroughness vroughness coat coatroughness sheen  (no pbrt material: OBJ's)
+///   subsurface           uroughness vroughness eta     (and `interior`)
 ///   mix                  amount                        (the weight of mixed[1])
 struct Material {
     MaterialKind kind = MaterialKind::diffuse;
@@ -120,6 +123,7 @@ struct Material {
     std::map<std::string, Input> inputs;
     bool remapRoughness = true;             ///< roughness r gives microfacet width sqrt(r); otherwise r itself
     std::array<int, 2> mixed{none, none};   ///< mix: in Scene::materials
+    std::shared_ptr<const Medium> interior; ///< subsurface: what light wanders in, homogeneous
     std::string file;                       ///< measured: as it can be opened from here
     int displacement = none;                ///< in Scene::textures: bump map
     int normalMap = none;                   ///< in Scene::images

@@ -24,7 +24,10 @@
     F(q, uint,     one_wave,   DISPERSION)   /* 1: only the first wavelength is left, and stands for all */ \
     F(q, uint,     forks,      TREE)         /* how often it may still fork in two: it owns 2^forks path states, from `path` on */ \
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices, undone for Russian roulette */ \
-    F(q, spectrum, r_u,        MEDIA)        /* density of this path under its own strategy, per channel, relative */
+    F(q, spectrum, r_u,        MEDIA)        /* density of this path under its own strategy, per channel, relative */ \
+    F(q, uint,     within,     SUBSURFACE)   /* 1: inside of a body that light wanders in; of a hit: bit 0 on the side of ng, bit 1 on the other */ \
+    F(q, uint,     uncounted,  SUBSURFACE)   /* how many of the scattering events were there: they use up no depth */ \
+    F(q, uint,     around,     SUBSURFACE)   /* the medium around the last such body that was entered, or NONE */
 
 /* The light that is sampled at a vertex, as far as finding it takes a walk: chosen where items are made, for shading has no loops. */
 #define LIGHT_CHOICE_FIELDS(F, q) \

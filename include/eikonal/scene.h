@@ -23,6 +23,7 @@ typedef struct {
     uint mix_a, mix_b;   /* hop_mix: in `materials` */
     uint mix_amount;     /* hop_mix: in `programs`: the probability of b */
     uint regular;        /* with REGULARIZE: in `materials`: the same, rougher, for paths that are blurred already; itself: nothing is to be roughened */
+    uint interior;       /* with SUBSURFACE: in `media`: what is inside of it; NONE: nothing of its own */
     uint disperses;      /* 1: it has an input_hero, and paths that meet it go on with their first wavelength */
 } material;
 

@@ -1,6 +1,7 @@
 #include "scene/pbrt/materials.h"
 
 #include "scene/pbrt/hair.h"
+#include "scene/pbrt/subsurface.h"
 
 #include <algorithm>
 #include <utility>
@@ -42,10 +43,10 @@ const KindTable& materialKinds() {
          "floatmap interface.vroughness | interface.roughness = 0 clamped to [0, inf) -> vroughness;"
          "index interface.eta = 1.5 in [0, inf) -> eta; floatmap thickness = 0.01 clamped to [0, inf); floatmap g = 0 clamped to [-1, 1]; colormap albedo = 0;"
          "integer maxdepth = 10 clamped to [0, inf); integer nsamples = 1 in [1, inf)"},
-        {"subsurface", kindOf(MaterialKind::coatedDiffuse),
-         "colormap reflectance; floatmap uroughness | roughness = 0; floatmap vroughness | roughness = 0; index eta = 1.33;"
-         "string name -> -; spectrummap sigma_a -> -; spectrummap sigma_s -> -; spectrummap mfp -> -; float scale = 1 -> -; float g = 0 -> -",
-         "a coated diffuse surface stands in for it"},
+        {"subsurface", kindOf(MaterialKind::subsurface),
+         "floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf); index eta = 1.33 in [0, inf);"
+         "string name -> -; spectrummap sigma_a -> -; spectrummap sigma_s -> -; colormap reflectance -> -; spectrummap mfp -> -;"
+         "float scale = 1 in [0, inf) -> -; float g = 0 clamped to [-1, 1] -> -"},
         {"hair", kindOf(MaterialKind::hair),
          "spectrummap sigma_a; colormap reflectance | color -> -; floatmap eumelanin = 0 clamped to [0, inf) -> -;"
          "floatmap pheomelanin = 0 clamped to [0, inf) -> -; floatmap eta = 1.55 in (0, inf);"
@@ -111,9 +112,6 @@ void MaterialBook::finish() {
 
 void MaterialBook::build(Entry& entry, Material& material) {
     const Arguments& arguments = *entry.arguments;
-    const Kind& kind = arguments.kind();
-    if (kind.standIn)
-        reading_.unsupported(kind.title(), arguments.where(), kind.title() + " is not rendered yet; " + kind.standIn);
     readInputs(arguments, material);
     material.remapRoughness = arguments.flag("remaproughness");
     material.displacement = textures_.textureOf(arguments, "displacement");
@@ -127,6 +125,7 @@ void MaterialBook::build(Entry& entry, Material& material) {
     if (material.kind == MaterialKind::conductor) preferReflectance(arguments, material, {"eta", "k"});
     if (material.kind == MaterialKind::coatedConductor) preferReflectance(arguments, material, {"metal_eta", "metal_k"});
     if (material.kind == MaterialKind::measured) readMeasured(arguments, material);
+    if (material.kind == MaterialKind::subsurface) readSubsurface(arguments, material);
     if (material.kind == MaterialKind::hair) readHair(reading_, textures_, arguments, material);
 }
 
@@ -151,14 +150,24 @@ void MaterialBook::readInputs(const Arguments& arguments, Material& material) {
         }
         material.inputs[rule.as] = std::move(input);
     }
+}
 
-    // What stands in for a material may have inputs that the material does not.
-    if (!arguments.kind().standIn) return;
-    for (const Kind& kind : materialKinds().kinds()) {
-        if (kind.standIn || kind.value != arguments.kind().value) continue;
-        for (const Rule& rule : kind.rules)
-            if (rule.as != "-" && !rule.fallback.empty()) material.inputs.try_emplace(rule.as, Input{defaultSpectrum(rule)});
+void MaterialBook::readSubsurface(const Arguments& arguments, Material& material) {
+    const auto isTexture = [&](const char* name) { return arguments.has(name) && arguments.given(name)->type == ParameterType::texture; };
+    for (const char* name : {"sigma_a", "sigma_s", "reflectance", "mfp"}) {
+        if (!isTexture(name)) continue;
+        /* What is inside has no surface coordinates */
+        reading_.unsupported("textured subsurface", arguments.whereOf(name),
+                             "a texture for what is inside of material \"subsurface\" is not rendered yet; a coated diffuse surface stands in for it");
+        material.kind = MaterialKind::coatedDiffuse;
+        material.inputs["reflectance"] = isTexture("reflectance") ? textures_.input(arguments, "reflectance") : Input{Spectrum::constant(0.5)};
+        for (const Kind& kind : materialKinds().kinds())
+            if (kind.value == kindOf(MaterialKind::coatedDiffuse))
+                for (const Rule& rule : kind.rules)
+                    if (rule.as != "-" && !rule.fallback.empty()) material.inputs.try_emplace(rule.as, Input{defaultSpectrum(rule)});
+        return;
     }
+    material.interior = interiorOf(reading_, arguments, material.inputs.at("eta").value.value());
 }
 
 void MaterialBook::readMix(const Arguments& arguments, Material& material) {

@@ -1,0 +1,71 @@
+// Bodies that light enters, wanders in and leaves, under skies for which the answer is known. None of them has depth for more than one event:
+// what happens inside is not counted.
+
+#include "rendering.h"
+
+#include <fmt/format.h>
+
+namespace eikonal {
+namespace {
+
+const std::string whiteSky = "LightSource \"infinite\" \"rgb L\" [1 1 1]\n";
+std::string ball(const std::string& parameters, double radius = 1) {
+    return fmt::format("AttributeBegin Material \"subsurface\" {} Shape \"sphere\" \"float radius\" {} AttributeEnd\n", parameters, radius);
+}
+const std::string white = "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [2 3 4] ";
+Rendered look(const std::string& world, const std::string& more = "") {
+    View view;
+    view.maxDepth = 1;
+    view.samples = 64;   // long walks
+    view.more = more;
+    return render(sceneText(view, world), media());
+}
+
+// Radiance 1 everywhere solves the transport equation where nothing absorbs, whatever the boundary's index, the coefficients and the phase function.
+TEST(Subsurface, AWhiteBallUnderAWhiteSkyCannotBeSeen) {
+    for (const char* boundary : {"\"float eta\" 1", "\"float eta\" 1.5 \"float g\" .7", "\"float eta\" .8"}) {
+        SCOPED_TRACE(boundary);
+        expectRadiance(look(whiteSky + ball(white + boundary)), 1, 0.02);
+    }
+}
+
+// A rough boundary sends all light but what bounces between its facets, each time that a path meets it: about 6 % at roughness 0.01 (docs/subsurface.md).
+TEST(Subsurface, ARoughBoundaryLetsLightInAndOut) {
+    const Estimate seen = estimate(look(whiteSky + ball(white + "\"float eta\" 1.4 \"float roughness\" .01")).image);
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_LT(seen.mean[c], 1 + standardErrors * seen.error[c]);
+        EXPECT_GT(seen.mean[c], 0.92 - standardErrors * seen.error[c]);
+        EXPECT_LT(seen.error[c], 0.02);
+    }
+}
+
+// A deep slab, seen straight on under a white sky: the boundary reflects F = ((eta - 1) / (eta + 1))^2, and of what enters the reflectance leaves.
+// It is no closed mesh, and its normal points to the camera.
+TEST(Subsurface, ASlabHasTheReflectanceThatItIsGiven) {
+    const std::string slab = "Material \"subsurface\" \"rgb reflectance\" [.6 .4 .2] \"rgb mfp\" [.05 .03 .04] \"float g\" {}\n"
+        "Shape \"trianglemesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 50 0  50 -50 0] \"integer indices\" [0 1 2 0 2 3]\n";
+    const double F = 0.33 * 0.33 / (2.33 * 2.33);
+    for (const char* g : {"0", ".7"}) {
+        SCOPED_TRACE(g);
+        expectRadiance(look(whiteSky + fmt::format(fmt::runtime(slab), g)), F + (1 - F) * glm::dvec3(.6, .4, .2), 0.02);
+    }
+}
+
+// A body that nothing happens in keeps out what is around it: of the 9 from the camera to the wall, light goes 7 through the haze, whether the camera says
+// that it is there or a ball of radius 3 around both, of which it is 4. Shapes name no media.
+TEST(Subsurface, WhatIsAroundABodyGoesOnBehindIt) {
+    const std::string wall = "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [4 4 4] Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n"
+        "Shape \"trianglemesh\" \"point3 P\" [-50 -50 5  -50 50 5  50 50 5  50 -50 5] \"integer indices\" [0 1 2 0 2 3] AttributeEnd\n";
+    const std::string haze = "MakeNamedMedium \"haze\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [.02 .1 .05] \"rgb sigma_s\" [0 0 0]\n";
+    const std::string hole = ball("\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [0 0 0] \"float eta\" 1");
+    const glm::dvec3 sigma(.02, .1, .05);
+    View view;
+    view.maxDepth = 1;
+    const std::string text = haze + "MediumInterface \"\" \"haze\"\n" + sceneText(view, "MediumInterface \"\" \"\"\n" + hole + wall);
+    expectRadiance(render(text, media()), 4.0 * glm::exp(-sigma * 7.0), 0.02);
+    const std::string cloud = "AttributeBegin MediumInterface \"haze\" \"\" Material \"interface\" Shape \"sphere\" \"float radius\" 3 AttributeEnd\n";
+    expectRadiance(render(sceneText(view, haze + cloud + hole + wall), media()), 4.0 * glm::exp(-sigma * 4.0), 0.02);
+}
+
+}  // namespace
+}  // namespace eikonal

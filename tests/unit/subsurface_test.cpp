@@ -1,0 +1,112 @@
+// Material "subsurface": what is inside of it, and the albedo of deep bodies.
+
+#include "scene/diffuse_albedo.h"
+#include "unit/pbrt_reading.h"
+
+#include <cmath>
+
+namespace eikonal {
+namespace {
+
+// A half-space of isotropic scattering without a boundary reflects 1 - H(1) sqrt(1 - rho) of what falls on it perpendicularly. Chandrasekhar's
+// function H ("Radiative Transfer", 1950, chapter V) solves 1 / H(mu) = sqrt(1 - rho) + rho / 2 integral of x H(x) / (mu + x) over [0, 1].
+TEST(DiffuseAlbedo, IsChandrasekharsWithoutABoundary) {
+    constexpr int steps = 400;
+    for (const double rho : {0.1, 0.5, 0.9, 0.99}) {
+        const double s = std::sqrt(1 - rho);
+        std::vector<double> H(steps, 1.0);
+        const auto next = [&](double mu) {
+            double integral = 0;
+            for (int j = 0; j < steps; ++j) integral += (j + 0.5) / steps * H[j] / (mu + (j + 0.5) / steps) / steps;
+            return 1 / (s + rho / 2 * integral);
+        };
+        for (int iteration = 0; iteration < 100; ++iteration) {
+            std::vector<double> better(steps);
+            for (int i = 0; i < steps; ++i) better[i] = next((i + 0.5) / steps);
+            H = better;
+        }
+        EXPECT_NEAR(diffuseAlbedo(rho, 0, 1), 1 - next(1) * s, 2e-4) << rho;
+    }
+}
+
+// Of light that falls perpendicularly on a half-space of index 1.5 and single-scattering albedo 0.9, Giovanelli (1955) has 0.2600 come back (as quoted and
+// confirmed by Wang, Jacques and Zheng, "MCML", 1995): 4 % without having entered.
+TEST(DiffuseAlbedo, IsGiovanellisBelowABoundary) { EXPECT_NEAR(0.04 + (1 - 0.04) * diffuseAlbedo(0.9, 0, 1.5), 0.2600, 2e-4); }
+
+// Nothing is lost where nothing absorbs, nor found where nothing scatters; more scattering never means less light, and a boundary that keeps light inside does.
+TEST(DiffuseAlbedo, KeepsWithinItsBounds) {
+    for (const double g : {-0.7, 0.0, 0.9})
+        for (const double eta : {1.0, 1.33, 2.0}) {
+            SCOPED_TRACE(testing::Message() << "g " << g << " eta " << eta);
+            EXPECT_EQ(diffuseAlbedo(0, g, eta), 0);
+            EXPECT_EQ(diffuseAlbedo(1, g, eta), 1);
+            EXPECT_NEAR(diffuseAlbedo(1 - 1e-9, g, eta), 1, 2e-3);   // it falls like a square root
+            EXPECT_LT(diffuseAlbedo(0.5, g, eta), diffuseAlbedo(0.8, g, eta));
+            if (eta > 1) { EXPECT_LT(diffuseAlbedo(0.8, g, eta), diffuseAlbedo(0.8, g, 1)); }
+        }
+}
+
+TEST(DiffuseAlbedo, IsInvertedByItsTable) {
+    for (const double g : {0.0, 0.8}) {
+        const DiffuseAlbedoTable table(g, 1.33);
+        EXPECT_EQ(table.singleScattering(0), 0);
+        EXPECT_EQ(table.singleScattering(-1), 0);
+        EXPECT_EQ(table.singleScattering(1), 1);
+        for (const double diffuse : {0.001, 0.05, 0.4, 0.8, 0.97}) EXPECT_NEAR(diffuseAlbedo(table.singleScattering(diffuse), g, 1.33), diffuse, 1e-3) << "g " << g;
+    }
+}
+
+class Subsurface : public PbrtTest {
+protected:
+    Medium inside(const std::string& parameters) {
+        const Material material = world("Material \"subsurface\" " + parameters).materials.at(0);
+        EXPECT_EQ(material.kind, MaterialKind::subsurface);
+        EXPECT_EQ(material.inputs.size(), 3u);   // what its boundary is: eta, uroughness, vroughness
+        return *material.interior;
+    }
+};
+
+TEST_F(Subsurface, IsMilkUnlessItIsTold) {
+    const Medium milk = inside("");
+    expectNear(milk.sigmaA.albedo(), {.0011, .0024, .014});
+    expectNear(milk.sigmaS.albedo(), {2.55, 3.21, 3.77});
+    EXPECT_EQ(milk.kind, MediumKind::homogeneous);
+    expectNear(inside("\"string name\" \"Skin1\" \"float scale\" 10").sigmaS.albedo(), {7.4, 8.8, 10.1});
+    const Medium given = inside("\"rgb sigma_a\" [1 2 3] \"rgb sigma_s\" [4 5 6] \"float scale\" 2 \"float g\" .5");
+    expectNear(given.sigmaA.albedo(), {2, 4, 6});
+    expectNear(given.sigmaS.albedo(), {8, 10, 12});
+    EXPECT_EQ(given.g, .5);
+    EXPECT_EQ(world("Material \"subsurface\"").materials.at(0).inputs.at("eta").value.value(), 1.33);
+    EXPECT_THAT(warnings_, IsEmpty());
+}
+
+// Free paths are mfp * scale long, in each colour, and the diffuse albedo is the reflectance.
+TEST_F(Subsurface, ScattersAsMuchAsItsReflectanceAsks) {
+    const Medium m = inside("\"rgb reflectance\" [.8 .5 .2] \"rgb mfp\" [.3 .2 .1] \"float scale\" .5 \"float eta\" 1.4 \"float g\" .6");
+    expectNear((m.sigmaA.albedo() + m.sigmaS.albedo()) * glm::dvec3(.15, .1, .05), {1, 1, 1});
+    const glm::dvec3 rho = m.sigmaS.albedo() / (m.sigmaA.albedo() + m.sigmaS.albedo()), wanted(.8, .5, .2);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(diffuseAlbedo(rho[c], .6, 1.4), wanted[c], 1e-3);
+    const Medium white = inside("\"spectrum reflectance\" [400 .5 700 .5]");   // and a mean free path of 1
+    EXPECT_EQ(white.sigmaS.kind(), Spectrum::Kind::sampled);
+    EXPECT_NEAR(white.sigmaS.curve()(550) + white.sigmaA.curve()(550), 1, 1e-9);
+}
+
+TEST_F(Subsurface, SaysWhatIsMissingOrUnused) {
+    EXPECT_THAT(errorOfWorld("Material \"subsurface\" \"rgb sigma_a\" [1 1 1]"), HasSubstr("\"sigma_a\" needs a \"sigma_s\""));
+    EXPECT_THAT(errorOfWorld("Material \"subsurface\" \"rgb sigma_s\" [1 1 1]"), HasSubstr("\"sigma_s\" needs a \"sigma_a\""));
+    EXPECT_THAT(errorOfWorld("Material \"subsurface\" \"string name\" \"Skin\""), HasSubstr("no substance \"Skin\"; did you mean \"Skin"));
+    inside("\"string name\" \"Marble\" \"float g\" .5 \"rgb reflectance\" [1 1 1]");
+    EXPECT_THAT(warnings_, testing::UnorderedElementsAre(HasSubstr("\"reflectance\" is ignored"), HasSubstr("\"g\" is ignored")));
+}
+
+// What is inside has no place on the surface for a texture to be looked up at.
+TEST_F(Subsurface, IsReplacedWhereItIsTextured) {
+    const Material material = world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"texture reflectance\" \"t\"").materials.at(0);
+    EXPECT_EQ(material.kind, MaterialKind::coatedDiffuse);
+    EXPECT_NE(material.inputs.at("reflectance").texture, none);
+    EXPECT_EQ(material.inputs.at("thickness").value.value(), .01);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a coated diffuse surface stands in for it")));
+}
+
+}  // namespace
+}  // namespace eikonal
