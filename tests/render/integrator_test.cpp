@@ -19,9 +19,11 @@ View view(const std::string& integrator) {
     v.more = "Integrator " + integrator;
     return v;
 }
-RenderSetup with(Feature feature) {
-    RenderSetup setup = surfaces();
-    setup.forced.require(feature);
+/// With the same features in all tests of a group, kernels are compiled once.
+RenderSetup with(const Features& features) {
+    RenderSetup setup;
+    setup.contraction = false;
+    setup.forced = features;
     return setup;
 }
 
@@ -33,7 +35,7 @@ std::string across(double z, double size = 1000) {
 // ---- ambient occlusion --------------------------------------------------------------------------------------------------
 
 Rendered renderOcclusion(const std::string& parameters, const std::string& world) {
-    return render(sceneText(view("\"ambientocclusion\" " + parameters), world), with(Feature::AMBIENT_OCCLUSION));
+    return render(sceneText(view("\"ambientocclusion\" " + parameters), world));
 }
 
 /// Nothing is in the way of a plane. With directions by the cosine there is no noise either. What the plane is made of, what it emits and which lights there
@@ -63,8 +65,7 @@ TEST(AmbientOcclusion, AWallHidesItsFormFactor) {
 
 /// Where nothing is seen there is no light.
 TEST(AmbientOcclusion, OnlySurfacesAreSeen) {
-    expectRadiance(renderOcclusion("", "Shape \"sphere\" \"float radius\" .1"), 1, 1e-6);
-    expectRadiance(renderOcclusion("", "Translate 0 5 0 Shape \"sphere\""), 0);
+    expectRadiance(renderOcclusion("", "Translate 0 5 0 " + across(0, 1)), 0);
 }
 
 // ---- variants of path tracing -------------------------------------------------------------------------------------------
@@ -77,7 +78,7 @@ Material "diffuse" "rgb reflectance" [.6 .5 .4]
 
 /// One scattering event, as of "path" with a depth of 1: bit by bit; and whatever depth it is given.
 TEST(Direct, IsAPathOfDepthOne) {
-    const auto image = [](const std::string& integrator) { return render(sceneText(view(integrator), room + across(0)), surfaces()).image; };
+    const auto image = [](const std::string& integrator) { return render(sceneText(view(integrator), room + across(0))).image; };
     const FilmImage path = image("\"path\" \"integer maxdepth\" 1");
     expectSameBits(path, image("\"direct\""), "direct");
     expectSameBits(path, image("\"direct\" \"integer maxdepth\" 7"), "direct with a depth");
@@ -86,23 +87,31 @@ TEST(Direct, IsAPathOfDepthOne) {
 
 /// Worse means, the same end.
 TEST(SimplePath, HasTheExpectationOfPath) {
-    const auto rendered = [](const std::string& integrator, const RenderSetup& setup = surfaces()) { return render(sceneText(view(integrator), room + across(0)), setup); };
+    const auto rendered = [](const std::string& integrator) { return render(sceneText(view(integrator), room + across(0))); };
     const Rendered path = rendered("\"path\" \"integer maxdepth\" 3");
     expectEqualMeans(path, rendered("\"simplepath\" \"integer maxdepth\" 3 \"bool samplelights\" false"), 0.02);
-    expectEqualMeans(path, rendered("\"simplepath\" \"integer maxdepth\" 3 \"bool samplebsdf\" false", with(Feature::UNIFORM_DIRECTIONS)), 0.02);
-    expectEqualMeans(path, rendered("\"randomwalk\" \"integer maxdepth\" 3", with(Feature::UNIFORM_DIRECTIONS)), 0.02);
-}
-
-/// No path meets a point.
-TEST(SimplePath, FindsNoPointByChance) {
-    const std::string world = "LightSource \"point\" \"point3 from\" [0 0 -2]\n" + across(0);
-    expectRadiance(render(sceneText(view("\"simplepath\" \"bool samplelights\" false"), world), surfaces()), 0);
-    expectRadiance(render(sceneText(view("\"randomwalk\""), world), with(Feature::UNIFORM_DIRECTIONS)), 0);
+    expectEqualMeans(path, rendered("\"simplepath\" \"integer maxdepth\" 3 \"bool samplebsdf\" false"), 0.02);
+    expectEqualMeans(path, rendered("\"randomwalk\" \"integer maxdepth\" 3"), 0.02);
 }
 
 // ---- trees of rays ------------------------------------------------------------------------------------------------------
 
-RenderSetup tree() { return with(Feature::TREE); }
+/// Panes, balls, a rough metal and lamps: rays of every kind leave.
+const std::string cabinet = R"(LightSource "infinite" "rgb L" [.3 .4 .5]
+LightSource "point" "rgb I" [5 5 5] "point3 from" [1 3 -3]
+AttributeBegin AreaLightSource "diffuse" "rgb L" [3 2 1] Translate .2 .9 -1 Shape "sphere" "float radius" .3 AttributeEnd
+AttributeBegin Material "dielectric" Translate -.9 -.2 0 Shape "sphere" "float radius" .7 AttributeEnd
+AttributeBegin Material "conductor" "float roughness" 0 Translate .9 -.2 0 Shape "sphere" "float radius" .7 AttributeEnd
+AttributeBegin Material "conductor" "float roughness" .2 Translate 0 .8 .5 Shape "sphere" "float radius" .5 AttributeEnd
+AttributeBegin Material "thindielectric" Translate 0 0 -1.5 Rotate 20 0 1 0 Shape "disk" "float radius" .6 AttributeEnd
+Material "diffuse" Shape "bilinearmesh" "point3 P" [-3 -1 -3  3 -1 -3  -3 -1 3  3 -1 3])";
+
+/// Whatever that requires, in a tree or not.
+RenderSetup ofCabinet(bool inTrees) {
+    static const Features features = packScene(sceneText(view("\"path\""), cabinet)).features | Features().require(Feature::AOVS);
+    return with(inTrees ? features | Features().require(Feature::TREE) : features);
+}
+RenderSetup tree() { return ofCabinet(true); }
 Rendered renderTree(const std::string& parameters, const std::string& world, int samples = 16) {
     View v = view("\"whitted\" " + parameters);
     v.samples = samples;
@@ -154,7 +163,7 @@ Material "thindielectric")" + across(2);
         v.more = "Integrator " + integrator;
         return render(sceneText(v, world), setup);
     };
-    const Rendered path = rendered("\"path\" \"integer maxdepth\" 6", surfaces());
+    const Rendered path = rendered("\"path\" \"integer maxdepth\" 6", ofCabinet(false));
     const Rendered whole = rendered("\"whitted\" \"integer maxdepth\" 6 \"integer rays\" 64 \"float threshold\" 0", tree());
     const Rendered narrow = rendered("\"whitted\" \"integer maxdepth\" 6 \"integer rays\" 2 \"float threshold\" 0", tree());
     const auto varianceOf = [](const Rendered& r) { return std::accumulate(r.image.variance.begin(), r.image.variance.end(), 0.); };
@@ -180,12 +189,12 @@ TEST(Whitted, BundlesSpreadAsTheSurfaceDoes) {
     const std::string lamps = "LightSource \"infinite\" \"rgb L\" [1 .8 .6]\nAttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [5 5 5] Translate 0 1 -3 Shape \"sphere\" \"float radius\" .5 AttributeEnd\n";
     for (const std::string material : {"Material \"conductor\" \"float roughness\" .3\n", "Material \"dielectric\" \"float roughness\" .3\n"}) {
         const std::string world = lamps + material + "Shape \"sphere\"";
-        const Rendered path = render(sceneText(view("\"path\" \"integer maxdepth\" 4"), world), surfaces());
+        const Rendered path = render(sceneText(view("\"path\" \"integer maxdepth\" 4"), world), ofCabinet(false));
         for (const char* bundle : {"4", "16"})
             expectEqualMeans(path, renderTree(fmt::format("\"integer maxdepth\" 4 \"float threshold\" 0 \"integer bundle\" {}", bundle), world, 128));
     }
     /* Without one there is only what comes straight from lights */
-    const Rendered direct = render(sceneText(view("\"direct\""), lamps + "Material \"conductor\" \"float roughness\" .3 Shape \"sphere\""), surfaces());
+    const Rendered direct = render(sceneText(view("\"direct\""), lamps + "Material \"conductor\" \"float roughness\" .3 Shape \"sphere\""), ofCabinet(false));
     expectEqualMeans(direct, renderTree("\"integer bundle\" 0", lamps + "Material \"conductor\" \"float roughness\" .3 Shape \"sphere\"", 256), 0.02);
 }
 
@@ -211,16 +220,6 @@ TEST(Whitted, AlbedoIsSeenByAllRays) {
     EXPECT_NEAR(r.image.depth[3], 4, 1e-4);
 }
 
-/// Panes, balls, a rough metal and lamps: rays of every kind leave.
-const std::string cabinet = R"(LightSource "infinite" "rgb L" [.3 .4 .5]
-LightSource "point" "rgb I" [5 5 5] "point3 from" [1 3 -3]
-AttributeBegin AreaLightSource "diffuse" "rgb L" [3 2 1] Translate .2 .9 -1 Shape "sphere" "float radius" .3 AttributeEnd
-AttributeBegin Material "dielectric" Translate -.9 -.2 0 Shape "sphere" "float radius" .7 AttributeEnd
-AttributeBegin Material "conductor" "float roughness" 0 Translate .9 -.2 0 Shape "sphere" "float radius" .7 AttributeEnd
-AttributeBegin Material "conductor" "float roughness" .2 Translate 0 .8 .5 Shape "sphere" "float radius" .5 AttributeEnd
-AttributeBegin Material "thindielectric" Translate 0 0 -1.5 Rotate 20 0 1 0 Shape "disk" "float radius" .6 AttributeEnd
-Material "diffuse" Shape "bilinearmesh" "point3 P" [-3 -1 -3  3 -1 -3  -3 -1 3  3 -1 3])";
-
 class Trees : public testing::Test {
 protected:
     static View cabinetView(const std::string& integrator) {
@@ -229,33 +228,26 @@ protected:
         v.fov = 40;
         v.width = 24; v.height = 20;
         v.samples = 8;
-        v.sampler = "sobol";
         return v;
     }
-    static RenderSetup plain() {
-        RenderSetup setup = tree();
-        setup.contraction = false;
-        setup.forced.require(Feature::SOBOL);
-        return setup;
-    }
     const std::string text = sceneText(cabinetView("\"whitted\" \"integer maxdepth\" 6"), cabinet);
-    const Rendered reference = render(text, plain());
+    const Rendered reference = render(text, tree());
 };
 using SlowTrees = Trees;
 
 TEST_F(Trees, DoNotDependOnHowTheyAreLaidOut) {
     EXPECT_EQ(reference.invalid.count, 0u);
     for (unsigned rays : {1u, 64u, 1000u, 65472u}) {
-        RenderSetup setup = plain();
+        RenderSetup setup = tree();
         setup.shape.wavePaths = rays;
         expectSameBits(reference.image, render(text, setup).image, fmt::format("{} rays in a wave", rays));
     }
-    RenderSetup parts = plain();
+    RenderSetup parts = tree();
     parts.splits = {3, 4, 7};
     expectSameBits(reference.image, render(text, parts).image, "in 4 parts");
     PackedScene scene = packScene(text);
     scene.pixels = {5, 3, 18, 16};
-    expectSameBits(reference.image, render(scene, plain()).image, "a crop");
+    expectSameBits(reference.image, render(scene, tree()).image, "a crop");
 }
 
 TEST_F(SlowTrees, AreTheSameInALoop) {

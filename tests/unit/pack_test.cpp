@@ -83,6 +83,34 @@ TEST_F(Pack, IntegratorsWithoutMediaSayWhatTheyLeaveOut) {
     }
 }
 
+// What does not sample lights finds them by chance, weighs that against nothing, and never meets a point.
+TEST_F(Pack, IntegratorsThatSampleNoLightsHaveNone) {
+    const std::string lights = "\nWorldBegin\nLightSource \"infinite\" LightSource \"point\"\nAreaLightSource \"diffuse\" Shape \"sphere\"";
+    Diagnostics diagnostics(LogLevel::silent, true);
+    for (const char* integrator : {"\"randomwalk\"", "\"simplepath\" \"bool samplelights\" false"}) {
+        const PackedScene scene = packScene(read("Integrator " + std::string(integrator) + lights), diagnostics);
+        EXPECT_FALSE(scene.features.has(Feature::LIGHTS)) << integrator;
+        ASSERT_EQ(scene.tables.lights.size(), 3u) << integrator;
+        for (const light& l : scene.tables.lights) EXPECT_EQ(l.pmf, 0) << integrator;
+    }
+    EXPECT_TRUE(packScene(read("Integrator \"simplepath\"" + lights), diagnostics).features.has(Feature::LIGHTS));
+}
+
+// A tree looks at all lights, but of many at one.
+TEST_F(Pack, TreesLookAtAllOfAFewLights) {
+    Diagnostics diagnostics(LogLevel::silent, true);
+    const auto withLights = [&](int count) {
+        std::string text = "Integrator \"whitted\"\nWorldBegin\nShape \"sphere\"\n";
+        for (int i = 0; i < count; ++i) text += "LightSource \"point\"\n";
+        return packScene(read(text), diagnostics);
+    };
+    const PackedScene few = withLights(MOST_TREE_LIGHTS), many = withLights(MOST_TREE_LIGHTS + 1);
+    EXPECT_EQ(few.tables.frame.front().tree_lights, static_cast<uint>(MOST_TREE_LIGHTS));
+    EXPECT_EQ(few.tables.lights.front().pmf, 1);
+    EXPECT_EQ(many.tables.frame.front().tree_lights, 0u);
+    EXPECT_FLOAT_EQ(many.tables.lights.front().pmf, 1.0f / (MOST_TREE_LIGHTS + 1));
+}
+
 // What an integrator does not look at is not packed: no kernel is built for it.
 TEST_F(Pack, AmbientOcclusionNeedsNoMaterialsAndNoLights) {
     Diagnostics diagnostics(LogLevel::silent, true);
