@@ -26,14 +26,10 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     vec3 wi = sample_phase(s.g, s.wo, u);
     float roll = sample_1d(s.seed, s.sample, bounce_dimension_of(s.depth, dimension_roulette));
     roulette game = play_roulette(s.beta, s.r_u, HAS_TRANSMISSION ? s.eta_scale : 1.0f, s.depth, roll);
-    ray_item r = new_ray();
-    r.path = s.path; r.seed = s.seed; r.sample = s.sample; r.one_wave = s.one_wave;
-    r.depth = s.depth + 1;
-    r.time = s.time;
+    ray_item r = new_ray(s);
+    r.depth += 1;
     r.seen = 1u;
     r.blurred = 1u;
-    r.forks = s.forks;
-    r.eta_scale = s.eta_scale;
     r.beta = game.beta;
     r.o = s.p;
     r.d = wi;
@@ -43,8 +39,6 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     r.traveled = 0.0f;
     r.n = make_vec3(0.0f, 0.0f, 0.0f);
     r.medium = s.medium;
-    r.within = s.within; r.uncounted = s.uncounted; r.around = s.around;
-    r.r_u = s.r_u;
     r.r_l = mul(s.r_u, 1.0f / max1(pdf, 1e-30f));
     out.ray = r;
     return out;
