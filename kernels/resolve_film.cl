@@ -84,7 +84,7 @@ STAGE resolve_film(COLOR_ARGUMENTS __global const settings *frame, __global cons
         for (uint s = 0; s < samples; ++s) {
             path_item p = gather_path(frame, path, capacity, s * tile_pixels + (uint)pixel);
             if (p.weight == 0.0f && is_black(p.L)) continue;
-            if (!is_finite(p.L)) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
+            if (!is_finite(p.L) || max_component(p.L) > MOST_RADIANCE) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
             f = add_sample(f, p, path_palette(color_set, p.seed, p.sample), frame);
         }
         store_film(film, tile_pixels, pixel, f);

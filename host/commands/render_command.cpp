@@ -44,8 +44,8 @@ void reportShortfall(const Options& o, const Film& film, unsigned wanted, int en
                            fewest == most ? fmt::format("{}", fewest) : fmt::format("{} to {}", fewest, most), wanted));
     const Film::Invalid invalid = film.invalid();
     if (invalid.count)
-        diagnostics.warn({}, fmt::format("{} sample{} not finite and count{} as black; the first is in pixel ({}, {})", invalid.count,
-                                         invalid.count == 1 ? " was" : "s were", invalid.count == 1 ? "s" : "", invalid.x, invalid.y));
+        diagnostics.warn({}, fmt::format("{} sample{} not finite, or brighter than {:.0e}, and count{} as black; the first is in pixel ({}, {})", invalid.count,
+                                         invalid.count == 1 ? " was" : "s were", MOST_RADIANCE, invalid.count == 1 ? "s" : "", invalid.x, invalid.y));
 }
 
 Metadata metadataOf(const Options& o, const Session& session, unsigned samples, double seconds, const std::string& hash) {

@@ -15,7 +15,7 @@ CONTRACT_BEGIN
     F(q, float,    mean,          ALWAYS)   /* of luminance, by weight^2 */ \
     F(q, float,    spread,        ALWAYS)   /* sum of weight^2 * (luminance - mean)^2, at most MOST_SPREAD */ \
     F(q, uint,     count,         ALWAYS)   /* samples */ \
-    F(q, uint,     invalid,       ALWAYS)   /* samples that were not finite, counted as black */ \
+    F(q, uint,     invalid,       ALWAYS)   /* samples that were not finite or above MOST_RADIANCE, counted as black */ \
     F(q, rgb,      albedo,       AOVS)     /* sums of weight * what the path saw */ \
     F(q, vec3,     normal,       AOVS) \
     F(q, vec3,     ng,           AOVS) \
@@ -27,6 +27,8 @@ CONTRACT_BEGIN
     F(q, uint,     material,     AOVS) \
     F(q, uint,     material_lead, AOVS)
 
+/* So bright that, through any sensor and as often as one may count, it still adds up to a float. The sun is 1e9. */
+#define MOST_RADIANCE 1e25f
 /* Where it stops to grow: beyond, squares are no floats any more. */
 #define MOST_SPREAD 1e36f
 

@@ -108,13 +108,17 @@ TEST(Extremes, ScenesOfEverySizeAreTheSame) {
     }
 }
 
-// Light of 3e38 reflected with more of it: the sum of two lights is infinite. Such samples are counted, black, and reported with their pixel.
+// Light of 3e38 reflected with more of it: the sum of two lights is infinite. 1e36 is finite, but a pixel's sum of it would not be. Such samples
+// are counted, black, and reported with their pixel.
 TEST(Invalid, SamplesAreCountedAndBlack) {
-    const std::string sun = "LightSource \"distant\" \"rgb L\" [3e38 3e38 3e38] \"point3 from\" [0 0 -1] \"point3 to\" [0 0 0]\n";
-    const Rendered r = render(sceneText(view(), sun + sun + sun + sun + "Material \"diffuse\" \"rgb reflectance\" [1 1 1] Shape \"sphere\""), surfaces());
-    EXPECT_GT(r.invalid.count, 0u);
-    EXPECT_GE(r.invalid.x, 0);
-    for (const glm::vec3& c : r.image.color) EXPECT_TRUE(c.r >= 0 && std::isfinite(c.r)) << c.r;
+    for (const char* L : {"3e38", "1e36"}) {
+        SCOPED_TRACE(L);
+        const std::string sun = fmt::format("LightSource \"distant\" \"rgb L\" [{0} {0} {0}] \"point3 from\" [0 0 -1] \"point3 to\" [0 0 0]\n", L);
+        const Rendered r = render(sceneText(view(), sun + sun + sun + sun + "Material \"diffuse\" \"rgb reflectance\" [1 1 1] Shape \"sphere\""), surfaces());
+        EXPECT_GT(r.invalid.count, 0u);
+        EXPECT_GE(r.invalid.x, 0);
+        for (const glm::vec3& c : r.image.color) EXPECT_TRUE(c.r >= 0 && std::isfinite(c.r)) << c.r;
+    }
 }
 
 class InvalidCli : public ProgramTest {};
@@ -123,7 +127,7 @@ TEST_F(InvalidCli, SamplesAreReportedWithTheirPixel) {
     write("bright.pbrt", tinyScene("", sun + sun + sun + sun));
     const Outcome run = this->run({"render", "bright.pbrt", "-o", "bright.exr"});
     EXPECT_EQ(run.status, 0) << run.error;
-    EXPECT_THAT(run.error, testing::ContainsRegex("samples were not finite and count as black; the first is in pixel \\([0-9]+, [0-9]+\\)"));
+    EXPECT_THAT(run.error, testing::ContainsRegex("samples were not finite, or brighter than 1e.25, and count as black; the first is in pixel \\([0-9]+, [0-9]+\\)"));
 }
 
 }  // namespace
