@@ -61,6 +61,8 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
           oneOf<ColorMode>({{"auto", ColorMode::automatic}, {"rgb", ColorMode::rgb}, {"spectral", ColorMode::spectral}}))->group(group);
     value(app, "--integrator", s.integrator, "NAME", "How light is carried: volpath, path, direct, whitted, ambientocclusion, simplepath, simplevolpath, randomwalk",
           oneOf<IntegratorKind>({std::begin(integratorNames), std::end(integratorNames)}))->group(group);
+    value(app, "--subsurface", s.subsurface, "NAME", "How light passes through bodies of material \"subsurface\": diffusion or, slowly and exactly, randomwalk",
+          oneOf<SubsurfaceMethod>({std::begin(subsurfaceMethodNames), std::end(subsurfaceMethodNames)}))->group(group);
     value(app, "--max-depth", s.maxDepth, "N", "Bounces; interfaces between media do not count", integer(0))->group(group);
     value(app, "--light-sampler", s.lightSampler, "NAME", "How the light is chosen that a point is lit by: bvh, power or uniform (default: power where lights are few, else bvh)",
           oneOf<LightSampler>({std::begin(lightSamplerNames), std::end(lightSamplerNames)}))->group(group);

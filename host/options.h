@@ -21,6 +21,7 @@ struct SceneOptions {
     std::optional<SamplerKind> sampler;
     std::optional<ColorMode> colorMode;
     std::optional<IntegratorKind> integrator;
+    std::optional<SubsurfaceMethod> subsurface;       ///< of all materials "subsurface"
     std::optional<int> maxDepth;                      ///< bounces, >= 0
     std::optional<LightSampler> lightSampler;
     std::optional<std::array<int, 2>> resolution;     ///< width and height in pixels

@@ -83,9 +83,22 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
                 out.shadow = no_shadow(r.path);
                 if (ENVIRONMENTS && f.hop == hop_miss) add_radiance(path, capacity, r.path, shade_miss(light_set, color_set, make_miss(r)));
                 else if (HAS_MEDIA && f.hop == hop_scatter) out = shade_scatter(light_set, color_set, frame, choose_scatters_light(light_set, frame, make_scatter(medium_set, r, f)), 1);
+                else if (HAS_DIFFUSION && r.body != NONE && f.hop < hop_miss) {
+                    if (f.hop == hop_passage) out.ray = make_probe(g, tables, material_set, r, f, flight_surface(g, tables, r, f));
+                    else {
+                        way_out e = make_way_out(material_set, color_set, r);
+                        e.hit = choose_hits_light(light_set, frame, e.hit);
+                        store_way_out(hit, capacity, slot, tables, color_set, material_set, material_set.materials[f.material], e);
+                        out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, e.hit, 0u);
+                        if (HAS_AOVS && !e.hit.seen) {
+                            kept_albedo k = albedo_any(bsdf_set, path_palette(color_set, e.hit.seed, e.hit.sample), hit, capacity, slot, f.hop);
+                            if (k.is) STORE_FIELD(path, spectrum, albedo, path, capacity, r.path, seen_albedo(e.hit, k.albedo));
+                        }
+                    }
+                }
                 else if (f.element != NONE) {
                     surface s = flight_surface(g, tables, r, f);
-                    if (HAS_EMITTERS && flight_emits(g, f)) {
+                    if (HAS_EMITTERS && flight_emits(g, f, NONE)) {
                         emission_item e = make_emission(g, tables, light_set, color_set, r, f, s);
                         add_radiance(path, capacity, r.path, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
                     }
@@ -99,6 +112,7 @@ STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMEN
                         material m = material_set.materials[f.material];
                         s = relieve_surface(tables, m, s);
                         hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m));
+                        if (HAS_DIFFUSION) h = place_probe(material_set, color_set, m, h);
                         store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
                         out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h, 0u);
                         if (HAS_TREE) { meet_light(g, tables, medium_set, color_set, path, capacity, out.shadow); out.shadow.t_max = -1.0f; }

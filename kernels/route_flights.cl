@@ -4,7 +4,7 @@
 #include "route.clh"
 #include "route_items.clh"
 
-/* Rays that pass an interface have no shadow ray, and nothing lives in the slots after the last of them. */
+/* Rays that pass an interface, and probes, have no shadow ray, and nothing lives in the slots after the last of them. */
 FN void store_passage(__global uint *next_ray, __global uint *shadow, uint capacity, uint slot, ray_item r) {
     store_ray(next_ray, capacity, slot, r);
     STORE_FIELD(shadow, float, t_max, shadow, capacity, slot, -1.0f);
@@ -43,7 +43,8 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
         if (LOAD_FIELD(flight, float, t, flight, capacity, i) < 0.0f) continue;
         flight_item f = load_flight(flight, capacity, i);
         if (f.hop < hops) ++at[f.hop];
-        if (HAS_EMITTERS && flight_emits(g, f)) ++at[hop_emission];
+        uint body = HAS_DIFFUSION ? LOAD_FIELD(ray, uint, body, ray, capacity, i) : NONE;
+        if (HAS_EMITTERS && flight_emits(g, f, body)) ++at[hop_emission];
     }
     for (uint h = 0; h < hops; ++h) {
         if (!at[h]) continue;
@@ -52,11 +53,12 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
     }
 
     /* Fill it */
-    if (HAS_INTERFACE && first == 0) end_passages(next_ray, shadow, capacity, counts[hop_passage]);
+    if ((HAS_INTERFACE || HAS_DIFFUSION) && first == 0) end_passages(next_ray, shadow, capacity, counts[hop_passage]);
     for (size_t i = first; i < last; ++i) {
         if (LOAD_FIELD(flight, float, t, flight, capacity, i) < 0.0f) continue;
         flight_item f = load_flight(flight, capacity, i);
-        int emits = HAS_EMITTERS && flight_emits(g, f);
+        uint body = HAS_DIFFUSION ? LOAD_FIELD(ray, uint, body, ray, capacity, i) : NONE;
+        int emits = HAS_EMITTERS && flight_emits(g, f, body);
         if (f.hop >= hops && !emits) continue;
         ray_item r = load_ray(ray, capacity, i);
         if (ENVIRONMENTS && f.hop == hop_miss) { store_miss(miss, capacity, at[hop_miss]++, make_miss(r)); continue; }
@@ -64,14 +66,23 @@ STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGH
             store_scatter(scatter, capacity, at[hop_scatter]++, choose_scatters_light(light_set, frame, make_scatter(medium_set, r, f)));
             continue;
         }
+        if (HAS_DIFFUSION && r.body != NONE && f.element == NONE) {
+            way_out w = make_way_out(material_set, color_set, r);
+            w.hit = choose_hits_light(light_set, frame, w.hit);
+            store_way_out(hit, capacity, at[f.hop]++, tables, color_set, material_set, material_set.materials[f.material], w);
+            continue;
+        }
         surface s = flight_surface(g, tables, r, f);
         if (emits) store_emission(emission, capacity, at[hop_emission]++, make_emission(g, tables, light_set, color_set, r, f, s));
-        if (HAS_INTERFACE && f.hop == hop_passage) store_passage(next_ray, shadow, capacity, at[hop_passage]++, make_passage(g, r, f, s));
+        if (HAS_DIFFUSION && r.body != NONE) store_passage(next_ray, shadow, capacity, at[hop_passage]++, make_probe(g, tables, material_set, r, f, s));
+        else if (HAS_INTERFACE && f.hop == hop_passage) store_passage(next_ray, shadow, capacity, at[hop_passage]++, make_passage(g, r, f, s));
         else if (f.hop < hop_miss) {
             uint slot = at[f.hop]++;
             material m = material_set.materials[f.material];
             s = relieve_surface(tables, m, s);
-            store_shading(hit, capacity, slot, tables, color_set, material_set, m, choose_hits_light(light_set, frame, make_hit(g, r, f, s, m)), s);
+            hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m));
+            if (HAS_DIFFUSION) h = place_probe(material_set, color_set, m, h);
+            store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
             if (HAS_AOVS && r.depth == 0) store_first_surface(g, path, capacity, r, f, s);
         }
     }

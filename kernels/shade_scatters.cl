@@ -39,6 +39,7 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     r.traveled = 0.0f;
     r.n = make_vec3(0.0f, 0.0f, 0.0f);
     r.medium = s.medium;
+    r.body = NONE;
     r.r_l = mul(s.r_u, 1.0f / max1(pdf, 1e-30f));
     out.ray = r;
     return out;

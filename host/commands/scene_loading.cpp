@@ -54,6 +54,8 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
         scene.integrator.kind = *o.integrator;
         scene.integrator.standsFor.clear();
     }
+    if (o.subsurface)
+        for (Material& m : scene.materials) m.method = *o.subsurface;
     if (o.maxDepth) scene.integrator.maxDepth = *o.maxDepth;
     if (o.colorMode) scene.colorMode = *o.colorMode;
     if (o.lightSampler) scene.integrator.lightSampler = *o.lightSampler;

@@ -2,6 +2,8 @@
 
 #include "pack/packer.h"
 
+#include "scene/diffuse_albedo.h"
+
 #include <cmath>
 #include <cstring>
 
@@ -40,6 +42,7 @@ public:
         add(slot, input_spectrum, packCoefficient(packer_, in.value), in.texture == none ? NONE : texture(in.texture));
     }
     void spectrum(uint slot, glm::dvec3 value) { add(slot, input_spectrum, packRgb(value), NONE); }
+    void color(uint slot, const eikonal::color& value) { add(slot, input_spectrum, value, NONE); }
     void constant(uint slot, double value) { add(slot, input_spectrum, packConstant(packer_, value), NONE); }
     /// An index of refraction, which may be another for each wavelength.
     void index(uint slot, const char* name) {
@@ -103,7 +106,7 @@ private:
         packer_.packed.require(Feature::TEXTURED, why());
         return packTexture(packer_, index, use);
     }
-    void add(uint slot, input_kind kind, const color& value, uint texture) {
+    void add(uint slot, input_kind kind, const eikonal::color& value, uint texture) {
         packer_.packed.tables.material_inputs.push_back({texture, wordOf(slot, packer_.spectral), static_cast<uint>(kind), 0, value});
     }
     double widthOf(double roughness) const {
@@ -254,6 +257,8 @@ static hop packBsdf(InputWriter& in, MaterialKind kind) {
 
 bool transmits(hop h) { return h == hop_dielectric || h == hop_specular_dielectric || h == hop_diffuse_transmission || h == hop_hair; }
 
+static constexpr material blank{hop_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0};
+
 /// Which features a hop's BSDF brings.
 static void requireBsdf(Packer& packer, hop h, const std::string& why) {
 #define REQUIRE_BSDF(name, FEATURE, PARAMETERS) if (h == hop_##name) packer.packed.require(Feature::FEATURE, why);
@@ -272,20 +277,55 @@ static void warnOfPoints(Packer& packer) {
                                         "light from a point or of one direction does not get below the smooth surface of material \"subsurface\"; with a \"roughness\" it does");
 }
 
+/// How light spreads below a surface, and what lets it out.
+static uint packProfile(Packer& packer, InputWriter& in, const Material& description) {
+    SceneTables& tables = packer.packed.tables;
+    const auto [place, isNew] = packer.profiles.try_emplace(description.diffusion.get(), static_cast<uint>(tables.profiles.size()));
+    if (!isNew) return place->second;
+    for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, Feature::BSDF_EMERGENCE}) packer.packed.require(feature, in.why());
+    const color albedo = packReflectance(packer, description.diffusion->albedo);
+    material surface = blank;
+    surface.hop = hop_emergence;
+    surface.first_input = static_cast<uint>(tables.material_inputs.size());
+    const double eta = in.get("eta").value.value();
+    in.color(slot_emergence::albedo, albedo);
+    in.number(slot_emergence::eta, eta);
+    in.number(slot_emergence::passing, boundaryTransmittance(eta));
+    surface.input_count = static_cast<uint>(tables.material_inputs.size()) - surface.first_input;
+    tables.profiles.push_back({albedo, packCoefficient(packer, description.diffusion->length, packer.space.scale), static_cast<uint>(tables.materials.size())});
+    tables.materials.push_back(surface);
+    return place->second;
+}
+
+/// What stands in for a body that light enters where trees of rays are followed, which branch at surfaces only.
+static Material coatOver(Packer& packer, const Material& body) {
+    packer.diagnostics.unsupported("subsurface in trees", body.where, "integrator \"whitted\" follows no light inside of bodies of material \"subsurface\"; a coated diffuse surface of the same albedo stands in for it");
+    Material coat = body;
+    coat.kind = MaterialKind::coatedDiffuse;
+    coat.inputs["reflectance"].value = body.diffusion->albedo;
+    for (const auto& [name, value] : {std::pair("thickness", 0.01), std::pair("g", 0.0), std::pair("albedo", 0.0), std::pair("maxdepth", 10.0), std::pair("nsamples", 1.0)})
+        coat.inputs[name].value = Spectrum::constant(value);
+    return coat;
+}
+
 /// Everything but what a mix is mixed of, and the twin for regularization.
 static void packMaterial(Packer& packer, const Material& description, material& m, bool regularize = false) {
     SceneTables& tables = packer.packed.tables;
     const bool isSurface = description.kind != MaterialKind::interface && description.kind != MaterialKind::mix;
     if (isSurface && !countsMaterials(packer.scene.integrator)) { m.hop = hop_occlusion; return; }
+    if (description.kind == MaterialKind::subsurface && packer.scene.integrator.kind == IntegratorKind::whitted) return packMaterial(packer, coatOver(packer, description), m, regularize);
     InputWriter inputs(packer, description, regularize);
     m.first_input = static_cast<uint>(tables.material_inputs.size());
     const hop h = packBsdf(inputs, description.kind);
     m.hop = h;
     m.disperses = inputs.disperses() ? 1 : 0;
-    m.interior = packInterior(packer, description.interior, inputs.why());
     m.input_count = static_cast<uint>(tables.material_inputs.size()) - m.first_input;
     requireBsdf(packer, h, inputs.why());
-    if (description.interior && h == hop_specular_dielectric) warnOfPoints(packer);
+    if (description.kind == MaterialKind::subsurface && description.method == SubsurfaceMethod::diffusion) m.profile = packProfile(packer, inputs, description);
+    if (description.kind == MaterialKind::subsurface && description.method == SubsurfaceMethod::randomWalk) {
+        m.interior = packInterior(packer, description.interior, inputs.why());
+        if (h == hop_specular_dielectric) warnOfPoints(packer);
+    }
     if (description.displacement != none) {
         packer.packed.require(Feature::BUMP, inputs.why());
         m.displacement = packTexture(packer, description.displacement, TextureUse::displacement);
@@ -298,7 +338,6 @@ static void packMaterial(Packer& packer, const Material& description, material& 
 
 uint packedMaterial(Packer& packer, int index) {
     std::vector<material>& materials = packer.packed.tables.materials;
-    const material blank{hop_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0};
     if (index == none) {
         if (packer.defaultMaterial == NONE) {
             Material grey;

@@ -182,7 +182,6 @@ void packMedia(Packer& packer) {
 }
 
 uint packInterior(Packer& packer, const std::shared_ptr<const Medium>& interior, const std::string& why) {
-    if (!interior) return NONE;
     std::vector<medium>& media = packer.packed.tables.media;
     const auto [place, isNew] = packer.interiors.try_emplace(interior.get(), static_cast<uint>(media.size()));
     if (isNew) {

@@ -33,6 +33,7 @@ struct Packer {
     std::map<std::pair<int, int>, uint> packedPrograms{};     ///< (texture, TextureUse) -> `programs`
     std::vector<uint> materialIndices{};                      ///< scene.materials -> `materials`
     std::map<const Medium*, uint> interiors{};                ///< of bodies that light wanders in -> `media`
+    std::map<const DiffusionProfile*, uint> profiles{};       ///< -> `profiles`
     std::map<std::string, uint> measuredFiles{};              ///< path -> `measured_files`
     uint defaultMaterial = NONE;
     std::vector<double> areaPowers{};                         ///< of the lights that geometry brought: what the light sampler goes by

@@ -139,6 +139,16 @@ double diffuseAlbedo(double rho, double g, double eta) {
     return solveSeries(again, first).at(straight, 0);
 }
 
+double boundaryTransmittance(double eta) {
+    constexpr int steps = 4096;
+    double sum = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double mu = (i + 0.5) / steps;
+        sum += (1 - fresnelFromInside(mu, 1 / eta)) * 2 * mu / steps;
+    }
+    return sum;
+}
+
 /// The similarity parameter s = sqrt((1 - rho) / (1 - g rho)), of which the diffuse albedo is nearly a line, to rho.
 static double albedoOf(double s, double g) { return (1 - s * s) / (1 - g * s * s); }
 
@@ -152,6 +162,13 @@ double DiffuseAlbedoTable::singleScattering(double diffuse) const {
     const auto above = std::ranges::upper_bound(albedos_, diffuse);
     const double step = static_cast<double>(above - albedos_.begin()) - (*above - diffuse) / (*above - *(above - 1));
     return albedoOf(1 - step / tableSteps, g_);
+}
+
+double DiffuseAlbedoTable::diffuse(double rho) const {
+    rho = std::clamp(rho, 0.0, 1.0);
+    const double place = (1 - std::sqrt((1 - rho) / (1 - g_ * rho))) * tableSteps, step = std::min(std::floor(place), tableSteps - 1.0);
+    const size_t below = static_cast<size_t>(step);
+    return std::lerp(albedos_[below], albedos_[below + 1], place - step);
 }
 
 }  // namespace eikonal

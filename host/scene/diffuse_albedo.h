@@ -11,12 +11,17 @@ namespace eikonal {
 /// outside, > 0. Discrete ordinates by adding and doubling (van de Hulst 1980; Prahl 1995, "The Adding-Doubling Method").
 double diffuseAlbedo(double rho, double g, double eta);
 
+/// The share of light that falls evenly from all sides on a smooth dielectric boundary which passes it. eta: index beyond over this side.
+double boundaryTransmittance(double eta);
+
 /// The way back: the single-scattering albedo of a half-space of a given diffuse albedo.
 class DiffuseAlbedoTable {
 public:
     DiffuseAlbedoTable(double g, double eta);
     /// diffuse: in [0, 1], numbers outside count as the nearest end. Error below 0.001 in what `diffuseAlbedo` makes of the result, for eta up to 1.5.
     double singleScattering(double diffuse) const;
+    /// The diffuse albedo for a single-scattering albedo in [0, 1].
+    double diffuse(double singleScattering) const;
 
 private:
     double g_;

@@ -103,6 +103,16 @@ enum class MaterialKind {
 
 struct Medium;
 
+/// How light leaves a body that it has entered: in the medium's own steps, or by a profile.
+enum class SubsurfaceMethod { randomWalk, diffusion };
+constexpr std::pair<const char*, SubsurfaceMethod> subsurfaceMethodNames[] = {{"randomwalk", SubsurfaceMethod::randomWalk}, {"diffusion", SubsurfaceMethod::diffusion}};
+
+/// How much light leaves a body how far from where it has entered, by normalised diffusion (kernels/diffusion.clh).
+struct DiffusionProfile {
+    Spectrum albedo;    ///< share of the light that enters, in [0, 1]
+    Spectrum length;    ///< d, world units
+};
+
 /// A material. `inputs` has every parameter of its kind under pbrt-v4's name, defaults filled in by the reader:
 ///   diffuse              reflectance
 ///   coatedDiffuse        reflectance uroughness vroughness thickness eta g albedo maxdepth nsamples
@@ -115,7 +125,7 @@ struct Medium;
 ///   hair                 sigma_a eta beta_m beta_n alpha h (-1 to 1 across the fiber)
 ///   measured             (`file`)
 ///   principled           base metallic eta uroughness vroughness coat coatroughness sheen  (no pbrt material: OBJ's)
-///   subsurface           uroughness vroughness eta     (and `interior`)
+///   subsurface           uroughness vroughness eta     (and `interior`, `diffusion`, `method`)
 ///   mix                  amount                        (the weight of mixed[1])
 struct Material {
     MaterialKind kind = MaterialKind::diffuse;
@@ -124,6 +134,8 @@ struct Material {
     bool remapRoughness = true;             ///< roughness r gives microfacet width sqrt(r); otherwise r itself
     std::array<int, 2> mixed{none, none};   ///< mix: in Scene::materials
     std::shared_ptr<const Medium> interior; ///< subsurface: what light wanders in, homogeneous
+    std::shared_ptr<const DiffusionProfile> diffusion;   ///< subsurface: what comes of that
+    SubsurfaceMethod method = SubsurfaceMethod::diffusion;
     std::string file;                       ///< measured: as it can be opened from here
     int displacement = none;                ///< in Scene::textures: bump map
     int normalMap = none;                   ///< in Scene::images

@@ -90,6 +90,13 @@
 #define MEASURED_PARAMETERS(F, q) \
     F(q, uint,     file,          ALWAYS)    /* in `measured_files` */
 
+/* The surface of a body where light leaves it that was diffused inside: Lambertian below the boundary. */
+#define EMERGENCE_PARAMETERS(F, q) \
+    F(q, spectrum, weight,        ALWAYS)    /* what the profile says over the density with which this point was found */ \
+    F(q, spectrum, albedo,        ALWAYS)    /* of the body, in [0, 1] */ \
+    F(q, float,    eta,           ALWAYS)    /* index inside over index outside */ \
+    F(q, float,    passing,       ALWAYS)    /* how much the boundary lets through of light that comes from all sides, in (0, 1] */
+
 #define BSDFS(B) \
     B(diffuse,              BSDF_DIFFUSE,              DIFFUSE_PARAMETERS) \
     B(diffuse_transmission, BSDF_DIFFUSE_TRANSMISSION, DIFFUSE_TRANSMISSION_PARAMETERS) \
@@ -102,7 +109,8 @@
     B(coated_conductor,     BSDF_COATED_CONDUCTOR,     COATED_CONDUCTOR_PARAMETERS) \
     B(principled,           BSDF_PRINCIPLED,           PRINCIPLED_PARAMETERS) \
     B(hair,                 BSDF_HAIR,                 HAIR_PARAMETERS) \
-    B(measured,             BSDF_MEASURED,             MEASURED_PARAMETERS)
+    B(measured,             BSDF_MEASURED,             MEASURED_PARAMETERS) \
+    B(emergence,            BSDF_EMERGENCE,            EMERGENCE_PARAMETERS)
 
 /* No BSDF has more words of parameters. */
 #define BSDF_MAX_WORDS 24

@@ -25,6 +25,9 @@ enum bounce_dimension {
     dimension_distance,        /* seed of further random numbers: tracking through a medium */
     dimension_transmittance,   /* seed of further random numbers: a shadow ray through media */
     dimension_alpha,           /* seed: cut-outs on the way */
+    dimension_probe_axis,      /* 1D: along which axis to look for where light leaves a body, and for which channel's profile */
+    dimension_probe,           /* 2D: how far away, and in which direction */
+    dimension_exit,            /* seed: which of the points that a probe has met */
     bounce_dimensions = 16
 };
 

@@ -15,6 +15,7 @@
     F(DISPERSION,       "an index of refraction that depends on the wavelength") \
     F(MEDIA,            "a participating medium") \
     F(SUBSURFACE,       "a body that light enters, wanders in and leaves") \
+    F(DIFFUSION,        "such a body, whose light leaves by a diffusion profile") \
     F(FOCI,             "a light that is a point, and a homogeneous medium that scatters") \
     F(INTERFACE,        "a surface of material \"interface\"") \
     F(INSTANCES,        "object instances") \

@@ -47,7 +47,15 @@
     F(q, float,    traveled,   INTERFACE)    /* from where d was sampled to o: interfaces passed on the way */ \
     F(q, vec3,     n,          LIGHT_TREE)   /* shading normal where d was sampled, on the side of wo; zero: not on a surface */ \
     F(q, spectrum, r_l,        MEDIA)        /* density of this path had a light been sampled instead, but for the light's own */ \
-    F(q, uint,     medium,     MEDIA)        /* which fills the space at o, or NONE */
+    F(q, uint,     medium,     MEDIA)        /* which fills the space at o, or NONE */ \
+    F(q, uint,     body,       DIFFUSION)    /* in `profiles`: it is a probe, which looks for points of this body's surface up to t_max; NONE: it is light */ \
+    F(q, uint,     found,      DIFFUSION)    /* of a probe: how many points it has met */ \
+    F(q, vec3,     entry,      DIFFUSION)    /* of a probe: where the path went below the surface, */ \
+    F(q, vec3,     entry_n,    DIFFUSION)    /* and the shading normal there */ \
+    F(q, vec3,     exit_p,     DIFFUSION)    /* of a probe that has found one: the point where the path comes up, as in hit */ \
+    F(q, float,    exit_offset, DIFFUSION) \
+    F(q, vec3,     exit_ng,    DIFFUSION) \
+    F(q, vec3,     exit_ns,    DIFFUSION)
 
 /* Where a ray ends: slot i belongs to ray i. Filled by intersect_rays, refined by extinguish_rays and classify_flights. */
 #define FLIGHT_FIELDS(F, q) \
@@ -71,6 +79,10 @@
     F(q, vec3,     wo,         ALWAYS)       /* towards where the path came from */ \
     F(q, uint,     inside,     MEDIA)        /* medium on the side away from ng */ \
     F(q, uint,     outside,    MEDIA)        /* medium on the side of ng */ \
+    F(q, uint,     body,       DIFFUSION)    /* in `profiles`: what is below the surface; NONE: nothing that light is diffused in */ \
+    F(q, vec3,     probe_o,    DIFFUSION)    /* where a path that goes below looks for a way out: along this probe */ \
+    F(q, vec3,     probe_d,    DIFFUSION) \
+    F(q, float,    probe_length, DIFFUSION) \
     LIGHT_CHOICE_FIELDS(F, q)
 
 /* A point in a medium, to be scattered at: filled by route_flights, drained by shade_scatters. Dense. */

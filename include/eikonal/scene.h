@@ -24,8 +24,16 @@ typedef struct {
     uint mix_amount;     /* hop_mix: in `programs`: the probability of b */
     uint regular;        /* with REGULARIZE: in `materials`: the same, rougher, for paths that are blurred already; itself: nothing is to be roughened */
     uint interior;       /* with SUBSURFACE: in `media`: what is inside of it; NONE: nothing of its own */
+    uint profile;        /* with DIFFUSION: in `profiles`: how light that has entered spreads; NONE: it goes on as a ray */
     uint disperses;      /* 1: it has an input_hero, and paths that meet it go on with their first wavelength */
 } material;
+
+/* A body that light is diffused in: how much comes out where (kernels/diffusion.clh). */
+typedef struct {
+    color albedo;        /* share of the light that has entered that leaves again, in [0, 1] */
+    color length;        /* d of the profile, scene units, > 0 */
+    uint emergence;      /* in `materials`: how its surface lets light out */
+} diffusion_profile;
 
 enum input_kind { input_number, input_count, input_spectrum, input_hero /* a number: the value at the path's first wavelength */ };
 
@@ -67,7 +75,8 @@ typedef struct {
 /* What routing reads besides geometry and textures. */
 #define MATERIAL_TABLES(T) \
     T(material,       materials) \
-    T(material_input, material_inputs)
+    T(material_input, material_inputs) \
+    T(diffusion_profile, profiles)
 
 /* What light sampling reads. */
 #define LIGHT_TABLES(T) \

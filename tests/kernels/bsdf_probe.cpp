@@ -40,6 +40,7 @@ static float drawFloat(const BsdfParameter& p, Range range, Random& random) {
     if (n == "h") return smooth ? random.between(-0.95f, 0.95f) : pick(random, {-1, 0, 0.5f, 1});
     if (n == "beta_m" || n == "beta_n") return smooth ? random.between(0.35f, 1) : pick(random, {0, 0.01f, 0.05f, 0.3f, 1});
     if (n == "scale_tilt") return smooth ? random.between(-3, 5) : pick(random, {-10, 0, 2, 30});
+    if (n == "passing") return 1;
     if (n == "thickness") return smooth ? random.between(0.001f, 0.2f) : pick(random, {0, 1e-6f, 10});
     if (n == "g") return smooth ? random.between(-0.8f, 0.8f) : pick(random, {-0.99f, 0, 0.99f});
     return smooth ? random.unit() : pick(random, {0, 1});

@@ -43,6 +43,7 @@ AttributeBegin Translate 0 -.5 -.5 Material "dielectric" "float uroughness" .3 "
 AttributeBegin Translate .9 -.5 0 Material "coateddiffuse" "texture reflectance" "mixed" Shape "sphere" "float radius" .4 AttributeEnd
 AttributeBegin Translate .9 .5 0 Material "conductor" "float roughness" 0 Shape "sphere" "float radius" .4 "float zmin" -.2 AttributeEnd
 AttributeBegin Translate -.3 -.8 .4 ActiveTransform EndTime Translate .5 .4 0 Rotate 60 1 2 3 ActiveTransform All Material "diffuse" Shape "sphere" "float radius" .3 AttributeEnd
+AttributeBegin Translate -.5 .9 .5 Material "subsurface" "rgb reflectance" [.8 .5 .3] "rgb mfp" [.2 .1 .05] Shape "sphere" "float radius" .3 AttributeEnd
 AttributeBegin Translate 0 .4 -.8 Material "thindielectric" Shape "disk" "float radius" .4 AttributeEnd
 MakeNamedMaterial "paint" "string type" "diffuse" "texture reflectance" "mixed" "texture displacement" "waves"
 MakeNamedMaterial "leaf" "string type" "diffusetransmission"
@@ -58,6 +59,7 @@ AttributeBegin Material "interface" Translate 0 .2 -1
     MediumInterface "smoke" "" Shape "sphere" "float radius" .9
     MediumInterface "flame" "smoke" Shape "sphere" "float radius" .5
 AttributeEnd
+AttributeBegin Translate -1.5 -.5 -1 Material "subsurface" "string method" "randomwalk" "float roughness" .2 "rgb reflectance" [.8 .5 .3] "rgb mfp" [.2 .1 .05] Shape "sphere" "float radius" .3 AttributeEnd
 AttributeBegin Material "dielectric" MediumInterface "smoke" "" Translate 1.5 -.5 -1 Shape "sphere" "float radius" .4 AttributeEnd
 AttributeBegin AreaLightSource "diffuse" "rgb L" [20 20 20] Material "diffuse" MediumInterface "" "smoke" Translate -.6 .2 -1.2 Shape "sphere" "float radius" .05 AttributeEnd
 )";

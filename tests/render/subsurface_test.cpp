@@ -1,5 +1,5 @@
-// Bodies that light enters, wanders in and leaves, under skies for which the answer is known. None of them has depth for more than one event:
-// what happens inside is not counted.
+// Bodies that light enters, wanders in and leaves, under skies for which the answer is known, by a walk and by a profile. None of them has depth for
+// more than one event: what happens inside is not counted.
 
 #include "rendering.h"
 
@@ -12,7 +12,7 @@ const std::string whiteSky = "LightSource \"infinite\" \"rgb L\" [1 1 1]\n";
 std::string ball(const std::string& parameters, double radius = 1) {
     return fmt::format("AttributeBegin Material \"subsurface\" {} Shape \"sphere\" \"float radius\" {} AttributeEnd\n", parameters, radius);
 }
-const std::string white = "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [2 3 4] ";
+const std::string walk = "\"string method\" \"randomwalk\" ", white = walk + "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [2 3 4] ";
 Rendered look(const std::string& world, const std::string& more = "") {
     View view;
     view.maxDepth = 1;
@@ -42,13 +42,21 @@ TEST(Subsurface, ARoughBoundaryLetsLightInAndOut) {
 // A deep slab, seen straight on under a white sky: the boundary reflects F = ((eta - 1) / (eta + 1))^2, and of what enters the reflectance leaves.
 // It is no closed mesh, and its normal points to the camera.
 TEST(Subsurface, ASlabHasTheReflectanceThatItIsGiven) {
-    const std::string slab = "Material \"subsurface\" \"rgb reflectance\" [.6 .4 .2] \"rgb mfp\" [.05 .03 .04] \"float g\" {}\n"
+    const std::string slab = "Material \"subsurface\" \"rgb reflectance\" [.6 .4 .2] \"rgb mfp\" [.05 .03 .04] \"float g\" {} \"string method\" \"{}\"\n"
         "Shape \"trianglemesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 50 0  50 -50 0] \"integer indices\" [0 1 2 0 2 3]\n";
     const double F = 0.33 * 0.33 / (2.33 * 2.33);
-    for (const char* g : {"0", ".7"}) {
-        SCOPED_TRACE(g);
-        expectRadiance(look(whiteSky + fmt::format(fmt::runtime(slab), g)), F + (1 - F) * glm::dvec3(.6, .4, .2), 0.02);
+    for (const auto& [g, method] : {std::pair("0", "randomwalk"), std::pair(".7", "randomwalk"), std::pair("0", "diffusion")}) {
+        SCOPED_TRACE(std::string(method) + " " + g);
+        expectRadiance(look(whiteSky + fmt::format(fmt::runtime(slab), g, method)), F + (1 - F) * glm::dvec3(.6, .4, .2), 0.02);
     }
+}
+
+// Of a sphere of radius R, pi r^2 lie within the distance r of any of its points, as of a plane, as long as r < 2 R: a profile that ends before spreads over
+// all of itself. So a ball is as bright as a slab, and a white one cannot be seen; whichever axes its probes have, each of which meets it twice.
+TEST(Subsurface, AProfileIsWholeOnABall) {
+    const std::string diffused = "\"string method\" \"diffusion\" \"rgb mfp\" [.02 .03 .04] ";
+    expectRadiance(look(whiteSky + ball(diffused + "\"rgb reflectance\" [1 1 1] \"float eta\" 1.5")), 1, 0.02);
+    expectRadiance(look(whiteSky + ball(diffused + "\"rgb reflectance\" [.8 .5 .2] \"float eta\" 1")), glm::dvec3(.8, .5, .2), 0.02);
 }
 
 // A body that nothing happens in keeps out what is around it: of the 9 from the camera to the wall, light goes 7 through the haze, whether the camera says
@@ -57,7 +65,7 @@ TEST(Subsurface, WhatIsAroundABodyGoesOnBehindIt) {
     const std::string wall = "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [4 4 4] Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n"
         "Shape \"trianglemesh\" \"point3 P\" [-50 -50 5  -50 50 5  50 50 5  50 -50 5] \"integer indices\" [0 1 2 0 2 3] AttributeEnd\n";
     const std::string haze = "MakeNamedMedium \"haze\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [.02 .1 .05] \"rgb sigma_s\" [0 0 0]\n";
-    const std::string hole = ball("\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [0 0 0] \"float eta\" 1");
+    const std::string hole = ball(walk + "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [0 0 0] \"float eta\" 1");
     const glm::dvec3 sigma(.02, .1, .05);
     View view;
     view.maxDepth = 1;

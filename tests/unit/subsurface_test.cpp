@@ -56,6 +56,12 @@ TEST(DiffuseAlbedo, IsInvertedByItsTable) {
     }
 }
 
+// Of light from all sides a boundary of index 1.5 reflects 9.18 % (Judd 1942); one that is none, nothing.
+TEST(BoundaryTransmittance, IsJudds) {
+    EXPECT_NEAR(boundaryTransmittance(1.5), 1 - 0.0918, 1e-4);
+    EXPECT_NEAR(boundaryTransmittance(1), 1, 1e-6);
+}
+
 class Subsurface : public PbrtTest {
 protected:
     Medium inside(const std::string& parameters) {
@@ -97,6 +103,21 @@ TEST_F(Subsurface, SaysWhatIsMissingOrUnused) {
     EXPECT_THAT(errorOfWorld("Material \"subsurface\" \"string name\" \"Skin\""), HasSubstr("no substance \"Skin\"; did you mean \"Skin"));
     inside("\"string name\" \"Marble\" \"float g\" .5 \"rgb reflectance\" [1 1 1]");
     EXPECT_THAT(warnings_, testing::UnorderedElementsAre(HasSubstr("\"reflectance\" is ignored"), HasSubstr("\"g\" is ignored")));
+}
+
+// The profile without a boundary is Christensen and Burley's: at an albedo of 0.8 free paths over 1.05. Scattering counts as reduced, and a boundary widens it.
+TEST_F(Subsurface, IsDiffusedUnlessItIsToWalk) {
+    const auto read = [&](const std::string& parameters) { return world("Material \"subsurface\" " + parameters).materials.at(0); };
+    const Material body = read("\"rgb reflectance\" [.8 .8 .8] \"rgb mfp\" [.3 .2 .1] \"float eta\" 1");
+    EXPECT_EQ(body.method, SubsurfaceMethod::diffusion);
+    expectNear(body.diffusion->albedo.albedo(), {.8, .8, .8});
+    expectNear(body.diffusion->length.albedo(), {.3 / 1.05, .2 / 1.05, .1 / 1.05});
+    const Material walk = read("\"string method\" \"randomwalk\" \"rgb sigma_a\" [1 1 1] \"rgb sigma_s\" [8 8 8] \"float g\" .5 \"float eta\" 1.5");
+    EXPECT_EQ(walk.method, SubsurfaceMethod::randomWalk);
+    const double A = diffuseAlbedo(8.0 / 9, .5, 1.5);
+    EXPECT_NEAR(walk.diffusion->albedo.albedo().g, A, 5e-3);
+    EXPECT_NEAR(walk.diffusion->length.albedo().g, 0.2 * (1 + 1.25 * std::min(3 * A, 0.9)) / (1.85 - A + 7 * std::pow(std::abs(A - 0.8), 3)), 2e-3);
+    EXPECT_THAT(errorOfWorld("Material \"subsurface\" \"string method\" \"dipole\""), HasSubstr("\"dipole\"; it can be \"diffusion\" or \"randomwalk\""));
 }
 
 // What is inside has no place on the surface for a texture to be looked up at.

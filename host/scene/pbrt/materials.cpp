@@ -46,7 +46,7 @@ const KindTable& materialKinds() {
         {"subsurface", kindOf(MaterialKind::subsurface),
          "floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf); index eta = 1.33 in [0, inf);"
          "string name -> -; spectrummap sigma_a -> -; spectrummap sigma_s -> -; colormap reflectance -> -; spectrummap mfp -> -;"
-         "float scale = 1 in [0, inf) -> -; float g = 0 clamped to [-1, 1] -> -"},
+         "string method = diffusion -> -; float scale = 1 in [0, inf) -> -; float g = 0 clamped to [-1, 1] -> -"},
         {"hair", kindOf(MaterialKind::hair),
          "spectrummap sigma_a; colormap reflectance | color -> -; floatmap eumelanin = 0 clamped to [0, inf) -> -;"
          "floatmap pheomelanin = 0 clamped to [0, inf) -> -; floatmap eta = 1.55 in (0, inf);"
@@ -167,7 +167,7 @@ void MaterialBook::readSubsurface(const Arguments& arguments, Material& material
                     if (rule.as != "-" && !rule.fallback.empty()) material.inputs.try_emplace(rule.as, Input{defaultSpectrum(rule)});
         return;
     }
-    material.interior = interiorOf(reading_, arguments, material.inputs.at("eta").value.value());
+    readInterior(reading_, arguments, material);
 }
 
 void MaterialBook::readMix(const Arguments& arguments, Material& material) {

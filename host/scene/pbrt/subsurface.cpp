@@ -4,7 +4,9 @@
 #include "scene/pbrt/medium_presets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
+#include <optional>
 
 namespace eikonal::pbrt {
 namespace {
@@ -14,37 +16,50 @@ void warnOfIgnored(Reading& reading, const Arguments& arguments, std::initialize
         if (arguments.has(name)) reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored, since there is " + since);
 }
 
-/// Reflectance and mean free path to coefficients: rho / mfp scatters, the rest of 1 / mfp absorbs. Colours by their channels, spectra by wavelengths.
-void convert(const DiffuseAlbedoTable& table, const Spectrum& reflectance, const Spectrum& mfp, double scale, Medium& medium) {
-    const auto scattering = [&](double r, double length) { return table.singleScattering(r) / std::max(length * scale, 1e-9); };
-    const auto absorption = [&](double r, double length) { return (1 - table.singleScattering(r)) / std::max(length * scale, 1e-9); };
-    if (reflectance.kind() == Spectrum::Kind::rgb && mfp.kind() == Spectrum::Kind::rgb) {
-        const glm::dvec3 r = reflectance.albedo(), length = mfp.albedo();
-        glm::dvec3 sigmaA, sigmaS;
-        for (int c = 0; c < 3; ++c) {
-            sigmaA[c] = absorption(r[c], length[c]);
-            sigmaS[c] = scattering(r[c], length[c]);
-        }
-        medium.sigmaA = Spectrum::rgb(sigmaA);
-        medium.sigmaS = Spectrum::rgb(sigmaS);
-        return;
+/// f of the values of two spectra, at each wavelength; colours by their channels.
+template <class F> Spectrum combine(const Spectrum& a, const Spectrum& b, const F& f) {
+    if (a.kind() == Spectrum::Kind::rgb && b.kind() == Spectrum::Kind::rgb) {
+        const glm::dvec3 x = a.albedo(), y = b.albedo();
+        return Spectrum::rgb({f(x.r, y.r), f(x.g, y.g), f(x.b, y.b)});
     }
-    const DenseCurve r = reflectance.dense(), length = mfp.dense();
-    SampledCurve sigmaA, sigmaS;
-    for (size_t i = 0; i < r.size(); ++i) {
-        const double wavelength = shortestWavelength + static_cast<double>(i);
-        sigmaA.wavelengths.push_back(wavelength);
-        sigmaS.wavelengths.push_back(wavelength);
-        sigmaA.values.push_back(absorption(r[i], length[i]));
-        sigmaS.values.push_back(scattering(r[i], length[i]));
+    const DenseCurve x = a.dense(), y = b.dense();
+    SampledCurve curve;
+    for (size_t i = 0; i < x.size(); ++i) {
+        curve.wavelengths.push_back(shortestWavelength + static_cast<double>(i));
+        curve.values.push_back(f(x[i], y[i]));
     }
-    medium.sigmaA = Spectrum::sampled(std::move(sigmaA));
-    medium.sigmaS = Spectrum::sampled(std::move(sigmaS));
+    return Spectrum::sampled(std::move(curve));
+}
+
+/// d of the profile for a mean free path, scattering reduced, a diffuse albedo A and an index: of the path, one over 1.85 - A + 7 |A - 0.8|^3 (Christensen and Burley
+/// 2015, equation 5: light that enters perpendicularly, and nothing that reflects it from inside). A boundary that does keeps light inside for longer:
+/// walks behind one have profiles of the same shape that are eta^2 as wide, less at low albedos (fitted to them by us, docs/subsurface.md).
+double profileLength(double path, double A, double eta) {
+    const double stretch = 1 + (std::max(eta * eta, 1.0) - 1) * std::min(3 * A, 0.9);
+    return path * stretch / (1.85 - A + 7 * std::pow(std::abs(A - 0.8), 3));
+}
+
+/// albedo: what is known of it.
+DiffusionProfile profileOf(const Medium& medium, std::optional<Spectrum> albedo, double eta) {
+    if (!albedo) {
+        const DiffuseAlbedoTable table(medium.g, eta);
+        albedo = combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return table.diffuse(s / std::max(s + a, 1e-30)); });
+    }
+    const Spectrum reduced = combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return a + s * (1 - medium.g); });
+    return {*albedo, combine(*albedo, reduced, [&](double A, double sigma) { return profileLength(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), eta); })};
 }
 
 }  // namespace
 
-std::shared_ptr<const Medium> interiorOf(Reading& reading, const Arguments& arguments, double eta) {
+void readInterior(Reading& reading, const Arguments& arguments, Material& material) {
+    const double eta = material.inputs.at("eta").value.value();
+    const std::string method = arguments.text("method");
+    const auto* known = std::ranges::find(subsurfaceMethodNames, method, &std::pair<const char*, SubsurfaceMethod>::first);
+    if (known == std::end(subsurfaceMethodNames))
+        throw SceneError(arguments.whereOf("method"), "there is no method \"" + method + "\"; it can be \"diffusion\" or \"randomwalk\"");
+    material.method = known->second;
+
+    std::optional<Spectrum> albedo;
     auto medium = std::make_shared<Medium>();
     medium->where = arguments.where();
     medium->g = std::clamp(arguments.number("g"), -0.99, 0.99);
@@ -68,13 +83,20 @@ std::shared_ptr<const Medium> interiorOf(Reading& reading, const Arguments& argu
         medium->sigmaA = arguments.spectrum("sigma_a") * scale;
         medium->sigmaS = arguments.spectrum("sigma_s") * scale;
     } else if (arguments.has("reflectance")) {
-        convert(DiffuseAlbedoTable(medium->g, eta), arguments.spectrum("reflectance"), arguments.spectrum("mfp", Spectrum::constant(1)), scale, *medium);
+        /* rho of 1 / mfp scatters, the rest absorbs */
+        const DiffuseAlbedoTable table(medium->g, eta);
+        const Spectrum mfp = arguments.spectrum("mfp", Spectrum::constant(1));
+        const auto all = [&](double length) { return 1 / std::max(length * scale, 1e-9); };
+        albedo = arguments.spectrum("reflectance");
+        medium->sigmaA = combine(*albedo, mfp, [&](double A, double length) { return (1 - table.singleScattering(A)) * all(length); });
+        medium->sigmaS = combine(*albedo, mfp, [&](double A, double length) { return table.singleScattering(A) * all(length); });
     } else {
         warnOfIgnored(reading, arguments, {"mfp"}, "no \"reflectance\"");
         medium->sigmaA = Spectrum::rgb({0.0011, 0.0024, 0.014}) * scale;   // pbrt-v4's default: whole milk
         medium->sigmaS = Spectrum::rgb({2.55, 3.21, 3.77}) * scale;
     }
-    return medium;
+    material.interior = medium;
+    material.diffusion = std::make_shared<DiffusionProfile>(profileOf(*medium, albedo, eta));
 }
 
 }  // namespace eikonal::pbrt

@@ -7,9 +7,9 @@
 
 namespace eikonal::pbrt {
 
-/// The homogeneous medium of material "subsurface", whose parameters are `arguments`: "name", or "sigma_a" and "sigma_s", or "reflectance" with
-/// "mfp" (scene/diffuse_albedo.h), or, given none of them, pbrt-v4's default; "scale" multiplies coefficients or the mean free path. eta: the index inside over
-/// that outside. Warns of parameters that something else overrides. Throws SceneError if there is one sigma only, or no substance of that name. Textures have no say here.
-std::shared_ptr<const Medium> interiorOf(Reading& reading, const Arguments& arguments, double eta);
+/// Sets `interior`, `diffusion` and `method` of a material "subsurface", whose inputs have been read, from its `arguments`: "name", or "sigma_a" and "sigma_s", or
+/// "reflectance" with "mfp" (scene/diffuse_albedo.h), or, given none of them, pbrt-v4's default; "scale" multiplies coefficients or the mean free path.
+/// Warns of parameters that something else overrides. Throws SceneError if there is one sigma only, no such method, or no substance of that name. Textures have no say here.
+void readInterior(Reading& reading, const Arguments& arguments, Material& material);
 
 }  // namespace eikonal::pbrt
