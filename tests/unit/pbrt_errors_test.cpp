@@ -56,6 +56,20 @@ TEST_F(PbrtErrors, allMissingFilesAreListedOnce) {
     EXPECT_EQ(lines(error), 7);
 }
 
+// What a missing file would have held is not known, so nothing is wrong with the list that includes it, nor with its directive.
+TEST_F(PbrtErrors, aFileThatIsMissingWithinAListIsAllThatIsWrongWithIt) {
+    const std::string error = errorOfWorld(R"(Shape "sphere" "float radius" [ Include "a.inc" ]
+        Shape "trianglemesh" "integer indices" [0 1 2] "point3 P" [0 0 0 Include "b.inc"]
+        MakeNamedMaterial "m" "string type" "diffuse" "rgb reflectance" [ .5 Include "c.inc" ]
+        NamedMaterial "m"
+        Shape "plymesh" "string filename" "d.ply"
+        Texture "t" "spectrum" "imagemap" "string filename" "e.png")");
+    for (const char* place : {"2:41: there is no file \"a.inc\"", "3:82: there is no file \"b.inc\"", "4:86: there is no file \"c.inc\""})
+        EXPECT_THAT(error, HasSubstr(std::string("test.pbrt:") + place));
+    for (const char* name : {"d.ply", "e.png"}) EXPECT_THAT(error, HasSubstr(name));
+    EXPECT_EQ(lines(error), 5) << error;
+}
+
 TEST_F(PbrtErrors, aSceneThatIsNotThere) {
     Diagnostics diagnostics(LogLevel::silent);
     try {

@@ -16,11 +16,18 @@ using Where = const SourceLocation&;
 /// Calls f, whose errors are noted: it is not about the grammar, so reading can go on.
 template <class F> void note(Builder& builder, F&& f) { builder.reading.problems.guard(std::forward<F>(f)); }
 
-/// For a directive with a name and parameters: reads both, then calls f(name, parameters), whose errors are noted.
+/// For a directive with a name and parameters: reads both, then calls f(name, parameters), whose errors are noted; not if a file
+/// that parameters come from is missing, which is noted already, and may be why.
 template <class F> void withParameters(Parser& parser, Builder& builder, const char* what, F&& f) {
     const std::string name = parser.quoted(what);
     ParameterList parameters = parser.parameters();
-    note(builder, [&] { f(name, std::move(parameters)); });
+    note(builder, [&] {
+        try {
+            f(name, std::move(parameters));
+        } catch (const Version3Error&) { throw; } catch (const SceneError&) {
+            if (!parser.hasLostParameters()) throw;
+        }
+    });
 }
 
 template <Settings::Sort sort> void setting(Parser& p, Builder& b, Where where) {

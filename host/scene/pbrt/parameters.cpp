@@ -98,6 +98,10 @@ const char* nameOf(ParameterType type) {
     return std::ranges::find(typeNames, type, &TypeName::type)->word;
 }
 
+bool Parameter::isEmpty() const {
+    return std::visit([](const auto& list) { return list.empty(); }, values);
+}
+
 std::string Parameter::declaration() const { return std::string(nameOf(type)) + " " + name; }
 
 Parameter readParameter(TokenStream& tokens, const Token& declaration) {
@@ -114,8 +118,6 @@ Parameter readParameter(TokenStream& tokens, const Token& declaration) {
     parameter.name = text.substr(nameBegin, nameEnd - nameBegin);
     parameter.type = typeNamed(std::string(text.substr(typeBegin, typeEnd - typeBegin)), std::string(text), parameter.where);
     parameter.values = readValues(tokens, parameter);
-    if (std::visit([](const auto& values) { return values.empty(); }, parameter.values))
-        throw SceneError(parameter.where, "\"" + parameter.declaration() + "\" has no value");
     return parameter;
 }
 

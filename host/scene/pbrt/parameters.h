@@ -13,7 +13,7 @@ namespace eikonal::pbrt {
 /// The types that a parameter may be declared with.
 enum class ParameterType { boolean, number, integer, point2, vector2, point3, vector3, normal, rgb, blackbody, spectrum, text, texture };
 
-/// Values in the order of the file; those of points and vectors one component after the other. Never empty.
+/// Values in the order of the file; those of points and vectors one component after the other.
 using Values = std::variant<std::vector<bool>, std::vector<double>, std::vector<int>, std::vector<float>, std::vector<std::string>>;
 
 struct Parameter {
@@ -24,6 +24,8 @@ struct Parameter {
     SourceLocation where;
     SourceLocation whereText;  ///< strings: of the first character of the first one
 
+    /// Whether it has no value: Parser::parameters gives none such.
+    bool isEmpty() const;
     /// "type name", as it was written.
     std::string declaration() const;
 };
@@ -33,7 +35,7 @@ using ParameterList = std::vector<Parameter>;
 /// The word for a type in a file.
 const char* nameOf(ParameterType type);
 
-/// Reads a declaration's value or values: a bare one, or a list in brackets. Throws SceneError.
+/// Reads a declaration's value or values: a bare one, or a list in brackets, which may be empty. Throws SceneError.
 Parameter readParameter(TokenStream& tokens, const Token& declaration);
 
 }  // namespace eikonal::pbrt

@@ -8,6 +8,7 @@ namespace eikonal::pbrt {
 Parser::Parser(Builder& builder, const Parser* outer) : builder_(builder), outer_(outer) {
     tokens_.onInclude([this](const Token& word) {
         if (auto file = openNamedFile(tokens_.locate(word), "Include")) tokens_.push(file->first, std::move(file->second));
+        else ++missingIncludes_;
     });
 }
 
@@ -66,14 +67,22 @@ std::string Parser::quotedOr(const std::string& otherwise) {
 
 ParameterList Parser::parameters() {
     ParameterList list;
+    hasLostParameters_ = false;
     while (true) {
         const Token token = next();
         if (token.kind != Token::Kind::quoted) {
             tokens_.putBack(token);
             return list;
         }
-        list.push_back(readParameter(tokens_, token));
-        list.back().space = builder_.state.space;
+        const int missingBefore = missingIncludes_;
+        Parameter parameter = readParameter(tokens_, token);
+        if (missingIncludes_ > missingBefore) {
+            hasLostParameters_ = true;
+            continue;
+        }
+        if (parameter.isEmpty()) throw SceneError(parameter.where, "\"" + parameter.declaration() + "\" has no value");
+        parameter.space = builder_.state.space;
+        list.push_back(std::move(parameter));
     }
 }
 

@@ -27,7 +27,10 @@ public:
     std::string quoted(const char* what);
     /// The string in quotes that is next, or `otherwise` if there is none.
     std::string quotedOr(const std::string& otherwise);
+    /// Those without a value are refused; where an included file is missing within a list, the parameter is left out.
     ParameterList parameters();
+    /// Whether the last parameters() left one out, so that what is wrong with them may be no fault of theirs.
+    bool hasLostParameters() const { return hasLostParameters_; }
     SourceLocation lastPlace() const { return tokens_.locate(last_); }
 
     /// Reads the file that is named next, in a state of its own.
@@ -41,6 +44,8 @@ private:
     Builder& builder_;
     const Parser* outer_;
     TokenStream tokens_;
+    int missingIncludes_ = 0;
+    bool hasLostParameters_ = false;
     Token last_;          ///< the last one that next() gave
 };
 
