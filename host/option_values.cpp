@@ -99,16 +99,9 @@ unsigned parsePowerOfTwo(const std::string& option, const std::string& text) {
 }
 
 Aovs parseAovs(const std::string& option, const std::string& text) {
-    static const std::vector<std::pair<const char*, bool Aovs::*>> names{{"albedo", &Aovs::albedo},
-                                                                        {"normal", &Aovs::normal},
-                                                                        {"geometricNormal", &Aovs::geometricNormal},
-                                                                        {"position", &Aovs::position},
-                                                                        {"depth", &Aovs::depth},
-                                                                        {"object", &Aovs::object},
-                                                                        {"material", &Aovs::material},
-                                                                        {"variance", &Aovs::variance},
-                                                                        {"sampleCount", &Aovs::sampleCount},
-                                                                        {"all", nullptr}};
+    std::vector<std::pair<const char*, bool Aovs::*>> names;
+    for (const AovName& each : aovNames) names.emplace_back(each.name, each.asked);
+    names.emplace_back("all", nullptr);
     Aovs aovs;
     for (const std::string& word : split(text, ',')) {
         const auto member = parseName(option, word, names);

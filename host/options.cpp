@@ -82,7 +82,9 @@ void addOutput(CLI::App* app, Options& o) {
     const std::string group = "Image";
     app->add_option("-o,--outfile", out.files, "An image file: exr, hdr, pfm, png, jpg, tif, tga, bmp, webp; may be given again. A single EXR leaves a PNG beside it (default: the scene's name, .exr)")
         ->type_name("FILE")->type_size(1)->allow_extra_args(false)->group(group);
-    value(app, "--aov", out.aovs, "NAMES", "Further channels of an EXR: albedo, normal, geometricNormal, position, depth, object, material, variance, sampleCount, joined by commas, or all", parseAovs)->group(group);
+    std::string channels;
+    for (const AovName& each : aovNames) channels += each.name + std::string(", ");
+    value(app, "--aov", out.aovs, "NAMES", "Further channels of an EXR: " + channels + "joined by commas, or all", parseAovs)->group(group);
     value(app, "--tonemap", out.toneMapping.curve, "NAME", "For formats of integers: clamp (default), reinhard, filmic",
           [](const std::string&, const std::string& text) { return toneCurve(text); })->group(group);
     value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For formats of integers: 1 is twice as bright", number(-infinity))->group(group);

@@ -5,6 +5,7 @@
 #include "film/tone_map.h"
 #include "scene/scene.h"
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,9 +47,18 @@ struct DeviceOptions {
 struct Aovs {
     bool albedo = false, normal = false, geometricNormal = false, position = false, depth = false, object = false, material = false;
     bool variance = false, sampleCount = false;
+    bool any() const;
     /// Whether the device has to keep what paths see.
-    bool ofSurfaces() const { return albedo || normal || geometricNormal || position || depth || object || material; }
+    bool ofSurfaces() const;
 };
+
+/// What --aov calls each of them.
+struct AovName { const char* name; bool Aovs::*asked; bool isOfSurfaces = true; };
+inline constexpr AovName aovNames[] = {{"albedo", &Aovs::albedo}, {"normal", &Aovs::normal}, {"geometricNormal", &Aovs::geometricNormal}, {"position", &Aovs::position},
+                                       {"depth", &Aovs::depth}, {"object", &Aovs::object}, {"material", &Aovs::material},
+                                       {"variance", &Aovs::variance, false}, {"sampleCount", &Aovs::sampleCount, false}};
+inline bool Aovs::any() const { return std::ranges::any_of(aovNames, [this](const AovName& n) { return this->*n.asked; }); }
+inline bool Aovs::ofSurfaces() const { return std::ranges::any_of(aovNames, [this](const AovName& n) { return n.isOfSurfaces && this->*n.asked; }); }
 
 struct OutputOptions {
     std::vector<std::string> files;                   ///< empty: the scene's name, .exr

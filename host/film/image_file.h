@@ -18,6 +18,9 @@ namespace eikonal {
 /// The file appears whole or not at all: it is made beside its place and then renamed. Throws Error (ExitCode::scene) with the reason.
 void writeImage(const std::string& path, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping = {});
 
+/// Whether writeImage keeps channels besides the colour in a file of that name.
+bool holdsChannels(const std::string& path);
+
 /// Throws the Error that writeImage would, as far as that can be known before rendering: an unknown extension, no folder, not
 /// permitted, no regular file, or less than `bytes` (an estimate of the file's size) free on the disk.
 void checkWritable(const std::string& path, std::uint64_t bytes = 0);

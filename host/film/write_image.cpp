@@ -41,14 +41,23 @@ constexpr std::array<Format, 11> formats{{{"exr", "openexr", Content::layers},
     throw Error(ExitCode::scene, fmt::format("cannot write \"{}\": {}", path, reason));
 }
 
-const Format& formatOf(const std::string& path) {
+std::string extensionOf(const std::string& path) {
     std::string extension = std::filesystem::path(path).extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension;
+}
+
+/// The format that a name's extension stands for, in small or capital letters; null: none.
+const Format* findFormat(const std::string& path) {
+    const auto found = std::ranges::find_if(formats, [&](const Format& format) { return extensionOf(path) == std::string(".") + format.extension; });
+    return found == formats.end() ? nullptr : &*found;
+}
+
+const Format& formatOf(const std::string& path) {
+    if (const Format* format = findFormat(path)) return *format;
+    const std::string extension = extensionOf(path);
     std::string known;
-    for (const Format& format : formats) {
-        if (extension == std::string(".") + format.extension) return format;
-        known += std::string(" ") + format.extension;
-    }
+    for (const Format& format : formats) known += std::string(" ") + format.extension;
     fail(path,
          (extension.empty() ? "its name has no extension" : "the extension \"" + extension + "\" is not known") + "; known are" + known);
 }
@@ -155,6 +164,11 @@ void writeImage(const std::string& path, const FilmImage& image, const Metadata&
     addAttributes(spec, metadata);
 
     writeFileAtomically(path, std::string(format.name) == "pfm" ? encodePfm(image) : encode(path, format, spec, values));
+}
+
+bool holdsChannels(const std::string& path) {
+    const Format* format = findFormat(path);
+    return format && format->content == Content::layers;
 }
 
 void checkWritable(const std::string& path, std::uint64_t bytes) {

@@ -97,7 +97,7 @@ TEST_F(Cli, AovsAreThereWhenAskedFor) {
 TEST_F(Cli, AovsNeedAnExr) {
     write("named.pbrt", "Film \"rgb\" \"string filename\" \"a.jpg\"\nWorldBegin\nShape \"sphere\"\n");
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"tiny.pbrt", "-o", "a.png", "-o", "a.jpg"}, {"named.pbrt"}}) {
-        std::vector<std::string> all{"render", "--aov", "albedo"};
+        std::vector<std::string> all{"render", "--aov", "object"};
         all.insert(all.end(), arguments.begin(), arguments.end());
         const Outcome run = this->run(all);
         EXPECT_EQ(run.status, 2);

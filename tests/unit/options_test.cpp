@@ -1,5 +1,6 @@
 // The command line as the program understands it. What it does then is tested in tests/render/cli_test.cpp.
 
+#include "commands/output.h"
 #include "commands/progress_bar.h"
 #include "options.h"
 
@@ -84,7 +85,20 @@ TEST(Options, ValuesOfEveryKindAreRead) {
 
 TEST(Options, AllAovsAtOnce) {
     const Aovs a = parse("render a.pbrt --aov all").output.aovs;
-    EXPECT_TRUE(a.albedo && a.normal && a.depth && a.variance && a.sampleCount);
+    for (const AovName& each : aovNames) EXPECT_TRUE(a.*each.asked) << each.name;
+}
+
+// Each channel by itself needs a file that can hold it: an EXR, in small or capital letters, which alone gets a PNG beside it.
+TEST(Options, ChannelsNeedAnExr) {
+    Scene scene;
+    const auto filesOf = [&](const std::string& line) { return outputFiles(parse("render a.pbrt " + line).output, scene); };
+    for (const AovName& each : aovNames) {
+        const std::string aov = std::string("--aov ") + each.name;
+        EXPECT_THROW(filesOf(aov + " -o x.jpg -o x.pfm"), UsageError) << each.name;
+        EXPECT_THAT(filesOf(aov + " -o x.Exr"), testing::ElementsAre("x.Exr", "x.png")) << each.name;
+        EXPECT_THAT(filesOf(aov + " -o x.jpg -o x.EXR"), testing::ElementsAre("x.jpg", "x.EXR")) << each.name;
+    }
+    EXPECT_THAT(filesOf("-o x.jpg"), testing::ElementsAre("x.jpg"));
 }
 
 struct BadValue { const char *line, *message; };
