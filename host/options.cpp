@@ -36,6 +36,8 @@ void addLogging(CLI::App* app, Options& o) {
           oneOf<LogLevel>({{"silent", LogLevel::silent}, {"error", LogLevel::error}, {"warning", LogLevel::warning}, {"info", LogLevel::info}, {"debug", LogLevel::debug}}));
 }
 
+CLI::Option* addListDevices(CLI::App* app, Options& o) { return app->add_flag("--list-devices", o.device.list, "Print the OpenCL devices"); }
+
 void addDevice(CLI::App* app, Options& o) {
     DeviceOptions& d = o.device;
     const std::string group = "Device";
@@ -45,6 +47,7 @@ void addDevice(CLI::App* app, Options& o) {
     app->add_option("--dump-kernels", d.dumpFolder, "Write the text and options of each kernel into this folder")->type_name("DIR")->group(group);
     value(app, "--wave-paths", d.wavePaths, "N", "Paths in flight at once; changes speed and memory, never the image", integer(1, 1 << 26))->group(group);
     value(app, "--local-size", d.localSize, "N", "Work-items in a group, a power of two; changes speed, never the image", parsePowerOfTwo)->group(group);
+    addListDevices(app, o)->group(group);
     value(app, "--contraction", d.contraction, "on|off", "Whether a*b+c may be rounded once (default: on)", oneOf<bool>({{"on", true}, {"off", false}}))->group(group);
 }
 
@@ -96,7 +99,6 @@ void addOutput(CLI::App* app, Options& o) {
 struct Parser {
     Options options;
     CLI::App app{"Eikonal renders scenes by path tracing on OpenCL devices.", "eikonal"};
-    bool listDevices = false;
     std::vector<std::pair<CLI::App*, Command>> commands;
 
     CLI::App* add(const std::string& name, Command command, const std::string& help) {
@@ -110,7 +112,7 @@ struct Parser {
         app.allow_extras();
         app.set_help_all_flag("--help-all", "Print the options of all commands");
         app.set_version_flag("--version", "eikonal " EIKONAL_VERSION);
-        app.add_flag("--list-devices", listDevices, "Print the OpenCL devices");
+        addListDevices(&app, options);
         app.require_subcommand(0, 1);
 
         auto* render = add("render", Command::render, "Render a scene into an image file");
@@ -233,7 +235,7 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         if (sub->parsed()) { command = sub; options.command = id; }
     if (const auto extra = command->remaining(); !extra.empty()) refuseExtra(parser, command, extra.front());
     if (const auto extra = parser.app.remaining(); !extra.empty()) refuseExtra(parser, &parser.app, extra.front());
-    if (parser.listDevices) options.command = Command::listDevices;
+    if (options.device.list) options.command = Command::listDevices;
     else if (command == &parser.app) throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
     checkTogether(parser, command);
     if (options.quiet) options.log = std::min(options.log, LogLevel::error);

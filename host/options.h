@@ -37,6 +37,7 @@ struct SceneOptions {
 struct DeviceOptions {
     std::string device;                               ///< a number of --list-devices or a part of a name; empty: the best
     int threads = 0;                                  ///< of the host and of PoCL; 0: one a core
+    bool list = false;                                ///< print the devices instead of what the command does
     bool cache = true;
     std::string dumpFolder;                           ///< not empty: each program's text goes there
     std::optional<unsigned> wavePaths, localSize;

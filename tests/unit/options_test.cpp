@@ -153,6 +153,8 @@ INSTANTIATE_TEST_SUITE_P(Commands, BadValues, testing::Values(
 TEST(Options, OtherCommands) {
     EXPECT_EQ(parse("--list-devices").command, Command::listDevices);
     EXPECT_EQ(parse("list-devices").command, Command::listDevices);
+    for (const char* line : {"render --list-devices", "render a.pbrt --list-devices", "bench --list-devices", "cache --list-devices"})
+        EXPECT_EQ(parse(line).command, Command::listDevices) << line;
     EXPECT_TRUE(parse("info a.pbrt --json").json);
     EXPECT_EQ(parse("bench a.pbrt --json f.json --repeats 3").jsonFile, "f.json");
     EXPECT_EQ(parse("bench a.pbrt --repeats 3").repeats, 3);
