@@ -184,8 +184,8 @@ TEST_F(ObjMaterials, warnOfWhatIsMissingOrUnknown) {
 TEST_F(ObjMaterials, saysWhereTheyAreWrong) {
     const auto errorIn = [&](const std::string& statements) { return errorOf([&] { loadMaterial(statements); }); };
     EXPECT_EQ(errorIn("Kd 1 0\n"), "model.mtl:2: \"kd\" needs three numbers, and has 2");
-    EXPECT_EQ(errorIn("Kd red\n"), "model.mtl:2: \"red\" is not a number");
-    EXPECT_EQ(errorIn("Kd nan 0 0\n"), "model.mtl:2: \"nan\" is not a number");
+    EXPECT_EQ(errorIn("Kd red\n"), "model.mtl:2:4: \"red\" is not a finite number");
+    EXPECT_EQ(errorIn("Kd nan 0 0\n"), "model.mtl:2:4: \"nan\" is not a finite number");
     EXPECT_EQ(errorIn("Ns\n"), "no error");  // Ns counts only where there is a highlight
     EXPECT_EQ(errorIn("Kd .5 .5 .5\nKs 1 1 1\nNs\n"), "model.mtl:4: \"ns\" needs a number");
     EXPECT_EQ(errorIn("map_Kd -s 2 2 2\n"), "model.mtl:2: \"map_kd\" names no image");

@@ -108,7 +108,7 @@ TEST_F(ObjTest, keepsTheDetailOfModelsFarFromTheOrigin) {
 }
 
 TEST_F(ObjTest, leavesOutTrianglesWithoutArea) {
-    const Scene scene = load(square + "v nan 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 5\n");
+    const Scene scene = load(square + "v .5 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 5\n");
     EXPECT_EQ(meshOf(scene).indices.size(), 3u);
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("2 of 3 triangles have no area")));
 }
@@ -124,7 +124,10 @@ TEST_F(ObjTest, warnsOnceOfWhatItDoesNotRender) {
 
 TEST_F(ObjTest, saysWhereAFileIsWrong) {
     EXPECT_EQ(errorIn(""), "model.obj: there are no faces (\"f\") in this file");
-    EXPECT_EQ(errorIn("v 1 2 abc\n"), "model.obj:1:7: \"abc\" is not a number");
+    EXPECT_EQ(errorIn("v 1 2 abc\n"), "model.obj:1:7: \"abc\" is not a finite number");
+    for (const char* word : {"nan", "inf", "-infinity", "1e300"})
+        EXPECT_EQ(errorIn("v " + std::string(word) + " 0 0\nf 1 1 1\n"), "model.obj:1:3: \"" + std::string(word) + "\" is not a finite number");
+    EXPECT_EQ(errorIn("v 0 0 0\nvn 0 nan 0\n"), "model.obj:2:6: \"nan\" is not a finite number");
     EXPECT_EQ(errorIn(square + "f 1 2 3\nv 1 2"), "model.obj:6: \"v\" needs 3 numbers, and has 2");
     EXPECT_EQ(errorIn(square + "f 0 1 2\n"), "model.obj:5:3: \"0\" is not a corner of a face: position/texture/normal, numbered from 1");
     EXPECT_EQ(errorIn(square + "f 1/2/3/4 1 2\n"), "model.obj:5:3: \"1/2/3/4\" has more than three parts");

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 
 namespace eikonal {
 namespace {
@@ -15,7 +17,7 @@ bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 bool parseNumber(std::string_view word, double& value) {
     if (word.starts_with('+')) word.remove_prefix(1);
     const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return error == std::errc{} && stop == word.data() + word.size();
+    return error == std::errc{} && stop == word.data() + word.size() && std::abs(value) <= std::numeric_limits<float>::max();
 }
 
 ObjLines::ObjLines(std::string_view text, std::shared_ptr<const std::string> file) : text_(text), file_(std::move(file)) {
@@ -74,7 +76,7 @@ SourceLocation ObjLines::where(std::size_t i) const {
 double ObjLines::number(std::size_t i) const {
     double value = 0;
     if (i >= words_.size()) throw SceneError(where(), fmt::format("\"{}\" needs {} numbers, and has {}", words_[0], i, words_.size() - 1));
-    if (!parseNumber(words_[i], value)) throw SceneError(where(i), fmt::format("\"{}\" is not a number", words_[i]));
+    if (!parseNumber(words_[i], value)) throw SceneError(where(i), fmt::format("\"{}\" is not a finite number", words_[i]));
     return value;
 }
 

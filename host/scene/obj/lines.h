@@ -28,7 +28,7 @@ public:
     SourceLocation where(std::size_t i) const;
     int line() const { return line_; }
 
-    /// Word i as a number. Throws SceneError if it is none.
+    /// Word i as a number. Throws SceneError if it is none, or not finite.
     double number(std::size_t i) const;
 
 private:
@@ -40,7 +40,7 @@ private:
     std::vector<std::string_view> words_;
 };
 
-/// The whole of a word as a number; false if it is none.
+/// The whole of a word as a number; false if it is none, or none that is finite in single precision: NaN, infinity, 1e300.
 bool parseNumber(std::string_view word, double& value);
 
 }  // namespace eikonal

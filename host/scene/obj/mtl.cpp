@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
+#include <ranges>
 
 namespace eikonal {
 namespace {
@@ -24,21 +24,24 @@ std::string lower(std::string_view word) {
     return result;
 }
 
-double numberIn(const MtlMaterial::Statement& statement, std::string_view word) {
+/// Word i of a statement as a number.
+double numberIn(const MtlMaterial::Statement& statement, std::size_t i) {
     double value = 0;
-    if (!parseNumber(word, value) || !std::isfinite(value)) throw SceneError(statement.where, fmt::format("\"{}\" is not a number", word));
+    if (!parseNumber(statement.words[i], value)) throw SceneError(statement.places[i], fmt::format("\"{}\" is not a finite number", statement.words[i]));
     return value;
 }
 
-void applyOption(MtlTexture& texture, const MtlMaterial::Statement& statement, std::string_view name, const std::vector<std::string>& values) {
-    const auto number = [&](std::size_t i) { return numberIn(statement, values[i]); };
+/// An option whose values are the statement's words from the first-th on.
+void applyOption(MtlTexture& texture, const MtlMaterial::Statement& statement, std::string_view name, std::size_t first, std::size_t count) {
+    const std::vector<std::string> values(statement.words.begin() + static_cast<std::ptrdiff_t>(first), statement.words.begin() + static_cast<std::ptrdiff_t>(first + count));
+    const auto number = [&](std::size_t i) { return numberIn(statement, first + i); };
     const auto asWritten = [&] { return fmt::format("{} {}", name, fmt::join(values, " ")); };
     if (name == "-s") texture.scale = {number(0), values.size() > 1 ? number(1) : 1};
     else if (name == "-o") texture.offset = {number(0), values.size() > 1 ? number(1) : 0};
     else if (name == "-mm") { texture.base = number(0); texture.gain = number(1); }
     else if (name == "-bm") texture.bumpMultiplier = number(0);
     else if (name == "-clamp") texture.clamp = values[0] == "on";
-    else if (name == "-t") { if (std::ranges::any_of(values, [&](const std::string& v) { return numberIn(statement, v) != 0; })) texture.ignored.push_back(asWritten()); }
+    else if (name == "-t") { if (std::ranges::any_of(std::views::iota(std::size_t(0), count), [&](std::size_t i) { return number(i) != 0; })) texture.ignored.push_back(asWritten()); }
     else if (name == "-imfchan") { if (values[0] != "m" && values[0] != "l") texture.ignored.push_back(asWritten()); }
     else if (name == "-type" || name == "-colorspace" || (name == "-cc" && values[0] == "on")) texture.ignored.push_back(asWritten());
     // -blendu, -blendv, -boost and -texres ask for filters, which are the renderer's business.
@@ -57,7 +60,7 @@ std::optional<double> MtlMaterial::number(const std::string& keyword) const {
     const Statement& statement = found->second;
     const std::size_t at = !statement.words.empty() && statement.words[0] == "-halo" ? 1 : 0;
     if (statement.words.size() <= at) throw SceneError(statement.where, fmt::format("\"{}\" needs a number", keyword));
-    return numberIn(statement, statement.words[at]);
+    return numberIn(statement, at);
 }
 
 std::optional<glm::dvec3> MtlMaterial::color(const std::string& keyword) const {
@@ -67,9 +70,9 @@ std::optional<glm::dvec3> MtlMaterial::color(const std::string& keyword) const {
     const std::vector<std::string>& words = statement.words;
     if (!words.empty() && (words[0] == "spectral" || words[0] == "xyz"))
         throw SceneError(statement.where, fmt::format("\"{}\" as \"{}\" cannot be read; give red, green and blue", keyword, words[0]));
-    if (words.size() == 1) return glm::dvec3(numberIn(statement, words[0]));
+    if (words.size() == 1) return glm::dvec3(numberIn(statement, 0));
     if (words.size() < 3) throw SceneError(statement.where, fmt::format("\"{}\" needs three numbers, and has {}", keyword, words.size()));
-    return glm::dvec3(numberIn(statement, words[0]), numberIn(statement, words[1]), numberIn(statement, words[2]));
+    return glm::dvec3(numberIn(statement, 0), numberIn(statement, 1), numberIn(statement, 2));
 }
 
 std::optional<MtlTexture> MtlMaterial::texture(const std::string& keyword) const {
@@ -90,14 +93,15 @@ std::optional<MtlTexture> MtlMaterial::texture(const std::string& keyword) const
             nameEnd = searchFrom;
             continue;
         }
-        std::vector<std::string> values;
+        const std::size_t first = i + 1;
         double ignored = 0;
-        while (values.size() < option->most && i + 1 < words.size() && (values.size() < option->least || parseNumber(words[i + 1], ignored))) {
-            values.push_back(words[++i]);
+        while (i + 1 < first + option->most && i + 1 < words.size() && (i + 1 < first + option->least || parseNumber(words[i + 1], ignored))) {
+            ++i;
             searchFrom = statement.rest.find(words[i], searchFrom) + words[i].size();
         }
-        if (values.size() < option->least) throw SceneError(statement.where, fmt::format("\"{}\" needs {} more words", option->name, option->least));
-        applyOption(texture, statement, option->name, values);
+        const std::size_t count = i + 1 - first;
+        if (count < option->least) throw SceneError(statement.where, fmt::format("\"{}\" needs {} more words", option->name, option->least));
+        applyOption(texture, statement, option->name, first, count);
     }
     if (nameBegin == std::string::npos) throw SceneError(statement.where, fmt::format("\"{}\" names no image", keyword));
     texture.file = statement.rest.substr(nameBegin, nameEnd - nameBegin);
@@ -118,6 +122,7 @@ std::vector<MtlMaterial> parseMtl(std::string_view text, const std::shared_ptr<c
             materials.push_back(std::move(material));
         } else if (!materials.empty()) {
             MtlMaterial::Statement statement{{lines.words().begin() + 1, lines.words().end()}, lines.rest(1), lines.where()};
+            for (std::size_t i = 1; i < lines.words().size(); ++i) statement.places.push_back(lines.where(i));
             materials.back().statements[keyword] = std::move(statement);
         }
     }

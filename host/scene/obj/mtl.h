@@ -31,7 +31,12 @@ public:
     std::string name;
     SourceLocation where;
 
-    struct Statement { std::vector<std::string> words; std::string rest; SourceLocation where; };  ///< words after the keyword, and all of them
+    struct Statement {
+        std::vector<std::string> words;        ///< after the keyword
+        std::string rest;                      ///< all of them
+        SourceLocation where;                  ///< the line
+        std::vector<SourceLocation> places{};  ///< of the words
+    };
     std::map<std::string, Statement> statements;
 
     bool has(const std::string& keyword) const { return statements.contains(keyword); }
