@@ -181,6 +181,24 @@ TEST_F(ObjMaterials, warnOfWhatIsMissingOrUnknown) {
     EXPECT_THAT(warnings_, Contains(HasSubstr("the option \"-t .1 .1 .1\" is not supported")));
 }
 
+// One warning for a statement, at its first number that means nothing, with what counts instead.
+TEST_F(ObjMaterials, warnOfNumbersThatMeanNothing) {
+    const Scene scene = loadMaterial("Kd 2 -1 0.5\nKs 1\nNs -5\nNi 0\nd -halo -1\nillum 99\nKe 1e30 0 -1\nPr 5\n");
+    EXPECT_THAT(warnings_, testing::UnorderedElementsAre(HasSubstr("model.mtl:2:4: warning: \"Kd\" is 2 -1 0.5; it counts as 1 0 0.5, since each number must be from 0 to 1"),
+                                                         HasSubstr("model.mtl:4:4: warning: \"Ns\" is -5; it counts as 0, since it must be at least 0"),
+                                                         HasSubstr("model.mtl:5:4: warning: \"Ni\" is 0; it counts as 1, since it must be from 0.001 to 10"),
+                                                         HasSubstr("model.mtl:6:9: warning: \"d\" is -1; it counts as 0, since it must be from 0 to 1"),
+                                                         HasSubstr("model.mtl:7:7: warning: \"illum\" is 99; it counts as 2, since it must be a whole number from 0 to 10"),
+                                                         HasSubstr("model.mtl:8:11: warning: \"Ke\" is 1e30 0 -1; it counts as 1e30 0 0, since each number must be at least 0"),
+                                                         HasSubstr("model.mtl:9:4: warning: \"Pr\" is 5; it counts as 1, since it must be from 0 to 1")));
+    EXPECT_EQ(color(materialOf(scene), "base"), glm::dvec3(1, 0, .5));
+    EXPECT_EQ(number(materialOf(scene), "uroughness"), 1);
+    EXPECT_EQ(scene.areaLights.at(0).L.color(), glm::dvec3(1e30, 0, 0));
+
+    loadMaterial("Kd .2 .4 .6\nKs 0\nNs 0\nNi 1\nd 1\nTr 0\nillum 2\nKe 0 0 0\nPr 0\nPm 1\nPs 0\nPc 1\nPcr 0\naniso 0\nTf 1 1 1\n");
+    EXPECT_THAT(warnings_, IsEmpty());
+}
+
 TEST_F(ObjMaterials, saysWhereTheyAreWrong) {
     const auto errorIn = [&](const std::string& statements) { return errorOf([&] { loadMaterial(statements); }); };
     EXPECT_EQ(errorIn("Kd 1 0\n"), "model.mtl:2: \"kd\" needs three numbers, and has 2");

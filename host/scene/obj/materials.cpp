@@ -1,6 +1,8 @@
 #include "scene/obj/materials.h"
 
 #include "scene/image.h"
+#include "scene/obj/mtl_inputs.h"
+#include "scene/obj/mtl_ranges.h"
 
 #include <fmt/format.h>
 
@@ -16,19 +18,19 @@ double maximum(const glm::dvec3& c) { return std::max({c.x, c.y, c.z}); }
 double mean(const glm::dvec3& c) { return (c.x + c.y + c.z) / 3; }
 
 /// The width of GGX microfacets whose highlight is as wide as that of a Blinn-Phong exponent: Walter et al. 2007.
-double widthOfExponent(double exponent) { return std::sqrt(2 / (std::max(exponent, 0.) + 2)); }
+double widthOfExponent(double exponent) { return std::sqrt(2 / (exponent + 2)); }
 
 /// The index of refraction that reflects 8 % times the specular color: the convention of Disney's "specular", which exporters follow.
 double indexOfSpecular(double specular) {
-    const double root = std::sqrt(0.08 * std::clamp(specular, 0., 1.));
+    const double root = std::sqrt(0.08 * specular);
     return (1 + root) / (1 - root);
 }
 
 /// Builds the textures and materials of one MTL material.
-class Builder {
+class Builder : MtlInputs {
 public:
     Builder(Scene& scene, const MtlMaterial& mtl, double textureSize, ObjFiles& files, Diagnostics& diagnostics)
-        : scene_(scene), mtl_(mtl), textureSize_(textureSize), files_(files), diagnostics_(diagnostics) {}
+        : MtlInputs(scene, mtl, files, diagnostics), textureSize_(textureSize) {}
 
     ObjMaterial build() {
         reportUnknown();
@@ -43,58 +45,6 @@ public:
     }
 
 private:
-    // ---- inputs -------------------------------------------------------------------------------------------------------------
-
-    Input constant(double value, const std::string& keyword) const { return {Spectrum::constant(value), none, mtl_.whereIs(keyword)}; }
-    Input color(const glm::dvec3& value, const std::string& keyword) const { return {Spectrum::rgb(value), none, mtl_.whereIs(keyword)}; }
-
-    Input addTexture(Texture texture) {
-        texture.where = texture.where.file ? texture.where : mtl_.where;
-        scene_.textures.push_back(std::move(texture));
-        return {Spectrum::constant(0), static_cast<int>(scene_.textures.size()) - 1, scene_.textures.back().where};
-    }
-
-    Input product(const Input& a, const Input& b, bool isFloat) {
-        return addTexture({.name = {}, .isFloat = isFloat, .kind = ScaleTexture{a, b}, .where = a.where});
-    }
-
-    int addImage(ImageFile image) {
-        const auto found = std::ranges::find(scene_.images, image);
-        if (found != scene_.images.end()) return static_cast<int>(found - scene_.images.begin());
-        scene_.images.push_back(std::move(image));
-        return static_cast<int>(scene_.images.size()) - 1;
-    }
-
-    /// The image that a keyword names, if it does and the file exists; what its options ask in vain is reported.
-    std::optional<std::pair<MtlTexture, ImageFile>> image(const std::string& keyword, ColorEncoding encoding) {
-        auto texture = mtl_.texture(keyword);
-        if (!texture) return {};
-        for (const std::string& option : texture->ignored)
-            diagnostics_.unsupported("mtl " + option.substr(0, option.find(' ')), texture->where, fmt::format("the option \"{}\" is not supported", option));
-        const std::string path = files_.require(texture->file, texture->where);
-        if (path.empty()) return {};
-        usesUvs_ = true;
-        ImageFile file{.path = path, .encoding = encoding};
-        file.wrap = texture->clamp ? WrapMode::clamp : WrapMode::repeat;
-        file.where = texture->where;
-        return std::pair{std::move(*texture), std::move(file)};
-    }
-
-    /// The texture of a keyword: base + gain times the image, as -mm says, times factor.
-    std::optional<Input> texture(const std::string& keyword, bool isFloat, double factor = 1) {
-        auto found = image(keyword, isFloat ? ColorEncoding::linear : ColorEncoding::automatic);
-        if (!found) return {};
-        const auto& [options, file] = *found;
-        const Mapping mapping{.uScale = options.scale.x, .vScale = options.scale.y, .uOffset = options.offset.x, .vOffset = options.offset.y};
-        const auto add = [&](double scale) {
-            return addTexture({.name = file.path, .isFloat = isFloat, .kind = ImagemapTexture{addImage(file), mapping, scale}, .where = options.where});
-        };
-        if (options.base == 0) return add(factor * options.gain);
-        // From base at 0 to base + gain at 1.
-        const Input low = constant(factor * options.base, keyword), high = constant(factor * (options.base + options.gain), keyword);
-        return addTexture({.name = file.path, .isFloat = isFloat, .kind = MixTexture{low, high, add(1)}, .where = options.where});
-    }
-
     // ---- surfaces -----------------------------------------------------------------------------------------------------------
 
     int add(MaterialKind kind, std::map<std::string, Input> inputs, bool remapRoughness = false) {
@@ -129,12 +79,12 @@ private:
         return index;
     }
 
-    glm::dvec3 specular() const { return glm::clamp(mtl_.color("ks").value_or(glm::dvec3(0)), 0., 1.); }
+    glm::dvec3 specular() const { return mtl_.color("ks").value_or(glm::dvec3(0)); }
 
     /// Kd, times map_Kd. Without both: black if something else says what the surface is, else grey.
     Input diffuseColor() {
         const bool isOtherwise = mtl_.has("ks") || mtl_.has("ke") || mtl_.has("map_ke") || mtl_.has("tf") || mtl_.has("map_ks");
-        const glm::dvec3 kd = glm::clamp(mtl_.color("kd").value_or(glm::dvec3(mtl_.has("map_kd") ? 1 : isOtherwise ? 0 : 0.5)), 0., 1.);
+        const glm::dvec3 kd = mtl_.color("kd").value_or(glm::dvec3(mtl_.has("map_kd") ? 1 : isOtherwise ? 0 : 0.5));
         const auto map = texture("map_kd", false);
         if (!map) return color(kd, "kd");
         if (kd == glm::dvec3(1) || kd == glm::dvec3(0)) return *map;  // black times a map is an exporter's way to say "the map"
@@ -195,7 +145,7 @@ private:
         if (mtl_.number("anisor").value_or(0) != 0)
             diagnostics_.unsupported("mtl anisor", mtl_.whereIs("anisor"), "\"anisor\" is not rendered: stretched highlights follow the texture coordinates");
         const Input base = diffuseColor(), metallic = portion("pm", "map_pm"), sheen = portion("ps", "map_ps");
-        const double coat = std::clamp(mtl_.number("pc").value_or(0), 0., 1.), coatRoughness = std::clamp(mtl_.number("pcr").value_or(0), 0., 1.);
+        const double coat = mtl_.number("pc").value_or(0), coatRoughness = mtl_.number("pcr").value_or(0);
         const Widths widths = roughness();
         if (metallic.texture == none && metallic.value.value() == 1 && coat == 0) return conductor(base, widths);
         const double eta = mtl_.number("ni").value_or(1) > 1 ? *mtl_.number("ni") : 1.5;
@@ -206,19 +156,19 @@ private:
 
     /// A number from 0 to 1, times its map; a map without a number is itself.
     Input portion(const std::string& keyword, const std::string& map) {
-        const double value = std::clamp(mtl_.number(keyword).value_or(mtl_.has(map) ? 1 : 0), 0., 1.);
+        const double value = mtl_.number(keyword).value_or(mtl_.has(map) ? 1 : 0);
         const auto image = value > 0 ? texture(map, true, value) : std::nullopt;
         return image ? *image : constant(value, keyword);
     }
 
     /// Microfacet widths are the square of the roughness, stretched by aniso: Burley 2012.
     Widths roughness() {
-        const double pr = std::clamp(mtl_.number("pr").value_or(mtl_.has("map_pr") ? 1 : 0.5), 0., 1.);
+        const double pr = mtl_.number("pr").value_or(mtl_.has("map_pr") ? 1 : 0.5);
         if (auto map = texture("map_pr", true, pr)) {
             const Input width = product(*map, *map, true);
             return {width, width};
         }
-        const double aspect = std::sqrt(1 - 0.9 * std::clamp(mtl_.number("aniso").value_or(0), 0., 1.));
+        const double aspect = std::sqrt(1 - 0.9 * mtl_.number("aniso").value_or(0));
         return {constant(pr * pr / aspect, "pr"), constant(pr * pr * aspect, "pr")};
     }
 
@@ -268,8 +218,8 @@ private:
 
     /// d, or 1 - Tr where there is no d.
     double dissolve() const {
-        if (const auto d = mtl_.number("d")) return std::clamp(*d, 0., 1.);
-        return 1 - std::clamp(mtl_.number("tr").value_or(0), 0., 1.);
+        if (const auto d = mtl_.number("d")) return *d;
+        return 1 - mtl_.number("tr").value_or(0);
     }
 
     Input opacity() {
@@ -282,7 +232,7 @@ private:
     }
 
     int light() {
-        glm::dvec3 Le = glm::max(mtl_.color("ke").value_or(glm::dvec3(mtl_.has("map_ke") ? 1 : 0)), 0.);
+        const glm::dvec3 Le = mtl_.color("ke").value_or(glm::dvec3(mtl_.has("map_ke") ? 1 : 0));
         AreaLight light;
         if (const auto map = maximum(Le) > 0 ? image("map_ke", ColorEncoding::automatic) : std::nullopt) {
             const auto& [options, file] = *map;
@@ -306,18 +256,14 @@ private:
                 diagnostics_.unsupported("mtl " + keyword, statement.where, fmt::format("\"{}\" is not supported", keyword));
     }
 
-    Scene& scene_;
-    const MtlMaterial& mtl_;
     double textureSize_;
-    ObjFiles& files_;
-    Diagnostics& diagnostics_;
-    bool usesUvs_ = false;
 };
 
 }  // namespace
 
 ObjMaterial addMaterial(Scene& scene, const MtlMaterial& mtl, double textureSize, ObjFiles& files, Diagnostics& diagnostics) {
-    return Builder(scene, mtl, textureSize, files, diagnostics).build();
+    const MtlMaterial meant = withinRanges(mtl, diagnostics);
+    return Builder(scene, meant, textureSize, files, diagnostics).build();
 }
 
 ObjMaterial addDefaultMaterial(Scene& scene) {
