@@ -31,6 +31,7 @@ std::string asText(const Options& o, const PackedScene& packed, const MemoryPlan
         text += fmt::format("{}{} {}", first ? "" : ", ", c.value, c.name);
         first = false;
     }
+    if (first) text += "nothing";
     text += fmt::format("\n  hierarchy  {} levels, built in {:.2f} s\n  memory     {}\n  requires\n", packed.counts.bvhDepth, packed.counts.buildSeconds, describe(plan));
     for (const auto& [feature, why] : packed.reasons)
         text += fmt::format("    {:<22} {}{}\n", featureName(feature), featureReason(feature), why.empty() ? "" : "  (" + why + ")");

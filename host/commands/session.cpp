@@ -3,9 +3,11 @@
 #include "commands/kernel_workers.h"
 #include "commands/scene_loading.h"
 #include "commands/wait_notice.h"
+#include "pack/packer.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <future>
 #include <thread>
@@ -33,6 +35,13 @@ BuildSettings buildSettingsFor(const DeviceOptions& options) {
     settings.contraction = options.contraction;
     settings.dumpFolder = options.dumpFolder;
     return settings;
+}
+
+void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& diagnostics) {
+    const auto shines = [](const Medium& m) { return m.Le.illuminant() != glm::dvec3(0) || !m.temperature.values.empty() || m.sparseTemperature || !m.colors.Le.empty(); };
+    if (!countsMaterials(scene.integrator) || packed.counts.lights > 0) return;
+    if (packed.features.has(Feature::MEDIA) && std::ranges::any_of(scene.media, shines)) return;
+    diagnostics.warn({}, "the scene has no light: the image will be black");
 }
 
 Session::Session(const Options& options, Diagnostics& diagnostics, bool profiling)
@@ -65,6 +74,7 @@ void Session::load(bool withDevice) {
 void Session::pack(bool aovs) {
     const Stopwatch time;
     packed_ = packScene(scene_, diagnostics_);
+    warnOfDarkness(scene_, packed_, diagnostics_);
     scene_.shapes.clear();
     scene_.objects.clear();
     if (aovs) packed_.require(Feature::AOVS, "--aov");

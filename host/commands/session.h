@@ -42,6 +42,9 @@ struct MemoryPlan {
     size_t film = 0;        ///< on the host
 };
 
+/// Warns of a scene whose image will be black, because nothing in it shines and its integrator needs light.
+void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& diagnostics);
+
 /// A scene on a device, with kernels that are compiled.
 class Session {
 public:

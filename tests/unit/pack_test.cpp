@@ -1,5 +1,6 @@
 // What the device's tables hold of a scene.
 
+#include "commands/session.h"
 #include "pack/pack.h"
 
 #include "measured_file.h"
@@ -66,6 +67,26 @@ TEST_F(Pack, IntegratorsThatAreNotRenderedAreNamedOnce) {
         EXPECT_THAT(lax.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1: warning: integrator \"" + std::string(name) + "\""), HasSubstr("\"volpath\"")))) << name;
         EXPECT_THROW(packScene(scene, strict), SceneError) << name;
     }
+}
+
+// A scene without light is black, and says so; not where nothing needs a light, and not where a medium shines by itself.
+TEST_F(Pack, DarknessIsSaid) {
+    const auto warningsOf = [&](const std::string& text) {
+        Diagnostics diagnostics(LogLevel::silent);
+        const Scene scene = read(text);
+        warnOfDarkness(scene, packScene(scene, diagnostics), diagnostics);
+        return diagnostics.warnings();
+    };
+    const auto dark = ElementsAre("warning: the scene has no light: the image will be black");
+    const std::string fog = "MakeNamedMedium \"m\" \"string type\" \"homogeneous\" \"rgb Le\" [1 1 1] \"float Lescale\" ";
+    const std::string filled = " MediumInterface \"m\" \"\" Shape \"sphere\"";
+    EXPECT_THAT(warningsOf("WorldBegin\n"), dark);
+    EXPECT_THAT(warningsOf("WorldBegin\nShape \"sphere\""), dark);
+    EXPECT_THAT(warningsOf("WorldBegin\n" + fog + "0" + filled), dark);
+    EXPECT_THAT(warningsOf("WorldBegin\n" + fog + "2" + filled), IsEmpty());
+    EXPECT_THAT(warningsOf("WorldBegin\n" + fog + "2 Shape \"sphere\""), dark);
+    EXPECT_THAT(warningsOf("Integrator \"ambientocclusion\"\nWorldBegin\nShape \"sphere\""), IsEmpty());
+    EXPECT_THAT(warningsOf("WorldBegin\nAreaLightSource \"diffuse\" Shape \"sphere\""), IsEmpty());
 }
 
 // Only "volpath" renders media, as in pbrt-v4; the others say what they leave out, where there is something.
