@@ -50,11 +50,12 @@ std::string drainedBy(const std::string& stage) {
     return "";
 }
 
-/// How full a stage's queue was: of the slots that it ran over, how many held a real ray or path. 1 for the dense queues of shading.
+/// How full a stage's queue was: of the slots that it ran over, how many held a real ray, path or pixel. 1 for the dense queues of shading.
 double occupancyOf(const std::string& stage, const Repeat& r, std::uint64_t slots) {
     const std::string queue = drainedBy(stage);
     const auto share = [&](std::uint64_t real) { return slots ? static_cast<double>(real) / static_cast<double>(slots) : 1; };
     if (queue == "pixels") return share(r.paths);
+    if (queue == "path") return occupancyOf("generate_rays", r, r.stages.at("generate_rays").slots);  // of the same tiles
     if (queue == "ray" || queue == "flight") return share(r.rays);
     if (queue == "shadow") return share(r.shadowRays);
     return 1;

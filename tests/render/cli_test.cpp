@@ -298,6 +298,7 @@ TEST_F(Cli, BenchCountsRealRaysOnly) {
         return -1.;
     };
     EXPECT_LT(occupancy("generate_rays"), 1);
+    EXPECT_EQ(occupancy("resolve_film"), occupancy("generate_rays")) << "of the same tiles";
     EXPECT_EQ(occupancy("classify_flights"), occupancy("intersect_rays"));
     EXPECT_EQ(occupancy("route_flights"), occupancy("intersect_rays"));
 }
