@@ -93,7 +93,11 @@ public:
         const Input &u = get(alongName), &v = get(acrossName);
         return u.texture != v.texture || (u.texture == none && u.value.value() != v.value.value());
     }
-    std::string why() const { return description_.where.toString() + ": material \"" + description_.name + "\""; }
+    /// What asks for features, for people: "file:line:column: material "name"", without what the description lacks.
+    std::string why() const {
+        if (!description_.where.file) return "the material of shapes without one";
+        return description_.where.toString() + (description_.name.empty() ? ": a material" : ": material \"" + description_.name + "\"");
+    }
     Packer& packer() { return packer_; }
 
 private:
@@ -341,7 +345,6 @@ uint packedMaterial(Packer& packer, int index) {
     if (index == none) {
         if (packer.defaultMaterial == NONE) {
             Material grey;
-            grey.name = "default";
             grey.inputs["reflectance"].value = Spectrum::constant(0.5);
             packer.defaultMaterial = static_cast<uint>(materials.size());
             materials.push_back(blank);

@@ -89,6 +89,14 @@ TEST_F(Pack, DarknessIsSaid) {
     EXPECT_THAT(warningsOf("WorldBegin\nAreaLightSource \"diffuse\" Shape \"sphere\""), IsEmpty());
 }
 
+// What asks for a feature has a place and a name, or is said in words.
+TEST_F(Pack, MaterialsAreNamedAsPeopleKnowThem) {
+    const auto whyDiffuse = [&](const std::string& text) { return pack(text).reasons.at(Feature::BSDF_DIFFUSE); };
+    EXPECT_EQ(whyDiffuse("Shape \"sphere\""), "the material of shapes without one");
+    EXPECT_EQ(whyDiffuse("Material \"diffuse\" Shape \"sphere\""), "test.pbrt:2:1: a material");
+    EXPECT_EQ(whyDiffuse("MakeNamedMaterial \"m\" \"string type\" \"diffuse\" NamedMaterial \"m\" Shape \"sphere\""), "test.pbrt:2:1: material \"m\"");
+}
+
 // Only "volpath" renders media, as in pbrt-v4; the others say what they leave out, where there is something.
 TEST_F(Pack, IntegratorsWithoutMediaSayWhatTheyLeaveOut) {
     const std::string smoke = "MakeNamedMedium \"m\" \"string type\" \"homogeneous\" MediumInterface \"m\" \"\" Shape \"sphere\"";
