@@ -254,9 +254,11 @@ void checkIndices(const std::vector<std::uint32_t>& indices, const Mesh& mesh) {
 
 PlyMesh parse(std::span<const char> bytes) {
     const Header header = parseHeader({bytes.data(), bytes.size()});
-    for (const char* needed : {"vertex", "face"})
-        if (std::ranges::none_of(header.elements, [&](const Element& element) { return element.name == needed && element.count > 0; }))
-            throw ReadProblem{fmt::format("has no element \"{}\"; its elements: {}", needed, header.elementNames())};
+    for (const char* needed : {"vertex", "face"}) {
+        const auto found = std::ranges::find(header.elements, needed, &Element::name);
+        if (found == header.elements.end()) throw ReadProblem{fmt::format("has no element \"{}\"; its elements: {}", needed, header.elementNames())};
+        if (found->count == 0) throw ReadProblem{fmt::format("has 0 elements \"{}\"; a mesh needs some", needed)};
+    }
 
     Values values(bytes.subspan(header.size), header.format);
     Mesh mesh;

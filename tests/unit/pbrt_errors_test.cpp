@@ -70,6 +70,10 @@ TEST_F(PbrtErrors, aFileThatIsMissingWithinAListIsAllThatIsWrongWithIt) {
     EXPECT_EQ(lines(error), 5) << error;
 }
 
+TEST_F(PbrtErrors, aFolderIsNoFile) {
+    EXPECT_EQ(errorOfWorld("Shape \"plymesh\" \"string filename\" \"/tmp\""), "test.pbrt:2:17: \"/tmp\" is a folder; a file is expected");
+}
+
 TEST_F(PbrtErrors, aSceneThatIsNotThere) {
     Diagnostics diagnostics(LogLevel::silent);
     try {

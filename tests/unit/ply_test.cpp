@@ -179,6 +179,7 @@ TEST_F(Ply, saysWhatIsWrong) {
     EXPECT_EQ(errorOf("ply\nformat ascii 1.0\nelement vertex 1\nproperty half x\nend_header\n"),
               "has an unknown type \"half\" in line 4; known: char uchar short ushort int uint float double");
     EXPECT_EQ(errorOf(text(three, "", points)), "has no element \"face\"; its elements: vertex");
+    EXPECT_EQ(errorOf(text("element vertex 0\n" + xyz, one, "3 0 0 0")), "has 0 elements \"vertex\"; a mesh needs some");
     EXPECT_EQ(errorOf(text("element vertex 1\nproperty float x\n", one, "0 3 0 0 0")), "has no vertex properties x, y and z");
     EXPECT_EQ(errorOf(text(three, "element face 1\nproperty int i\n", points + "1")),
               "has no list \"vertex_indices\" in its element \"face\"");

@@ -2,6 +2,7 @@
 
 #include "scene/pbrt/source.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace eikonal::pbrt {
@@ -43,7 +44,10 @@ std::optional<std::string> Reading::findFile(const std::string& name, const Sour
     std::error_code ignored;
     for (const fs::path& candidate : candidates)
         if (!name.empty() && fs::is_regular_file(candidate, ignored)) return candidate.lexically_normal().string();
-    problems.addMissingFile(where, name);
+    if (!name.empty() && std::ranges::any_of(candidates, [&](const fs::path& candidate) { return fs::is_directory(candidate, ignored); }))
+        problems.add(where, "\"" + name + "\" is a folder; a file is expected");
+    else
+        problems.addMissingFile(where, name);
     return std::nullopt;
 }
 
