@@ -23,8 +23,9 @@ static int run(const Options& options) {
     return static_cast<int>(ExitCode::usage);
 }
 
-static int fail(ExitCode code, const char* message) {
-    std::fprintf(stderr, "error: %s\n", printable(message).c_str());
+/// What is wrong with scenes and files says so line by line, each beginning with its place: nothing comes before that.
+static int fail(ExitCode code, const std::string& message) {
+    std::fprintf(stderr, "%s\n", printable(message).c_str());
     return static_cast<int>(code);
 }
 
@@ -32,10 +33,10 @@ int main(int argc, char** argv) {
     try {
         return run(parseOptions(std::vector<std::string>(argv, argv + argc)));
     } catch (const Error& error) {
-        return fail(error.code(), error.what());
+        return fail(error.code(), (error.code() == ExitCode::scene ? "" : "error: ") + std::string(error.what()));
     } catch (const std::bad_alloc&) {
-        return fail(ExitCode::scene, "not enough memory; --log-level info says what is planned");
+        return fail(ExitCode::scene, "error: not enough memory; --log-level info says what is planned");
     } catch (const std::exception& error) {
-        return fail(ExitCode::scene, error.what());
+        return fail(ExitCode::scene, std::string("error: ") + error.what());
     }
 }

@@ -168,8 +168,10 @@ TEST_F(Cli, ErrorsInASceneSayWhereAndExitWith1) {
     write("bad.pbrt", tinyScene() + "Shape \"sphere\" \"float radius\" oops\n");
     const Outcome bad = run({"render", "bad.pbrt"});
     EXPECT_EQ(bad.status, 1);
-    EXPECT_THAT(bad.error, testing::ContainsRegex("error: bad.pbrt:[0-9]+:[0-9]+: "));
+    EXPECT_THAT(bad.error, testing::MatchesRegex("bad.pbrt:[0-9]+:[0-9]+: .*\n"));
     EXPECT_FALSE(exists("bad.exr"));
+    write("worse.pbrt", "WorldBegin\nShape \"a\"\nShape \"b\"\n");
+    EXPECT_THAT(run({"info", "worse.pbrt"}).error, testing::MatchesRegex("worse.pbrt:2:1: .*\nworse.pbrt:3:1: .*\n")) << "each line begins with its place";
     EXPECT_EQ(run({"render", "absent.pbrt"}).status, 1);
     EXPECT_EQ(run({"info", "absent.obj"}).status, 1);
     EXPECT_EQ(run({"compare", "absent.exr", "absent.exr"}).status, 1);
