@@ -1,6 +1,7 @@
 // The program: reads the command line, runs one command, and turns errors into messages and exit statuses.
 
 #include "commands/commands.h"
+#include "commands/interrupt.h"
 #include "commands/kernel_workers.h"
 #include "printable.h"
 
@@ -30,6 +31,7 @@ static int fail(ExitCode code, const std::string& message) {
 }
 
 int main(int argc, char** argv) {
+    keepIgnoredSignals();
     try {
         return run(parseOptions(std::vector<std::string>(argv, argv + argc)));
     } catch (const Error& error) {

@@ -148,6 +148,7 @@ struct Parser {
         compile->add_option("ENVIRONMENTS", options.compile.environments);
         compile->add_option("PART", options.compile.part);
         compile->add_option("PARTS", options.compile.parts)->check(CLI::PositiveNumber);
+        compile->add_option("PARENT", options.compile.parent);
         addDevice(compile, options);
 
         auto* compare = add("compare", Command::compare, "Print how far an image is from another");

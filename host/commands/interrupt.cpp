@@ -1,6 +1,7 @@
 #include "commands/interrupt.h"
 
 #include <csignal>
+#include <initializer_list>
 #include <unistd.h>
 
 namespace eikonal {
@@ -10,6 +11,16 @@ static volatile std::sig_atomic_t noted = 0;
 extern "C" void noteSignal(int number) {
     if (noted) ::_exit(128 + number);
     noted = number;
+}
+
+void keepIgnoredSignals() {
+    sigset_t ignored;
+    sigemptyset(&ignored);
+    for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGTERM}) {
+        struct sigaction action {};
+        if (::sigaction(number, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) sigaddset(&ignored, number);
+    }
+    ::pthread_sigmask(SIG_BLOCK, &ignored, nullptr);
 }
 
 Interrupt::Interrupt() {

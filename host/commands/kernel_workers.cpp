@@ -6,9 +6,12 @@
 
 #include <fcntl.h>
 #include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <thread>
 
 namespace eikonal {
@@ -44,6 +47,12 @@ pid_t startSelf(const std::vector<std::string>& arguments) {
     return status == 0 ? process : 0;
 }
 
+/// Has this process end when that one does, whatever ends it: nobody waits for its kernels then. Says whether it is still there.
+bool endWith(pid_t parent) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    return ::getppid() == parent;
+}
+
 /// Tables of zeros, as long as kernels that run over nothing may read: straight-line kernels do read, and use nothing of it.
 PackedScene emptyScene(const CompileRequest& request) {
     PackedScene scene;
@@ -65,7 +74,7 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
     std::vector<pid_t> processes;
     for (int i = 0; i < workers; ++i) {
         std::vector<std::string> arguments{"eikonal", "compile-kernels", bitsOf(scene.features), std::to_string(scene.environments), std::to_string(i), std::to_string(workers),
-                                           "--contraction", o.contraction ? "on" : "off", "--nthreads", "1"};
+                                           std::to_string(::getpid()), "--contraction", o.contraction ? "on" : "off", "--nthreads", "1"};
         if (!o.device.empty()) arguments.insert(arguments.end(), {"--device", o.device});
         if (o.localSize) arguments.insert(arguments.end(), {"--local-size", std::to_string(*o.localSize)});
         if (const pid_t process = startSelf(arguments)) processes.push_back(process);
@@ -74,6 +83,7 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
 }
 
 int compileKernelsCommand(const Options& o) {
+    if (o.compile.parent && !endWith(o.compile.parent)) return static_cast<int>(ExitCode::success);
     prepareOpenCl(o.device);
     const Context context(chooseDevice(o.device.device));
     Compiler compiler(context, findKernelFolders(), cacheFolderFor(o.device));

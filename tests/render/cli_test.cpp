@@ -12,6 +12,7 @@
 #include <csignal>
 
 namespace eikonal {
+#include <iterator>
 namespace {
 
 using testing::HasSubstr;
@@ -154,6 +155,50 @@ INSTANTIATE_TEST_SUITE_P(Cli, Signals, testing::Values(SIGINT, SIGTERM));
 /// All samples are taken, and all of them will be on disk: that is no early end.
 TEST_F(Cli, ASignalWhileAFinishedImageIsWrittenChangesNothing) {
     const Running running = start({"render", "tiny.pbrt", "-o", "a.exr", "--resolution", "800x600", "--spp", "1"});
+/// As for a command that a script starts with `&`: Ctrl-C is meant for what is in front.
+TEST_F(Cli, ASignalThatIsIgnoredStaysIgnored) {
+    const auto before = std::signal(SIGINT, SIG_IGN);   // inherited
+    const Running running = start({"render", "tiny.pbrt", "-o", "a.exr", "--spp", "100000000", "--time-limit", "1.5", "--log-level", "info"});
+    std::signal(SIGINT, before);
+    EXPECT_TRUE(printed(running, "rendering 16 x 12 pixels"));
+    ::usleep(300'000);
+    for (int i = 0; i < 2; ++i) ::kill(running.process, SIGINT);
+    const Outcome run = wait(running);
+    EXPECT_EQ(run.status, 0);
+    EXPECT_THAT(run.error, HasSubstr("ended by --time-limit: "));
+}
+
+/// The processes whose parent is this one.
+static std::vector<int> childrenOf(int process) {
+    std::ifstream list("/proc/" + std::to_string(process) + "/task/" + std::to_string(process) + "/children");
+    return {std::istream_iterator<int>(list), {}};
+}
+
+/// Whether it is there and no zombie.
+static bool runs(int process) {
+    std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+    std::string number, name, state;
+    return file >> number >> name >> state && state != "Z";
+}
+
+TEST_F(Cli, WorkersEndWithTheProgram) {
+    const Running running = start({"render", "tiny.pbrt", "--nthreads", "2"}, {{"EIKONAL_CACHE_DIR", path("cache")}});
+    std::vector<int> workers;
+    for (int i = 0; i < 60'000 && workers.size() < 2 && runs(running.process); ++i) {
+        ::usleep(1000);
+        workers = childrenOf(running.process);
+    }
+    EXPECT_EQ(workers.size(), 2u);
+    ::kill(running.process, SIGINT);
+    EXPECT_EQ(wait(running).status, 128 + SIGINT);
+    for (const int worker : workers) {
+        for (int i = 0; i < 600 && runs(worker); ++i) ::usleep(100'000);
+        EXPECT_FALSE(runs(worker));
+    }
+    for (const auto& file : std::filesystem::directory_iterator(path("cache")))
+        EXPECT_NE(file.path().extension(), ".program") << "it went on to make " << file.path();
+}
+
     for (int i = 0; i < 60'000 && !exists("a.exr"); ++i) ::usleep(1000);
     EXPECT_FALSE(exists("a.png")) << "it comes after the EXR";
     ::kill(running.process, SIGINT);
