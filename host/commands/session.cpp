@@ -91,7 +91,6 @@ void Session::prepare() {
     const Stopwatch uploadTime;
     deviceScene_ = std::make_unique<DeviceScene>(*context_, packed_);
     times_.upload = uploadTime.seconds();
-    const WaitNotice notice("compiling kernels for this device; they are kept for the next time", options_.log < LogLevel::warning);
     const Stopwatch compileTime;
     const BuildSettings settings = buildSettingsFor(options_.device);
     missing_ = Stages::missing(*compiler_, packed_, shape_, settings);
@@ -104,6 +103,8 @@ void Session::prepare() {
     const Stopwatch keepTime;
     for (const Stage& stage : stages_->all()) compiler_->keep(stage.kernel.program());
     times_.keep = keepTime.seconds();
+    const WaitNotice notice(fmt::format("compiling {} kernel{} for this device{}", missing_, missing_ == 1 ? "" : "s", compiler_->cache().folder().empty() ? "" : "; they are kept for the next time"),
+                            missing_ == 0 || options_.log < LogLevel::warning);
     times_.firstRay = secondsSinceStart();
 }
 

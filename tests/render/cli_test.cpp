@@ -19,6 +19,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 class Cli : public ProgramTest {
+using testing::Not;
 protected:
     Cli() { write("tiny.pbrt", tinyScene()); }
     bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
@@ -288,6 +289,22 @@ TEST_F(Cli, TheIntegratorMayBeChosen) {
 
 TEST_F(Cli, QuietPrintsNothing) {
     const Outcome run = this->run({"render", "tiny.pbrt", "--quiet"});
+TEST_F(Cli, LoadingKernelsIsNotCalledCompiling) {
+    ASSERT_EQ(run({"render", "tiny.pbrt"}).status, 0);
+    const Running running = start({"render", "tiny.pbrt", "--log-level", "info"});
+    EXPECT_TRUE(printed(running, "memory to be taken"));
+    /* A machine that is busy with something else */
+    for (int i = 0; i < 4; ++i) {
+        ::kill(running.process, SIGSTOP);
+        ::usleep(600'000);
+        ::kill(running.process, SIGCONT);
+        ::usleep(20'000);
+    }
+    const Outcome run = wait(running);
+    EXPECT_EQ(run.status, 0);
+    EXPECT_THAT(run.error, Not(HasSubstr("compiling")));
+}
+
     EXPECT_EQ(run.status, 0);
     EXPECT_EQ(run.out + run.error, "");
 }
