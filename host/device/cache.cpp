@@ -1,12 +1,15 @@
 #include "device/cache.h"
 
+#include "device/private_folder.h"
 #include "device/source.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -124,37 +127,42 @@ int ProgramCache::clear() const {
         const std::string name = i->path().filename().string();
         if (name.ends_with(".program")) count += fs::remove(i->path(), ignored);
         else if (name.find(".program.") != std::string::npos) fs::remove(i->path(), ignored);   // what a process that was killed left of store()
-        else if (i->path().filename() == "pocl") fs::remove_all(i->path(), ignored);
+        else if (i->path().filename() == "pocl") fs::remove_all(i->path(), ignored);   // of versions that shared PoCL's files
     }
     return count;
 }
 
-/// A folder of this process alone, which goes with it.
-struct TemporaryPoclFolder {
-    std::string path;
-    TemporaryPoclFolder() {
-        std::error_code error;
-        path = (fs::temp_directory_path(error) / "eikonal-pocl-XXXXXX").string();
-        if (error || !::mkdtemp(path.data())) path.clear();
-    }
-    ~TemporaryPoclFolder() {
-        std::error_code ignored;
-        if (!path.empty()) fs::remove_all(path, ignored);
-    }
-};
+/// Bytes that may be written in a folder; 0 if it cannot be written, or if what is put there may not run.
+static std::uintmax_t roomForPrograms(const fs::path& folder) {
+    struct statvfs status {};
+    if (::access(folder.c_str(), W_OK | X_OK) != 0 || ::statvfs(folder.c_str(), &status) != 0 || (status.f_flag & ST_NOEXEC)) return 0;
+    return static_cast<std::uintmax_t>(status.f_bavail) * status.f_frsize;
+}
 
-void preparePocl(const std::string& folder) {
+/// Where PoCL may put its files: in memory if it can be, since it waits for the disk after each. The first place with room for the kernels of a
+/// large scene, else the one with the most room.
+static std::string placeForPocl(const std::string& cacheFolder) {
+    constexpr std::uintmax_t enough = 128u << 20;
+    std::error_code error;
+    std::string best;
+    std::uintmax_t most = 0;
+    for (const fs::path& folder : {fs::path("/dev/shm"), fs::temp_directory_path(error), fs::path(cacheFolder)}) {
+        const std::uintmax_t room = std::min(roomForPrograms(folder), enough);
+        if (room > most) {
+            most = room;
+            best = folder.string();
+        }
+    }
+    return best;
+}
+
+void preparePocl(const std::string& cacheFolder) {
     /* Specialised to a size of grid, every kernel would be compiled once more; straight-line loops over a fixed group gain nothing by it
        (docs/performance.md) */
     setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0);
     if (std::getenv("POCL_CACHE_DIR")) return;
-    if (folder.empty()) {
-        static const TemporaryPoclFolder own;
-        if (!own.path.empty()) setenv("POCL_CACHE_DIR", own.path.c_str(), 0);
-        return;
-    }
-    const fs::path pocl = fs::path(folder) / "pocl";
-    if (writable(pocl)) setenv("POCL_CACHE_DIR", pocl.c_str(), 0);
+    static const PrivateFolder own(placeForPocl(cacheFolder));
+    if (!own.path().empty()) setenv("POCL_CACHE_DIR", own.path().c_str(), 0);
 }
 
 }  // namespace eikonal

@@ -36,9 +36,9 @@ private:
     std::string folder_;
 };
 
-/// Settings for PoCL, before the first call of OpenCL; what the environment sets already stays. A cache folder that it can write: it fails
-/// without one, and a damaged entry in a folder that others share would abort the program; without a folder,
-/// one that lasts as long as this process. One compiled variant of each kernel.
-void preparePocl(const std::string& folder);
+/// Settings for PoCL, before the first call of OpenCL; what the environment sets already stays. One compiled variant of each kernel. A folder of
+/// this process and its workers alone, which goes with it: PoCL runs what it finds in its folder unseen, and aborts the program if that is
+/// damaged. It unpacks our programs into it, whose checksums were right. `cacheFolder` is where that folder is put if need be.
+void preparePocl(const std::string& cacheFolder);
 
 }  // namespace eikonal

@@ -19,6 +19,7 @@ const std::string& testCacheFolder() {
 }
 
 static DeviceInfo testDevice() {
+    ::setenv("POCL_CACHE_DIR", (testCacheFolder() + "/pocl").c_str(), 0);   // kept from test to test
     preparePocl(testCacheFolder());
     if (const char* wanted = std::getenv("EIKONAL_TEST_DEVICE")) return chooseDevice(wanted);
     for (const DeviceInfo& d : listDevices())

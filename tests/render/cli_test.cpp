@@ -404,6 +404,25 @@ TEST_F(Cli, TheCacheIsWarmedUsedDamagedAndCleared) {
 
 TEST_F(Cli, AWorkerCompilesEveryKernelThatASceneNeeds) {
     std::string bits(featureCount, '0');
+/// PoCL aborts the program if one of its own files is damaged: none that outlives a run is ever given to it.
+TEST_F(Cli, NoDamageToTheCacheEndsTheProgram) {
+    const Environment own{{"EIKONAL_CACHE_DIR", path("cache")}};
+    const std::vector<std::string> compileOne{"compile-kernels", "0", "0", "0", "100"};
+    const auto damage = [](const std::filesystem::path& file, int how) {
+        if (how < 2) return std::filesystem::resize_file(file, how * std::filesystem::file_size(file) / 2);
+        std::ofstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(40) << "random bytes: \x91\x02\xf7\x5c\xa8\x33\xd0\x6e\x1b\x84";
+    };
+    ASSERT_EQ(run(compileOne, own).status, 0);
+    const std::vector<std::pair<std::string, int>> kinds{{".so", 0}, {".so", 1}, {".so", 2}, {".bc", 0}, {".bc", 1}, {".bc", 2}, {".program", 2}};
+    for (const auto& [kind, how] : kinds) {
+        for (const auto& file : std::filesystem::recursive_directory_iterator(path("cache")))
+            if (file.path().extension() == kind) damage(file.path(), how);
+        const Outcome damaged = run(compileOne, own);
+        EXPECT_EQ(damaged.status, 0) << kind << " " << how << ": " << damaged.error;
+    }
+    EXPECT_EQ(std::distance(std::filesystem::recursive_directory_iterator(path("cache")), {}), 1) << "the program and nothing else";
+}
+
     const auto info = nlohmann::json::parse(run({"info", "tiny.pbrt", "--json"}).out);
     for (const auto& feature : info.at("features"))
         bits.at(static_cast<size_t>(featureNamed(feature.at("name")))) = '1';

@@ -19,6 +19,7 @@ static std::string cacheFolder() { return std::filesystem::path(EIKONAL_BINARY).
 
 const Context& device() {
     static const Context context([] {
+        ::setenv("POCL_CACHE_DIR", (cacheFolder() + "/pocl").c_str(), 0);   // kept from test to test
         preparePocl(cacheFolder());
         if (const char* wanted = std::getenv("EIKONAL_TEST_DEVICE")) return chooseDevice(wanted);
         return chooseDevice("Portable Computing Language");

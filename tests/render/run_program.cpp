@@ -23,6 +23,7 @@ ProgramTest::Running ProgramTest::start(const std::vector<std::string>& argument
     redirect(running.error, STDERR_FILENO);
     const std::string cache = std::filesystem::path(EIKONAL_BINARY).parent_path() / "test-cache";
     ::setenv("EIKONAL_CACHE_DIR", cache.c_str(), 1);
+    ::unsetenv("POCL_CACHE_DIR");   // the program chooses one itself
     for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
     std::vector<char*> words{const_cast<char*>(program_.c_str())};
     for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));

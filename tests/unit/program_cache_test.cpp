@@ -1,6 +1,7 @@
 // The folder in which compiled kernels are kept.
 
 #include "device/cache.h"
+#include "device/private_folder.h"
 
 #include "unit/temporary_folder.h"
 
@@ -79,6 +80,31 @@ TEST_F(CacheFolder, IsClearedOfWhatWasNeverFinished) {
     EXPECT_FALSE(cache.load("a key"));
     EXPECT_FALSE(fs::exists(path("0123456789abcdef.program.42.4711")));
     EXPECT_TRUE(fs::exists(path("a note")));
+}
+
+using PrivateFolders = TemporaryFolder;
+
+TEST_F(PrivateFolders, GoWithTheirObjectAndNotBefore) {
+    std::string where;
+    {
+        const PrivateFolder one(folder_.string()), two(folder_.string());
+        where = one.path();
+        EXPECT_TRUE(fs::is_directory(one.path())) << "the second is not to take it for one that was left";
+        EXPECT_EQ(fs::status(one.path()).permissions(), fs::perms::owner_all);
+        EXPECT_NE(one.path(), two.path());
+        std::ofstream(one.path() + "/file") << "content";
+    }
+    EXPECT_TRUE(fs::is_empty(folder_)) << where;
+    EXPECT_EQ(PrivateFolder(path("not there")).path(), "");
+}
+
+TEST_F(PrivateFolders, ThatWereLeftAreRemovedByTheNext) {
+    fs::create_directory(path("eikonal-pocl-abcdef"));
+    std::ofstream(path("eikonal-pocl-abcdef/file")) << "content";
+    fs::create_directory(path("something else"));
+    const PrivateFolder next(folder_.string());
+    EXPECT_FALSE(fs::exists(path("eikonal-pocl-abcdef")));
+    EXPECT_TRUE(fs::exists(path("something else")));
 }
 
 }  // namespace
