@@ -51,6 +51,11 @@ static void warm(const Options& o, const std::string& scene, Diagnostics& diagno
 
 int cacheCommand(const Options& o) {
     Diagnostics diagnostics(o.log);
+    if (o.clearCache) {
+        /* A full disk above all */
+        const std::string refused = ProgramCache::chooseFolder().refused;
+        if (const int count = ProgramCache(refused).clear()) print(fmt::format("removed {} compiled kernels from {}\n", count, refused));
+    }
     const std::string folder = ProgramCache::defaultFolder();
     if (folder.empty()) throw Error(ExitCode::scene, "no folder for the cache can be written; set EIKONAL_CACHE_DIR to one");
     if (o.clearCache) print(fmt::format("removed {} compiled kernels from {}\n", ProgramCache(folder).clear(), folder));

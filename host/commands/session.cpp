@@ -19,6 +19,14 @@ void prepareOpenCl(const DeviceOptions& options) {
     if (options.threads > 0) setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(options.threads).c_str(), 1);
 }
 
+/// Says if kernels are kept elsewhere than they ought to be.
+static void reportCacheFolder(Diagnostics& diagnostics) {
+    const CacheFolder cache = ProgramCache::chooseFolder();
+    if (cache.refused.empty()) return;
+    diagnostics.warnOnce("cache folder", {}, fmt::format("compiled kernels are {}: {} {}; EIKONAL_CACHE_DIR may name another folder",
+                                                         cache.path.empty() ? "not kept" : "kept in " + cache.path, cache.refused, cache.reason));
+}
+
 std::string cacheFolderFor(const DeviceOptions& options) { return options.cache ? ProgramCache::defaultFolder() : std::string(); }
 
 StageShape shapeFor(const DeviceInfo& device, const DeviceOptions& options) {
@@ -64,6 +72,7 @@ void Session::load(bool withDevice) {
     if (withDevice) {
         const Stopwatch time;
         context_ = std::make_unique<Context>(chooseDevice(options_.device.device), profiling_);
+        if (options_.device.cache) reportCacheFolder(diagnostics_);
         compiler_ = std::make_unique<Compiler>(*context_, findKernelFolders(), cacheFolderFor(options_.device));
         times_.device = time.seconds();
     }
@@ -94,6 +103,8 @@ void Session::prepare() {
     const Stopwatch compileTime;
     const BuildSettings settings = buildSettingsFor(options_.device);
     missing_ = Stages::missing(*compiler_, packed_, shape_, settings);
+    const WaitNotice notice(fmt::format("compiling {} kernel{} for this device{}", missing_, missing_ == 1 ? "" : "s", compiler_->cache().folder().empty() ? "" : "; they are kept for the next time"),
+                            missing_ == 0 || options_.log < LogLevel::warning);
     if (options_.device.cache && context_->device().isCpu) compileInWorkers(options_.device, packed_, missing_);
     times_.workers = compileTime.seconds();
     stages_ = std::make_unique<Stages>(*compiler_, packed_, shape_, settings);
@@ -103,8 +114,6 @@ void Session::prepare() {
     const Stopwatch keepTime;
     for (const Stage& stage : stages_->all()) compiler_->keep(stage.kernel.program());
     times_.keep = keepTime.seconds();
-    const WaitNotice notice(fmt::format("compiling {} kernel{} for this device{}", missing_, missing_ == 1 ? "" : "s", compiler_->cache().folder().empty() ? "" : "; they are kept for the next time"),
-                            missing_ == 0 || options_.log < LogLevel::warning);
     times_.firstRay = secondsSinceStart();
 }
 

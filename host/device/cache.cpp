@@ -60,15 +60,31 @@ static bool privatelyWritable(const fs::path& folder) {
     return S_ISDIR(status.st_mode) && status.st_uid == geteuid() && (status.st_mode & (S_IWGRP | S_IWOTH)) == 0 && writable(folder);
 }
 
-std::string ProgramCache::defaultFolder() {
+/// What is wrong with a folder of kernels, or nothing.
+static std::string fault(const fs::path& folder) {
+    constexpr std::uintmax_t enough = 16u << 20;   // the kernels of a few scenes
+    if (!writable(folder)) return "cannot be written";
+    std::error_code error;
+    const fs::space_info space = fs::space(folder, error);
+    if (error || space.available >= enough) return {};
+    return fmt::format("is on a disk with {:.1f} MiB left, of {} at least", static_cast<double>(space.available) / (1 << 20), enough >> 20);
+}
+
+CacheFolder ProgramCache::chooseFolder() {
+    CacheFolder chosen;
     fs::path folder;
     if (const char* set = std::getenv("EIKONAL_CACHE_DIR")) folder = set;
     else if (const char* xdg = std::getenv("XDG_CACHE_HOME")) folder = fs::path(xdg) / "eikonal";
     else if (const char* home = std::getenv("HOME")) folder = fs::path(home) / ".cache" / "eikonal";
-    if (!folder.empty() && writable(folder)) return folder.string();
+    if (!folder.empty()) {
+        chosen.reason = fault(folder);
+        if (chosen.reason.empty()) return {folder.string(), {}, {}};
+        chosen.refused = folder.string();
+    }
     std::error_code error;
     folder = fs::temp_directory_path(error) / fmt::format("eikonal-{}", geteuid());
-    return !error && privatelyWritable(folder) ? folder.string() : std::string();
+    if (!error && privatelyWritable(folder) && fault(folder).empty()) chosen.path = folder.string();
+    return chosen;
 }
 
 std::string ProgramCache::fileFor(const std::string& key) const {
@@ -114,7 +130,8 @@ void ProgramCache::store(const std::string& key, const CachedProgram& program) c
     {
         std::ofstream file(temporary, std::ios::binary);
         file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        if (!file) { file.close(); std::remove(temporary.c_str()); return; }
+        file.close();
+        if (!file) { std::remove(temporary.c_str()); return; }
     }
     if (std::rename(temporary.c_str(), path.c_str()) != 0) std::remove(temporary.c_str());
 }

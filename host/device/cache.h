@@ -14,6 +14,12 @@ struct CachedProgram {
     std::vector<std::string> arguments;   ///< names of its kernel's arguments: a binary does not tell them
 };
 
+/// Where compiled kernels are kept.
+struct CacheFolder {
+    std::string path;              ///< empty: nowhere
+    std::string refused, reason;   ///< where they ought to be, if that is elsewhere, and what is wrong with it: "cannot be written"
+};
+
 /// A folder of files, each named by a hash of its key and holding the whole key. A file that is damaged or was written for
 /// something else counts as absent; a folder that cannot be written is not used. Nothing here ever fails.
 class ProgramCache {
@@ -27,9 +33,10 @@ public:
     int clear() const;
     const std::string& folder() const { return folder_; }
 
-    /// $EIKONAL_CACHE_DIR, else $XDG_CACHE_HOME/eikonal, else ~/.cache/eikonal. If that cannot be written, a folder of temporary files that
-    /// belongs to this user and that nobody else may write; empty if it is not so.
-    static std::string defaultFolder();
+    /// $EIKONAL_CACHE_DIR, else $XDG_CACHE_HOME/eikonal, else ~/.cache/eikonal. If that cannot be written, or its disk is full, a folder of
+    /// temporary files that belongs to this user and that nobody else may write; nowhere if it is not so.
+    static CacheFolder chooseFolder();
+    static std::string defaultFolder() { return chooseFolder().path; }
 
 private:
     std::string fileFor(const std::string& key) const;

@@ -8,18 +8,20 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include <sys/mount.h>
+
 #include <algorithm>
 #include <csignal>
+#include <iterator>
 
 namespace eikonal {
-#include <iterator>
 namespace {
 
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class Cli : public ProgramTest {
-using testing::Not;
 protected:
     Cli() { write("tiny.pbrt", tinyScene()); }
     bool exists(const std::string& name) const { return std::filesystem::exists(path(name)); }
@@ -153,9 +155,6 @@ TEST_P(Signals, LeaveTheImageSoFar) {
 
 INSTANTIATE_TEST_SUITE_P(Cli, Signals, testing::Values(SIGINT, SIGTERM));
 
-/// All samples are taken, and all of them will be on disk: that is no early end.
-TEST_F(Cli, ASignalWhileAFinishedImageIsWrittenChangesNothing) {
-    const Running running = start({"render", "tiny.pbrt", "-o", "a.exr", "--resolution", "800x600", "--spp", "1"});
 /// As for a command that a script starts with `&`: Ctrl-C is meant for what is in front.
 TEST_F(Cli, ASignalThatIsIgnoredStaysIgnored) {
     const auto before = std::signal(SIGINT, SIG_IGN);   // inherited
@@ -200,6 +199,9 @@ TEST_F(Cli, WorkersEndWithTheProgram) {
         EXPECT_NE(file.path().extension(), ".program") << "it went on to make " << file.path();
 }
 
+/// All samples are taken, and all of them will be on disk: that is no early end.
+TEST_F(Cli, ASignalWhileAFinishedImageIsWrittenChangesNothing) {
+    const Running running = start({"render", "tiny.pbrt", "-o", "a.exr", "--resolution", "800x600", "--spp", "1"});
     for (int i = 0; i < 60'000 && !exists("a.exr"); ++i) ::usleep(1000);
     EXPECT_FALSE(exists("a.png")) << "it comes after the EXR";
     ::kill(running.process, SIGINT);
@@ -287,8 +289,6 @@ TEST_F(Cli, TheIntegratorMayBeChosen) {
 
 // ---- what is printed ----------------------------------------------------------------------------------------------------
 
-TEST_F(Cli, QuietPrintsNothing) {
-    const Outcome run = this->run({"render", "tiny.pbrt", "--quiet"});
 TEST_F(Cli, LoadingKernelsIsNotCalledCompiling) {
     ASSERT_EQ(run({"render", "tiny.pbrt"}).status, 0);
     const Running running = start({"render", "tiny.pbrt", "--log-level", "info"});
@@ -305,6 +305,8 @@ TEST_F(Cli, LoadingKernelsIsNotCalledCompiling) {
     EXPECT_THAT(run.error, Not(HasSubstr("compiling")));
 }
 
+TEST_F(Cli, QuietPrintsNothing) {
+    const Outcome run = this->run({"render", "tiny.pbrt", "--quiet"});
     EXPECT_EQ(run.status, 0);
     EXPECT_EQ(run.out + run.error, "");
 }
@@ -402,8 +404,6 @@ TEST_F(Cli, TheCacheIsWarmedUsedDamagedAndCleared) {
     EXPECT_THAT(run({"cache"}, own).out, HasSubstr("0 compiled kernels"));
 }
 
-TEST_F(Cli, AWorkerCompilesEveryKernelThatASceneNeeds) {
-    std::string bits(featureCount, '0');
 /// PoCL aborts the program if one of its own files is damaged: none that outlives a run is ever given to it.
 TEST_F(Cli, NoDamageToTheCacheEndsTheProgram) {
     const Environment own{{"EIKONAL_CACHE_DIR", path("cache")}};
@@ -423,6 +423,8 @@ TEST_F(Cli, NoDamageToTheCacheEndsTheProgram) {
     EXPECT_EQ(std::distance(std::filesystem::recursive_directory_iterator(path("cache")), {}), 1) << "the program and nothing else";
 }
 
+TEST_F(Cli, AWorkerCompilesEveryKernelThatASceneNeeds) {
+    std::string bits(featureCount, '0');
     const auto info = nlohmann::json::parse(run({"info", "tiny.pbrt", "--json"}).out);
     for (const auto& feature : info.at("features"))
         bits.at(static_cast<size_t>(featureNamed(feature.at("name")))) = '1';
@@ -431,12 +433,37 @@ TEST_F(Cli, NoDamageToTheCacheEndsTheProgram) {
     EXPECT_THAT(run({"render", "tiny.pbrt", "--stats"}, own).out, HasSubstr(" 0 compiled, "));
 }
 
+/// What is kept in the folder of temporary files instead, is kept there for the next test as well.
+static std::string temporaryFiles() {
+    const std::filesystem::path folder = std::filesystem::path(EIKONAL_BINARY).parent_path() / "test-cache" / "temporary";
+    std::filesystem::create_directories(folder);
+    return folder.string();
+}
+
 TEST_F(Cli, ACacheThatCannotBeWrittenIsNoError) {
-    /* What is kept in the folder of temporary files instead, is kept there for the next test as well */
-    const std::filesystem::path temporary = std::filesystem::path(EIKONAL_BINARY).parent_path() / "test-cache" / "temporary";
-    std::filesystem::create_directories(temporary);
-    const Outcome run = this->run({"render", "tiny.pbrt"}, {{"EIKONAL_CACHE_DIR", "/proc/no/such/place"}, {"TMPDIR", temporary.string()}});
+    const Outcome run = this->run({"render", "tiny.pbrt"}, {{"EIKONAL_CACHE_DIR", "/proc/no/such/place"}, {"TMPDIR", temporaryFiles()}});
     EXPECT_EQ(run.status, 0) << run.error;
+    EXPECT_THAT(run.error, testing::ContainsRegex("warning: compiled kernels are kept in .*: /proc/no/such/place cannot be written"));
+}
+
+/// A disk of 200 KiB.
+class TinyDisk : public Cli {
+protected:
+    TinyDisk() {
+        std::filesystem::create_directory(disk_);
+        mounted_ = ::mount("none", disk_.c_str(), "tmpfs", 0, "size=200k") == 0;
+    }
+    ~TinyDisk() override { if (mounted_) ::umount(disk_.c_str()); }
+    const std::string disk_ = path("disk");
+    bool mounted_ = false;
+};
+
+TEST_F(TinyDisk, IsNoPlaceForTheCache) {
+    if (!mounted_) GTEST_SKIP() << "only root can make a disk";
+    const Outcome run = this->run({"render", "tiny.pbrt"}, {{"EIKONAL_CACHE_DIR", disk_}, {"TMPDIR", temporaryFiles()}});
+    EXPECT_EQ(run.status, 0) << run.error;
+    EXPECT_THAT(run.error, testing::ContainsRegex("warning: compiled kernels are kept in .*: " + disk_ + " is on a disk with 0\\.[0-9] MiB left, of 16 at least"));
+    EXPECT_TRUE(std::filesystem::is_empty(disk_));
 }
 
 }  // namespace
