@@ -35,7 +35,11 @@ PrivateFolder::PrivateFolder(const std::string& parent) {
         path_ = (fs::path(parent) / (std::string(prefix) + "XXXXXX")).string();
         if (!::mkdtemp(path_.data())) { path_.clear(); return; }
         lock_ = openFolder(path_);
-        if (lock_ < 0) continue;
+        if (lock_ < 0) {
+            ::rmdir(path_.c_str());
+            path_.clear();
+            return;
+        }
 
         /* Between its making and its lock, another process may have taken it for one that was left */
         struct stat status {};
