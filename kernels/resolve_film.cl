@@ -8,7 +8,7 @@ DEFINE_ITEM(film, FILM_FIELDS, 0)
 /* sum += x, with what rounding loses kept apart (Kahan 1965). */
 typedef struct { float sum, compensation; } compensated;
 FN compensated add_compensated(float sum, float compensation, float x) {
-    float y = x - compensation, t = sum + y;
+    float y = x - compensation, t = clamp1(sum + y, -MOST_SUM, MOST_SUM);
     compensated c = {t, (t - sum) - y};
     return c;
 }

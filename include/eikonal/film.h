@@ -27,8 +27,10 @@ CONTRACT_BEGIN
     F(q, uint,     material,     AOVS) \
     F(q, uint,     material_lead, AOVS)
 
-/* So bright that, through any sensor and as often as one may count, it still adds up to a float. The sun is 1e9. */
-#define MOST_RADIANCE 1e25f
+/* The brightest sample that is believed: a million of them still add up to a float. The sun is 1e9. */
+#define MOST_RADIANCE 1e31f
+/* Where sums stop. */
+#define MOST_SUM 3e38f
 /* Where it stops to grow: beyond, squares are no floats any more. */
 #define MOST_SPREAD 1e36f
 
