@@ -48,6 +48,11 @@ static std::vector<std::string> argumentNames(cl_program program, const std::str
 Compiler::Compiler(const Context& context, KernelFolders folders, std::string cacheFolder)
     : context_(context), folders_(std::move(folders)), cache_(std::move(cacheFolder)) {}
 
+const KernelSource& Compiler::sourceOf(const std::string& text) const {
+    const auto known = sources_.find(text);
+    return known != sources_.end() ? known->second : sources_.emplace(text, KernelSource(folders_, text)).first->second;
+}
+
 std::string Compiler::keyOf(const KernelSource& source, const std::string& options, const std::string& kernel) const {
     const DeviceInfo& d = context_.device();
     return fmt::format("{}\n{:016x}\n{}\n{}\n{}\n{}\n{}", kernel, hashBytes(source.text()), options, d.platformName, d.name, d.version, d.driver);
@@ -86,13 +91,13 @@ static std::string optionsFor(const KernelSource& source, const BuildSettings& s
 }
 
 bool Compiler::isKept(const std::string& text, const std::string& kernel, const BuildSettings& settings) const {
-    const KernelSource source(folders_, text);
+    const KernelSource& source = sourceOf(text);
     return cache_.load(keyOf(source, optionsFor(source, settings), kernel)).has_value();
 }
 
 std::shared_ptr<Program> Compiler::build(const std::string& text, const std::string& kernel, const BuildSettings& settings) {
     const auto start = std::chrono::steady_clock::now();
-    const KernelSource source(folders_, text);
+    const KernelSource& source = sourceOf(text);
     const std::string options = optionsFor(source, settings);
     const std::string key = keyOf(source, options, kernel);
     if (!settings.dumpFolder.empty()) dumpProgram(settings.dumpFolder, fmt::format("{}-{:08x}", kernel, static_cast<std::uint32_t>(hashBytes(key))), source.text(), options);

@@ -5,6 +5,7 @@
 #include "device/context.h"
 #include "device/source.h"
 
+#include <map>
 #include <memory>
 
 namespace eikonal {
@@ -48,12 +49,15 @@ public:
     const ProgramCache& cache() const { return cache_; }
 
 private:
+    /// That text with its files: put together once.
+    const KernelSource& sourceOf(const std::string& text) const;
     std::string keyOf(const KernelSource& source, const std::string& options, const std::string& kernel) const;
     std::shared_ptr<Program> loadCached(const std::string& key, const std::string& kernel) const;
 
     const Context& context_;
     KernelFolders folders_;
     ProgramCache cache_;
+    mutable std::map<std::string, KernelSource> sources_;
 };
 
 }  // namespace eikonal

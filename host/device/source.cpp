@@ -9,6 +9,7 @@
 #include <fstream>
 #include <optional>
 #include <sstream>
+#include <unordered_set>
 
 namespace fs = std::filesystem;
 
@@ -101,13 +102,15 @@ void KernelSource::include(const std::string& name) {
 }
 
 void KernelSource::noteWords() {
+    std::unordered_set<std::string_view> words;
     for (size_t i = 0; i < text_.size();) {
         if (!std::isalpha(static_cast<unsigned char>(text_[i])) && text_[i] != '_') { ++i; continue; }
         size_t end = i;
         while (end < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[end])) || text_[end] == '_')) ++end;
-        words_.insert(text_.substr(i, end - i));
+        words.insert(std::string_view(text_).substr(i, end - i));
         i = end;
     }
+    words_.insert(words.begin(), words.end());
 }
 
 std::string KernelSource::options(const Features& features, const Constants& constants) const {
