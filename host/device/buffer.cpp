@@ -4,10 +4,16 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
 namespace eikonal {
 
 constexpr size_t smallestBuffer = 64;
+
+static std::uint64_t nextSerial() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
 
 static cl_mem allocate(const Context& context, size_t bytes, const std::string& what) {
     cl_int status = CL_SUCCESS;
@@ -18,12 +24,13 @@ static cl_mem allocate(const Context& context, size_t bytes, const std::string& 
     return memory;
 }
 
-Buffer::Buffer(const Context& context, size_t bytes, const std::string& what) : memory_(allocate(context, bytes, what)), size_(std::max(bytes, smallestBuffer)) {
+Buffer::Buffer(const Context& context, size_t bytes, const std::string& what)
+    : memory_(allocate(context, bytes, what)), size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
     clear(context, 0, size_);
 }
 
 Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what)
-    : memory_(allocate(context, bytes, what)), size_(std::max(bytes, smallestBuffer)) {
+    : memory_(allocate(context, bytes, what)), size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
     if (bytes > 0) write(context, data, bytes);
     else clear(context, 0, size_);
 }

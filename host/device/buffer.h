@@ -3,6 +3,7 @@
 
 #include "device/context.h"
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@ public:
     }
 
     cl_mem handle() const { return memory_; }
+    /// Tells it from every other buffer that there has been: handles are used again.
+    std::uint64_t serial() const { return serial_; }
     size_t size() const { return size_; }  ///< bytes
 
     /// Copies to and from the device; waits until it is done.
@@ -32,6 +35,7 @@ private:
     Buffer(const Context& context, const void* data, size_t bytes, const std::string& what);
     Owned<cl_mem, clReleaseMemObject> memory_;
     size_t size_ = 0;
+    std::uint64_t serial_ = 0;
 };
 
 }  // namespace eikonal

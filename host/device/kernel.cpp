@@ -8,15 +8,23 @@ Kernel::Kernel(std::shared_ptr<Program> program) : program_(std::move(program)) 
     cl_int status = CL_SUCCESS;
     handle_ = decltype(handle_)(clCreateKernel(program_->handle, program_->kernel.c_str(), &status));
     check(status, "creating kernel " + program_->kernel);
+    set_.resize(program_->arguments.size());
 }
 
-cl_event Kernel::launch(const Context& context, const Bindings& bindings, const Bindings& extra, size_t items, size_t localSize) const {
+void Kernel::setArgument(cl_uint index, const Bindings::Value& value) const {
+    if (set_[index] == value) return;
+    const cl_int status = value.buffer ? clSetKernelArg(handle_, index, sizeof value.buffer, &value.buffer) : clSetKernelArg(handle_, index, sizeof value.number, &value.number);
+    if (status != CL_SUCCESS) check(status, fmt::format("binding argument '{}' of {}", program_->arguments[index], name()));
+    set_[index] = value;
+}
+
+cl_event Kernel::launch(const Context& context, std::initializer_list<const Bindings*> bindings, size_t items, size_t localSize) const {
     for (cl_uint i = 0; i < program_->arguments.size(); ++i) {
-        const std::string& argument = program_->arguments[i];
-        const Bindings::Value* value = extra.find(argument);
-        if (!value) value = bindings.find(argument);
-        if (!value) throw DeviceError(fmt::format("{}: argument '{}' is not bound", name(), argument));
-        std::visit([&](const auto& v) { check(clSetKernelArg(handle_, i, sizeof v, &v), fmt::format("binding argument '{}' of {}", argument, name())); }, *value);
+        const Bindings::Value* value = nullptr;
+        for (const Bindings* layer : bindings)
+            if (const Bindings::Value* found = layer->find(program_->arguments[i])) value = found;
+        if (!value) throw DeviceError(fmt::format("{}: argument '{}' is not bound", name(), program_->arguments[i]));
+        setArgument(i, *value);
     }
     const size_t global = (std::max<size_t>(items, 1) + localSize - 1) / localSize * localSize;
     cl_event event = nullptr;

@@ -4,22 +4,27 @@
 #include "device/buffer.h"
 #include "device/program.h"
 
-#include <functional>
 #include <map>
+#include <initializer_list>
 #include <memory>
+#include <optional>
 #include <string>
-#include <variant>
+#include <vector>
 
 namespace eikonal {
 
 /// What a kernel's arguments are, by name: buffers, and numbers of 32 bits.
 class Bindings {
 public:
-    void set(const std::string& name, const Buffer& buffer) { values_[name] = buffer.handle(); }
-    void set(const std::string& name, cl_uint number) { values_[name] = number; }
-    /// Everything that `others` has, which replaces what is here under the same name.
-    void add(const Bindings& others) { for (const auto& [name, value] : others.values_) values_[name] = value; }
-    using Value = std::variant<cl_mem, cl_uint>;
+    void set(const std::string& name, const Buffer& buffer) { values_[name] = {buffer.handle(), 0, buffer.serial()}; }
+    void set(const std::string& name, cl_uint number) { values_[name] = {nullptr, number, 0}; }
+    /// A buffer, or else a number.
+    struct Value {
+        cl_mem buffer;
+        cl_uint number;
+        std::uint64_t serial;   ///< of the buffer
+        bool operator==(const Value&) const = default;
+    };
     const Value* find(const std::string& name) const {
         const auto found = values_.find(name);
         return found == values_.end() ? nullptr : &found->second;
@@ -38,14 +43,17 @@ public:
     const std::string& name() const { return program_->kernel; }
     const Program& program() const { return *program_; }
 
-    /// Enqueues `items` work-items, rounded up to whole groups of localSize, numbered from 0. Does not wait. `extra` holds arguments
-    /// that `bindings` has not, or has otherwise. Throws a DeviceError that names an argument that is in neither.
+    /// Enqueues `items` work-items, rounded up to whole groups of localSize, numbered from 0. Does not wait. Of `bindings`, each replaces
+    /// what those before it hold under the same name. Throws a DeviceError that names an argument that is in none of them.
     /// Returns the event if the context profiles, else null; the caller owns it.
-    cl_event launch(const Context& context, const Bindings& bindings, const Bindings& extra, size_t items, size_t localSize) const;
+    cl_event launch(const Context& context, std::initializer_list<const Bindings*> bindings, size_t items, size_t localSize) const;
 
 private:
+    void setArgument(cl_uint index, const Bindings::Value& value) const;
+
     std::shared_ptr<Program> program_;
     Owned<cl_kernel, clReleaseKernel> handle_;
+    mutable std::vector<std::optional<Bindings::Value>> set_;   ///< what each argument was set to last: most stay from launch to launch
 };
 
 }  // namespace eikonal

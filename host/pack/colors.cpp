@@ -1,5 +1,6 @@
 #include "pack/colors.h"
 
+#include "film/transfer.h"
 #include "pack/packer.h"
 #include "spectra/sensor.h"
 
@@ -146,6 +147,12 @@ void packSensor(Packer& packer) {
 double luminanceOf(const Spectrum& light, double factor) {
     const glm::vec3 rgb(light.illuminant() * factor);
     return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;
+}
+
+std::vector<float> srgbLevels() {
+    std::vector<float> levels;
+    for (int level = 0; level < 256; ++level) levels.push_back(static_cast<float>(linearFromSrgb(level / 255.0)));
+    return levels;
 }
 
 }  // namespace eikonal

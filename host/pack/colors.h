@@ -37,6 +37,8 @@ color packRgb(glm::dvec3 rgb);
 color packWhite(Packer&, double factor = 1);
 /// Texels of a light's image, linear sRGB, to the end of `environment_texels`.
 void packTexels(Packer&, const std::vector<glm::vec3>& texels);
+/// Linear light of each of the 256 values of an 8-bit sRGB channel: `srgb_levels`.
+std::vector<float> srgbLevels();
 /// Makes sure that colours of images can be made spectra.
 void packUplift(Packer&);
 /// The greatest value, at any wavelength or in any channel, of a coefficient or of the sum of two; null: none.

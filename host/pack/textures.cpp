@@ -2,6 +2,8 @@
 
 #include "pack/packer.h"
 
+#include "pack/colors.h"
+
 #include <cmath>
 #include <cstring>
 
@@ -35,6 +37,7 @@ uint packImage(Packer& packer, int index, bool asFloat) {
         im.first = static_cast<uint>(tables.float_texels.size());
         tables.float_texels.insert(tables.float_texels.end(), data.floats.begin(), data.floats.end());
     } else im.first = packBytes(tables.byte_texels, data.bytes);
+    if (im.format == format_srgb8 && tables.srgb_levels.empty()) tables.srgb_levels = srgbLevels();
     found->second = static_cast<uint>(tables.images.size());
     tables.images.push_back(im);
     return found->second;

@@ -64,10 +64,8 @@ void Wave::addQueue(const QueueLayout& layout, size_t items, const std::string& 
 
 void Wave::run(const Stage* stage, unsigned items, const Bindings& extra) {
     if (!stage) return;
-    /* Scene tables come first, then queues, then what this launch has of its own */
-    Bindings arguments = bindings_;
-    arguments.add(extra);
-    profile_.add(stage->name, items, stage->kernel.launch(context_, scene_, arguments, shape_.workItems(items), shape_.localSize));
+    /* Scene tables, then queues, then what this launch has of its own */
+    profile_.add(stage->name, items, stage->kernel.launch(context_, {&scene_, &bindings_, &extra}, shape_.workItems(items), shape_.localSize));
 }
 
 static Bindings segment(unsigned first, unsigned count) {

@@ -69,6 +69,7 @@ typedef struct {
     T(image,               images) \
     T(uint,                byte_texels)      /* texels of 8-bit images, four in a word */ \
     T(float,               float_texels)     /* texels of floating-point images */ \
+    T(float,               srgb_levels)      /* linear light of each of the 256 values of an 8-bit sRGB channel, if an image has them */ \
     T(vec3,                normals) \
     T(vec2,                uvs)
 

@@ -85,7 +85,7 @@ void DeviceTracer::trace() {
         queues.set("capacity", static_cast<cl_uint>(b.in.size() / sizeof(uint) / static_cast<size_t>(queueLayout(shadows_ ? "shadow" : "ray", features_).words)));
         queues.set("count", static_cast<cl_uint>(b.count));
         const size_t run = static_cast<size_t>(shape_.run);
-        (shadows_ ? occlude_ : intersect_).launch(context_, scene_, queues, (b.count + run - 1) / run, static_cast<size_t>(shape_.localSize));
+        (shadows_ ? occlude_ : intersect_).launch(context_, {&scene_, &queues}, (b.count + run - 1) / run, static_cast<size_t>(shape_.localSize));
     }
     context_.finish();
 }

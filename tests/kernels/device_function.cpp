@@ -44,7 +44,8 @@ void DeviceFunctionBase::run(const DeviceScene* scene, const std::vector<Array>&
     }
     buffers.emplace_back(testContext(), padded * resultWords * sizeof(uint), "results");
     own.set("results", buffers.back());
-    kernel_.launch(testContext(), scene ? scene->bindings() : Bindings(), own, padded, testLocalSize);
+    const Bindings nothing;
+    kernel_.launch(testContext(), {scene ? &scene->bindings() : &nothing, &own}, padded, testLocalSize);
     testCompiler().keep(kernel_.program());
     if (count > 0) buffers.back().read(testContext(), result, count * resultWords * sizeof(uint));
 }

@@ -99,7 +99,7 @@ void expectEqualLayout(const Features& features, const std::string& what) {
     Buffer words(testContext(), host.values.size() * sizeof(uint), "layout");
     Bindings arguments;
     arguments.set("words", words);
-    kernel.launch(testContext(), arguments, {}, 1, testLocalSize);
+    kernel.launch(testContext(), {&arguments}, 1, testLocalSize);
     testContext().finish();
     testCompiler().keep(kernel.program());
     std::vector<uint> device(host.values.size());

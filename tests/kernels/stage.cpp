@@ -95,7 +95,7 @@ void StageBench::run(const std::string& stage, unsigned count, unsigned first) {
     arguments.set("first", first);
     arguments.set("count", count);
     const unsigned items = (count + testRun - 1) / testRun;
-    kernels_[stage].launch(testContext(), onDevice_.bindings(), arguments, items, testLocalSize);
+    kernels_[stage].launch(testContext(), {&onDevice_.bindings(), &arguments}, items, testLocalSize);
     testContext().finish();
     testCompiler().keep(kernels_[stage].program());
 }

@@ -69,6 +69,7 @@ struct Textures {
             t.byte_texels.resize(t.byte_texels.size() + (texels.size() + 3) / 4);
             for (size_t i = 0; i < texels.size(); ++i) t.byte_texels[im.first / 4 + i / 4] |= static_cast<uint>(std::lround(texels[i] * 255)) << (8 * (i % 4));
         }
+        t.srgb_levels = srgbLevels();
         t.images.push_back(im);
         return static_cast<uint>(t.images.size() - 1);
     }
