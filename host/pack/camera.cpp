@@ -1,5 +1,6 @@
 // The camera, the film's pixels and the pixel filter.
 
+#include "pack/alias_table.h"
 #include "pack/lens.h"
 #include "pack/motion.h"
 #include "pack/packer.h"

@@ -82,7 +82,4 @@ bool transmits(hop h);
 /// The lights of a shape that emits, one for each of its elements; sets its first_light. `m` takes its object space to scene space.
 void packAreaLight(Packer&, const Shape&, shape& packed, const glm::dmat4& m, size_t elements);
 
-/// An alias table (Vose 1991) over weights, of which at least one is positive. pmf is filled in.
-std::vector<alias_entry> makeAliasTable(const std::vector<double>& weights);
-
 }  // namespace eikonal

@@ -1,6 +1,7 @@
 // Every light of the list LIGHTS: what a sample says arrives at a point is what does, with the density that it says.
 
 #include "device_function.h"
+#include "pack/alias_table.h"
 #include "pack/packer.h"
 #include "pack/pack.h"
 #include "random_inputs.h"

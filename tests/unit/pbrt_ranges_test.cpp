@@ -3,8 +3,8 @@
 
 #include "unit/pbrt_reading.h"
 
+#include "pack/alias_table.h"
 #include "pack/pack.h"
-#include "pack/packer.h"
 
 namespace eikonal {
 namespace {
