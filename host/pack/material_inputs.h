@@ -1,0 +1,125 @@
+#pragma once
+// The parameters of BSDFs: where each has its words, and what is written there for a material.
+
+#include "pack/packer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal {
+
+// Slots of every BSDF's parameters, from the lists: slot_diffuse::reflectance. A slot is its number of words in RGB rendering, and, above that,
+// how many spectra come before it, each of which is longer in spectral rendering.
+constexpr uint spectrumBefore = 256;
+#define STEP_uint 1
+#define STEP_float 1
+#define STEP_spectrum (CHANNELS_RGB + spectrumBefore)
+#define PARAMETER_SLOT(q, type, name, FEATURE) name, name##_last = name + STEP_##type - 1,
+constexpr uint wordOf(uint slot, bool spectral) { return slot % spectrumBefore + (spectral ? (CHANNELS_SPECTRAL - CHANNELS_RGB) * (slot / spectrumBefore) : 0); }
+#define PARAMETER_SLOTS(bsdf, FEATURE, PARAMETERS) \
+    namespace slot_##bsdf { enum : uint { PARAMETERS(PARAMETER_SLOT, bsdf) words }; } \
+    static_assert(wordOf(slot_##bsdf::words, true) <= BSDF_MAX_WORDS);
+BSDFS(PARAMETER_SLOTS)
+
+/// Collects the inputs of one material's BSDF.
+class InputWriter {
+public:
+    /// regularize: microfacet widths become those that regularization gives them.
+    InputWriter(Packer& packer, const Material& description, bool regularize = false)
+        : packer_(packer), description_(description), regularize_(regularize) {}
+
+    const Input& get(const char* name) const { return description_.inputs.at(name); }
+    bool has(const char* name) const { return description_.inputs.count(name) != 0; }
+
+    void spectrum(uint slot, const char* name) {
+        const Input& in = get(name);
+        add(slot, input_spectrum, packReflectance(packer_, in.value), in.texture == none ? NONE : texture(in.texture, TextureUse::reflectance));
+    }
+    /// One that may be larger than 1.
+    void coefficient(uint slot, const char* name) {
+        const Input& in = get(name);
+        add(slot, input_spectrum, packCoefficient(packer_, in.value), in.texture == none ? NONE : texture(in.texture));
+    }
+    void spectrum(uint slot, glm::dvec3 value) { add(slot, input_spectrum, packRgb(value), NONE); }
+    void color(uint slot, const eikonal::color& value) { add(slot, input_spectrum, value, NONE); }
+    void constant(uint slot, double value) { add(slot, input_spectrum, packConstant(packer_, value), NONE); }
+    /// An index of refraction, which may be another for each wavelength.
+    void index(uint slot, const char* name) {
+        const Input& in = get(name);
+        if (in.texture != none || in.value.kind() != Spectrum::Kind::sampled) return number(slot, name);
+        if (!packer_.spectral) {
+            packer_.diagnostics.warnOnce("dispersion", in.where, "there is no dispersion in RGB: the mean of the index counts");
+            return number(slot, name);
+        }
+        packer_.packed.require(Feature::DISPERSION, why());
+        disperses_ = true;
+        add(slot, input_hero, packCoefficient(packer_, in.value), NONE);
+    }
+    bool disperses() const { return disperses_; }
+    /// The k of a metal with eta = 1 that has this reflectance.
+    void metal(uint slot, const char* name) {
+        const Input& in = get(name);
+        if (packer_.spectral && !in.value.isConstant()) return add(slot, input_spectrum, {}, program(in, TextureUse::metal));
+        const glm::dvec3 r = glm::clamp(in.value.isConstant() ? glm::dvec3(in.value.value()) : in.value.albedo(), 0.0, 0.9999);
+        add(slot, input_spectrum, packRgb(2.0 * glm::sqrt(r / (1.0 - r))), in.texture == none ? NONE : texture(in.texture, TextureUse::metal));
+    }
+    void number(uint slot, const char* name) {
+        const Input& in = get(name);
+        add(slot, input_number, packConstant(packer_, in.value.value()), in.texture == none ? NONE : texture(in.texture));
+    }
+    void number(uint slot, double value) { add(slot, input_number, packConstant(packer_, value), NONE); }
+    void count(uint slot, const char* name) {
+        material_input i{NONE, wordOf(slot, packer_.spectral), input_count, static_cast<uint>(std::max(get(name).value.value(), 0.0)), {}};
+        packer_.packed.tables.material_inputs.push_back(i);
+    }
+    void file(uint slot) {
+        packer_.packed.tables.material_inputs.push_back({NONE, wordOf(slot, packer_.spectral), input_count, packMeasured(packer_, description_.file, description_.where), {}});
+    }
+    /// A roughness as a microfacet width.
+    void width(uint slot, const char* name) {
+        const Input& in = get(name);
+        const TextureUse use = description_.remapRoughness ? (regularize_ ? TextureUse::regularRoughness : TextureUse::roughness)
+                                                           : (regularize_ ? TextureUse::regularWidth : TextureUse::asItIs);
+        add(slot, input_number, packConstant(packer_, widthOf(in.value.value())), in.texture == none ? NONE : texture(in.texture, use));
+    }
+    /// Whether both roughnesses are so small everywhere that the surface is a mirror.
+    bool isSmooth() const {
+        for (const char* name : {"uroughness", "vroughness"})
+            if (get(name).texture != none || widthOf(get(name).value.value()) >= MIN_ALPHA) return false;
+        return true;
+    }
+    bool isAnisotropic(const char* alongName = "uroughness", const char* acrossName = "vroughness") const {
+        const Input &u = get(alongName), &v = get(acrossName);
+        return u.texture != v.texture || (u.texture == none && u.value.value() != v.value.value());
+    }
+    /// What asks for features, for people: "file:line:column: material "name"", without what the description lacks.
+    std::string why() const {
+        if (!description_.where.file) return "the material of shapes without one";
+        return description_.where.toString() + (description_.name.empty() ? ": a material" : ": material \"" + description_.name + "\"");
+    }
+    Packer& packer() { return packer_; }
+
+private:
+    /// A texture, or a value that becomes one.
+    uint program(const Input& in, TextureUse use) {
+        packer_.packed.require(Feature::TEXTURED, why());
+        return packColorInput(packer_, in, use);
+    }
+    uint texture(int index, TextureUse use = TextureUse::asItIs) {
+        packer_.packed.require(Feature::TEXTURED, why());
+        return packTexture(packer_, index, use);
+    }
+    void add(uint slot, input_kind kind, const eikonal::color& value, uint texture) {
+        packer_.packed.tables.material_inputs.push_back({texture, wordOf(slot, packer_.spectral), static_cast<uint>(kind), 0, value});
+    }
+    double widthOf(double roughness) const {
+        const double alpha = description_.remapRoughness ? std::sqrt(std::max(roughness, 0.0)) : roughness;
+        return regularize_ && alpha < 0.3 ? std::clamp(2 * alpha, 0.1, 0.3) : alpha;
+    }
+    Packer& packer_;
+    const Material& description_;
+    bool regularize_;
+    bool disperses_ = false;
+};
+
+}  // namespace eikonal
