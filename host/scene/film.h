@@ -1,0 +1,43 @@
+#pragma once
+// The film of a scene, and how it is sampled.
+
+#include "error.h"
+#include "spectra/spectrum.h"
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace eikonal {
+
+struct PixelBounds { int x0 = 0, x1 = 0, y0 = 0, y1 = 0; };  ///< x0 <= x < x1
+
+struct FilmDescription {
+    int width = 1280, height = 720;
+    std::optional<std::array<double, 4>> cropWindow;     ///< x0 x1 y0 y1 in [0, 1]
+    std::optional<PixelBounds> pixelBounds;
+    std::string filename;                                ///< empty: from the scene's name
+    double diagonal = 35;                                ///< of a realistic camera's film, millimetres
+    double iso = 100, exposureTime = 1, whiteBalance = 0;
+    std::string sensor = "cie1931";                      ///< with iso, exposureTime and whiteBalance: spectra/sensor.h
+    ColorSpace colorSpace = ColorSpace::srgb;            ///< of the image
+    double maxComponentValue = 0;                        ///< > 0: samples are scaled down to it
+    SourceLocation where;
+};
+
+enum class FilterKind { box, triangle, gaussian, mitchell, sinc };
+
+struct FilterDescription {
+    FilterKind kind = FilterKind::gaussian;
+    double xRadius = 1.5, yRadius = 1.5;
+    double sigma = 0.5;                  ///< gaussian
+    double B = 1. / 3, C = 1. / 3;       ///< mitchell
+    double tau = 3;                      ///< sinc
+    SourceLocation where;
+};
+
+enum class SamplerKind { independent, sobol };
+
+struct SamplerDescription { SamplerKind kind = SamplerKind::sobol; int pixelSamples = 16; int seed = 0; SourceLocation where; };
+
+}  // namespace eikonal
