@@ -4,7 +4,7 @@
 #include "scene/pbrt/lights.h"
 #include "scene/pbrt/materials.h"
 #include "scene/pbrt/media.h"
-#include "scene/pbrt/settings.h"
+#include "scene/pbrt/setting_kinds.h"
 #include "scene/pbrt/shapes.h"
 #include "scene/pbrt/textures.h"
 

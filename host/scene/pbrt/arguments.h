@@ -65,6 +65,13 @@ private:
     ColorSpace space_;
 };
 
+/// Throws SceneError unless there are `count` values.
+template <class T> void expectCount(const Arguments& arguments, const std::string& name, const std::vector<T>& values, size_t count) {
+    if (values.size() != count)
+        throw SceneError(arguments.whereOf(name), "\"" + arguments.given(name)->declaration() + "\" has " + std::to_string(values.size()) +
+                                                      " values; " + std::to_string(count) + " are expected");
+}
+
 /// The spectrum that a rule falls back to; zero if it has no default.
 Spectrum defaultSpectrum(const Rule& rule);
 

@@ -12,9 +12,6 @@
 
 namespace eikonal::pbrt {
 
-/// The tables of what can be set: cameras, films, pixel filters, samplers, integrators, accelerators.
-std::vector<const KindTable*> settingKinds();
-
 /// Gathers settings, and puts them into the scene when the world begins: of each sort the last counts.
 class Settings {
 public:
