@@ -4,6 +4,7 @@
 #include "commands/scene_loading.h"
 #include "commands/wait_notice.h"
 #include "pack/packer.h"
+#include "render/wave_queues.h"
 
 #include <fmt/format.h>
 
@@ -93,7 +94,7 @@ void Session::pack(bool aovs) {
 
 MemoryPlan Session::plan() const {
     const size_t pixels = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height());
-    return {packed_.tables.bytes(), Wave::plannedBytes(packed_, shape_), pixels * static_cast<size_t>(filmLayout(packed_.features).words) * sizeof(uint)};
+    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape_), pixels * static_cast<size_t>(filmLayout(packed_.features).words) * sizeof(uint)};
 }
 
 void Session::prepare() {

@@ -1,42 +1,10 @@
 #include "render/wave.h"
 
-#include <fmt/format.h>
+#include "render/wave_queues.h"
 
-#include <algorithm>
 #include <chrono>
 
 namespace eikonal {
-
-static unsigned mostPathsFor(const StageShape& shape, const Branching& branching) { return std::max(shape.wavePaths >> branching.forks, 1u); }
-
-/// Room for every ray of every path, for the segments of the hit queue to begin at multiples of a group, as often as rays may leave a
-/// surface; and for paths that nobody has.
-static unsigned capacityFor(const StageShape& shape, const Branching& branching) {
-    const unsigned rays = mostPathsFor(shape, branching) << branching.forks;
-    return branching.branches * (shape.padded(rays) + hops * shape.group()) + shape.group();
-}
-
-struct PlannedQueue { QueueLayout layout; size_t items; std::string name; };
-
-/// Every queue of a wave; those that nothing fills hold no items.
-static std::vector<PlannedQueue> queuesFor(const Features& features, bool hasMisses, size_t capacity) {
-    std::vector<PlannedQueue> list;
-    for (QueueLayout layout : queueLayouts(features)) {
-        if (layout.name == "hit") layout.words += bsdfWords(features);
-        const bool unused = (layout.name == "scatter" && !features.has(Feature::MEDIA)) || (layout.name == "emission" && !features.has(Feature::EMITTERS)) ||
-                            (layout.name == "miss" && !hasMisses);
-        list.push_back({layout, unused ? 0 : capacity, layout.name});
-        if (layout.name == "ray") list.push_back({layout, capacity, "next_ray"});
-    }
-    return list;
-}
-
-size_t Wave::plannedBytes(const PackedScene& scene, const StageShape& shape) {
-    size_t bytes = 0;
-    for (const PlannedQueue& q : queuesFor(scene.features, scene.environments > 0, capacityFor(shape, Branching::of(scene))))
-        bytes += q.items * static_cast<size_t>(q.layout.words) * sizeof(cl_uint);
-    return bytes;
-}
 
 Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile)
     : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), branching_(scene.branching()),

@@ -26,8 +26,6 @@ public:
     void resolve(const Tile& tile, const Buffer& film) override;
 
     size_t bytes() const { return bytes_; }
-    /// What bytes() will be, before anything is allocated.
-    static size_t plannedBytes(const PackedScene& scene, const StageShape& shape);
 
 private:
     using Counts = std::array<cl_uint, hops>;
