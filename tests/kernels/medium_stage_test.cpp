@@ -1,4 +1,4 @@
-// The two stages that only media have, alone: queue in, queue out (stage_test.cpp has the others).
+// The two stages that only media have, alone: queue in, queue out (*_stage_test.cpp have the others).
 
 #include "random_inputs.h"
 #include "stage.h"

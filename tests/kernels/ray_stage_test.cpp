@@ -1,0 +1,71 @@
+// The stages that make rays and meet surfaces, alone: queue in, queue out. Empty, with one item, and full;
+// no word of an item that is alive may be the poison of a forgotten field.
+
+#include "stage_fixture.h"
+
+#include <set>
+
+namespace eikonal {
+namespace {
+
+TEST_F(StageTest, GenerateRaysFillsEverySlotOfTheImage) {
+    generate();
+    const QueueWords rays = bench.read("ray"), states = bench.read("path");
+    std::set<std::pair<uint, uint>> places;
+    for (size_t i = 0; i < paths; ++i) {
+        expectClean(rays, i);
+        expectClean(states, i);
+        ASSERT_EQ(rays.get<uint>("path", i), i);
+        ASSERT_EQ(rays.get<uint>("sample", i) & 3u, i / (side * side)) << "of the pixel's four";
+        ASSERT_EQ(rays.get<float>("t_max", i), FAR_AWAY);
+        ASSERT_NEAR(lengthOf(rays.get<vec3>("d", i)), 1, 1e-6);
+        ASSERT_EQ(rays.get<spectrum>("beta", i).g, 1);
+        ASSERT_EQ(states.get<spectrum>("L", i).g, 0);
+        places.emplace(rays.get<uint>("seed", i), rays.get<uint>("sample", i));
+    }
+    EXPECT_EQ(places.size(), paths) << "each has its own place in the random sequences";
+}
+
+/// What a tile reaches beyond the image is dead and weighs nothing.
+TEST_F(StageTest, GenerateRaysLeavesSlotsOutsideDead) {
+    generate(paths, 10, 7);
+    const QueueWords rays = bench.read("ray"), states = bench.read("path");
+    for (size_t i = 0; i < paths; ++i) {
+        const bool inside = i % side < 10 && i / side % side < 7;
+        ASSERT_EQ(rays.get<float>("t_max", i) > 0, inside) << i;
+        if (!inside) { ASSERT_EQ(states.get<float>("weight", i), 0); }
+    }
+}
+
+TEST_F(StageTest, IntersectRaysEmptyOneAndFull) {
+    generate();
+    bench.run("intersect_rays", 0);
+    QueueWords flights = bench.read("flight");
+    EXPECT_EQ(flights.words(), bench.empty("flight").words()) << "nothing to do, yet something was written";
+
+    bench.run("intersect_rays", 1);
+    flights = bench.read("flight");
+    expectClean(flights, 0);
+    for (size_t i = 1; i < flights.capacity(); ++i) ASSERT_EQ(flights.get<uint>("t", i), poison) << i;
+
+    bench.run("intersect_rays", paths);
+    flights = bench.read("flight");
+    size_t hit = 0;
+    for (size_t i = 0; i < paths; ++i) {
+        expectClean(flights, i);
+        ASSERT_GT(flights.get<float>("t", i), 0);
+        hit += flights.get<uint>("element", i) != NONE;
+    }
+    EXPECT_GT(hit, paths / 4);
+    EXPECT_LT(hit, paths);
+}
+
+TEST_F(StageTest, IntersectRaysPassesOverDeadSlots) {
+    generate(paths, 10, 7);
+    bench.run("intersect_rays", paths);
+    const QueueWords rays = bench.read("ray"), flights = bench.read("flight");
+    for (size_t i = 0; i < paths; ++i) ASSERT_EQ(flights.get<float>("t", i) < 0, rays.get<float>("t_max", i) < 0) << i;
+}
+
+}  // namespace
+}  // namespace eikonal

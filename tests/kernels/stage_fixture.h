@@ -1,0 +1,44 @@
+#pragma once
+// A scene with something of everything, and the queues of one wave through it, made by the stages before the one that is tested
+// (each of which is tested on its own).
+
+#include "stage.h"
+
+#include <gtest/gtest.h>
+
+namespace eikonal {
+
+constexpr unsigned side = 16, samples = 4, paths = side * side * samples;
+
+/// Something of everything: all BSDFs but media, textures, bumps, a mix, instances, cut-outs, emitters, an environment.
+const PackedScene& sceneOfEverything();
+
+/// A wave, one stage after the other, with what each left behind.
+class StageTest : public testing::Test {
+protected:
+    StageBench bench{sceneOfEverything(), paths, true, side * side};
+
+    void generate(unsigned count = paths, uint endX = side, uint endY = side) {
+        for (const auto& [name, value] : {std::pair<const char*, uint>{"tile_x", 0}, {"tile_y", 0}, {"tile_log2_width", 4}, {"tile_log2_height", 4}, {"end_x", endX}, {"end_y", endY},
+                                          {"first_sample", 0}, {"samples", samples}, {"tile_pixels", side * side}})
+            bench.set(name, value);
+        bench.run("generate_rays", count);
+    }
+    void intersect() { generate(); bench.run("intersect_rays", paths); }
+    void classify() { intersect(); bench.resetCounters(); bench.run("classify_flights", paths); }
+    void route() { classify(); bench.run("route_flights", paths); }
+
+    /// First slot of a hop's segment of the hit queue, as the host finds it.
+    unsigned segmentStart(uint hop) const {
+        unsigned start = 0;
+        for (uint h = 0; h < hop; ++h) start += (bench.counts()[h] + testGroup - 1) / testGroup * testGroup;
+        return start;
+    }
+};
+
+/// No word of item i of a queue is poison.
+void expectClean(const QueueWords& q, size_t i, int words = -1);
+
+double lengthOf(vec3 v);
+
+}  // namespace eikonal

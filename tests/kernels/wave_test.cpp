@@ -1,0 +1,132 @@
+// Whole waves, stage after stage: until no ray is left, with no poison in anything that is alive.
+
+#include "stage_fixture.h"
+
+#include <cmath>
+
+namespace eikonal {
+namespace {
+
+/// Bounce after bounce until no ray is left, every stage over what the one before it left, with what each leaves checked for poison.
+/// Returns how many items each queue had in all.
+std::vector<uint> traceWave(StageBench& bench) {
+    for (const auto& [name, value] : {std::pair<const char*, uint>{"tile_x", 0}, {"tile_y", 0}, {"tile_log2_width", 4}, {"tile_log2_height", 4}, {"end_x", side}, {"end_y", side},
+                                      {"first_sample", 0}, {"samples", samples}})
+        bench.set(name, value);
+    bench.run("generate_rays", paths);
+    const bool media = bench.scene().features.has(Feature::MEDIA);
+    std::vector<uint> all(hops);
+    unsigned rays = paths;
+    for (int bounce = 0; bounce < 64 && rays > 0; ++bounce) {
+        for (const char* queue : {"flight", "hit", "scatter", "miss", "emission", "next_ray", "shadow"}) bench.clear(queue);
+        bench.run("intersect_rays", rays);
+        if (media) bench.run("extinguish_rays", rays);
+        bench.resetCounters();
+        bench.run("classify_flights", rays);
+        bench.run("route_flights", rays);
+        const auto counts = bench.counts();
+        for (uint h = 0; h < hops; ++h) all[h] += counts[h];
+        if (counts[hop_miss]) bench.run("shade_misses", counts[hop_miss]);
+        if (counts[hop_emission]) bench.run("shade_emitters", counts[hop_emission]);
+        /* Segments of the hops in order; what passes straight on is in its own already */
+        const QueueWords scatters = bench.read("scatter");
+        unsigned first = 0;
+        for (uint hop = 0; hop < hop_miss; ++hop) {
+            std::string stage;
+            if (hop == hop_scatter) stage = "shade_scatters";
+#define NAME_STAGE(bsdf, FEATURE, PARAMETERS) if (hop == hop_##bsdf) stage = "shade_hits " #bsdf;
+            BSDFS(NAME_STAGE)
+#undef NAME_STAGE
+            if (hop == hop_scatter) for (unsigned i = first; i < first + counts[hop]; ++i) expectClean(scatters, i);
+            if (counts[hop] && !stage.empty()) bench.run(stage, counts[hop], first);
+            first += (counts[hop] + testGroup - 1) / testGroup * testGroup;
+        }
+        rays = first;
+        bench.run("test_shadows", rays);
+        const QueueWords next = bench.read("next_ray"), shadow = bench.read("shadow");
+        for (unsigned i = 0; i < rays; ++i) {
+            if (next.get<float>("t_max", i) >= 0) expectClean(next, i);
+            if (shadow.get<float>("t_max", i) >= 0) expectClean(shadow, i);
+        }
+        bench.write("ray", next);
+    }
+    EXPECT_EQ(rays, 0u) << "the depth limit ends every path";
+    const QueueWords states = bench.read("path");
+    double sum = 0;
+    for (size_t i = 0; i < paths; ++i) {
+        const spectrum L = states.get<spectrum>("L", i);
+        EXPECT_TRUE(std::isfinite(L.r) && std::isfinite(L.g) && std::isfinite(L.b)) << i;
+        EXPECT_GE(std::min({L.r, L.g, L.b}), 0) << i;
+        expectClean(states, i);
+        sum += static_cast<double>(L.g);
+    }
+    EXPECT_GT(sum, 0);
+    return all;
+}
+
+TEST(Wave, EndsFiniteAndClean) {
+    StageBench bench(sceneOfEverything(), paths);
+    const auto items = traceWave(bench);
+    for (int hop : {hop_diffuse, hop_conductor, hop_specular_conductor, hop_dielectric, hop_specular_dielectric, hop_thin_dielectric, hop_diffuse_transmission, hop_miss, hop_emission})
+        EXPECT_GT(items[static_cast<size_t>(hop)], 0u) << "hop " << hop << " was not visited";
+}
+
+/// With an integrator that regularizes, polished things are polished for paths that come straight from the camera or off other mirrors,
+/// and rough for the others: this scene has nothing rough of its own.
+TEST(Wave, RegularizedEndsFiniteAndClean) {
+    const PackedScene polished = packText(R"(
+        LookAt 0 1 -6  0 0.3 0  0 1 0
+        Camera "perspective" "float fov" 40
+        Film "rgb" "integer xresolution" 16 "integer yresolution" 16
+        Integrator "path" "integer maxdepth" 5 "bool regularize" true
+        WorldBegin
+        LightSource "infinite" "rgb L" [ 0.5 0.25 1 ]
+        Material "diffuse"
+        Shape "bilinearmesh" "point3 P" [ -20 -1 -20  20 -1 -20  -20 -1 20  20 -1 20 ]
+        AttributeBegin Translate -2.2 0 0 Material "conductor" Shape "sphere" AttributeEnd
+        AttributeBegin Translate 0 0 0 Material "dielectric" Shape "sphere" AttributeEnd
+        AttributeBegin Translate 2.2 0 0 Material "coatedconductor" Shape "sphere" AttributeEnd
+        AttributeBegin Translate 0 2 0 Material "hair" Shape "sphere" "float radius" 0.5 AttributeEnd)");
+    ASSERT_TRUE(polished.features.has(Feature::REGULARIZE));
+    StageBench bench(polished, paths);
+    const auto items = traceWave(bench);
+    for (int hop : {hop_diffuse, hop_specular_conductor, hop_conductor, hop_specular_dielectric, hop_dielectric, hop_coated_conductor, hop_hair})
+        EXPECT_GT(items[static_cast<size_t>(hop)], 0u) << "hop " << hop << " was not visited";
+}
+
+/// The same through two nested media with an interface between them, lamps inside and outside.
+TEST(Wave, ThroughMediaEndsFiniteAndClean) {
+    const PackedScene fog = packText(R"(
+        LookAt 0 0 -5  0 0 0  0 1 0
+        Camera "perspective" "float fov" 45
+        Film "rgb" "integer xresolution" 16 "integer yresolution" 16
+        Sampler "sobol" "integer pixelsamples" 4
+        Integrator "volpath" "integer maxdepth" 5
+        MakeNamedMedium "thin" "string type" "homogeneous" "rgb sigma_a" [ 0.05 0.1 0.2 ] "rgb sigma_s" [ 0.3 0.2 0.4 ] "float g" 0.4
+        MakeNamedMedium "cloud" "string type" "uniformgrid" "integer nx" 2 "integer ny" 2 "integer nz" 2 "float density" [ 0 1 2 1 0.5 1 3 1 ]
+            "rgb sigma_a" [ 0.2 0.2 0.2 ] "rgb sigma_s" [ 2 2 2 ] "point3 p0" [ -1 -1 -1 ] "point3 p1" [ 1 1 1 ]
+        WorldBegin
+        LightSource "infinite" "rgb L" [ 0.5 0.5 0.5 ]
+        LightSource "point" "rgb I" [ 5 5 5 ] "point3 from" [ 0 3 -3 ]
+        AttributeBegin
+            Material "interface"
+            MediumInterface "thin" ""
+            Shape "sphere" "float radius" 1.6
+            MediumInterface "cloud" "thin"
+            Shape "sphere" "float radius" 0.9
+        AttributeEnd
+        AttributeBegin
+            AreaLightSource "diffuse" "rgb L" [ 3 3 3 ]
+            MediumInterface "" "cloud"
+            Translate 0 0 0.2
+            Shape "sphere" "float radius" 0.2
+        AttributeEnd)");
+    ASSERT_TRUE(fog.features.has(Feature::MEDIA));
+    StageBench bench(fog, paths);
+    const auto items = traceWave(bench);
+    for (uint hop : {static_cast<uint>(hop_passage), static_cast<uint>(hop_scatter), static_cast<uint>(hop_miss), static_cast<uint>(hop_emission)})
+        EXPECT_GT(items[hop], 0u) << "hop " << hop << " was not visited";
+}
+
+}  // namespace
+}  // namespace eikonal
