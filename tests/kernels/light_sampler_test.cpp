@@ -1,0 +1,63 @@
+// Which light is taken, by an alias table (light_tree_test.cpp: by a tree).
+
+#include "light_sampling.h"
+#include "pack/alias_table.h"
+#include "random_inputs.h"
+#include "statistics.h"
+
+#include <gtest/gtest.h>
+
+namespace eikonal {
+namespace {
+
+/// Lights are taken as often as their probability; a sample's density has the probability of its light as a factor.
+TEST(LightSampler, TakesLightsByTheirProbability) {
+    PackedScene scene;
+    const std::vector<double> weights{1, 5, 0.01, 3, 0, 2, 0.5, 7};
+    scene.tables.light_aliases = makeAliasTable(weights);
+    for (size_t i = 0; i < weights.size(); ++i) {
+        light l = newLight(kind_point_light);
+        l.p = {static_cast<float>(i), 0, 0};
+        l.pmf = scene.tables.light_aliases[i].pmf;
+        scene.tables.lights.push_back(l);
+    }
+    scene.tables.frame.resize(1);
+    Random random(49);
+    const auto u = generate(100000, [&] { return random.unit(); });
+    const auto results = sample(scene, {0.3f, 1, 1}, u, std::vector<vec2>(u.size(), {0.5f, 0.5f}));
+    std::vector<double> counts(weights.size()), expected;
+    for (double w : weights) expected.push_back(w / 18.51 * static_cast<double>(u.size()));
+    for (const LightResult& r : results) {
+        ASSERT_LT(r.index, weights.size());
+        counts[r.index] += 1;
+        ASSERT_NEAR(r.pdf, weights[r.index] / 18.51, 1e-6);
+    }
+    const ChiSquare chi = testChiSquare(counts, expected);
+    EXPECT_GT(chi.probability, significance) << chi.describe();
+    EXPECT_EQ(counts[4], 0);
+}
+
+/// What is left over of the number that chose is uniform again, whatever was chosen: it places a point in a texel.
+TEST(LightSampler, LeavesAUniformRest) {
+    struct Chosen { int i; float rest; };
+    PackedScene scene;
+    scene.tables.light_aliases = makeAliasTable({0.3, 4, 1, 0.7});
+    scene.tables.frame.resize(1);
+    const DeviceScene onDevice(testContext(), scene);
+    const DeviceFunction<Chosen> function({.include = "light/light.clh", .type = "alias_sample", .body = "result = sample_alias(light_aliases, 4, u);",
+                                           .inputs = {"float u"}, .tables = "LIGHT_ARGUMENTS"});
+    Random random(50);
+    const auto u = generate(100000, [&] { return random.unit(); });
+    std::vector<double> counts(4 * 16), expected;
+    for (double w : {0.3, 4.0, 1.0, 0.7}) expected.insert(expected.end(), 16, w / 6 / 16 * 100000);
+    for (const Chosen& c : function.with(onDevice, u)) {
+        ASSERT_GE(c.rest, 0);
+        ASSERT_LT(c.rest, 1);
+        counts[static_cast<size_t>(c.i) * 16 + static_cast<size_t>(c.rest * 16)] += 1;
+    }
+    const ChiSquare chi = testChiSquare(counts, expected);
+    EXPECT_GT(chi.probability, significance) << chi.describe();
+}
+
+}  // namespace
+}  // namespace eikonal
