@@ -1,0 +1,51 @@
+// Rays do not slip between the triangles of a closed mesh.
+
+#include "traversal.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal {
+namespace {
+
+/// From inside of a closed mesh, no ray escapes: aimed at vertices, at points of edges, and along axes through vertices.
+TEST(Watertight, NoRayEscapesAClosedMesh) {
+    for (bool round : {true, false}) {
+        Scene scene;
+        scene.shapes.push_back(shapeOf(TriangleMesh{closedMesh(24, round)}));
+        const PackedScene packed = pack(scene);
+        const auto& positions = packed.tables.positions;
+        Random random(68);
+        std::vector<Ray> rays;
+        const auto aim = [&](vec3 o, glm::vec3 target) {
+            const glm::vec3 d = glm::normalize(target - toGlm(o));
+            rays.push_back({o, {d.x, d.y, d.z}});
+        };
+        for (int i = 0; i < 120000; ++i) {
+            const vec3 o = i % 4 == 0 ? vec3{0, 0, 0} : random.box(0.15f);
+            const size_t triangle = 3 * random.below(static_cast<uint>(packed.tables.indices.size() / 3));
+            const glm::vec3 a = toGlm(positions[packed.tables.indices[triangle]]), b = toGlm(positions[packed.tables.indices[triangle + 1]]);
+            const float s = i % 3 == 0 ? 0 : i % 3 == 1 ? 0.5f : random.unit();
+            aim(o, a + s * (b - a));
+            /* Along an axis, through a vertex: two coordinates are those of the vertex exactly */
+            const uint axis = random.below(3);
+            vec3 from{a.x, a.y, a.z};
+            (axis == 0 ? from.x : axis == 1 ? from.y : from.z) = 0;
+            vec3 d{0, 0, 0};
+            (axis == 0 ? d.x : axis == 1 ? d.y : d.z) = random.below(2) ? 1.0f : -1.0f;
+            const double inner = std::abs(static_cast<double>(from.x)) + std::abs(static_cast<double>(from.y)) + std::abs(static_cast<double>(from.z));
+            const double radius = packed.tables.quadrics.empty() ? std::abs(static_cast<double>(positions[0].x)) + std::abs(static_cast<double>(positions[0].y)) + std::abs(static_cast<double>(positions[0].z)) : 1;
+            if (inner < 0.9 * radius) rays.push_back({from, d});
+        }
+        size_t escaped = 0;
+        for (const Hit& h : trace(packed, rays)) escaped += h.element == NONE;
+        EXPECT_EQ(escaped, 0u) << "of " << rays.size() << (round ? " from a sphere" : " from an octahedron");
+        const auto dark = blocked(packed, rays);
+        EXPECT_EQ(std::count(dark.begin(), dark.end(), false), 0);
+    }
+}
+
+}  // namespace
+}  // namespace eikonal
