@@ -1,4 +1,4 @@
-// The command line as the program understands it. What it does then is tested in tests/render/cli_test.cpp.
+// The command line as the program understands it. What it does then is tested in tests/render/cli_*_test.cpp.
 
 #include "commands/output.h"
 #include "commands/progress_bar.h"

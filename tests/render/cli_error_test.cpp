@@ -1,0 +1,91 @@
+// Exit statuses and messages of what cannot be done.
+
+#include "cli.h"
+
+#include <gmock/gmock.h>
+
+#include <cctype>
+
+namespace eikonal {
+namespace {
+
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+TEST_F(Cli, ErrorsInASceneSayWhereAndExitWith1) {
+    write("bad.pbrt", tinyScene() + "Shape \"sphere\" \"float radius\" oops\n");
+    const Outcome bad = run({"render", "bad.pbrt"});
+    EXPECT_EQ(bad.status, 1);
+    EXPECT_THAT(bad.error, testing::MatchesRegex("bad.pbrt:[0-9]+:[0-9]+: .*\n"));
+    EXPECT_FALSE(exists("bad.exr"));
+    write("worse.pbrt", "WorldBegin\nShape \"a\"\nShape \"b\"\n");
+    EXPECT_THAT(run({"info", "worse.pbrt"}).error, testing::MatchesRegex("worse.pbrt:2:1: .*\nworse.pbrt:3:1: .*\n")) << "each line begins with its place";
+    EXPECT_EQ(run({"render", "absent.pbrt"}).status, 1);
+    EXPECT_EQ(run({"info", "absent.obj"}).status, 1);
+    EXPECT_EQ(run({"compare", "absent.exr", "absent.exr"}).status, 1);
+    write("scene.blend", "");
+    const Outcome unknown = run({"render", "scene.blend"});
+    EXPECT_EQ(unknown.status, 1);
+    EXPECT_THAT(unknown.error, HasSubstr(".pbrt or .obj"));
+}
+
+TEST_F(Cli, OutputThatCannotBeWrittenIsSaidBeforeRendering) {
+    for (const char* file : {"absent/a.exr", "a.xyz", "."}) {
+        const Outcome run = this->run({"render", "tiny.pbrt", "-o", file, "--spp", "100000000"});
+        EXPECT_EQ(run.status, 1) << file;
+        EXPECT_THAT(run.error, HasSubstr("cannot write")) << file;
+        EXPECT_LT(run.seconds, 5) << file;
+    }
+}
+
+TEST_F(Cli, ASceneThatIsNoTextDoesNotReachTheTerminal) {
+    write("binary.pbrt", "\x1b]0;title\a\x1b[2J");
+    const Outcome run = this->run({"info", "binary.pbrt"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.error, HasSubstr("binary.pbrt:1:1: \"\\x1b\""));
+    for (const char c : run.error) EXPECT_TRUE(c == '\n' || !std::iscntrl(static_cast<unsigned char>(c)));
+}
+
+TEST_F(Cli, ErrorsOfUsageExitWith2) {
+    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{{}, {"rendr"}, {"render"}, {"render", "tiny.pbrt", "--no-such-option"}, {"render", "tiny.pbrt", "--spp", "0"},
+                                                                                          {"render", "tiny.pbrt", "--camera", "0,0,1"}, {"render", "tiny.pbrt", "--local-size", "1048576"}}) {
+        const Outcome run = this->run(arguments);
+        EXPECT_EQ(run.status, 2) << testing::PrintToString(arguments) << run.error;
+        EXPECT_THAT(run.error, HasSubstr("error: "));
+        EXPECT_THAT(run.out, IsEmpty());
+    }
+}
+
+TEST_F(Cli, ErrorsOfTheDeviceExitWith3) {
+    const Outcome unknown = run({"render", "tiny.pbrt", "--device", "no such thing"});
+    EXPECT_EQ(unknown.status, 3);
+    EXPECT_THAT(unknown.error, HasSubstr("There are:\n  0  "));
+    const Outcome none = run({"render", "tiny.pbrt"}, {{"OCL_ICD_VENDORS", path("")}});
+    EXPECT_EQ(none.status, 3);
+    EXPECT_THAT(none.error, HasSubstr("pocl-opencl-icd"));
+}
+
+TEST_F(Cli, StrictTurnsWhatIsNotRenderedIntoAnError) {
+    write("photons.pbrt", tinyScene("Integrator \"sppm\""));
+    const Outcome lax = run({"info", "photons.pbrt"}), strict = run({"info", "photons.pbrt", "--strict"});
+    EXPECT_EQ(lax.status, 0);
+    EXPECT_THAT(lax.error, HasSubstr("warning: "));
+    EXPECT_EQ(strict.status, 1);
+    EXPECT_THAT(strict.error, HasSubstr("--strict"));
+}
+
+/// The option counts more than the scene, and then there is nothing to be warned of.
+TEST_F(Cli, TheIntegratorMayBeChosen) {
+    write("photons.pbrt", tinyScene("Integrator \"sppm\""));
+    const Outcome lax = run({"info", "photons.pbrt"}), chosen = run({"info", "photons.pbrt", "--integrator", "ambientocclusion", "--strict"});
+    EXPECT_EQ(lax.error.find("warning: "), lax.error.rfind("warning: ")) << "one warning: " << lax.error;
+    EXPECT_EQ(chosen.status, 0);
+    EXPECT_EQ(chosen.error, "");
+    EXPECT_THAT(chosen.out, HasSubstr("AMBIENT_OCCLUSION"));
+    const Outcome unknown = run({"info", "photons.pbrt", "--integrator", "bdpt"});
+    EXPECT_EQ(unknown.status, 2);
+    EXPECT_THAT(unknown.error, HasSubstr("--integrator is one of volpath, path, direct, whitted"));
+}
+
+}  // namespace
+}  // namespace eikonal

@@ -1,0 +1,115 @@
+// The files that a rendering leaves, and what options make of them.
+
+#include "cli.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace eikonal {
+namespace {
+
+using testing::HasSubstr;
+
+TEST_F(Cli, ASingleExrLeavesAPngBesideIt) {
+    const Outcome run = this->run({"render", "tiny.pbrt", "-o", "a.exr", "--seed", "5"});
+    ASSERT_EQ(run.status, 0) << run.error;
+    EXPECT_THAT(run.error, HasSubstr("wrote a.exr and a.png"));
+    const FilmFile exr = readImage(path("a.exr"));
+    EXPECT_EQ(exr.image.width, 16);
+    EXPECT_EQ(exr.image.height, 12);
+    EXPECT_EQ(exr.image.columns(), 16);
+    EXPECT_GT(exr.image.color[exr.image.index(8, 6)].r, 0.1f) << "the square is lit";
+    EXPECT_EQ(exr.image.color[0], glm::vec3(0)) << "nothing is in the corner";
+    EXPECT_EQ(image("a.png").pixelCount(), 16u * 12u);
+    EXPECT_EQ(exr.metadata.samples, 4);
+    EXPECT_EQ(exr.metadata.seed, 5);
+    EXPECT_EQ(exr.metadata.version, "Eikonal " EIKONAL_VERSION);
+    EXPECT_EQ(exr.metadata.scene, "tiny.pbrt");
+    EXPECT_EQ(exr.metadata.sceneHash.size(), 16u);
+    EXPECT_FALSE(exr.metadata.device.empty());
+    EXPECT_GE(exr.metadata.renderSeconds.value_or(-1), 0);
+}
+
+TEST_F(Cli, TheSceneHashChangesWithTheSceneAndNotWithSamplesOrSeed) {
+    write("other.pbrt", tinyScene("", "Translate 0 0 0.5"));
+    const auto hash = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"info", "--json"});
+        return nlohmann::json::parse(run(more).out).at("sceneHash").get<std::string>();
+    };
+    const std::string tiny = hash({"tiny.pbrt"});
+    EXPECT_EQ(hash({"tiny.pbrt", "--seed", "9", "--spp", "77"}), tiny);
+    EXPECT_NE(hash({"other.pbrt"}), tiny);
+}
+
+TEST_F(Cli, SeveralFilesMayBeAskedFor) {
+    ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "a.exr", "--outfile", "b.jpg"}).status, 0);
+    EXPECT_TRUE(exists("a.exr") && exists("b.jpg"));
+    EXPECT_FALSE(exists("a.png")) << "the user has said which files there are to be";
+}
+
+TEST_F(Cli, WithoutANameTheImageIsCalledLikeTheScene) {
+    ASSERT_EQ(run({"render", "tiny.pbrt"}).status, 0);
+    EXPECT_TRUE(exists("tiny.exr") && exists("tiny.png"));
+}
+
+TEST_F(Cli, ACropHasTheSamePixelsAsTheWhole) {
+    ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "whole.exr"}).status, 0);
+    ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "crop.exr", "--cropwindow", "0.25,0.75,0,0.5"}).status, 0);
+    ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "bounds.exr", "--pixelbounds", "4,12,0,6", "--nthreads", "1", "--wave-paths", "100"}).status, 0);
+    const FilmImage whole = image("whole.exr"), crop = image("crop.exr"), bounds = image("bounds.exr");
+    for (const FilmImage* part : {&crop, &bounds}) {
+        EXPECT_EQ(part->width, 16);
+        EXPECT_EQ(part->height, 12);
+        ASSERT_EQ((std::array{part->bounds.x0, part->bounds.x1, part->bounds.y0, part->bounds.y1}), (std::array{4, 12, 0, 6}));
+        for (int y = 0; y < 6; ++y)
+            for (int x = 4; x < 12; ++x) EXPECT_EQ(part->color[part->index(x, y)], whole.color[whole.index(x, y)]) << x << " " << y;
+    }
+}
+
+TEST_F(Cli, AovsAreThereWhenAskedFor) {
+    ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "all.exr", "--aov", "all"}).status, 0);
+    ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "none.exr"}).status, 0);
+    const FilmImage all = image("all.exr"), none = image("none.exr");
+    const size_t middle = all.index(8, 6);
+    ASSERT_FALSE(all.albedo.empty() || all.normal.empty() || all.depth.empty() || all.variance.empty() || all.sampleCount.empty());
+    EXPECT_NEAR(std::abs(all.normal[middle].z), 1, 1e-4) << "the square stands across z";
+    EXPECT_NEAR(all.depth[middle], 4, 0.1) << "the camera is 4 away";
+    EXPECT_EQ(all.sampleCount[middle], 4);
+    EXPECT_TRUE(none.albedo.empty() && none.normal.empty() && none.depth.empty() && none.variance.empty() && none.sampleCount.empty());
+}
+
+TEST_F(Cli, AovsNeedAnExr) {
+    write("named.pbrt", "Film \"rgb\" \"string filename\" \"a.jpg\"\nWorldBegin\nShape \"sphere\"\n");
+    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"tiny.pbrt", "-o", "a.png", "-o", "a.jpg"}, {"named.pbrt"}}) {
+        std::vector<std::string> all{"render", "--aov", "object"};
+        all.insert(all.end(), arguments.begin(), arguments.end());
+        const Outcome run = this->run(all);
+        EXPECT_EQ(run.status, 2);
+        EXPECT_THAT(run.error, HasSubstr("--aov asks for channels that only an EXR has"));
+        EXPECT_FALSE(exists("a.png") || exists("a.jpg"));
+    }
+    EXPECT_EQ(run({"render", "tiny.pbrt", "-o", "a.png", "-o", "b.exr", "--aov", "albedo"}).status, 0);
+}
+
+TEST_F(Cli, OptionsCountMoreThanTheFile) {
+    ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "a.exr", "--resolution", "20x10", "--spp", "2"}).status, 0);
+    const FilmFile exr = readImage(path("a.exr"));
+    EXPECT_EQ(exr.image.width, 20);
+    EXPECT_EQ(exr.image.height, 10);
+    EXPECT_EQ(exr.metadata.samples, 2);
+}
+
+TEST_F(Cli, SamplesThatAreNotFiniteAreReportedAndBlack) {
+    write("blinding.pbrt", tinyScene("", "LightSource \"point\" \"rgb I\" [3e38 3e38 3e38] \"point3 from\" [0 0 -0.001]"));
+    const Outcome run = this->run({"render", "blinding.pbrt", "-o", "a.exr"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_THAT(run.error, testing::ContainsRegex("not finite, .* the first is in pixel \\([0-9]+, [0-9]+\\)"));
+    for (const glm::vec3& c : image("a.exr").color) EXPECT_TRUE(std::isfinite(c.r + c.g + c.b));
+}
+
+}  // namespace
+}  // namespace eikonal

@@ -1,0 +1,115 @@
+// What the program prints.
+
+#include "cli.h"
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <csignal>
+
+#include <unistd.h>
+
+namespace eikonal {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST_F(Cli, LoadingKernelsIsNotCalledCompiling) {
+    ASSERT_EQ(run({"render", "tiny.pbrt"}).status, 0);
+    const Running running = start({"render", "tiny.pbrt", "--log-level", "info"});
+    EXPECT_TRUE(printed(running, "memory to be taken"));
+    /* A machine that is busy with something else */
+    for (int i = 0; i < 4; ++i) {
+        ::kill(running.process, SIGSTOP);
+        ::usleep(600'000);
+        ::kill(running.process, SIGCONT);
+        ::usleep(20'000);
+    }
+    const Outcome run = wait(running);
+    EXPECT_EQ(run.status, 0);
+    EXPECT_THAT(run.error, Not(HasSubstr("compiling")));
+}
+
+TEST_F(Cli, QuietPrintsNothing) {
+    const Outcome run = this->run({"render", "tiny.pbrt", "--quiet"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.out + run.error, "");
+}
+
+TEST_F(Cli, StatsTellWhereTimeAndMemoryWent) {
+    const Outcome run = this->run({"render", "tiny.pbrt", "--stats"});
+    for (const char* what : {"read the scene", "compile the kernels", "intersect_rays", "until the first ray", "render ", "shadow rays", "Memory: scene tables"})
+        EXPECT_THAT(run.out, HasSubstr(what));
+}
+
+TEST_F(Cli, InfoTellsWhatASceneRequiresAndWhy) {
+    const Outcome text = run({"info", "tiny.pbrt"});
+    EXPECT_EQ(text.status, 0);
+    EXPECT_THAT(text.out, HasSubstr("2 triangles"));
+    EXPECT_THAT(text.out, HasSubstr("tiny.pbrt:"));
+    const auto json = nlohmann::json::parse(run({"info", "tiny.pbrt", "--json"}).out);
+    EXPECT_EQ(json.at("counts").at("triangles"), 2);
+    EXPECT_GT(json.at("memory").at("queues"), 0);
+    const auto requires_ = [&](const char* name) {
+        return std::any_of(json.at("features").begin(), json.at("features").end(), [&](const auto& f) { return f.at("name") == name; });
+    };
+    EXPECT_TRUE(requires_("BSDF_DIFFUSE"));
+    EXPECT_FALSE(requires_("MEDIA"));
+    write("empty.pbrt", "WorldBegin\n");
+    EXPECT_THAT(run({"info", "empty.pbrt"}).out, HasSubstr("holds      nothing\n"));
+}
+
+TEST_F(Cli, InfoNeedsNoDevice) { EXPECT_EQ(run({"info", "tiny.pbrt"}, {{"OCL_ICD_VENDORS", path("")}}).status, 0); }
+
+TEST_F(Cli, AnObjIsASceneByItself) {
+    write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Outcome run = this->run({"info", "a.obj", "--camera", "0,0,3", "--look-at", "0.3,0.3,0", "--fov", "30", "--resolution", "32x16"});
+    EXPECT_EQ(run.status, 0) << run.error;
+    EXPECT_THAT(run.out, HasSubstr("32 x 16"));
+    EXPECT_THAT(run.out, HasSubstr("1 triangles"));
+}
+
+TEST_F(Cli, BenchCountsRealRaysOnly) {
+    const Outcome run = this->run({"bench", "tiny.pbrt", "--repeats", "2", "--json", "bench.json"});
+    ASSERT_EQ(run.status, 0) << run.error;
+    const auto json = nlohmann::json::parse(read(path("bench.json")));
+    EXPECT_EQ(json.at("paths"), 16 * 12 * 4);
+    EXPECT_GE(json.at("rays"), 16 * 12 * 4) << "one from the camera for each path";
+    EXPECT_LE(json.at("shadowRays"), json.at("rays"));
+    EXPECT_GT(json.at("shadowRays"), 0);
+    EXPECT_GT(json.at("raysPerSecond"), 0);
+    for (const auto& stage : json.at("stages")) {
+        EXPECT_GT(stage.at("seconds"), 0) << stage;
+        EXPECT_GT(stage.at("occupancy"), 0) << stage;
+        EXPECT_LE(stage.at("occupancy"), 1) << stage;
+    }
+    /* 16 x 12 pixels are a tile of 16 x 16; every stage that runs over the rays' slots has their holes */
+    const auto occupancy = [&](const std::string& name) {
+        for (const auto& stage : json.at("stages")) if (stage.at("stage") == name) return stage.at("occupancy").get<double>();
+        return -1.;
+    };
+    EXPECT_LT(occupancy("generate_rays"), 1);
+    EXPECT_EQ(occupancy("resolve_film"), occupancy("generate_rays")) << "of the same tiles";
+    EXPECT_EQ(occupancy("classify_flights"), occupancy("intersect_rays"));
+    EXPECT_EQ(occupancy("route_flights"), occupancy("intersect_rays"));
+}
+
+TEST_F(Cli, CompareFindsAnImageEqualToItself) {
+    ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "a.exr"}).status, 0);
+    const auto json = nlohmann::json::parse(run({"compare", "a.exr", "a.exr", "--json"}).out);
+    EXPECT_EQ(json.at("relativeMse"), 0);
+    EXPECT_EQ(json.at("blocksOff"), 0);
+}
+
+TEST_F(Cli, DevicesAreListed) {
+    for (const char* spelling : {"list-devices", "--list-devices"}) {
+        const Outcome run = this->run({spelling});
+        EXPECT_EQ(run.status, 0);
+        EXPECT_THAT(run.out, testing::StartsWith("0  "));
+    }
+}
+
+}  // namespace
+}  // namespace eikonal
