@@ -1,0 +1,58 @@
+// What stands between a light and the eye: holes, panes and mixes.
+
+#include "lit_floor.h"
+
+#include <fmt/format.h>
+
+namespace eikonal {
+namespace {
+
+const std::string brightWall = "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [4 4 4] Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n"
+    "Shape \"trianglemesh\" \"point3 P\" [-50 -50 5  -50 50 5  50 50 5  50 -50 5] \"integer indices\" [0 1 2 0 2 3] AttributeEnd\n";
+const std::string card = "Shape \"trianglemesh\" \"point3 P\" [-9 -9 Z  9 -9 Z  9 9 Z  -9 9 Z] \"integer indices\" [0 1 2 0 2 3]\n";
+std::string cardAt(double z, const std::string& material, const std::string& more = "") {
+    std::string text = card;
+    for (size_t at; (at = text.find('Z')) != std::string::npos;) text.replace(at, 1, fmt::format("{}", z));
+    text.pop_back();
+    return "AttributeBegin Material " + material + "\n" + text + " " + more + " AttributeEnd\n";
+}
+Rendered throughCards(const std::string& cards, int maxDepth = 100) {
+    View view;
+    view.maxDepth = maxDepth;
+    return render(sceneText(view, brightWall + cards), surfaces());
+}
+
+// Black paper with half of it (at random) not there, twice: a quarter of the wall is seen.
+TEST(Light, HalfOfAlphaIsHalfOfTheLight) {
+    const std::string black = "\"diffuse\" \"rgb reflectance\" [0 0 0]";
+    expectRadiance(throughCards(cardAt(0, black, "\"float alpha\" .5")), Le / 2);
+    expectRadiance(throughCards(cardAt(0, black, "\"float alpha\" .5") + cardAt(1, black, "\"float alpha\" .5")), Le / 4, 0.02);
+}
+
+// Shadow rays see the same holes.
+TEST(Light, AlphaLetsShadowRaysPass) {
+    expectRadiance(onTheFloor("LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 2 0]\nAttributeBegin Material \"diffuse\" Translate 0 1.5 0 Rotate 90 1 0 0 "
+                              "Shape \"disk\" \"float radius\" .2 \"float alpha\" .25 AttributeEnd"), rho / pi * 3. / 4 * 0.75);
+}
+
+// Straight on, a boundary reflects R = ((eta - 1) / (eta + 1))^2 = 0.04 for eta = 1.5; between two of them light goes to and fro, so that
+// (1 - R)^2 (1 + R^2 + R^4 + ...) = (1 - R) / (1 + R) gets through. One thin sheet is the same as a slab of two boundaries.
+TEST(Light, APaneTransmitsWhatTwoBoundariesDo) {
+    const double R = 0.04, T = (1 - R) / (1 + R);
+    expectRadiance(throughCards(cardAt(0, "\"thindielectric\" \"float eta\" 1.5")), Le * T);
+    expectRadiance(throughCards("AttributeBegin Material \"dielectric\" \"float eta\" 1.5 Scale 9 9 .5 Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3 4 6 5 4 7 6] "
+                                "\"point3 P\" [-1 -1 -1  -1 1 -1  1 1 -1  1 -1 -1  -1 -1 1  -1 1 1  1 1 1  1 -1 1] AttributeEnd"), Le * T);
+}
+
+// A mix is each of its materials as often as it says: under a sky, the mean of what they reflect.
+TEST(Light, AMixReflectsTheMean) {
+    View view;
+    view.maxDepth = 1;
+    expectRadiance(render(sceneText(view, R"(LightSource "infinite" "rgb L" [1 1 1]
+        MakeNamedMaterial "dark" "string type" "diffuse" "rgb reflectance" [.2 .2 .2]
+        MakeNamedMaterial "bright" "string type" "diffuse" "rgb reflectance" [.8 .8 .8]
+        Material "mix" "string materials" ["dark" "bright"] "float amount" .25 Shape "sphere")"), surfaces()), 0.75 * 0.2 + 0.25 * 0.8);
+}
+
+}  // namespace
+}  // namespace eikonal
