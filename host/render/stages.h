@@ -15,7 +15,7 @@ namespace eikonal {
 struct StageShape {
     unsigned localSize = 1;    ///< work-items in a group, a power of two
     unsigned run = 64;         ///< slots that a work-item handles, a power of two: on a CPU SIMD is inside of the work-item
-    unsigned wavePaths = 65472;  ///< rays in flight: a path is one, or more with trees of rays
+    unsigned wavePaths = 131008;  ///< rays in flight: a path is one, or more with trees of rays
     /// Slots of a group: segments of queues begin at multiples of it.
     unsigned group() const { return localSize * run; }
     /// `slots`, rounded up to whole groups.
