@@ -1,5 +1,6 @@
 // Lights with a shape: one for each element of a shape that emits.
 
+#include "overloaded.h"
 #include "pack/image_lights.h"
 
 #include <algorithm>
@@ -7,8 +8,6 @@
 #include <stdexcept>
 
 namespace eikonal {
-
-template <class... F> struct Overloaded : F... { using F::operator()...; };
 
 static glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
 

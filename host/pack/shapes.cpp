@@ -1,13 +1,12 @@
 #include "pack/shapes.h"
 
+#include "overloaded.h"
 #include "pack/curves.h"
 #include "pack/implicit.h"
 
 #include <cmath>
 
 namespace eikonal {
-
-template <class... F> struct Overloaded : F... { using F::operator()...; };
 
 class ShapePacker {
 public:

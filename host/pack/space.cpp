@@ -1,5 +1,7 @@
 #include "pack/space.h"
 
+#include "overloaded.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,8 +55,6 @@ affine toAffine(const glm::dmat4& m) {
     const auto f = [](double x) { return static_cast<float>(x); };
     return {f(m[0].x), f(m[1].x), f(m[2].x), f(m[3].x), f(m[0].y), f(m[1].y), f(m[2].y), f(m[3].y), f(m[0].z), f(m[1].z), f(m[2].z), f(m[3].z)};
 }
-
-template <class... F> struct Overloaded : F... { using F::operator()...; };
 
 static void growByCorners(Box& box, const glm::dmat4& m, glm::dvec3 low, glm::dvec3 high) {
     for (int i = 0; i < 8; ++i) box.grow(transformPoint(m, {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}));

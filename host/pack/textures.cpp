@@ -2,14 +2,13 @@
 
 #include "pack/packer.h"
 
+#include "overloaded.h"
 #include "pack/colors.h"
 
 #include <cmath>
 #include <cstring>
 
 namespace eikonal {
-
-template <class... F> struct Overloaded : F... { using F::operator()...; };
 
 static uint packBytes(std::vector<uint>& table, const std::vector<std::uint8_t>& bytes) {
     const size_t first = table.size() * 4;
