@@ -64,6 +64,24 @@ TEST(Fresnel, ConductorIsAccurate) {
     }
 }
 
+/// What passes of diffuse light is the mean of 1 - F over the cosine-weighted hemisphere, here by Simpson's rule.
+TEST(Fresnel, DiffuseTransmittanceIsTheMean) {
+    const DeviceFunction<float> function({.include = "bsdf/fresnel.clh", .type = "float", .body = "result = diffuse_transmittance(eta);", .inputs = {"float eta"}});
+    std::vector<float> eta;
+    for (int i = 0; i <= 60; ++i) eta.push_back(std::exp(std::log(3.0f) * static_cast<float>(i - 30) / 30));
+    const auto results = function(eta);
+    constexpr int steps = 20000;
+    for (size_t k = 0; k < eta.size(); ++k) {
+        double mean = 0;
+        for (int i = 0; i < steps; ++i) {
+            /* The square of the cosine is what is uniform */
+            const double c = std::sqrt((i + 0.5) / steps), e = eta[k];
+            mean += (1 - c * c >= e * e ? 0 : 1 - reflectance(c, e)) / steps;
+        }
+        EXPECT_NEAR(results[k], mean, 1e-3 * std::max(1.0, static_cast<double>(eta[k]) * eta[k])) << "eta " << eta[k];
+    }
+}
+
 /// Snell's law in any orientation: the refracted direction has unit length, lies in the plane of incidence on the other side, its
 /// sine is that of w over the relative index, and it is absent exactly when that sine exceeds one.
 TEST(Fresnel, RefractionObeysSnell) {
