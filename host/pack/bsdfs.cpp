@@ -37,9 +37,7 @@ static hop packConductor(InputWriter& in) {
         return hop_specular_conductor;
     }
     packMetal(in, slot_conductor::eta, slot_conductor::k);
-    in.width(slot_conductor::alpha_x, "uroughness");
-    in.width(slot_conductor::alpha_y, "vroughness");
-    if (in.isAnisotropic()) in.packer().packed.require(Feature::ANISOTROPY, in.why());
+    in.widths(slot_conductor::alpha_x, slot_conductor::alpha_y);
     return hop_conductor;
 }
 
@@ -49,9 +47,7 @@ static hop packDielectric(InputWriter& in) {
         return hop_specular_dielectric;
     }
     in.index(slot_dielectric::eta, "eta");
-    in.width(slot_dielectric::alpha_x, "uroughness");
-    in.width(slot_dielectric::alpha_y, "vroughness");
-    if (in.isAnisotropic()) in.packer().packed.require(Feature::ANISOTROPY, in.why());
+    in.widths(slot_dielectric::alpha_x, slot_dielectric::alpha_y);
     return hop_dielectric;
 }
 
@@ -63,31 +59,26 @@ static hop packThinDielectric(InputWriter& in) {
 static hop packCoatedDiffuse(InputWriter& in) {
     in.spectrum(slot_coated_diffuse::reflectance, "reflectance");
     in.index(slot_coated_diffuse::eta, "eta");
-    in.width(slot_coated_diffuse::alpha_x, "uroughness");
-    in.width(slot_coated_diffuse::alpha_y, "vroughness");
+    in.widths(slot_coated_diffuse::alpha_x, slot_coated_diffuse::alpha_y);
     in.number(slot_coated_diffuse::thickness, "thickness");
     in.spectrum(slot_coated_diffuse::albedo, "albedo");
     in.number(slot_coated_diffuse::g, "g");
     in.count(slot_coated_diffuse::max_depth, "maxdepth");
     in.count(slot_coated_diffuse::samples, "nsamples");
-    if (in.isAnisotropic()) in.packer().packed.require(Feature::ANISOTROPY, in.why());
     return hop_coated_diffuse;
 }
 
 static hop packCoatedConductor(InputWriter& in) {
     const double index = in.get("eta").value.value();
     packMetal(in, slot_coated_conductor::metal_eta, slot_coated_conductor::metal_k, "metal_eta", "metal_k", index > 0 ? index : 1);
-    in.width(slot_coated_conductor::metal_alpha_x, "metal_uroughness");
-    in.width(slot_coated_conductor::metal_alpha_y, "metal_vroughness");
+    in.widths(slot_coated_conductor::metal_alpha_x, slot_coated_conductor::metal_alpha_y, "metal_uroughness", "metal_vroughness");
     in.number(slot_coated_conductor::eta, index > 0 ? index : 1);
-    in.width(slot_coated_conductor::alpha_x, "uroughness");
-    in.width(slot_coated_conductor::alpha_y, "vroughness");
+    in.widths(slot_coated_conductor::alpha_x, slot_coated_conductor::alpha_y);
     in.number(slot_coated_conductor::thickness, "thickness");
     in.spectrum(slot_coated_conductor::albedo, "albedo");
     in.number(slot_coated_conductor::g, "g");
     in.count(slot_coated_conductor::max_depth, "maxdepth");
     in.count(slot_coated_conductor::samples, "nsamples");
-    if (in.isAnisotropic() || in.isAnisotropic("metal_uroughness", "metal_vroughness")) in.packer().packed.require(Feature::ANISOTROPY, in.why());
     return hop_coated_conductor;
 }
 
@@ -112,12 +103,10 @@ static hop packPrincipled(InputWriter& in) {
     in.spectrum(slot_principled::base, "base");
     in.number(slot_principled::metallic, "metallic");
     in.number(slot_principled::eta, "eta");
-    in.width(slot_principled::alpha_x, "uroughness");
-    in.width(slot_principled::alpha_y, "vroughness");
+    in.widths(slot_principled::alpha_x, slot_principled::alpha_y);
     in.number(slot_principled::coat, "coat");
     in.width(slot_principled::coat_alpha, "coatroughness");
     in.number(slot_principled::sheen, "sheen");
-    if (in.isAnisotropic()) in.packer().packed.require(Feature::ANISOTROPY, in.why());
     return hop_principled;
 }
 

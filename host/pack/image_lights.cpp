@@ -9,7 +9,7 @@
 
 namespace eikonal {
 
-static double luminanceOfTexel(glm::dvec3 s) { return glm::dot(s, glm::dvec3(0.2126, 0.7152, 0.0722)); }
+double luminanceOfTexel(glm::dvec3 s) { return glm::dot(s, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 static double greyOf(glm::dvec3 s) { return (s.x + s.y + s.z) / 3; }
 
 const ImageData& sphereImage(const Packer& packer, const Light& d, int index) {

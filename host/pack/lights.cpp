@@ -9,8 +9,6 @@
 
 namespace eikonal {
 
-static double luminanceOf(glm::vec3 s) { return 0.2126 * s.r + 0.7152 * s.g + 0.0722 * s.b; }
-
 light newLight(light_kind kind, const color& L) {
     light l{};
     l.kind = kind;
@@ -127,7 +125,7 @@ private:
                 glm::vec3& t = texels[static_cast<size_t>(y) * n + x];
                 t = {static_cast<float>(t.r * scale), static_cast<float>(t.g * scale), static_cast<float>(t.b * scale)};
                 row.push_back((t.r + t.g + t.b) / 3);
-                sum += luminanceOf(t);
+                sum += luminanceOfTexel(t);
             }
             double total = 0;
             for (double w : row) total += w;

@@ -82,15 +82,18 @@ public:
                                                            : (regularize_ ? TextureUse::regularWidth : TextureUse::asItIs);
         add(slot, input_number, packConstant(packer_, widthOf(in.value.value())), in.texture == none ? NONE : texture(in.texture, use));
     }
+    /// Those along and across a surface, which has directions if they differ.
+    void widths(uint alongSlot, uint acrossSlot, const char* alongName = "uroughness", const char* acrossName = "vroughness") {
+        width(alongSlot, alongName);
+        width(acrossSlot, acrossName);
+        const Input &u = get(alongName), &v = get(acrossName);
+        if (u.texture != v.texture || (u.texture == none && u.value.value() != v.value.value())) packer_.packed.require(Feature::ANISOTROPY, why());
+    }
     /// Whether both roughnesses are so small everywhere that the surface is a mirror.
     bool isSmooth() const {
         for (const char* name : {"uroughness", "vroughness"})
             if (get(name).texture != none || widthOf(get(name).value.value()) >= MIN_ALPHA) return false;
         return true;
-    }
-    bool isAnisotropic(const char* alongName = "uroughness", const char* acrossName = "vroughness") const {
-        const Input &u = get(alongName), &v = get(acrossName);
-        return u.texture != v.texture || (u.texture == none && u.value.value() != v.value.value());
     }
     /// What asks for features, for people: "file:line:column: material "name"", without what the description lacks.
     std::string why() const {

@@ -109,41 +109,35 @@ private:
         return 1;
     }
 
-    static float radians(double degrees) { return static_cast<float>(glm::radians(std::clamp(degrees, 0.0, 360.0))); }
-
-    size_t addSphere(Group& group, shape& packed, const Shape& s, const Sphere& sphere, const glm::dmat4& m, bool instanceSwaps) {
-        packed.kind = shape_sphere;
-        packer_.packed.require(Feature::SHAPE_SPHERE, s.where.toString());
+    /// What spheres, disks and cylinders have in common. phiMax in degrees.
+    quadric beginRound(shape& packed, const Shape& s, shape_kind kind, Feature feature, double radius, double phiMax) {
+        packed.kind = kind;
+        packer_.packed.require(feature, s.where.toString());
         ++packer_.packed.counts.quadrics;
         quadric q{};
-        q.radius = static_cast<float>(sphere.radius);
+        q.radius = static_cast<float>(radius);
+        q.phi_max = static_cast<float>(glm::radians(std::clamp(phiMax, 0.0, 360.0)));
+        return q;
+    }
+
+    size_t addSphere(Group& group, shape& packed, const Shape& s, const Sphere& sphere, const glm::dmat4& m, bool instanceSwaps) {
+        quadric q = beginRound(packed, s, shape_sphere, Feature::SHAPE_SPHERE, sphere.radius, sphere.phiMax);
         q.z_min = static_cast<float>(std::clamp(std::min(sphere.zMin, sphere.zMax), -sphere.radius, sphere.radius));
         q.z_max = static_cast<float>(std::clamp(std::max(sphere.zMin, sphere.zMax), -sphere.radius, sphere.radius));
-        q.phi_max = radians(sphere.phiMax);
         return addQuadric(group, packed, s, q, m, instanceSwaps);
     }
 
     size_t addDisk(Group& group, shape& packed, const Shape& s, const Disk& disk, const glm::dmat4& m, bool instanceSwaps) {
-        packed.kind = shape_disk;
-        packer_.packed.require(Feature::SHAPE_DISK, s.where.toString());
-        ++packer_.packed.counts.quadrics;
-        quadric q{};
-        q.radius = static_cast<float>(disk.radius);
+        quadric q = beginRound(packed, s, shape_disk, Feature::SHAPE_DISK, disk.radius, disk.phiMax);
         q.inner_radius = static_cast<float>(disk.innerRadius);
         q.z_min = q.z_max = static_cast<float>(disk.height);
-        q.phi_max = radians(disk.phiMax);
         return addQuadric(group, packed, s, q, m, instanceSwaps);
     }
 
     size_t addCylinder(Group& group, shape& packed, const Shape& s, const Cylinder& cylinder, const glm::dmat4& m, bool instanceSwaps) {
-        packed.kind = shape_cylinder;
-        packer_.packed.require(Feature::SHAPE_CYLINDER, s.where.toString());
-        ++packer_.packed.counts.quadrics;
-        quadric q{};
-        q.radius = static_cast<float>(cylinder.radius);
+        quadric q = beginRound(packed, s, shape_cylinder, Feature::SHAPE_CYLINDER, cylinder.radius, cylinder.phiMax);
         q.z_min = static_cast<float>(cylinder.zMin);
         q.z_max = static_cast<float>(cylinder.zMax);
-        q.phi_max = radians(cylinder.phiMax);
         return addQuadric(group, packed, s, q, m, instanceSwaps);
     }
 

@@ -69,15 +69,17 @@ Shape shapeOf(decltype(Shape::kind) kind, const glm::dmat4& m) {
     return s;
 }
 
+static void addCorner(Mesh& mesh, glm::vec3 p) {
+    mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+    mesh.positions.push_back(p);
+}
+
 Shape randomTriangles(Random& random, size_t count) {
     auto mesh = std::make_shared<Mesh>();
     for (size_t i = 0; i < count; ++i) {
         const glm::vec3 p = toGlm(random.box(1));
         const float size = random.logBetween(0.02f, 1);
-        for (int k = 0; k < 3; ++k) {
-            mesh->indices.push_back(static_cast<std::uint32_t>(mesh->positions.size()));
-            mesh->positions.push_back(p + toGlm(random.box(size)));
-        }
+        for (int k = 0; k < 3; ++k) addCorner(*mesh, p + toGlm(random.box(size)));
     }
     return shapeOf(TriangleMesh{mesh});
 }
@@ -87,10 +89,7 @@ static Shape randomPatches(Random& random, size_t count) {
     for (size_t i = 0; i < count; ++i) {
         const glm::vec3 p = toGlm(random.box(1)), u = toGlm(random.box(0.5f)), v = toGlm(random.box(0.5f));
         const glm::vec3 twist = random.below(3) ? toGlm(random.box(0.3f)) : glm::vec3(0);
-        for (const glm::vec3& q : {p, p + u, p + v, p + u + v + twist}) {
-            mesh->indices.push_back(static_cast<std::uint32_t>(mesh->positions.size()));
-            mesh->positions.push_back(q);
-        }
+        for (const glm::vec3& q : {p, p + u, p + v, p + u + v + twist}) addCorner(*mesh, q);
     }
     return shapeOf(BilinearMesh{mesh});
 }

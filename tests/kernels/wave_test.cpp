@@ -64,11 +64,14 @@ std::vector<uint> traceWave(StageBench& bench) {
     return all;
 }
 
+template <class Items> void expectVisited(const Items& items, std::initializer_list<int> wanted) {
+    for (int hop : wanted) EXPECT_GT(items[static_cast<size_t>(hop)], 0u) << "hop " << hop << " was not visited";
+}
+
 TEST(Wave, EndsFiniteAndClean) {
     StageBench bench(sceneOfEverything(), paths);
     const auto items = traceWave(bench);
-    for (int hop : {hop_diffuse, hop_conductor, hop_specular_conductor, hop_dielectric, hop_specular_dielectric, hop_thin_dielectric, hop_diffuse_transmission, hop_miss, hop_emission})
-        EXPECT_GT(items[static_cast<size_t>(hop)], 0u) << "hop " << hop << " was not visited";
+    expectVisited(items, {hop_diffuse, hop_conductor, hop_specular_conductor, hop_dielectric, hop_specular_dielectric, hop_thin_dielectric, hop_diffuse_transmission, hop_miss, hop_emission});
 }
 
 /// With an integrator that regularizes, polished things are polished for paths that come straight from the camera or off other mirrors,
@@ -90,8 +93,7 @@ TEST(Wave, RegularizedEndsFiniteAndClean) {
     ASSERT_TRUE(polished.features.has(Feature::REGULARIZE));
     StageBench bench(polished, paths);
     const auto items = traceWave(bench);
-    for (int hop : {hop_diffuse, hop_specular_conductor, hop_conductor, hop_specular_dielectric, hop_dielectric, hop_coated_conductor, hop_hair})
-        EXPECT_GT(items[static_cast<size_t>(hop)], 0u) << "hop " << hop << " was not visited";
+    expectVisited(items, {hop_diffuse, hop_specular_conductor, hop_conductor, hop_specular_dielectric, hop_dielectric, hop_coated_conductor, hop_hair});
 }
 
 /// The same through two nested media with an interface between them, lamps inside and outside.
@@ -124,8 +126,7 @@ TEST(Wave, ThroughMediaEndsFiniteAndClean) {
     ASSERT_TRUE(fog.features.has(Feature::MEDIA));
     StageBench bench(fog, paths);
     const auto items = traceWave(bench);
-    for (uint hop : {static_cast<uint>(hop_passage), static_cast<uint>(hop_scatter), static_cast<uint>(hop_miss), static_cast<uint>(hop_emission)})
-        EXPECT_GT(items[hop], 0u) << "hop " << hop << " was not visited";
+    expectVisited(items, {hop_passage, hop_scatter, hop_miss, hop_emission});
 }
 
 }  // namespace
