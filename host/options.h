@@ -40,7 +40,7 @@ struct DeviceOptions {
     bool list = false;                                ///< print the devices instead of what the command does
     bool cache = true;
     std::string dumpFolder;                           ///< not empty: each program's text goes there
-    std::optional<unsigned> wavePaths, localSize;
+    std::optional<unsigned> wavePaths, localSize, run;
     bool contraction = true;
 };
 

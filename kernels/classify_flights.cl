@@ -3,7 +3,7 @@
 #include "queue.clh"
 #include "route.clh"
 
-STAGE classify_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS
+TRACING_STAGE classify_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS
                        __global const settings *frame, __global const uint *ray, __global uint *flight, uint capacity, uint count,
                        __global uint *counts, __global uint *tally) {
     geometry g = BIND_GEOMETRY;

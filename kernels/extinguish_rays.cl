@@ -28,7 +28,7 @@ FN extinguished extinguish_ray(medium_tables media, color_tables colors, ray_ite
 }
 
 #ifndef AS_LIBRARY
-STAGE extinguish_rays(MEDIUM_ARGUMENTS COLOR_ARGUMENTS __global uint *ray, __global uint *flight, __global uint *path, uint capacity, uint count) {
+TRACING_STAGE extinguish_rays(MEDIUM_ARGUMENTS COLOR_ARGUMENTS __global uint *ray, __global uint *flight, __global uint *path, uint capacity, uint count) {
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);

@@ -17,7 +17,7 @@ FN flight_item intersect_ray(geometry g, texture_tables tables, ray_item r) {
 }
 
 #ifndef AS_LIBRARY
-STAGE intersect_rays(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS
+TRACING_STAGE intersect_rays(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS
                      __global const uint *ray, __global uint *flight, uint capacity, uint count) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;

@@ -35,7 +35,7 @@ FN void meet_light(geometry g, texture_tables tables, medium_tables media, color
     if (!is_black(L)) add_radiance(path, capacity, s.path, L);
 }
 
-STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS BSDF_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS CAMERA_ARGUMENTS
+TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS BSDF_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS CAMERA_ARGUMENTS
            __global const settings *frame, __global uint *hit, __global uint *path, uint capacity,
            uint tile_x, uint tile_y, uint tile_log2_width, uint tile_log2_height, uint end_x, uint end_y, uint first_sample, uint samples,
            uint most_hops, uint turns, uint count) {

@@ -76,7 +76,7 @@ FN path_item gather_path(__global const settings *frame, __global const uint *pa
     return p;
 }
 
-STAGE resolve_film(COLOR_ARGUMENTS __global const settings *frame, __global const uint *path, uint capacity, __global uint *film, uint tile_pixels, uint samples) {
+TRACING_STAGE resolve_film(COLOR_ARGUMENTS __global const settings *frame, __global const uint *path, uint capacity, __global uint *film, uint tile_pixels, uint samples) {
     color_tables color_set = BIND_COLORS;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)tile_pixels);
     for (size_t pixel = first; pixel < last; ++pixel) {

@@ -23,7 +23,7 @@ FN uint segment_start(__global const uint *counts, uint hop) {
     return start;
 }
 
-STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS
+TRACING_STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS
                     __global const settings *frame, __global const uint *ray, __global const uint *flight, uint capacity, uint count,
                     __global const uint *counts, __global uint *cursors,
                     __global uint *hit, __global uint *scatter, __global uint *miss, __global uint *emission, __global uint *next_ray,

@@ -45,7 +45,7 @@ FN spectrum test_shadow(geometry g, texture_tables tables, medium_tables media, 
 }
 
 #ifndef AS_LIBRARY
-STAGE test_shadows(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS
+TRACING_STAGE test_shadows(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS
                    __global const uint *shadow, __global uint *path, uint capacity, uint count, __global uint *tally) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;

@@ -66,7 +66,7 @@ nlohmann::ordered_json measure(const Options& o, const Session& session, const s
     const double seconds = medianOf(repeats, [](const Repeat& r) { return r.seconds; });
     nlohmann::ordered_json json{{"scene", o.scene.path}, {"sceneHash", sceneHash(session.packed())}, {"device", session.context().device().name}, {"version", EIKONAL_VERSION},
                                 {"samples", session.packed().samples}, {"repeats", repeats.size()}, {"wavePaths", session.shape().wavePaths},
-                                {"localSize", session.shape().localSize}};
+                                {"localSize", session.shape().localSize}, {"run", session.shape().run}};
     const SessionTimes& t = session.times();
     json["loadSeconds"] = t.load;
     json["packSeconds"] = t.pack;

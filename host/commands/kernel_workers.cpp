@@ -77,6 +77,7 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
                                            std::to_string(::getpid()), "--contraction", o.contraction ? "on" : "off", "--nthreads", "1"};
         if (!o.device.empty()) arguments.insert(arguments.end(), {"--device", o.device});
         if (o.localSize) arguments.insert(arguments.end(), {"--local-size", std::to_string(*o.localSize)});
+        if (o.run) arguments.insert(arguments.end(), {"--run", std::to_string(*o.run)});
         if (const pid_t process = startSelf(arguments)) processes.push_back(process);
     }
     for (const pid_t process : processes) ::waitpid(process, nullptr, 0);

@@ -48,6 +48,8 @@ static DeviceInfo query(cl_platform_id platform, cl_device_id id) {
     d.memory = deviceInfo<cl_ulong>(id, CL_DEVICE_GLOBAL_MEM_SIZE);
     d.largestBuffer = deviceInfo<cl_ulong>(id, CL_DEVICE_MAX_MEM_ALLOC_SIZE);
     d.largestGroup = deviceInfo<size_t>(id, CL_DEVICE_MAX_WORK_GROUP_SIZE);
+    // What such an implementation says by calling scalars its preferred vectors.
+    d.widensGroups = deviceInfo<cl_uint>(id, CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT) == 1;
     d.hasCompiler = deviceInfo<cl_bool>(id, CL_DEVICE_COMPILER_AVAILABLE);
     return d;
 }

@@ -19,6 +19,7 @@ struct DeviceInfo {
     size_t largestBuffer = 0;   ///< bytes in one allocation
     size_t largestGroup = 1;    ///< work-items in a work-group
     bool hasCompiler = true;
+    bool widensGroups = false;  ///< it makes SIMD lanes of work-items, so these had better not loop over slots themselves
 };
 
 /// Every device of every platform, in the order in which --device counts them. Platforms without devices are passed over;

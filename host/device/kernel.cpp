@@ -8,6 +8,9 @@ Kernel::Kernel(std::shared_ptr<Program> program) : program_(std::move(program)) 
     cl_int status = CL_SUCCESS;
     handle_ = decltype(handle_)(clCreateKernel(program_->handle, program_->kernel.c_str(), &status));
     check(status, "creating kernel " + program_->kernel);
+    size_t size[3] = {};
+    check(clGetKernelWorkGroupInfo(handle_, nullptr, CL_KERNEL_COMPILE_WORK_GROUP_SIZE, sizeof size, size, nullptr), "asking for the size of groups of " + program_->kernel);
+    localSize_ = std::max<size_t>(size[0], 1);
     set_.resize(program_->arguments.size());
 }
 
@@ -18,7 +21,7 @@ void Kernel::setArgument(cl_uint index, const Bindings::Value& value) const {
     set_[index] = value;
 }
 
-cl_event Kernel::launch(const Context& context, std::initializer_list<const Bindings*> bindings, size_t items, size_t localSize) const {
+cl_event Kernel::launch(const Context& context, std::initializer_list<const Bindings*> bindings, size_t slots, size_t groupSlots) const {
     for (cl_uint i = 0; i < program_->arguments.size(); ++i) {
         const Bindings::Value* value = nullptr;
         for (const Bindings* layer : bindings)
@@ -26,9 +29,9 @@ cl_event Kernel::launch(const Context& context, std::initializer_list<const Bind
         if (!value) throw DeviceError(fmt::format("{}: argument '{}' is not bound", name(), program_->arguments[i]));
         setArgument(i, *value);
     }
-    const size_t global = (std::max<size_t>(items, 1) + localSize - 1) / localSize * localSize;
+    const size_t global = (std::max<size_t>(slots, 1) + groupSlots - 1) / groupSlots * localSize_;
     cl_event event = nullptr;
-    check(clEnqueueNDRangeKernel(context.queue(), handle_, 1, nullptr, &global, &localSize, 0, nullptr, context.profiling() ? &event : nullptr),
+    check(clEnqueueNDRangeKernel(context.queue(), handle_, 1, nullptr, &global, &localSize_, 0, nullptr, context.profiling() ? &event : nullptr),
           "launching " + name());
     return event;
 }

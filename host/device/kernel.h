@@ -43,16 +43,17 @@ public:
     const std::string& name() const { return program_->kernel; }
     const Program& program() const { return *program_; }
 
-    /// Enqueues `items` work-items, rounded up to whole groups of localSize, numbered from 0. Does not wait. Of `bindings`, each replaces
-    /// what those before it hold under the same name. Throws a DeviceError that names an argument that is in none of them.
+    /// Enqueues the work-groups for `slots` slots, at least one, of `groupSlots` slots each; how many work-items that is, the kernel says
+    /// itself. Does not wait. Of `bindings`, each replaces what those before it hold under the same name. Throws a DeviceError that names an argument that is in none of them.
     /// Returns the event if the context profiles, else null; the caller owns it.
-    cl_event launch(const Context& context, std::initializer_list<const Bindings*> bindings, size_t items, size_t localSize) const;
+    cl_event launch(const Context& context, std::initializer_list<const Bindings*> bindings, size_t slots, size_t groupSlots) const;
 
 private:
     void setArgument(cl_uint index, const Bindings::Value& value) const;
 
     std::shared_ptr<Program> program_;
     Owned<cl_kernel, clReleaseKernel> handle_;
+    size_t localSize_ = 1;   ///< work-items in a group
     mutable std::vector<std::optional<Bindings::Value>> set_;   ///< what each argument was set to last: most stay from launch to launch
 };
 

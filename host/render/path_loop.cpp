@@ -41,14 +41,14 @@ void PathLoop::trace(const Tile& tile, int endX, int endY) {
     bindTile(bindings_, tile, endX, endY);
     if (scene_.branching().forks) path_.clear(context_, 0, path_.size());
     bindings_.set("count", tile.paths());
-    profile_.add("loop", tile.paths(), loop_.launch(context_, {&scene_.bindings(), &bindings_}, shape_.workItems(tile.paths()), shape_.localSize));
+    profile_.add("loop", tile.paths(), loop_.launch(context_, {&scene_.bindings(), &bindings_}, tile.paths(), shape_.group()));
     context_.finish();
 }
 
 void PathLoop::resolve(const Tile& tile, const Buffer& film) {
     Bindings own = bindings_;
     own.set("film", film);
-    profile_.add("resolve_film", tile.pixels(), resolve_.launch(context_, {&scene_.bindings(), &own}, shape_.workItems(tile.pixels()), shape_.localSize));
+    profile_.add("resolve_film", tile.pixels(), resolve_.launch(context_, {&scene_.bindings(), &own}, tile.pixels(), shape_.group()));
 }
 
 }  // namespace eikonal

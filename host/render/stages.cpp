@@ -6,6 +6,7 @@ namespace eikonal {
 
 StageShape StageShape::forDevice(const DeviceInfo& device) {
     StageShape shape;
+    shape.widensGroups = device.widensGroups;
     if (!device.isCpu) {
         shape.localSize = 64;
         shape.run = 1;
@@ -44,6 +45,7 @@ BuildSettings completeSettings(BuildSettings settings, const PackedScene& scene,
     settings.features = settings.features | scene.features;
     settings.constants["LOCAL_SIZE"] = static_cast<int>(shape.localSize);
     settings.constants["RUN"] = static_cast<int>(shape.run);
+    settings.constants["WIDENS_GROUPS"] = shape.widensGroups;
     settings.constants["ENVIRONMENTS"] = scene.environments;
     return settings;
 }

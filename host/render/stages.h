@@ -14,14 +14,13 @@ namespace eikonal {
 /// How stages are laid over a device. None of this changes a bit of the image.
 struct StageShape {
     unsigned localSize = 1;    ///< work-items in a group, a power of two
-    unsigned run = 64;         ///< slots that a work-item handles, a power of two: on a CPU SIMD is inside of the work-item
+    unsigned run = 64;         ///< slots that a work-item handles, a power of two: on a CPU SIMD is inside of the work-item,
+    bool widensGroups = false; ///< unless this is set; then a work-item of a straight-line stage handles one (kernels/scene.clh)
     unsigned wavePaths = 131008;  ///< rays in flight: a path is one, or more with trees of rays
     /// Slots of a group: segments of queues begin at multiples of it.
     unsigned group() const { return localSize * run; }
     /// `slots`, rounded up to whole groups.
     unsigned padded(unsigned slots) const { return (slots + group() - 1) / group() * group(); }
-    /// Work-items for so many slots.
-    unsigned workItems(unsigned slots) const { return (slots + run - 1) / run; }
     /// What measured best for a kind of device (docs/performance.md).
     static StageShape forDevice(const DeviceInfo& device);
 };

@@ -33,7 +33,7 @@ void Wave::addQueue(const QueueLayout& layout, size_t items, const std::string& 
 void Wave::run(const Stage* stage, unsigned items, const Bindings& extra) {
     if (!stage) return;
     /* Scene tables, then queues, then what this launch has of its own */
-    profile_.add(stage->name, items, stage->kernel.launch(context_, {&scene_, &bindings_, &extra}, shape_.workItems(items), shape_.localSize));
+    profile_.add(stage->name, items, stage->kernel.launch(context_, {&scene_, &bindings_, &extra}, items, shape_.group()));
 }
 
 static Bindings segment(unsigned first, unsigned count) {

@@ -31,7 +31,7 @@ DeviceTracer::DeviceTracer(const Context& context, const BenchMesh& mesh, const 
     Compiler compiler(context, findKernelFolders(), "");
     BuildSettings settings;
     settings.features = features_;
-    settings.constants = {{"LOCAL_SIZE", shape.localSize}, {"RUN", shape.run}};
+    settings.constants = {{"LOCAL_SIZE", shape.localSize}, {"RUN", shape.run}, {"WIDENS_GROUPS", context.device().widensGroups}};
     intersect_ = Kernel(compiler.build("#include \"intersect_rays.cl\"\n", "intersect_rays", settings));
     occlude_ = Kernel(compiler.build("#include \"test_shadows.cl\"\n", "test_shadows", settings));
 }
@@ -84,8 +84,7 @@ void DeviceTracer::trace() {
         queues.set(shadows_ ? "path" : "flight", b.out);
         queues.set("capacity", static_cast<cl_uint>(b.in.size() / sizeof(uint) / static_cast<size_t>(queueLayout(shadows_ ? "shadow" : "ray", features_).words)));
         queues.set("count", static_cast<cl_uint>(b.count));
-        const size_t run = static_cast<size_t>(shape_.run);
-        (shadows_ ? occlude_ : intersect_).launch(context_, {&scene_, &queues}, (b.count + run - 1) / run, static_cast<size_t>(shape_.localSize));
+        (shadows_ ? occlude_ : intersect_).launch(context_, {&scene_, &queues}, b.count, static_cast<size_t>(shape_.localSize) * static_cast<size_t>(shape_.run));
     }
     context_.finish();
 }

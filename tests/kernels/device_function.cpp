@@ -16,7 +16,7 @@ static std::string kernelText(const FunctionText& text) {
     std::string source = "#include \"queue.clh\"\n#include \"scene.clh\"\n";
     std::istringstream files(text.include);
     for (std::string file; files >> file;) source += fmt::format("#include \"{}\"\n", file);
-    source += text.declarations + "\nSTAGE device_function(" + text.tables + "\n    ";
+    source += text.declarations + "\nTRACING_STAGE device_function(" + text.tables + "\n    ";
     for (const std::string& input : text.inputs) source += fmt::format("__global const {} *{}_array, ", typeOf(input), nameOf(input));
     source += fmt::format("__global {} *results) {{\n    size_t index = get_global_id(0);\n", text.type);
     for (const std::string& input : text.inputs) source += fmt::format("    {} = {}_array[index];\n", input, nameOf(input));

@@ -79,7 +79,7 @@ DEFINE_ITEM(film, FILM_FIELDS, 0)
 #define PUT_FIELD(q, type, name, FEATURE) PUT(q##_##name##_slot) PUT(WORDS_##type * HAS_##FEATURE)
 #define PUT_QUEUE(q, FIELDS) FIELDS(PUT_FIELD, q) PUT(q##_words)
 #define PUT_SIZE(type, name) PUT(sizeof(type))
-STAGE layout_probe(__global uint *words) {
+TRACING_STAGE layout_probe(__global uint *words) {
     uint n = 0;
     if (get_global_id(0) > 0) return;
     QUEUES(PUT_QUEUE)

@@ -94,8 +94,7 @@ void StageBench::run(const std::string& stage, unsigned count, unsigned first) {
     Bindings arguments = bindings_;
     arguments.set("first", first);
     arguments.set("count", count);
-    const unsigned items = (count + testRun - 1) / testRun;
-    kernels_[stage].launch(testContext(), {&onDevice_.bindings(), &arguments}, items, testLocalSize);
+    kernels_[stage].launch(testContext(), {&onDevice_.bindings(), &arguments}, count, testGroup);
     testContext().finish();
     testCompiler().keep(kernels_[stage].program());
 }

@@ -40,7 +40,7 @@ Compiler& testCompiler() {
 BuildSettings shippedSettings(const Features& features) {
     BuildSettings settings;
     settings.features = features;
-    settings.constants = {{"LOCAL_SIZE", static_cast<int>(testLocalSize)}, {"RUN", static_cast<int>(testRun)}, {"ENVIRONMENTS", 1}};
+    settings.constants = {{"LOCAL_SIZE", static_cast<int>(testLocalSize)}, {"RUN", static_cast<int>(testRun)}, {"WIDENS_GROUPS", testContext().device().widensGroups}, {"ENVIRONMENTS", 1}};
     settings.warningsAreErrors = true;
     return settings;
 }
