@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <sys/mman.h>
+
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdlib>
 
 namespace eikonal {
 
@@ -15,7 +18,30 @@ static std::uint64_t nextSerial() {
     return ++last;
 }
 
+/// Pages of this size, where the system has them, spare walks down large tables most of what looking up addresses costs (docs/performance.md).
+constexpr size_t largePage = size_t{2} << 20;
+
+/// Memory in large pages; null if there is none. For std::free.
+static void* allocateLargePages(size_t bytes) {
+    void* memory = std::aligned_alloc(largePage, (bytes + largePage - 1) / largePage * largePage);
+    if (memory) ::madvise(memory, bytes, MADV_HUGEPAGE);   // where this is refused, pages are small
+    return memory;
+}
+
+/// A buffer in memory of ours, which is freed with it; null if that does not work.
+static cl_mem allocateInLargePages(const Context& context, size_t bytes) {
+    void* pages = allocateLargePages(bytes);
+    if (!pages) return nullptr;
+    cl_int status = CL_SUCCESS;
+    cl_mem memory = clCreateBuffer(context.handle(), CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, bytes, pages, &status);
+    if (status != CL_SUCCESS) { std::free(pages); return nullptr; }
+    check(clSetMemObjectDestructorCallback(memory, [](cl_mem, void* pages) { std::free(pages); }, pages), "taking over a buffer's memory");
+    return memory;
+}
+
 static cl_mem allocate(const Context& context, size_t bytes, const std::string& what) {
+    if (context.device().isCpu && bytes >= 2 * largePage)
+        if (cl_mem memory = allocateInLargePages(context, bytes)) return memory;
     cl_int status = CL_SUCCESS;
     cl_mem memory = clCreateBuffer(context.handle(), CL_MEM_READ_WRITE, std::max(bytes, smallestBuffer), nullptr, &status);
     if (status != CL_SUCCESS)

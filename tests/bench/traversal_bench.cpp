@@ -1,5 +1,5 @@
 // How fast the walk down the hierarchy is, against Embree on the same rays and threads, in one run, by turns:
-//   traversal_bench [--json] [--scenes box,terrain-1,ball-1,terrain-5,ball-5] [--batches 1000,1000000] [--repeats 5] [--robust]
+//   traversal_bench [--json] [--device NAME] [--scenes box,terrain-1,ball-1,terrain-5,ball-5] [--batches 1000,1000000] [--repeats 5] [--robust]
 // (terrain-5: 5 million triangles). Prints million rays a second, and two ratios, each the median over the repeats: of the time on
 // the clock, and of the processor time of all threads, which others on the machine disturb less.
 
@@ -26,6 +26,7 @@ struct Options {
     int repeats = 5, width = 1024;
     bool json = false, robust = false, high = false;
     TracerShape shape;
+    std::string device;
 };
 
 struct Figure { double ours, embree, ratio, low, high, cpuRatio, differ; };
@@ -141,12 +142,13 @@ int main(int argc, char** argv) {
     app.add_option("--width", options.width, "of the square image of primary rays");
     app.add_option("--local-size", options.shape.localSize);
     app.add_option("--run", options.shape.run, "slots that a work-item handles");
+    app.add_option("--device", options.device, "as eikonal takes it");
     app.add_flag("--robust", options.robust, "Embree's robust mode, as watertight as ours");
     app.add_flag("--high", options.high, "Embree's spatial splits");
     app.add_flag("--json", options.json);
     CLI11_PARSE(app, argc, argv);
 
-    const Context context(chooseDevice(""));
+    const Context context(chooseDevice(options.device));
     nlohmann::json report{{"device", context.device().name}, {"robust", options.robust}, {"local_size", options.shape.localSize}, {"run", options.shape.run}};
     for (const std::string& name : options.scenes) runScene(context, name, options, report);
     if (options.json) fmt::print("{}\n", report.dump(2));
