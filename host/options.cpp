@@ -129,6 +129,7 @@ struct Parser {
 
         auto* bench = add("bench", Command::bench, "Measure a scene, stage by stage");
         addScene(bench, options);
+        bench->add_flag("--loop", options.loop, "Measure one kernel that follows each path in a loop, too, by turns with the stages");
         value(bench, "--repeats", options.repeats, "N", "Renders, of which the median counts (default: 5)", integer(1, 1000));
         bench->add_option("--json", options.jsonFile, "Write the figures into this file too")->type_name("FILE");
         addDevice(bench, options);

@@ -84,6 +84,7 @@ struct Options {
     OutputOptions output;
     bool json = false;                                ///< info: print JSON
     std::string jsonFile;                             ///< bench: not empty, write JSON there
+    bool loop = false;                                ///< bench
     int repeats = 5;                                  ///< bench
     bool clearCache = false, warmCache = false;       ///< cache
     std::vector<std::string> scenes;                  ///< cache --warm

@@ -16,15 +16,14 @@ namespace {
 
 struct Repeat { double seconds; std::map<std::string, StageProfile> stages; std::uint64_t rays, shadowRays, paths; };
 
-Repeat renderOnce(Session& session) {
+Repeat renderOnce(const Session& session, Tracer& tracer, Profile& profile) {
     const PackedScene& packed = session.packed();
     Film film(static_cast<int>(packed.frame().width), static_cast<int>(packed.frame().height), packed.pixels, packed.features);
     RenderControl control;
     control.endSample = static_cast<unsigned>(packed.samples);
-    Profile& profile = session.profile();
     profile.reset();
     const Stopwatch time;
-    render(session.context(), session.wave(), film, profile, control);
+    render(session.context(), tracer, film, profile, control);
     const double seconds = time.seconds();
     profile.collect();
     return {seconds, profile.stages(), profile.rays, profile.shadowRays, profile.paths};
@@ -61,9 +60,13 @@ double occupancyOf(const std::string& stage, const Repeat& r, std::uint64_t slot
     return 1;
 }
 
-nlohmann::ordered_json measure(const Options& o, const Session& session, const std::vector<Repeat>& repeats) {
+double medianSeconds(const std::vector<Repeat>& repeats) {
+    return medianOf(repeats, [](const Repeat& r) { return r.seconds; });
+}
+
+nlohmann::ordered_json measure(const Options& o, const Session& session, const std::vector<Repeat>& repeats, const std::vector<Repeat>& loops) {
     const Repeat& first = repeats.front();
-    const double seconds = medianOf(repeats, [](const Repeat& r) { return r.seconds; });
+    const double seconds = medianSeconds(repeats);
     nlohmann::ordered_json json{{"scene", o.scene.path}, {"sceneHash", sceneHash(session.packed())}, {"device", session.context().device().name}, {"version", EIKONAL_VERSION},
                                 {"samples", session.packed().samples}, {"repeats", repeats.size()}, {"wavePaths", session.shape().wavePaths},
                                 {"localSize", session.shape().localSize}, {"run", session.shape().run}};
@@ -78,6 +81,7 @@ nlohmann::ordered_json measure(const Options& o, const Session& session, const s
     json["paths"] = first.paths;
     json["rays"] = first.rays;
     json["shadowRays"] = first.shadowRays;
+    if (!loops.empty()) json["loopSeconds"] = medianSeconds(loops);
     const auto rate = [&](std::uint64_t n) { return static_cast<double>(n) / seconds; };
     json["pathsPerSecond"] = rate(first.paths);
     json["raysPerSecond"] = rate(first.rays);
@@ -107,7 +111,10 @@ std::string asTable(const nlohmann::ordered_json& j) {
         text += fmt::format("{:<28}{:>9}{:>13}{:>10.3f}{:>8.1f}%{:>11.1f}{:>10.1f}%{:>7.1f}%\n", s["stage"].get<std::string>(), s["launches"].get<std::uint64_t>(), s["slots"].get<std::uint64_t>(),
                             s["seconds"].get<double>(), s["seconds"].get<double>() / std::max(all, 1e-12) * 100, s["nanosecondsPerSlot"].get<double>(), s["occupancy"].get<double>() * 100,
                             s["waveFill"].get<double>() * 100);
-    return text + fmt::format("{:<28}{:>32.3f}, of {:.3f} s of wall clock\n", "all stages", all, j["renderSeconds"].get<double>());
+    text += fmt::format("{:<28}{:>32.3f}, of {:.3f} s of wall clock\n", "all stages", all, j["renderSeconds"].get<double>());
+    if (j.contains("loopSeconds"))
+        text += fmt::format("one kernel with a loop: {:.3f} s, {:.2f} times as long\n", j["loopSeconds"].get<double>(), j["loopSeconds"].get<double>() / j["renderSeconds"].get<double>());
+    return text;
 }
 
 }  // namespace
@@ -119,9 +126,15 @@ int benchCommand(const Options& o) {
     session.load();
     session.pack(false);
     session.prepare();
-    std::vector<Repeat> repeats;
-    for (int i = 0; i < o.repeats; ++i) repeats.push_back(renderOnce(session));
-    const nlohmann::ordered_json json = measure(o, session, repeats);
+    std::vector<Repeat> repeats, loops;
+    Profile loopProfile;
+    const std::unique_ptr<Tracer> loop = o.loop ? session.makeLoop(loopProfile) : nullptr;
+    if (loop) renderOnce(session, *loop, loopProfile);   // some implementations compile on the way
+    for (int i = 0; i < o.repeats; ++i) {
+        repeats.push_back(renderOnce(session, session.wave(), session.profile()));
+        if (loop) loops.push_back(renderOnce(session, *loop, loopProfile));
+    }
+    const nlohmann::ordered_json json = measure(o, session, repeats, loops);
     std::fputs(asTable(json).c_str(), stdout);
     if (!o.jsonFile.empty()) {
         const std::string text = json.dump(2) + "\n";

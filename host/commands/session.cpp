@@ -4,6 +4,7 @@
 #include "commands/scene_loading.h"
 #include "commands/wait_notice.h"
 #include "pack/packer.h"
+#include "render/path_loop.h"
 #include "render/wave_queues.h"
 
 #include <fmt/format.h>
@@ -117,6 +118,10 @@ void Session::prepare() {
     for (const Stage& stage : stages_->all()) compiler_->keep(stage.kernel.program());
     times_.keep = keepTime.seconds();
     times_.firstRay = secondsSinceStart();
+}
+
+std::unique_ptr<Tracer> Session::makeLoop(Profile& profile) {
+    return std::make_unique<PathLoop>(*context_, *compiler_, *deviceScene_, packed_, shape_, buildSettingsFor(options_.device), profile);
 }
 
 std::string sceneHash(const PackedScene& scene) {

@@ -68,6 +68,8 @@ public:
     const StageShape& shape() const { return shape_; }
     const Stages& stages() const { return *stages_; }
     Wave& wave() { return *wave_; }
+    /// The same paths by one kernel that loops, compiled but for its first launch. Adds what it does to `profile`; lives no longer than this.
+    std::unique_ptr<Tracer> makeLoop(Profile& profile);
     Profile& profile() { return profile_; }
     const SessionTimes& times() const { return times_; }
     int compiledStages() const { return missing_; }   ///< how many were not in the cache before

@@ -159,6 +159,8 @@ TEST(Options, OtherCommands) {
     EXPECT_TRUE(parse("info a.pbrt --json").json);
     EXPECT_EQ(parse("bench a.pbrt --json f.json --repeats 3").jsonFile, "f.json");
     EXPECT_EQ(parse("bench a.pbrt --repeats 3").repeats, 3);
+    EXPECT_TRUE(parse("bench a.pbrt --loop").loop);
+    EXPECT_FALSE(parse("bench a.pbrt").loop);
     const Options cache = parse("cache --clear --warm a.pbrt b.pbrt");
     EXPECT_TRUE(cache.clearCache && cache.warmCache);
     EXPECT_THAT(cache.scenes, testing::ElementsAre("a.pbrt", "b.pbrt"));
