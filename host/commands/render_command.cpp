@@ -1,3 +1,4 @@
+#include "commands/available_memory.h"
 #include "commands/clock.h"
 #include "commands/commands.h"
 #include "commands/interrupt.h"
@@ -11,6 +12,7 @@
 
 #include <cstdio>
 #include <future>
+#include <optional>
 
 namespace eikonal {
 namespace {
@@ -74,6 +76,15 @@ void writeAll(const std::vector<std::string>& files, const FilmImage& image, con
     if (!problems.empty()) throw Error(ExitCode::scene, problems);
 }
 
+/// Throws an error if the film, and then the image beside it, would not fit: a program that is killed for memory loses what it has rendered.
+void checkMemory(const PackedScene& packed, const MemoryPlan& plan) {
+    const size_t needed = plan.tables + plan.queues + plan.film + plan.image, available = availableMemory();
+    if (needed <= available) return;
+    constexpr double gibibyte = 1 << 30;
+    throw Error(ExitCode::scene, fmt::format("{} x {} pixels take {:.1f} GiB of memory, and {:.1f} GiB are available; --pixelbounds renders parts, which join exactly",
+                                             packed.pixels.width(), packed.pixels.height(), static_cast<double>(needed) / gibibyte, static_cast<double>(available) / gibibyte));
+}
+
 }  // namespace
 
 int renderCommand(const Options& o) {
@@ -85,6 +96,7 @@ int renderCommand(const Options& o) {
     const std::vector<std::string> files = outputFiles(o.output, session.scene());
     session.pack(o.output.aovs.ofSurfaces());
     const PackedScene& packed = session.packed();
+    checkMemory(packed, session.plan());
     for (const std::string& file : files) checkWritable(file, session.plan().film / 2);
     diagnostics.info("memory to be taken: " + describe(session.plan()));
     auto hash = std::async(std::launch::async, [&] { return sceneHash(packed); });
@@ -92,19 +104,21 @@ int renderCommand(const Options& o) {
 
     const Interrupt interrupt;
     diagnostics.info(fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), packed.samples));
-    Film film(static_cast<int>(packed.frame().width), static_cast<int>(packed.frame().height), packed.pixels, packed.features);
+    std::optional<Film> film(std::in_place, static_cast<int>(packed.frame().width), static_cast<int>(packed.frame().height), packed.pixels, packed.features);
     const Stopwatch renderTime;
-    renderFilm(o, session, film);
+    renderFilm(o, session, *film);
     const double renderSeconds = renderTime.seconds();
     /* A signal counts if it cost samples, not if it comes while what is finished is written */
-    const int endedBy = film.samples().fewest < static_cast<unsigned>(packed.samples) ? Interrupt::signal() : 0;
-    reportShortfall(o, film, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
+    const unsigned samples = film->samples().fewest;
+    const int endedBy = samples < static_cast<unsigned>(packed.samples) ? Interrupt::signal() : 0;
+    reportShortfall(o, *film, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
 
     const Stopwatch writeTime;
-    FilmImage image = film.develop(packed);
+    FilmImage image = film->develop(packed);
+    film.reset();   // it may be most of the memory that there is
     if (!packed.features.has(Feature::SPECTRAL)) expose(image, session.scene().film);
     selectAovs(image, o.output.aovs);
-    writeAll(files, image, metadataOf(o, session, film.samples().fewest, renderSeconds, hash.get()), o.output.toneMapping);
+    writeAll(files, image, metadataOf(o, session, samples, renderSeconds, hash.get()), o.output.toneMapping);
     const double writeSeconds = writeTime.seconds();
     say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()));
     if (o.output.stats) std::fputs(describeRun(session, session.profile(), renderSeconds, writeSeconds).c_str(), stdout);

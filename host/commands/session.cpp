@@ -96,7 +96,8 @@ void Session::pack(bool aovs) {
 
 MemoryPlan Session::plan() const {
     const size_t pixels = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height());
-    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape_), pixels * static_cast<size_t>(filmLayout(packed_.features).words) * sizeof(uint)};
+    const size_t film = pixels * static_cast<size_t>(filmLayout(packed_.features).words) * sizeof(uint);
+    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape_), film, pixels * Film::developedBytes(packed_.features)};
 }
 
 void Session::prepare() {

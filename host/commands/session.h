@@ -40,6 +40,7 @@ struct MemoryPlan {
     size_t tables = 0;      ///< the scene, on the host and on the device
     size_t queues = 0;      ///< a wave of paths, on the device
     size_t film = 0;        ///< on the host
+    size_t image = 0;       ///< beside it, once it is developed
 };
 
 /// Warns of a scene whose image will be black, because nothing in it shines and its integrator needs light.

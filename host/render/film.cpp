@@ -81,6 +81,11 @@ void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
     }
 }
 
+size_t Film::developedBytes(const Features& features) {
+    const size_t always = sizeof(glm::vec3) + 2 * sizeof(float), ofSurfaces = 4 * sizeof(glm::vec3) + 3 * sizeof(float);
+    return always + (features.has(Feature::AOVS) ? ofSurfaces : 0);
+}
+
 FilmImage Film::develop(const PackedScene& scene) const {
     FilmImage image(width_, height_, {pixels_.x0, pixels_.x1, pixels_.y0, pixels_.y1});
     const size_t n = plane();

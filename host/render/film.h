@@ -24,6 +24,8 @@ public:
     void upload(const Context& context, const Buffer& tile, PixelRect part, int tileWidth, int tileHeight) const;
     void download(const Context& context, const Buffer& tile, PixelRect part, int tileWidth, int tileHeight);
 
+    /// Bytes a pixel of what develop returns.
+    static size_t developedBytes(const Features& features);
     /// The image so far: sums divided by weights. Distances and positions in the world of `scene`.
     FilmImage develop(const PackedScene& scene) const;
 

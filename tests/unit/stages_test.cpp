@@ -67,7 +67,7 @@ TEST_P(StageQueues, AreTheArgumentsOfItsKernel) {
     const StageCase& stage = GetParam();
     const std::string text = textOf(stage.name);
     std::smatch kernel;
-    ASSERT_TRUE(std::regex_search(text, kernel, std::regex("\nSTAGE " + stage.name + R"(\(([^{]*)\) \{)")));
+    ASSERT_TRUE(std::regex_search(text, kernel, std::regex("\n(?:TRACING_)?STAGE " + stage.name + R"(\(([^{]*)\) \{)")));
     EXPECT_EQ(queueArguments(kernel[1], true), stage.writes);
     /* What is not const may be read as well, where the list says so */
     Names readable = queueArguments(kernel[1], false);

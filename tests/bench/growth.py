@@ -1,0 +1,98 @@
+#!/usr/bin/env python3
+"""How cost grows: with triangles, with pixels, with samples, and with the length of a scene's text.
+
+    tests/bench/growth.py [--triangles 100000,1000000,10000000] [--program build/eikonal]
+
+Makes its own scenes (the grey terrain of paths.py). Prints three tables.
+"""
+
+import argparse
+import json
+import math
+import pathlib
+import random
+import re
+import subprocess
+import tempfile
+import time
+
+from paths import ROOT, run, write_terrain
+
+
+def bench(program, scene, folder, *more):
+    run([program, "bench", scene, "--repeats", 1, "--json", folder / "bench.json", "--quiet", *more])
+    return json.loads((folder / "bench.json").read_text())
+
+
+def memory_of(program, scene):
+    """Bytes: the scene's tables, the queues."""
+    done = subprocess.run([str(program), "info", str(scene), "--json"], capture_output=True, text=True, check=True)
+    memory = json.loads(done.stdout)["memory"]
+    return memory["tables"], memory["queues"]
+
+
+def triangles_table(o, folder):
+    print("| triangles | build, M triangles/s | bytes a triangle | ns a path | of it, for each doubling |\n|--:|--:|--:|--:|--:|")
+    last = None
+    for count in o.triangles:
+        scene = write_terrain(folder, round(math.sqrt(count / 2)))
+        j = bench(o.program, scene, folder, "--spp", 4)
+        tables, _ = memory_of(o.program, scene)
+        nanoseconds = 1e9 / j["pathsPerSecond"]
+        growth = f"{(nanoseconds - last[1]) / math.log2(count / last[0]):.0f}" if last else "-"
+        print(f"| {count} | {count / j['buildSeconds'] * 1e-6:.2f} | {tables / count:.0f} | {nanoseconds:.0f} | {growth} |", flush=True)
+        last = count, nanoseconds
+
+
+def first_ray(program, scene, *more):
+    """Seconds until the first ray, bytes of the queues."""
+    command = [program, "render", scene, "--stats", "--time-limit", "0.01", "-o", "/dev/null.exr"]
+    with tempfile.TemporaryDirectory() as name:
+        command[-1] = pathlib.Path(name) / "image.exr"
+        out = run(command + list(more))
+    return float(re.search(r"until the first ray\s+([\d.]+) s", out).group(1)), re.search(r"queues ([\d.]+ \w+)", out).group(1)
+
+
+def starts_table(o, folder):
+    """Samples matter to no start; of pixels, only the film's memory does. `info` says what is allocated; the first tile is not awaited."""
+    scene = write_terrain(folder, 100)
+    first_ray(o.program, scene)   # compiles
+    print("\n| image | samples a pixel | until the first ray, s | queues |\n|---|--:|--:|--:|")
+    for size, samples in (("512x512", 1), ("512x512", 1000000), ("16384x16384", 1), ("16384x16384", 1000000)):
+        window = ["--resolution", size, "--spp", samples]
+        if size != "512x512":
+            window += ["--pixelbounds", "0,64,0,64"] if o.crop else []
+        seconds, queues = first_ray(o.program, scene, *window)
+        print(f"| {size} | {samples} | {seconds:.2f} | {queues} |", flush=True)
+
+
+def text_table(o, folder):
+    """A mesh whose vertices are written out."""
+    numbers = random.Random(1)
+    print("\n| text, MB | read, s | MB/s |\n|--:|--:|--:|")
+    for count in (100000, 1000000):
+        points = " ".join(f"{numbers.uniform(-1, 1):.6f}" for _ in range(3 * count))
+        indices = " ".join(str(numbers.randrange(count)) for _ in range(3 * count))
+        scene = folder / "text.pbrt"
+        scene.write_text(f'Camera "perspective"\nWorldBegin\nLightSource "infinite"\nShape "trianglemesh" "point3 P" [ {points} ] "integer indices" [ {indices} ]\n')
+        size = scene.stat().st_size * 1e-6
+        out = run([o.program, "render", scene, "--stats", "--spp", 1, "--resolution", "16x16", "-o", folder / "image.exr"])
+        seconds = float(re.search(r"read the scene\s+([\d.]+) s", out).group(1))
+        print(f"| {size:.0f} | {seconds:.3f} | {size / seconds:.0f} |", flush=True)
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--triangles", type=lambda text: [int(n) for n in text.split(",")], default=[100000, 1000000, 10000000])
+    options.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "eikonal")
+    options.add_argument("--crop", action="store_true", help="of the large image, only 64 x 64 pixels")
+    o = options.parse_args()
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        triangles_table(o, folder)
+        starts_table(o, folder)
+        text_table(o, folder)
+
+
+if __name__ == "__main__":
+    main()
