@@ -112,7 +112,7 @@ DeviceInfo chooseDevice(const std::vector<DeviceInfo>& list, const std::string& 
     const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
     if (error == std::errc() && end == wanted.data() + wanted.size() && index < list.size()) return list[index];
     for (const DeviceInfo& d : list)
-        if (lower(d.name + " " + d.platformName).find(lower(wanted)) != std::string::npos) return d;
+        if (lower(d.name + " " + d.platformName + " " + d.version).find(lower(wanted)) != std::string::npos) return d;
     throw DeviceError(fmt::format("no OpenCL device is called \"{}\". There are:{}", wanted, listed));
 }
 

@@ -34,11 +34,13 @@ TEST(DeviceChoice, PrefersAGpuThenAProcessorAndNothingWithoutACompiler) {
 }
 
 TEST(DeviceChoice, GoesByNumberOrName) {
-    const std::vector<DeviceInfo> list{named("Alpha", true), named("Beta 2", false)};
+    std::vector<DeviceInfo> list{named("Alpha", true), named("Beta 2", false)};
     EXPECT_EQ(chooseDevice(list, "0").name, "Alpha");
     EXPECT_EQ(chooseDevice(list, "beta").name, "Beta 2");
     EXPECT_EQ(chooseDevice(list, "2").name, "Beta 2") << "no such number, but a part of a name";
     EXPECT_EQ(chooseDevice(list, "platform").name, "Alpha");
+    list[1].version = "OpenCL 3.0 PoCL";
+    EXPECT_EQ(chooseDevice(list, "pocl").name, "Beta 2") << "as its implementation is called";
     EXPECT_THAT(errorOf(list, "gamma"), AllOf(HasSubstr("no OpenCL device is called \"gamma\""), HasSubstr("\n  0  Alpha (Platform)\n  1  Beta 2 (Platform)")));
 }
 
