@@ -69,15 +69,17 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
 
     settings& frame = packed.frame();
     frame.seed = static_cast<uint>(scene.sampler.seed);
-    /* The indices of a tile's samples fit in 32 bits */
-    frame.sequence_sample_bits = static_cast<uint>(std::bit_width(static_cast<uint>(std::max(scene.sampler.pixelSamples, 1)) - 1));
-    frame.sequence_tile_bits = std::min(8u, (32 - frame.sequence_sample_bits) / 2);
+    if (scene.sampler.kind == SamplerKind::zsobol) {
+        /* The indices of a tile's samples fit in 32 bits */
+        frame.sequence_sample_bits = static_cast<uint>(std::bit_width(static_cast<uint>(std::max(scene.sampler.pixelSamples, 1)) - 1));
+        frame.sequence_tile_bits = std::min(8u, (32 - frame.sequence_sample_bits) / 2);
+    }
     frame.light_count = static_cast<uint>(packed.tables.light_aliases.size());
     frame.world_scale = static_cast<float>(packed.worldScale);
     frame.max_component_value = static_cast<float>(scene.film.maxComponentValue);
     packed.environments = static_cast<int>(packed.tables.environments.size());
     packed.samples = scene.sampler.pixelSamples;
-    if (scene.sampler.kind == SamplerKind::sobol) packed.require(Feature::SOBOL, scene.sampler.where.toString());
+    if (scene.sampler.kind != SamplerKind::independent) packed.require(Feature::SOBOL, scene.sampler.where.toString());
 
     SceneCounts& counts = packed.counts;
     counts.objects = scene.objects.size();

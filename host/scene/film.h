@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 
 namespace eikonal {
 
@@ -36,8 +37,13 @@ struct FilterDescription {
     SourceLocation where;
 };
 
-enum class SamplerKind { independent, sobol };
+/// independent: numbers that have nothing to do with each other. sobol: a low-discrepancy sequence for each pixel. zsobol: one for many pixels, so
+/// that blocks of pixels are as well sampled as pixels are, and the error that remains is blue noise.
+enum class SamplerKind { independent, sobol, zsobol };
+/// As --sampler names them.
+inline constexpr std::pair<const char*, SamplerKind> samplerNames[] = {
+    {"independent", SamplerKind::independent}, {"sobol", SamplerKind::sobol}, {"zsobol", SamplerKind::zsobol}};
 
-struct SamplerDescription { SamplerKind kind = SamplerKind::sobol; int pixelSamples = 16; int seed = 0; SourceLocation where; };
+struct SamplerDescription { SamplerKind kind = SamplerKind::zsobol; int pixelSamples = 16; int seed = 0; SourceLocation where; };
 
 }  // namespace eikonal

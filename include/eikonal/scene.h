@@ -144,8 +144,8 @@ typedef struct {
     filter pixel_filter;
     uint width, height;    /* of the whole image, pixels */
     uint seed;
-    uint sequence_sample_bits; /* low-discrepancy sampler: a pixel's samples are numbered with so many bits */
-    uint sequence_tile_bits;   /* and 2^bits x 2^bits pixels share a sequence; at most 8 */
+    uint sequence_sample_bits; /* SOBOL: where pixels share a sequence, the samples of each are numbered with so many bits */
+    uint sequence_tile_bits;   /* and 2^bits x 2^bits pixels share it; at most 8; 0: each pixel has its own */
     uint max_depth;        /* most scattering events on a path */
     color ambient;         /* AMBIENT_OCCLUSION: what arrives from where nothing is near */
     float ambient_distance; /* how near that is, scene units */

@@ -17,7 +17,7 @@ View view() {
     v.width = 24; v.height = 20;
     v.samples = 8;
     v.maxDepth = 6;
-    v.sampler = "sobol";
+    v.sampler = "zsobol";
     return v;
 }
 

@@ -45,11 +45,11 @@ const KindTable& filterKinds() {
 
 const KindTable& samplerKinds() {
     static const KindTable table("sampler", samplerParameters, {
-        {"zsobol", int(SamplerKind::sobol), "integer pixelsamples = 16"},
+        {"zsobol", int(SamplerKind::zsobol), "integer pixelsamples = 16"},
         {"paddedsobol", int(SamplerKind::sobol), "integer pixelsamples = 16"},
         {"sobol", int(SamplerKind::sobol), "integer pixelsamples = 16"},
         {"halton", int(SamplerKind::sobol), "integer pixelsamples = 16"},
-        {"pmj02bn", int(SamplerKind::sobol), "integer pixelsamples = 16"},
+        {"pmj02bn", int(SamplerKind::zsobol), "integer pixelsamples = 16"},
         {"stratified", int(SamplerKind::sobol), "integer xsamples = 4; integer ysamples = 4; bool jitter = true"},
         {"independent", int(SamplerKind::independent), "integer pixelsamples = 4"},
     });
