@@ -15,8 +15,8 @@ enum camera_dimension {
 
 /* For each bounce; the dimension is camera_dimensions + depth * bounce_dimensions + one of these. */
 enum bounce_dimension {
-    dimension_light,           /* 1D: which light */
-    dimension_light_point,     /* 2D: where on it */
+    dimension_light,           /* 1D: which light of a tree */
+    dimension_light_point,     /* 2D: which light of a few, and where on it */
     dimension_lobe,            /* 1D: which lobe of the BSDF */
     dimension_direction,       /* 2D: which direction of it */
     dimension_roulette,        /* 1D: whether to go on */

@@ -7,6 +7,10 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+#include <set>
+#include <vector>
+
 namespace eikonal {
 namespace {
 
@@ -57,6 +61,33 @@ TEST(LightSampler, LeavesAUniformRest) {
     }
     const ChiSquare chi = testChiSquare(counts, expected);
     EXPECT_GT(chi.probability, significance) << chi.describe();
+}
+
+/// Of 64 points of a low-discrepancy sequence, four lights that are equally likely get 16 each, and what is left of the first number makes of these
+/// again points with one in each of the 16 elementary intervals of every shape. Points that a number of its own had dealt to the lights would not be so.
+TEST(LightSampler, LeavesStrataToEachLight) {
+    struct Placed { int i; vec2 at; };
+    PackedScene scene;
+    scene.tables.light_aliases = makeAliasTable({1, 1, 1, 1});
+    scene.tables.frame.resize(1);
+    const DeviceScene onDevice(testContext(), scene);
+    const DeviceFunction<Placed> function({.include = "light/light.clh", .type = "placed",
+        .body = "vec2 u = sample_2d(seed, sample, 9u); alias_sample lot = sample_light_index(tables, 4u, u.x); result.i = lot.i; result.at = make_vec2(lot.rest, u.y);",
+        .inputs = {"uint seed", "uint sample"}, .declarations = "#include \"random.clh\"\ntypedef struct { int i; vec2 at; } placed;", .tables = "LIGHT_ARGUMENTS",
+        .features = Features().require(Feature::SOBOL)});
+    std::vector<uint> sample(64);
+    std::iota(sample.begin(), sample.end(), 0u);
+    for (uint seed = 1; seed <= 8; ++seed) {
+        const std::vector<Placed> placed = function.with(onDevice, std::vector<uint>(64, seed), sample);
+        for (uint a = 0; a <= 4; ++a) {
+            std::set<uint> cells;
+            for (const Placed& p : placed) {
+                const uint x = static_cast<uint>(p.at.x * static_cast<float>(1u << a)), y = static_cast<uint>(p.at.y * static_cast<float>(1u << (4 - a)));
+                cells.insert(16 * static_cast<uint>(p.i) + (y << a) + x);
+            }
+            EXPECT_EQ(cells.size(), 64u) << "seed " << seed << " a " << a;
+        }
+    }
 }
 
 }  // namespace

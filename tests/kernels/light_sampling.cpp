@@ -14,7 +14,7 @@ static const DeviceFunction<LightResult>& sampler() {
         if (tables.lights[found.light].kind == kind_portal_environment) found = sample_portal(tables, fetch(tables.lights + found.light), p, v, found);
         light_sample s = sample_light(tables, colors, found, p, v);
         result.L = s.L; result.wi = s.wi; result.distance = s.distance; result.pdf = s.pdf; result.is_delta = s.is_delta;
-        result.index = sample_light_index(tables, count, u);
+        result.index = (uint)sample_light_index(tables, count, u).i;
         light l = fetch(tables.lights + result.index);
         surface at;
         at.p = mul_add(s.wi, s.distance, p);
