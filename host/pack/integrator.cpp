@@ -22,6 +22,14 @@ bool samplesLights(const IntegratorDescription& integrator) {
     if (integrator.kind == IntegratorKind::randomWalk) return false;
     return integrator.kind != IntegratorKind::simplePath || integrator.sampleLights;
 }
+bool followsBsdfs(const IntegratorDescription& integrator) {
+    switch (integrator.kind) {
+        case IntegratorKind::volpath: case IntegratorKind::path: case IntegratorKind::direct: return true;
+        case IntegratorKind::simplePath: return integrator.sampleBsdf;
+        case IntegratorKind::whitted: case IntegratorKind::ambientOcclusion: case IntegratorKind::randomWalk: return false;
+    }
+    return false;
+}
 
 /// The most scattering events that the field `depth` of a ray has room for beside the number of its branch (kernels/dimension.clh).
 constexpr int mostTreeDepth = 0xffff;

@@ -36,8 +36,10 @@ public:
     }
 
 private:
+    /// Whether the light sampler takes it for a light that is infinitely far away. A sky that is the same everywhere it leaves alone, if paths follow BSDFs: that is
+    /// the best way to sample it, and a light sample in any direction would only be missed elsewhere (as in pbrt-v4; Karlík et al. 2019, "MIS compensation").
+    bool isInfinite(const ConstantInfiniteLight&) const { return !followsBsdfs(packer_.scene.integrator); }
     static bool isInfinite(const DistantLight&) { return true; }
-    static bool isInfinite(const ConstantInfiniteLight&) { return true; }
     static bool isInfinite(const ImageInfiniteLight&) { return true; }
     static bool isInfinite(const PortalInfiniteLight&) { return true; }
     template <class Kind> static bool isInfinite(const Kind&) { return false; }
@@ -81,7 +83,7 @@ private:
     void add(const Light& d, const ConstantInfiniteLight& k) {
         const light l = newLight(kind_constant_environment, packEmission(packer_, k.L, d.scale));
         tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
-        push(d, l, 4 * M_PI * M_PI * sceneRadius() * sceneRadius() * luminanceOf(k.L, d.scale), Feature::LIGHT_CONSTANT_ENVIRONMENT);
+        push(d, l, isInfinite(k) ? 4 * M_PI * M_PI * sceneRadius() * sceneRadius() * luminanceOf(k.L, d.scale) : 0, Feature::LIGHT_CONSTANT_ENVIRONMENT);
     }
 
     template <class Kind> void addImageLight(const Light& d, const Kind& k, Feature feature) {

@@ -43,6 +43,8 @@ struct Packer {
 bool countsMedia(const IntegratorDescription&);
 bool countsMaterials(const IntegratorDescription&);   ///< and lights
 bool samplesLights(const IntegratorDescription&);
+/// Whether paths scatter as BSDFs do from every surface, so that they find by themselves what shines from everywhere.
+bool followsBsdfs(const IntegratorDescription&);
 
 /// The integrator's numbers; warns of what it stands for, and of media that it leaves out.
 void packIntegrator(Packer&, bool hasUnusedMedia);

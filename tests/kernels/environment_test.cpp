@@ -107,6 +107,8 @@ TEST(ImageEnvironment, BesideOtherLights) {
         else l.kind = ImageInfiniteLight{0};
         description.lights.push_back(l);
     }
+    description.integrator.kind = IntegratorKind::simplePath;
+    description.integrator.sampleBsdf = false;   /* so that all are sampled */
     Diagnostics diagnostics(LogLevel::silent);
     const PackedScene scene = packScene(description, diagnostics);
     for (const light& l : scene.tables.lights) EXPECT_GE(l.resolution, 1u) << "an index modulo nothing";

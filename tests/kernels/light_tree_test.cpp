@@ -36,7 +36,7 @@ std::string crowd(int count) {
         }
         text += " AttributeEnd\n";
     }
-    return text + "LightSource \"infinite\" LightSource \"distant\" Shape \"sphere\" \"float radius\" 4";
+    return text + "LightSource \"infinite\" \"string filename\" \"" EIKONAL_SOURCE_DIR "/scenes/assets/tiles.png\" LightSource \"distant\" Shape \"sphere\" \"float radius\" 4";
 }
 
 struct Chosen { uint light; float pmf, again; };

@@ -125,6 +125,25 @@ TEST_F(Pack, IntegratorsThatSampleNoLightsHaveNone) {
     EXPECT_TRUE(packScene(read("Integrator \"simplepath\"" + lights), diagnostics).features.has(Feature::LIGHTS));
 }
 
+// A sky that is the same everywhere is sampled by no light sampler where paths follow BSDFs: all samples go to the lamps, and without lamps there are none.
+TEST_F(Pack, PathsFindAnEvenSkyByThemselves) {
+    const std::string sky = "\nWorldBegin\nLightSource \"infinite\" \"rgb L\" [1 2 3]\n", lamp = "LightSource \"point\"\nShape \"sphere\"";
+    Diagnostics diagnostics(LogLevel::silent, true);
+    for (const char* integrator : {"\"path\"", "\"volpath\"", "\"volpath\" \"string lightsampler\" \"bvh\"", "\"volpath\" \"string lightsampler\" \"uniform\"", "\"direct\"", "\"simplepath\""}) {
+        const PackedScene alone = packScene(read("Integrator " + std::string(integrator) + sky + "Shape \"sphere\""), diagnostics);
+        EXPECT_FALSE(alone.features.has(Feature::LIGHTS)) << integrator;
+        EXPECT_EQ(alone.environments, 1) << integrator;
+        const PackedScene both = packScene(read("Integrator " + std::string(integrator) + sky + lamp), diagnostics);
+        ASSERT_EQ(both.tables.lights.size(), 2u) << integrator;
+        for (const light& l : both.tables.lights) EXPECT_EQ(l.pmf, l.kind == kind_point_light ? 1 : 0) << integrator;
+        EXPECT_EQ(both.frame().infinite_count, 0u) << integrator;
+    }
+    for (const char* integrator : {"\"whitted\"", "\"simplepath\" \"bool samplebsdf\" false"}) {
+        const PackedScene both = packScene(read("Integrator " + std::string(integrator) + sky + lamp), diagnostics);
+        for (const light& l : both.tables.lights) EXPECT_GT(l.pmf, 0) << integrator;
+    }
+}
+
 // A tree looks at all lights, but of many at one.
 TEST_F(Pack, TreesLookAtAllOfAFewLights) {
     Diagnostics diagnostics(LogLevel::silent, true);
