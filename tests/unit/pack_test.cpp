@@ -125,6 +125,22 @@ TEST_F(Pack, IntegratorsThatSampleNoLightsHaveNone) {
     EXPECT_TRUE(packScene(read("Integrator \"simplepath\"" + lights), diagnostics).features.has(Feature::LIGHTS));
 }
 
+// Pixels that share a sequence take as many of its points as they have samples, rounded up to a power of two, and points are numbered in 32 bits.
+TEST_F(Pack, PixelsShareASequenceForBlueNoise) {
+    const auto frameOf = [&](const std::string& sampler) {
+        Diagnostics diagnostics(LogLevel::silent, true);
+        const PackedScene scene = packScene(read("Sampler " + sampler + "\nWorldBegin\nShape \"sphere\""), diagnostics);
+        EXPECT_EQ(scene.features.has(Feature::SOBOL), sampler.find("independent") == std::string::npos) << sampler;
+        return std::pair(scene.frame().sequence_sample_bits, scene.frame().sequence_tile_bits);
+    };
+    EXPECT_EQ(frameOf("\"independent\" \"integer pixelsamples\" 64"), std::pair(0u, 0u));
+    EXPECT_EQ(frameOf("\"sobol\" \"integer pixelsamples\" 64"), std::pair(0u, 0u));
+    EXPECT_EQ(frameOf("\"zsobol\" \"integer pixelsamples\" 1"), std::pair(0u, 8u));
+    EXPECT_EQ(frameOf("\"zsobol\" \"integer pixelsamples\" 64"), std::pair(6u, 8u));
+    EXPECT_EQ(frameOf("\"zsobol\" \"integer pixelsamples\" 65"), std::pair(7u, 8u));
+    EXPECT_EQ(frameOf("\"zsobol\" \"integer pixelsamples\" 1000000"), std::pair(20u, 6u));
+}
+
 // A sky that is the same everywhere is sampled by no light sampler where paths follow BSDFs: all samples go to the lamps, and without lamps there are none.
 TEST_F(Pack, PathsFindAnEvenSkyByThemselves) {
     const std::string sky = "\nWorldBegin\nLightSource \"infinite\" \"rgb L\" [1 2 3]\n", lamp = "LightSource \"point\"\nShape \"sphere\"";
