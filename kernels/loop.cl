@@ -106,7 +106,7 @@ TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT
                     else if (HAS_AMBIENT_OCCLUSION && f.hop == hop_occlusion) {
                         hit_item h = make_hit(g, r, f, s, material_set.materials[f.material]);
                         out.shadow = shade_occlusion(color_set, frame, h, 1);
-                        if (HAS_AOVS) store_first_surface(g, path, capacity, r, f, s);
+                        if (HAS_AOVS) store_first_surface(g, frame, path, capacity, r, f, s);
                         if (HAS_AOVS) STORE_FIELD(path, spectrum, albedo, path, capacity, r.path, seen_albedo(h, uniform_spectrum(1.0f)));
                     } else if (f.hop < hop_miss) {
                         material m = material_set.materials[f.material];
@@ -121,7 +121,7 @@ TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT
                             if (more.ray.t_max >= 0.0f) waiting[rays++] = more.ray;
                             meet_light(g, tables, medium_set, color_set, path, capacity, more.shadow);
                         }
-                        if (HAS_AOVS && r.depth == 0) store_first_surface(g, path, capacity, r, f, s);
+                        if (HAS_AOVS && r.depth == 0) store_first_surface(g, frame, path, capacity, r, f, s);
                         if (HAS_AOVS && !h.seen) {
                             kept_albedo k = albedo_any(bsdf_set, path_palette(color_set, h.seed, h.sample), hit, capacity, slot, f.hop);
                             if (k.is) STORE_FIELD(path, spectrum, albedo, path, capacity, r.path, seen_albedo(h, k.albedo));

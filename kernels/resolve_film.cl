@@ -57,6 +57,8 @@ FN film_item add_sample(film_item f, path_item p, palette colors, __global const
     f.normal = mul_add(p.normal, p.weight, f.normal);
     f.ng = mul_add(p.ng, p.weight, f.ng);
     f.position = add(f.position, p.position);
+    f.opening = add(f.opening, p.opening);
+    f.closing = add(f.closing, p.closing);
     f.distance += p.distance < FAR_AWAY ? p.distance : 0.0f;
     f.seen += p.distance < FAR_AWAY ? 1.0f : 0.0f;
     candidate object = vote(f.object, f.object_lead, p.object), material = vote(f.material, f.material_lead, p.material);

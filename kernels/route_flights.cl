@@ -83,7 +83,7 @@ TRACING_STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUME
             hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m));
             if (HAS_DIFFUSION) h = place_probe(material_set, color_set, m, h);
             store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
-            if (HAS_AOVS && r.depth == 0) store_first_surface(g, path, capacity, r, f, s);
+            if (HAS_AOVS && r.depth == 0) store_first_surface(g, frame, path, capacity, r, f, s);
         }
     }
 }

@@ -124,7 +124,7 @@ int benchCommand(const Options& o) {
     if (!o.jsonFile.empty()) checkFileWritable(o.jsonFile, 0);
     Session session(o, diagnostics, true);
     session.load();
-    session.pack(false);
+    session.pack({});
     session.prepare();
     std::vector<Repeat> repeats, loops;
     Profile loopProfile;

@@ -44,7 +44,7 @@ static void warm(const Options& o, const std::string& scene, Diagnostics& diagno
     own.scene.path = scene;
     Session session(own, diagnostics);
     session.load();
-    session.pack(false);
+    session.pack({});
     session.prepare();
     print(fmt::format("{}: {} kernels, of which {} were compiled in {:.1f} s\n", scene, session.stages().all().size(), session.compiledStages(), session.times().compile));
 }

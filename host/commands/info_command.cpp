@@ -60,7 +60,7 @@ int infoCommand(const Options& o) {
     Diagnostics diagnostics(o.log, o.scene.strict);
     Session session(o, diagnostics);
     session.load(false);
-    session.pack(false);
+    session.pack({});
     const std::string text = o.json ? asJson(o, session.packed(), session.plan()).dump(2) + "\n" : asText(o, session.packed(), session.plan());
     std::fputs(text.c_str(), stdout);
     return static_cast<int>(ExitCode::success);

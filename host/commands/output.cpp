@@ -17,11 +17,21 @@ std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& 
     return files;
 }
 
+Aovs aovsOf(const OutputOptions& options, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
+    Aovs aovs = options.aovs;
+    if (film.gbuffer == GBuffer::none) return aovs;
+    if (std::ranges::none_of(files, holdsChannels))
+        diagnostics.warn(film.where, fmt::format("the further channels of film \"gbuffer\" are left out: only an EXR has such, and {} is none", fmt::join(files, ", ")));
+    else for (const AovName& each : aovNames) aovs.*each.asked = true;
+    return aovs;
+}
+
 void selectAovs(FilmImage& image, const Aovs& aovs) {
     if (!aovs.albedo) image.albedo.clear();
     if (!aovs.normal) image.normal.clear();
     if (!aovs.geometricNormal) image.geometricNormal.clear();
     if (!aovs.position) image.position.clear();
+    if (!aovs.motion) image.motion.clear();
     if (!aovs.depth) image.depth.clear();
     if (!aovs.object) image.object.clear();
     if (!aovs.material) image.material.clear();

@@ -7,6 +7,7 @@
 #include "commands/session.h"
 #include "commands/statistics.h"
 #include "film/exposure.h"
+#include "render/projection.h"
 
 #include <fmt/format.h>
 
@@ -94,7 +95,8 @@ int renderCommand(const Options& o) {
     Session session(o, diagnostics);
     session.load();
     const std::vector<std::string> files = outputFiles(o.output, session.scene());
-    session.pack(o.output.aovs.ofSurfaces());
+    const Aovs aovs = aovsOf(o.output, session.scene().film, files, diagnostics);
+    session.pack(aovs);
     const PackedScene& packed = session.packed();
     checkMemory(packed, session.plan());
     for (const std::string& file : files) checkWritable(file, session.plan().film / 2);
@@ -117,7 +119,8 @@ int renderCommand(const Options& o) {
     FilmImage image = film->develop(packed);
     film.reset();   // it may be most of the memory that there is
     if (!packed.features.has(Feature::SPECTRAL)) expose(image, session.scene().film);
-    selectAovs(image, o.output.aovs);
+    selectAovs(image, aovs);
+    if (session.scene().film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, packed);
     writeAll(files, image, metadataOf(o, session, samples, renderSeconds, hash.get()), o.output.toneMapping);
     const double writeSeconds = writeTime.seconds();
     say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()));

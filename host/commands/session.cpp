@@ -83,13 +83,14 @@ void Session::load(bool withDevice) {
     if (context_) shape_ = shapeFor(context_->device(), options_.device);
 }
 
-void Session::pack(bool aovs) {
+void Session::pack(const Aovs& aovs) {
     const Stopwatch time;
     packed_ = packScene(scene_, diagnostics_);
     warnOfDarkness(scene_, packed_, diagnostics_);
     scene_.shapes.clear();
     scene_.objects.clear();
-    if (aovs) packed_.require(Feature::AOVS, "--aov");
+    if (aovs.ofSurfaces()) packed_.require(Feature::AOVS, "--aov, or a film \"gbuffer\"");
+    if (aovs.motion && packed_.features.has(Feature::MOTION)) packed_.require(Feature::MOTION_VECTORS, "--aov, or a film \"gbuffer\"");
     times_.pack = time.seconds();
     times_.build = packed_.counts.buildSeconds;
 }

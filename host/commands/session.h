@@ -55,8 +55,8 @@ public:
 
     /// Reads the scene, while the device opens. Without a device, plan() supposes a processor.
     void load(bool withDevice = true);
-    /// Fills its tables, and forgets the scene's meshes; with aovs, the film keeps albedo, normal and depth.
-    void pack(bool aovs);
+    /// Fills its tables, and forgets the scene's meshes; the film keeps what `aovs` take.
+    void pack(const Aovs& aovs);
     /// What prepare() is going to allocate.
     MemoryPlan plan() const;
     /// Uploads the tables and compiles the kernels.

@@ -36,6 +36,7 @@ template <class Float, class Image> std::vector<ChannelView<Float>> channelsOf(I
     add3(image.normal, "N.X", "N.Y", "N.Z");
     add3(image.geometricNormal, "Ng.X", "Ng.Y", "Ng.Z");
     add3(image.position, "P.X", "P.Y", "P.Z");
+    if (!image.motion.empty()) for (int c : {0, 1}) channels.push_back({c ? "motion.Y" : "motion.X", &image.motion[0][c], 2});
     if (!image.depth.empty()) channels.push_back({"Z", image.depth.data(), 1, true});
     add1(image.object, "objectId");
     add1(image.material, "materialId");

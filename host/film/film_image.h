@@ -24,6 +24,7 @@ struct FilmImage {
     std::vector<glm::vec3> normal;     ///< of the first surface: shading normal, world space, unit length or zero
     std::vector<glm::vec3> geometricNormal;  ///< of the first surface, on the same side
     std::vector<glm::vec3> position;   ///< of the first surface, world space: mean over the samples that saw one; zero: none did
+    std::vector<glm::vec2> motion;     ///< pixels, x to the right and y down, that the first surface's point moves in the image while the shutter is open; zero: none
     std::vector<float> depth;          ///< distance to the first surface, world units; infinity: none
     std::vector<float> object;         ///< which object most samples saw: 1, 2, 3 ... in the order of the scene, shapes before instances; 0: none
     std::vector<float> material;       ///< which material most samples saw: 1, 2, 3 ...; 0: none

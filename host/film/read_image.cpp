@@ -75,6 +75,11 @@ FilmFile readImage(const std::string& path) {
     const auto has = [&](const char* name) { return find(spec, name) >= 0; };
     if (has("albedo.R") && has("albedo.G") && has("albedo.B")) image.albedo.resize(image.pixelCount());
     if (has("N.X") && has("N.Y") && has("N.Z")) image.normal.resize(image.pixelCount());
+    if (has("Ng.X") && has("Ng.Y") && has("Ng.Z")) image.geometricNormal.resize(image.pixelCount());
+    if (has("P.X") && has("P.Y") && has("P.Z")) image.position.resize(image.pixelCount());
+    if (has("motion.X") && has("motion.Y")) image.motion.resize(image.pixelCount());
+    if (has("objectId")) image.object.resize(image.pixelCount());
+    if (has("materialId")) image.material.resize(image.pixelCount());
     if (has("Z")) image.depth.resize(image.pixelCount());
     if (has("variance")) image.variance.resize(image.pixelCount());
     if (has("sampleCount")) image.sampleCount.resize(image.pixelCount());

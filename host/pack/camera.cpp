@@ -99,9 +99,13 @@ static void packView(Packer& packer) {
 
     view.scene_from_camera = toAffine(packer.space.sceneFromWorld() * description.worldFromCamera);
     view.times = shutterOf(packer.scene);
+    const Motion way(description.worldFromCamera, description.worldFromCameraAtEnd.value_or(description.worldFromCamera));
+    const TimeSpan seen = timesSeen(packer.scene);
+    packer.packed.sceneFromCamera = {packer.space.sceneFromWorld() * way.at(seen.from), packer.space.sceneFromWorld() * way.at((seen.from + seen.to) / 2),
+                                     packer.space.sceneFromWorld() * way.at(seen.to)};
     if (description.worldFromCameraAtEnd) {
         packer.packed.require(Feature::CAMERA_MOTION, description.where.toString());
-        view.moving = Motion(description.worldFromCamera, *description.worldFromCameraAtEnd).pack(packer.space, {});
+        view.moving = way.pack(packer.space, {});
     }
     view.lens_radius = static_cast<float>(description.lensRadius);
     view.focal_distance = static_cast<float>(description.focalDistance);

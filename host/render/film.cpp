@@ -1,5 +1,7 @@
 #include "render/film.h"
 
+#include "render/projection.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -63,6 +65,8 @@ static glm::vec3 meanDirection(const float* sum, size_t n, size_t i) {
 void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
     const size_t n = plane();
     for (auto* v : {&image.albedo, &image.normal, &image.geometricNormal, &image.position}) v->resize(n);
+    image.motion.resize(n);
+    const bool moves = layout_.field("opening").words > 0;
     for (auto* v : {&image.depth, &image.object, &image.material}) v->resize(n);
     const float *weight = floats("weight"), *albedo = floats("albedo"), *position = floats("position"), *distance = floats("distance"), *seen = floats("seen");
     for (size_t i = 0; i < n; ++i) {
@@ -75,7 +79,9 @@ void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
         image.depth[i] = std::numeric_limits<float>::infinity();
         if (!(seen[i] > 0)) continue;
         const double count = seen[i];
-        const glm::dvec3 p = glm::dvec3(position[i], position[n + i], position[2 * n + i]) / count;
+        const auto meanPoint = [&](const float* sum) { return glm::dvec3(sum[i], sum[n + i], sum[2 * n + i]) / count; };
+        const glm::dvec3 p = meanPoint(position);
+        image.motion[i] = glm::vec2(motionInImage(scene, moves ? meanPoint(floats("opening")) : p, moves ? meanPoint(floats("closing")) : p));
         image.position[i] = glm::vec3(p * scene.worldScale + scene.worldCenter);
         image.depth[i] = static_cast<float>(distance[i] / count * scene.worldScale);
     }

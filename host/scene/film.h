@@ -13,6 +13,9 @@ namespace eikonal {
 
 struct PixelBounds { int x0 = 0, x1 = 0, y0 = 0, y1 = 0; };  ///< x0 <= x < x1
 
+/// Whether the scene asks for further channels (pbrt-v4's film "gbuffer"), and the space of their positions and normals.
+enum class GBuffer { none, cameraSpace, worldSpace };
+
 struct FilmDescription {
     int width = 1280, height = 720;
     std::optional<std::array<double, 4>> cropWindow;     ///< x0 x1 y0 y1 in [0, 1]
@@ -23,6 +26,7 @@ struct FilmDescription {
     std::string sensor = "cie1931";                      ///< with iso, exposureTime and whiteBalance: spectra/sensor.h
     ColorSpace colorSpace = ColorSpace::srgb;            ///< of the image
     double maxComponentValue = 0;                        ///< > 0: samples are scaled down to it
+    GBuffer gbuffer = GBuffer::none;
     SourceLocation where;
 };
 

@@ -42,7 +42,8 @@
     F(AMBIENT_OCCLUSION, "an integrator that only looks for what is near") \
     F(TREE,             "an integrator that follows trees of rays") \
     F(UNIFORM_DIRECTIONS, "an integrator that knows of no better directions than uniform ones") \
-    F(AOVS,             "auxiliary image channels")
+    F(AOVS,             "auxiliary image channels") \
+    F(MOTION_VECTORS,   "the channel \"motion\", and a shape that moves")
 
 /* Calls F(FEATURE, name of the kind) for the kinds of each list. */
 #define FEATURE_OF_BSDF(name, FEATURE, PARAMETERS) KIND_FEATURE(FEATURE, #name)

@@ -20,6 +20,8 @@ CONTRACT_BEGIN
     F(q, vec3,     normal,       AOVS) \
     F(q, vec3,     ng,           AOVS) \
     F(q, vec3,     position,     AOVS)     /* sums over the samples that saw a surface ... */ \
+    F(q, vec3,     opening,      MOTION_VECTORS) /* where those surfaces' points are when the shutter opens ... */ \
+    F(q, vec3,     closing,      MOTION_VECTORS) /* ... and when it closes */ \
     F(q, float,    distance,     AOVS) \
     F(q, float,    seen,         AOVS)     /* ... and their number */ \
     F(q, uint,     object,       AOVS)     /* of most samples, by majority vote (Boyer and Moore 1991) ... */ \

@@ -146,6 +146,8 @@
     F(q, vec3,     normal,     AOVS)         /* of the first surface: shading normal */ \
     F(q, vec3,     ng,         AOVS)         /* its geometric normal, on the same side */ \
     F(q, vec3,     position,   AOVS)         /* its point that was hit */ \
+    F(q, vec3,     opening,    MOTION_VECTORS) /* where that point of the surface is when the shutter opens */ \
+    F(q, vec3,     closing,    MOTION_VECTORS) /* and when it closes */ \
     F(q, uint,     object,     AOVS)         /* which object of the scene it is, from 1; 0: none */ \
     F(q, uint,     material,   AOVS)         /* which material it has, from 1; 0: none */ \
     F(q, float,    distance,   AOVS)         /* to the first surface, scene units; FAR_AWAY: none */

@@ -80,6 +80,31 @@ TEST(Aovs, PositionsAndNormalsAreThoseOfTheWorld) {
     EXPECT_NEAR(std::abs(glm::dot(n, shading)), 1, 1e-5);
 }
 
+/// On a plane 4 away, of which a pixel of the 16 x 16 sees half a unit by half a unit: a square that goes 1 to the right and half a unit up in the
+/// motion's time goes 2 pixels and -1. A shutter that is open for half of it sees half; a camera that goes along with it, or an instance that goes the
+/// other way, none; and what stands still moves against the camera.
+TEST(Aovs, MotionIsHowFarPointsMoveInTheImage) {
+    const std::string along = " ActiveTransform EndTime Translate 1 .5 0 ActiveTransform All ", back = " ActiveTransform EndTime Translate -1 -.5 0 ActiveTransform All ";
+    const std::string square = "Shape \"bilinearmesh\" \"point3 P\" [-9 -9 0  9 -9 0  -9 9 0  9 9 0]\n", material = "LightSource \"point\" \"point3 from\" [0 0 -3] Material \"diffuse\"\n";
+    const auto motionOf = [&](const std::string& camera, const std::string& shutter, const std::string& world) {
+        View v = view(90, 16);
+        v.lookAt = "0 0 -4  0 0 0  0 1 0 " + camera;
+        v.more = "Camera \"perspective\" \"float fov\" 90 " + shutter;
+        PackedScene scene = packScene(sceneText(v, material + world));
+        scene.require(Feature::AOVS, "the test");
+        if (scene.features.has(Feature::MOTION)) scene.require(Feature::MOTION_VECTORS, "the test");
+        return render(std::move(scene)).image.motion[5 * 16 + 9];
+    };
+    const auto expectMotion = [](glm::vec2 found, double x, double y) { EXPECT_NEAR(found.x, x, 1e-3); EXPECT_NEAR(found.y, y, 1e-3); };
+    expectMotion(motionOf("", "", along + square), 2, -1);
+    expectMotion(motionOf("", "\"float shutteropen\" .25 \"float shutterclose\" .75", along + square), 1, -.5);
+    /* Camera transforms are those from the world */
+    expectMotion(motionOf(back, "", along + square), 0, 0);
+    expectMotion(motionOf(back, "", square), -2, 1);
+    expectMotion(motionOf("", "", "ObjectBegin \"a\"" + along + square + "ObjectEnd" + back + "ObjectInstance \"a\""), 0, 0);
+    expectMotion(motionOf("", "", ""), 0, 0);
+}
+
 /// Objects are numbered as the scene lists them, instances after shapes; materials likewise; a pixel's number is that of most samples.
 TEST(Aovs, ObjectsAndMaterialsHaveNumbers) {
     View v = view(60, 3);

@@ -82,6 +82,22 @@ TEST_F(Cli, AovsAreThereWhenAskedFor) {
     EXPECT_TRUE(none.albedo.empty() && none.normal.empty() && none.depth.empty() && none.variance.empty() && none.sampleCount.empty());
 }
 
+// pbrt-v4's film "gbuffer" asks for them all, in the camera's space unless it says otherwise; without an EXR that is said.
+TEST_F(Cli, AFilmMayAskForAovs) {
+    for (const char* space : {"camera", "world"}) {
+        std::string scene = tinyScene();
+        scene.replace(scene.find("\"rgb\""), 5, std::string("\"gbuffer\" \"string coordinatesystem\" \"") + space + "\"");
+        write("gbuffer.pbrt", scene);
+        ASSERT_EQ(run({"render", "gbuffer.pbrt", "-o", "a.exr"}).status, 0);
+        const FilmImage seen = image("a.exr");
+        ASSERT_FALSE(seen.albedo.empty() || seen.normal.empty() || seen.position.empty() || seen.motion.empty() || seen.object.empty() || seen.variance.empty());
+        EXPECT_NEAR(seen.position[seen.index(8, 6)].z, space == std::string("camera") ? 4 : 0, 0.1);
+    }
+    const Outcome run = this->run({"render", "gbuffer.pbrt", "-o", "a.png"});
+    EXPECT_EQ(run.status, 0);
+    EXPECT_THAT(run.error, HasSubstr("only an EXR has such"));
+}
+
 TEST_F(Cli, AovsNeedAnExr) {
     write("named.pbrt", "Film \"rgb\" \"string filename\" \"a.jpg\"\nWorldBegin\nShape \"sphere\"\n");
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"tiny.pbrt", "-o", "a.png", "-o", "a.jpg"}, {"named.pbrt"}}) {

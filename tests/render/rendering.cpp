@@ -49,7 +49,7 @@ PackedScene packScene(const std::string& text, ColorMode color) {
 
 Features surfaceFeatures() {
     using enum Feature;
-    const Features others = Features().require(SHAPE_CURVE).require(SHAPE_IMPLICIT).require(SPECTRAL).require(DISPERSION).require(MEDIA).require(AOVS).require(SOBOL).require(AMBIENT_OCCLUSION).require(TREE).require(UNIFORM_DIRECTIONS).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
+    const Features others = Features().require(SHAPE_CURVE).require(SHAPE_IMPLICIT).require(SPECTRAL).require(DISPERSION).require(MEDIA).require(AOVS).require(MOTION_VECTORS).require(SOBOL).require(AMBIENT_OCCLUSION).require(TREE).require(UNIFORM_DIRECTIONS).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
         .require(CAMERA_ORTHOGRAPHIC).require(CAMERA_SPHERICAL).require(CAMERA_REALISTIC).require(APERTURE).require(CAMERA_MOTION).require(MOTION)
         .require(LIGHT_IMAGE_ENVIRONMENT).require(TEXTURE_IMAGEMAP).require(TEXTURE_FBM).require(TEXTURE_WRINKLED).require(TEXTURE_WINDY).require(TEXTURE_MARBLE)
         .require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID).require(MEDIUM_RGBGRID).require(MEDIUM_CLOUD).require(MEDIUM_NANOVDB);
@@ -155,6 +155,7 @@ void expectSameBits(const FilmImage& a, const FilmImage& b, const std::string& w
     size_t otherChannels = 0;
     for (const auto& [x, y] : {std::pair(&a.albedo, &b.albedo), {&a.normal, &b.normal}, {&a.geometricNormal, &b.geometricNormal}, {&a.position, &b.position}})
         for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];
+    for (size_t i = 0; a.motion.size() == b.motion.size() && i < a.motion.size(); ++i) otherChannels += a.motion[i] != b.motion[i];
     for (const auto& [x, y] : {std::pair(&a.depth, &b.depth), {&a.object, &b.object}, {&a.material, &b.material}})
         for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];
     EXPECT_EQ(otherChannels, 0u) << what << ": values of other channels";

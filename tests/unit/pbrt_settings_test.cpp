@@ -68,6 +68,10 @@ TEST_F(PbrtSettings, films) {
     EXPECT_EQ(film.colorSpace, ColorSpace::rec2020);
     EXPECT_EQ(film.maxComponentValue, 10);
     EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_EQ(film.gbuffer, GBuffer::none);
+    EXPECT_EQ(settings("Film \"gbuffer\"").film.gbuffer, GBuffer::cameraSpace);
+    EXPECT_EQ(settings("Film \"gbuffer\" \"string coordinatesystem\" \"world\"").film.gbuffer, GBuffer::worldSpace);
+    EXPECT_THAT(errorOfSettings("Film \"gbuffer\" \"string coordinatesystem\" \"screen\""), HasSubstr("\"camera\" and \"world\""));
     EXPECT_THAT(errorOfSettings("Film \"rgb\" \"string sensor\" \"nikon_d85\""), HasSubstr("did you mean \"nikon_d850\"?"));
     EXPECT_THAT(errorOfSettings("Film \"rgb\" \"integer xresolution\" 0"), HasSubstr("it needs one at least"));
 }

@@ -25,6 +25,13 @@ void Settings::applyFilm(const Arguments& arguments) {
         throw SceneError(arguments.whereOf("sensor"), "there is no sensor \"" + film.sensor + "\"; " +
                                                           (near.empty() ? "cie1931 is the usual one" : "did you mean \"" + near + "\"?"));
     }
+    film.gbuffer = static_cast<GBuffer>(arguments.kind().value);
+    if (film.gbuffer != GBuffer::none) {
+        const std::string space = arguments.text("coordinatesystem");
+        if (space != "camera" && space != "world")
+            throw SceneError(arguments.whereOf("coordinatesystem"), "there is no coordinate system \"" + space + "\"; a film has \"camera\" and \"world\"");
+        if (space == "world") film.gbuffer = GBuffer::worldSpace;
+    }
     if (arguments.has("pixelbounds")) {
         const std::vector<int> bounds = arguments.integers("pixelbounds");
         expectCount(arguments, "pixelbounds", bounds, 4);

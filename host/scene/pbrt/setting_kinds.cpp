@@ -25,9 +25,9 @@ const KindTable& cameraKinds() {
 
 const KindTable& filmKinds() {
     static const KindTable table("film", filmParameters, {
-        {"rgb", 0, ""},
-        {"gbuffer", 0, "string coordinatesystem = camera", "\"rgb\" takes its place"},
-        {"spectral", 0, "integer nbuckets = 16; float lambdamin = 360; float lambdamax = 830", "\"rgb\" takes its place"},
+        {"rgb", int(GBuffer::none), ""},
+        {"gbuffer", int(GBuffer::cameraSpace), "string coordinatesystem = camera"},
+        {"spectral", int(GBuffer::none), "integer nbuckets = 16; float lambdamin = 360; float lambdamax = 830", "\"rgb\" takes its place"},
     });
     return table;
 }

@@ -1,0 +1,71 @@
+#include "render/projection.h"
+
+#include "pack/space.h"
+#include "scene/equal_area.h"
+
+#include <cmath>
+
+namespace eikonal {
+
+/// The film point of a realistic camera whose light comes from p through the middle of the stop. Near the axis a ray is linear in its film
+/// point x: height and slope behind each element are multiples of x (Pharr et al. 2016, section 6.4.1).
+static std::optional<glm::dvec2> filmPoint(const PackedScene& scene, glm::dvec3 p) {
+    struct Ray { double height, slope, z; };
+    Ray film{1, 0, 0}, slope{0, 1, 0};   /* those of height 1 and of slope 1 at the film: all others are sums of them */
+    double across = 0;                   /* the slope at the film of the ray from height 1 through the stop's middle */
+    double last = 0;
+    for (const lens_element& e : scene.tables.lens_elements) {
+        for (Ray* r : {&film, &slope}) {
+            r->height += r->slope * (e.z - r->z);
+            r->z = e.z;
+            /* n' u' = n u - h (n' - n) / R, where R is -radius: the centre of a convex element lies on the side of the film */
+            if (e.radius != 0) r->slope = (r->slope + r->height * (e.eta - 1) / e.radius) / e.eta;
+        }
+        if (e.radius == 0 && slope.height != 0) across = -film.height / slope.height;
+        last = e.z;
+    }
+    const double magnification = film.height + across * slope.height + (film.slope + across * slope.slope) * (p.z - last);
+    if (p.z <= last || magnification == 0) return std::nullopt;
+    return glm::dvec2(p) / magnification;
+}
+
+std::optional<glm::dvec2> pixelOf(const PackedScene& scene, glm::dvec3 p) {
+    const camera& view = scene.frame().view;
+    std::optional<glm::dvec2> screen;
+    switch (view.kind) {
+        case camera_orthographic: if (p.z > 0) screen = glm::dvec2(p); break;
+        case camera_realistic: screen = filmPoint(scene, p); break;
+        case camera_spherical:
+            if (p == glm::dvec3(0)) break;
+            if (view.equal_area) screen = squareFromDirection({p.x, p.z, p.y});
+            else {
+                const double turn = std::atan2(p.z, p.x) / (2 * M_PI);
+                screen = glm::dvec2(turn - std::floor(turn), std::acos(glm::clamp(p.y / glm::length(p), -1.0, 1.0)) / M_PI);
+            }
+            break;
+        default: if (p.z > 0) screen = glm::dvec2(p) / p.z;
+    }
+    if (!screen) return std::nullopt;
+    return (*screen - glm::dvec2(view.screen_x, view.screen_y)) / glm::dvec2(view.step_x, view.step_y);
+}
+
+glm::dvec2 motionInImage(const PackedScene& scene, glm::dvec3 opening, glm::dvec3 closing) {
+    const auto& [open, middle, close] = scene.sceneFromCamera;
+    const auto from = pixelOf(scene, transformPoint(glm::inverse(open), opening)), to = pixelOf(scene, transformPoint(glm::inverse(close), closing));
+    if (!from || !to) return glm::dvec2(0);
+    glm::dvec2 moved = *to - *from;
+    const camera& view = scene.frame().view;
+    const double width = scene.frame().width;
+    if (view.kind == camera_spherical && !view.equal_area) moved.x -= width * std::round(moved.x / width);
+    return moved;
+}
+
+void toCameraSpace(FilmImage& image, const PackedScene& scene) {
+    const glm::dmat4 cameraFromWorld = glm::inverse(scene.sceneFromCamera[1]) * SceneSpace{scene.worldCenter, 1 / scene.worldScale}.sceneFromWorld();
+    for (size_t i = 0; i < image.position.size(); ++i)
+        if (image.depth.empty() || std::isfinite(image.depth[i])) image.position[i] = glm::vec3(transformPoint(cameraFromWorld, image.position[i]));
+    for (auto* normals : {&image.normal, &image.geometricNormal})
+        for (glm::vec3& n : *normals) n = glm::vec3(transformNormal(cameraFromWorld, n));
+}
+
+}  // namespace eikonal
