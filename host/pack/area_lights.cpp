@@ -56,20 +56,39 @@ static light bilinearLight(const SceneTables& tables, const shape& s, size_t ele
     return l;
 }
 
-static light sphereLight(Packer& packer, const Shape& description, const shape& s, const Sphere& sphere, const glm::dmat4& m, const color& L) {
+static bool isWhole(const Sphere& sphere) { return sphere.zMin <= -sphere.radius && sphere.zMax >= sphere.radius && sphere.phiMax >= 360; }
+/// Whole, and still a sphere in the scene: from outside it is sampled by the cone that it fills.
+static bool isSeenAsASphere(const Sphere& sphere, const glm::dmat4& m) { return isWhole(sphere) && uniformScale(m) != 0; }
+
+static light sphereLight(const shape& s, const Sphere& sphere, const glm::dmat4& m, const color& L) {
     light l = newLight(kind_sphere_light, L);
-    const double scale = uniformScale(m), radius = sphere.radius * scale;
+    const double radius = sphere.radius * uniformScale(m);
     l.p = toVec3(transformPoint(m, glm::dvec3(0)));
     l.radius = static_cast<float>(radius);
     l.inverse_area = static_cast<float>(1 / (4 * M_PI * radius * radius));
     l.n = {s.flags & shape_reversed ? -1.0f : 1.0f, 0, 0};
-    const bool whole = sphere.zMin <= -sphere.radius && sphere.zMax >= sphere.radius && sphere.phiMax >= 360;
-    if (scale == 0 || !whole) {
-        packer.diagnostics.warnOnce("partial sphere light", description.where,
-                                    "a part of a sphere, or a sphere stretched to an ellipsoid, emits light but is not sampled as a light: expect noise");
-        l.pmf = 0;
-        l.inverse_area = 0;
+    return l;
+}
+
+static light ellipsoidLight(const shape& s, const Sphere& sphere, const glm::dmat4& m, const color& L) {
+    light l = newLight(kind_ellipsoid_light, L);
+    const glm::dvec3 a = transformVector(m, {sphere.radius, 0, 0}), b = transformVector(m, {0, sphere.radius, 0}), c = transformVector(m, {0, 0, sphere.radius});
+    l.p = toVec3(transformPoint(m, glm::dvec3(0)));
+    l.a = toVec3(a); l.b = toVec3(b); l.c = toVec3(c);
+    l.extent = static_cast<float>(std::clamp(sphere.phiMax, 0.0, 360.0) / 360);
+    const double low = std::clamp(sphere.zMin / sphere.radius, -1.0, 1.0), high = std::clamp(sphere.zMax / sphere.radius, -1.0, 1.0);
+    l.cos_inner = static_cast<float>(low);
+    l.cos_outer = static_cast<float>(high);
+    /* The area by quadrature: what the sampler's probability needs */
+    double area = 0;
+    constexpr int steps = 64;
+    for (int i = 0; i < steps * steps; ++i) {
+        const double phi = 2 * M_PI * l.extent * (i % steps + 0.5) / steps, z = low + (high - low) * (i / steps + 0.5) / steps, r = std::sqrt(1 - z * z);
+        const glm::dvec3 across = r * std::cos(phi) * glm::cross(b, c) + r * std::sin(phi) * glm::cross(c, a) + z * glm::cross(a, b);
+        area += glm::length(across) * 2 * M_PI * l.extent * (high - low) / (steps * steps);
     }
+    l.inverse_area = static_cast<float>(1 / area);
+    l.n = {((s.flags & shape_reversed) != 0) != swapsHandedness(m) ? -1.0f : 1.0f, 0, 0};
     return l;
 }
 
@@ -125,7 +144,7 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
         light l = std::visit(Overloaded{
             [&](const TriangleMesh&) { return triangleLight(tables, packed, e, L); },
             [&](const BilinearMesh&) { return bilinearLight(tables, packed, e, L); },
-            [&](const Sphere& q) { return sphereLight(packer, s, packed, q, m, L); },
+            [&](const Sphere& q) { return isSeenAsASphere(q, m) ? sphereLight(packed, q, m, L) : ellipsoidLight(packed, q, m, L); },
             [&](const Disk& q) { return diskLight(packed, q, m, L); },
             [&](const Cylinder& q) { return cylinderLight(packed, q, m, L); },
             [&](const CurveShape&) -> light { throw std::logic_error("curves do not emit"); },
@@ -149,7 +168,7 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
     if (hasPattern) packer.packed.require(Feature::LIGHT_PATTERN, why);
     packer.packed.require(std::visit(Overloaded{
         [](const TriangleMesh&) { return Feature::LIGHT_TRIANGLE; }, [](const BilinearMesh&) { return Feature::LIGHT_BILINEAR; },
-        [](const Sphere&) { return Feature::LIGHT_SPHERE; }, [](const Disk&) { return Feature::LIGHT_DISK; },
+        [&](const Sphere& q) { return isSeenAsASphere(q, m) ? Feature::LIGHT_SPHERE : Feature::LIGHT_ELLIPSOID; }, [](const Disk&) { return Feature::LIGHT_DISK; },
         [](const Cylinder&) { return Feature::LIGHT_CYLINDER; },
         [](const CurveShape&) -> Feature { throw std::logic_error("curves do not emit"); },
         [](const ImplicitSurface&) -> Feature { throw std::logic_error("implicit surfaces do not emit"); }}, s.kind), why);

@@ -47,6 +47,12 @@ LightBounds boundsOfLight(const light& l, double power) {
             shinesEverywhere();
             b.intensity /= 4;
             break;
+        case kind_ellipsoid_light: {
+            const glm::dvec3 c = toGlm(l.c), reach = glm::sqrt(x * x + y * y + c * c);
+            b.box = {p - reach, p + reach};
+            shinesEverywhere();
+            break;
+        }
         case kind_disk_light: {
             const glm::dvec3 reach = glm::sqrt(x * x + y * y);
             b.box = {p - reach, p + reach};

@@ -1,4 +1,4 @@
-/* Every light. One triangle, patch, sphere, disk or cylinder that emits is one light.
+/* Every light. One triangle, patch, sphere, ellipsoid, disk or cylinder that emits is one light.
    L(name, FEATURE).  A light called x is kernels/light/x.clh, which defines sample_x and pdf_x; environments also eval_x. */
 #ifndef EIKONAL_LIGHTS_H
 #define EIKONAL_LIGHTS_H
@@ -12,6 +12,7 @@ CONTRACT_BEGIN
     L(triangle_light,    LIGHT_TRIANGLE) \
     L(bilinear_light,    LIGHT_BILINEAR) \
     L(sphere_light,      LIGHT_SPHERE) \
+    L(ellipsoid_light,   LIGHT_ELLIPSOID) \
     L(disk_light,        LIGHT_DISK) \
     L(cylinder_light,    LIGHT_CYLINDER) \
     L(goniometric_light, LIGHT_GONIOMETRIC) \
@@ -30,6 +31,8 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
      triangle     p, a, b (edges from p), n, inverse_area, L
      bilinear     p, a, b, c (point(u, v) = p + u a + v b + u v c), n (of a flat one), L
      sphere       p (centre), radius, inverse_area, n.x (1: emits outwards, -1: inwards), L
+     ellipsoid    p (centre), a, b, c (half axes), extent, cos_inner, cos_outer (from which part of the axis c to which, in [-1, 1]), n.x (the side that emits:
+                  1 that of dp/dphi x dp/dz, or -1), inverse_area (of all of it), L; a part of a sphere is one, too
      disk         p (centre), a, b (radii: point = p + x a + y b), radius (of its hole, 1: all of it), extent, n, inverse_area, L
      cylinder     p (centre of the end at z_min), a, b (radii), c (axis: point = p + cos a + sin b + v c), extent, n.x (the side that
                   emits: 1 that of dp/dphi x c, or -1), inverse_area (of all of it), L
@@ -46,7 +49,7 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
     F(uint,     invisible)    /* 1: an area that no ray hits, since its alpha is 0: only light sampling finds it */ \
     F(float,    pmf)          /* probability with which the light sampler picks this light, or the tree that it is in; 0: only BSDF sampling finds it */ \
     F(float,    inverse_area) \
-    F(float,    extent)       /* disk, cylinder: how much of the circle there is, in (0, 1] */ \
+    F(float,    extent)       /* ellipsoid, disk, cylinder: how much of the circle there is, in (0, 1] */ \
     F(vec3,     p) \
     F(vec3,     a) \
     F(vec3,     b) \

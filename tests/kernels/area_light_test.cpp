@@ -83,6 +83,22 @@ AreaCase cylinderCase(bool part) {
     return {part ? "cylinder_part_inwards" : "cylinder", l, surface, glm::dvec3(0), {{0.05f, 0.2f, 0.8f}, {1.5f, -1, 0.7f}, {0, 20, 30}}};
 }
 
+/// An ellipsoid, or a part of a mirrored one that shines inwards.
+AreaCase ellipsoidCase(bool part) {
+    light l = newLight(kind_ellipsoid_light);
+    l.p = {0, 0.1f, 0.2f}; l.a = {0.8f, 0, 0.1f}; l.b = {0, part ? -0.5f : 0.5f, 0.1f}; l.c = {0.1f, 0.2f, 1.1f};
+    l.extent = part ? 0.6f : 1.0f;
+    l.cos_inner = part ? -0.4f : -1.0f;
+    l.cos_outer = part ? 0.8f : 1.0f;
+    l.n = {part ? -1.0f : 1.0f, 0, 0};
+    const double low = l.cos_inner, high = l.cos_outer, extent = l.extent;
+    const auto surface = [=](double u, double v) {
+        const double phi = 2 * M_PI * u * extent, z = low + v * (high - low), r = std::sqrt(std::max(1 - z * z, 0.));
+        return toGlm(l.p) + r * std::cos(phi) * toGlm(l.a) + r * std::sin(phi) * toGlm(l.b) + z * toGlm(l.c);
+    };
+    return {part ? "ellipsoid_part_inwards" : "ellipsoid", l, surface, glm::dvec3(0), {{0.05f, 0.2f, part ? 0.3f : 1.8f}, {1.5f, -1, 0.7f}, {0, 20, 30}}};
+}
+
 class AreaLights : public testing::TestWithParam<AreaCase> {};
 
 /// Functions of direction whose integrals over the light, as seen from a point, are compared: 1 (its solid angle) and some of the
@@ -100,8 +116,9 @@ std::array<double, momentCount> integrate(const AreaCase& c, glm::dvec3 p) {
             const double u = (i + 0.5) / steps, v = (j + 0.5) / steps;
             const glm::dvec3 q = c.surface(u, v), du = (c.surface(u + h, v) - c.surface(u - h, v)) / (2 * h), dv = (c.surface(u, v + h) - c.surface(u, v - h)) / (2 * h);
             glm::dvec3 area = glm::cross(du, dv);
-            if (c.l.kind == kind_cylinder_light) area *= c.l.n.x;
-            const glm::dvec3 side = c.l.kind == kind_cylinder_light ? area : c.l.kind == kind_sphere_light ? (q - toGlm(c.l.p)) * static_cast<double>(c.l.n.x) : c.outward;
+            const bool isRound = c.l.kind == kind_cylinder_light || c.l.kind == kind_ellipsoid_light;
+            if (isRound) area *= c.l.n.x;
+            const glm::dvec3 side = isRound ? area : c.l.kind == kind_sphere_light ? (q - toGlm(c.l.p)) * static_cast<double>(c.l.n.x) : c.outward;
             if (glm::dot(area, side) < 0) area = -area;
             const glm::dvec3 to = q - p;
             const double distance = glm::length(to), facing = -glm::dot(area, to) / distance;
@@ -156,6 +173,12 @@ TEST_P(AreaLights, SamplesLieOnTheLight) {
             ASSERT_NEAR(std::hypot(local.x, local.y), 1, 1e-5);
             ASSERT_NEAR(local.z, 0.5, 0.5 + 1e-5);
         }
+        else if (c.l.kind == kind_ellipsoid_light) {
+            const glm::dvec3 local = glm::inverse(glm::dmat3(toGlm(c.l.a), toGlm(c.l.b), toGlm(c.l.c))) * q;
+            ASSERT_NEAR(glm::length(local), 1, 1e-5);
+            ASSERT_GT(local.z, c.l.cos_inner - 1e-5f);
+            ASSERT_LT(local.z, c.l.cos_outer + 1e-5f);
+        }
         else if (c.name != "bilinear_curved") ASSERT_NEAR(glm::dot(q, c.outward), 0, 2e-6);
         else {
             /* A saddle: z = u v / 2, with u and v from x and y */
@@ -168,7 +191,7 @@ TEST_P(AreaLights, SamplesLieOnTheLight) {
 /// From behind, light that is emitted on one side only does not arrive.
 TEST_P(AreaLights, OneSideIsDark) {
     const AreaCase& c = GetParam();
-    if (c.l.kind == kind_sphere_light || c.l.kind == kind_cylinder_light || c.name == "bilinear_curved") GTEST_SKIP() << "has no plane to be behind of";
+    if (c.l.kind == kind_sphere_light || c.l.kind == kind_cylinder_light || c.l.kind == kind_ellipsoid_light || c.name == "bilinear_curved") GTEST_SKIP() << "has no plane to be behind of";
     Random random(43);
     const auto u = generate(64, [&] { return random.unit(); });
     const auto v = generate(64, [&] { return random.square(); });
@@ -177,7 +200,7 @@ TEST_P(AreaLights, OneSideIsDark) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lights, AreaLights, testing::Values(triangleCase(false), triangleCase(true), bilinearCase(true), bilinearCase(false), sphereCase(false),
-                                                             sphereCase(true), diskCase(false), diskCase(true), cylinderCase(false), cylinderCase(true)), [](const auto& info) { return info.param.name; });
+                                                             sphereCase(true), diskCase(false), diskCase(true), cylinderCase(false), cylinderCase(true), ellipsoidCase(false), ellipsoidCase(true)), [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace eikonal

@@ -20,6 +20,7 @@ static const DeviceFunction<LightResult>& sampler() {
         at.p = mul_add(s.wi, s.distance, p);
         at.ng = l.n;
         at.uv = v;
+        if (l.kind == kind_ellipsoid_light) at.ng = normalize3(ellipsoid_light_across(l, ellipsoid_light_point(l, v)));
         if (l.kind == kind_cylinder_light) at.ng = normalize3(cylinder_light_across(l, unit_circle(v.x * l.extent)));
         if (l.kind == kind_sphere_light) at.ng = mul(sub(mul_add(s.wi, s.distance, p), l.p), 1.0f / l.radius);
         if (l.kind == kind_bilinear_light) at.ng = normalize3(cross3(mul_add(l.c, v.y, l.a), mul_add(l.c, v.x, l.b)));

@@ -53,6 +53,17 @@ TEST(Light, ASphere) {
     expectRadiance(onTheFloor(emitter("Translate 0 2 0 Shape \"sphere\" \"float radius\" .8")), rho * Le * 0.16);
 }
 
+// A dome around the point that shines inwards, from height a up, is a cap of the sky: E = pi L (1 - (a / R)^2), and a fourth of it missing in the round.
+// Squashed to half its height: its rim of radius R sqrt(3) / 2 is at the height R / 4. Its power is that of the area that there is.
+TEST(Light, APartOfASphereOrAnEllipsoid) {
+    const std::string dome = "ReverseOrientation Rotate -90 1 0 0 ", part = "Shape \"sphere\" \"float radius\" 3 \"float zmin\" 1.5";
+    expectRadiance(onTheFloor(emitter(dome + part)), rho * Le * .75);
+    expectRadiance(onTheFloor(emitter(dome + part + " \"float phimax\" 270")), rho * Le * .75 * .75);
+    expectRadiance(onTheFloor(emitter(dome + "Scale 1 1 .5 " + part)), rho * Le * (.75 / (.75 + 1. / 16)));
+    expectRadiance(onTheFloor(emitter(dome + "Scale 1 -1 .5 " + part, "\"bool twosided\" true")), rho * Le * (.75 / (.75 + 1. / 16)));
+    expectRadiance(onTheFloor(emitter(dome + part, "\"float power\" 100")), rho * Le * .75 * 100 / (pi * 2 * pi * 3 * 1.5));
+}
+
 // A wall around the point, from height a to b at distance R, fills a band of angles: E = pi L (sin^2 - sin^2) = pi L R^2 (1 / (R^2 + a^2) - 1 / (R^2 + b^2))
 // where it is whole, and as much of that as of the circle. Its outside does not shine.
 TEST(Light, ACylinder) {
