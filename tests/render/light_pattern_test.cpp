@@ -18,6 +18,10 @@ const std::string leftHalf = "Texture \"half\" \"float\" \"checkerboard\" \"floa
 const std::string rectanglePatch = "Shape \"bilinearmesh\" \"point3 P\" [0 1 0  1.2 1 0  0 1 .7  1.2 1 .7] ";
 const std::string rectangleTriangles = "Shape \"trianglemesh\" \"point3 P\" [0 1 0  1.2 1 0  1.2 1 .7  0 1 .7] \"point2 uv\" [0 0  1 0  1 1  0 1] \"integer indices\" [0 1 2 0 2 3] ";
 
+/// As in light_test.cpp: a wall around the point, from height .5 to 3 at distance 3.
+const std::string wallAround = "ReverseOrientation Rotate -90 1 0 0 Shape \"cylinder\" \"float radius\" 3 \"float zmin\" .5 \"float zmax\" 3 ";
+constexpr double wallBand = 9 / (9 + .25) - 9 / (9 + 9.);
+
 // Where alpha is 0 nothing shines: half of a rectangle; half of a disk or a sphere above the floor, by symmetry; and any alpha between takes its share.
 TEST(LightPattern, WhatIsCutOutIsDark) {
     const std::string half = "\"texture alpha\" \"half\"";
@@ -28,6 +32,7 @@ TEST(LightPattern, WhatIsCutOutIsDark) {
     }
     expectRadiance(onTheFloor(leftHalf + emitter("Translate 0 2 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" 1.5 " + half)), rho * Le * 2.25 / (2.25 + 4) / 2);
     expectRadiance(onTheFloor(leftHalf + emitter("Translate 0 2 0 Rotate 90 1 0 0 Shape \"sphere\" \"float radius\" .8 " + half)), rho * Le * 0.16 / 2);
+    expectRadiance(onTheFloor(leftHalf + emitter(wallAround + half)), rho * Le * wallBand / 2);
 }
 
 // Without its lower half (u < 1/2 is y > 0), a sphere that shines inside as well looks like a disk of its radius at its centre.
@@ -58,6 +63,14 @@ TEST(LightPattern, AnImageShinesWhereItIsBright) {
         const double elements = rectangle == rectangleTriangles ? 2 : 1;
         expectRadiance(lit("\"float power\" 3"), rho / pi * E / Le * 3. * elements / (pi * 1.2 * .7 * (0.2126 + 0.0722) / 2));
     }
+    /* Around the axis of a disk, a ball and a wall, on both sides: each colour takes half of the circle, and what one loses to the other at one end it gets at the other */
+    const auto round = [&](const std::string& shape) {
+        return onTheFloor(fmt::format("AttributeBegin AreaLightSource \"diffuse\" \"string filename\" \"{}\" \"float scale\" 4 \"bool twosided\" true Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n{}\nAttributeEnd", file.string(), shape));
+    };
+    const glm::dvec3 each = rho * Le * glm::dvec3(.5, 0, .5);
+    expectRadiance(round("Translate 0 2 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" 1.5"), each * (2.25 / (2.25 + 4)));
+    expectRadiance(round("Translate 0 2 0 Rotate 90 1 0 0 Shape \"sphere\" \"float radius\" .8"), each * .16);
+    expectRadiance(round(wallAround), each * wallBand);
     std::filesystem::remove(file);
 }
 
