@@ -1,0 +1,49 @@
+// Regularization: what it does to paths that are blurred already, and that it does nothing to the others.
+
+#include "rendering.h"
+
+#include <fmt/format.h>
+
+namespace eikonal {
+namespace {
+
+/// A floor point is looked at; above it hang a lamp of `material` around a point light and a slab of it, neither in view.
+Rendered lightOnTheFloor(const std::string& integrator, const std::string& material) {
+    View view;
+    view.lookAt = "0 1 -2  0 0 0  0 1 0";
+    view.samples = 1024;
+    view.more = "Integrator \"path\" \"integer maxdepth\" 4 " + integrator;
+    return render(sceneText(view, "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [30 30 30] Translate 0 2 0 Shape \"sphere\" \"float radius\" .3 AttributeEnd\n"
+        "Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5] AttributeBegin Rotate -90 1 0 0 Shape \"disk\" \"float radius\" 9 AttributeEnd\n"
+        "Material " + material + " AttributeBegin Translate 0 1.2 0 Shape \"sphere\" \"float radius\" .4 AttributeEnd\n"
+        "AttributeBegin Translate 1 1 0 Rotate 70 0 1 0 Shape \"disk\" \"float radius\" 1.5 AttributeEnd"), surfaces());
+}
+
+/// After the floor every path is blurred: a material is what it would be with pbrt-v4's wider microfacets (twice as wide, at least 0.1, at most 0.3; from
+/// 0.3 on as they are).
+TEST(Regularize, IsTheRougherMaterialAfterABlurredBounce) {
+    for (const char* material : {"\"conductor\" \"bool remaproughness\" false \"float roughness\" {}", "\"dielectric\" \"bool remaproughness\" false \"float roughness\" {}",
+                                 "\"coateddiffuse\" \"bool remaproughness\" false \"float roughness\" {}",
+                                 "\"coatedconductor\" \"bool remaproughness\" false \"float interface.roughness\" {0} \"float conductor.roughness\" {0}"})
+        for (const auto& [given, becomes] : {std::pair{0., .1}, {.12, .24}, {.4, .4}}) {
+            SCOPED_TRACE(fmt::format("{} of width {}", material, given));
+            expectEqualMeans(lightOnTheFloor("\"bool regularize\" true", fmt::format(fmt::runtime(material), given)), lightOnTheFloor("", fmt::format(fmt::runtime(material), becomes)), 0.03);
+        }
+}
+
+/// A point light in a mirror cannot be found by paths; a mirror that the camera sees, also in another, stays one: bit by bit the same image.
+TEST(Regularize, LeavesAloneWhatIsSeenSharp) {
+    const std::string mirrors = "LightSource \"infinite\" \"rgb L\" [.1 .5 .2] LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 0 -3]\n"
+        "Material \"conductor\" \"float roughness\" 0 Shape \"bilinearmesh\" \"point3 P\" [-1 -1 0  1 -1 0  -1 1 0  1 1 0]\n"
+        "Material \"dielectric\" \"float roughness\" 0 Translate .3 0 -6 Shape \"sphere\" \"float radius\" .5";
+    const auto seen = [&](const std::string& more) {
+        View view;
+        view.fov = 20;
+        view.more = "Integrator \"path\" \"integer maxdepth\" 6 " + more;
+        return render(sceneText(view, mirrors), surfaces()).image;
+    };
+    expectSameBits(seen(""), seen("\"bool regularize\" true"), "mirrors and glass");
+}
+
+}  // namespace
+}  // namespace eikonal
