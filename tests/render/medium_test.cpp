@@ -104,6 +104,16 @@ TEST(Medium, CloudsInGlassAndOnWhiteCannotBeSeenEither) {
     expectRadiance(look(sky + ball("cloud", "", 1) + ball("cloud", "cloud", .5, "\"diffuse\" \"rgb reflectance\" [1 1 1]"), 500), 1, 0.01);
 }
 
+// Ink in glass in haze, straight through the middle: what the boundaries let pass, R = 0.04 each, and what goes to and fro between them, is thinned by the ink
+// each time; the haze takes its share of the 3 before and the 4 behind.
+TEST(Medium, MediaInGlassInMediaFollowEachOther) {
+    View view;
+    const glm::dvec3 t = transmittance({.2, .5, 1}, 2);
+    const std::string text = "MakeNamedMedium \"haze\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [.02 .1 .05] \"rgb sigma_s\" [0 0 0]\nMediumInterface \"\" \"haze\"\n" +
+        sceneText(view, "MediumInterface \"\" \"haze\"\n" + wall + medium("ink", everyColour) + ball("ink", "haze", 1, "\"dielectric\" \"float eta\" 1.5"));
+    expectRadiance(render(text, media()), Le * transmittance({.02, .1, .05}, 7) * .96 * .96 * t / (1. - .0016 * t * t), 0.02);
+}
+
 // A grid of the same density everywhere is a homogeneous medium: well within its bounds, beyond whose outermost centres density and emission fall off.
 TEST(Medium, AnEvenGridIsHomogeneous) {
     const std::string sky = "LightSource \"infinite\" \"rgb L\" [1 .5 .2]\nLightSource \"point\" \"rgb I\" [5 5 5] \"point3 from\" [2 2 -2]\n";
