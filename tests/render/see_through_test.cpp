@@ -35,6 +35,15 @@ TEST(Light, AlphaLetsShadowRaysPass) {
                               "Shape \"disk\" \"float radius\" .2 \"float alpha\" .25 AttributeEnd"), rho / pi * 3. / 4 * 0.75);
 }
 
+// Glass is in the way of light samples, as in pbrt-v4: a point behind it lights nothing; a lamp only by the rays that find it through the pane.
+TEST(Light, GlassBlocksLightSamples) {
+    const std::string pane = "AttributeBegin Material \"thindielectric\" \"float eta\" 1.5 Translate 0 1.5 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" .2 AttributeEnd\n";
+    expectRadiance(onTheFloor("LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 2 0]\n" + pane), 0);
+    /* Straight above and small, through both of its sides: (1 - R) / (1 + R); at a depth of two */
+    expectRadiance(render(sceneText(atTheOrigin(2), pane + emitter("Translate 0 2 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" .2") + "\n" + floorShape), surfaces()),
+                   rho * Le * .04 / (.04 + 4) * .96 / 1.04, 0.06);
+}
+
 // Straight on, a boundary reflects R = ((eta - 1) / (eta + 1))^2 = 0.04 for eta = 1.5; between two of them light goes to and fro, so that
 // (1 - R)^2 (1 + R^2 + R^4 + ...) = (1 - R) / (1 + R) gets through. One thin sheet is the same as a slab of two boundaries.
 TEST(Light, APaneTransmitsWhatTwoBoundariesDo) {
