@@ -88,7 +88,7 @@ void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
 }
 
 size_t Film::developedBytes(const Features& features) {
-    const size_t always = sizeof(glm::vec3) + 2 * sizeof(float), ofSurfaces = 4 * sizeof(glm::vec3) + 3 * sizeof(float);
+    const size_t always = sizeof(glm::vec3) + 2 * sizeof(float), ofSurfaces = 4 * sizeof(glm::vec3) + sizeof(glm::vec2) + 3 * sizeof(float);
     return always + (features.has(Feature::AOVS) ? ofSurfaces : 0);
 }
 
