@@ -93,6 +93,7 @@ void addOutput(CLI::App* app, Options& o) {
           [](const std::string&, const std::string& text) { return toneCurve(text); })->group(group);
     value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For formats of integers: 1 is twice as bright", number(-infinity))->group(group);
     value(app, "--time-limit", out.timeLimit, "SECONDS", "Stop rendering after this time, but not before every pixel has a sample", number(0))->group(group);
+    value(app, "--target-error", out.targetError, "E", "Sample where it is needed until the image's relative error is about E, say 0.05; --spp is then the most that a pixel gets", number(0))->group(group);
     app->add_flag("--stats", out.stats, "Print where time and memory went");
 }
 

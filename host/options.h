@@ -66,6 +66,7 @@ struct OutputOptions {
     Aovs aovs;
     ToneMapping toneMapping;
     std::optional<double> timeLimit;                  ///< seconds of rendering
+    std::optional<double> targetError;                ///< root of the mean relative squared error to come down to, > 0
     bool stats = false;
 };
 

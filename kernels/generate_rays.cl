@@ -1,4 +1,4 @@
-/* pixels -> ray, path.  A camera ray for each sample of a tile of the image: slot = sample * tile pixels + pixel.
+/* pixels -> ray, path.  A camera ray for each sample of some blocks of the image (film/pixel.clh says which slot holds which).
    Straight-line: one slot a work-item; slots outside of the image hold dead rays. */
 #include "queue.clh"
 #include "scene.clh"
@@ -29,15 +29,11 @@ FN camera_path start_path(camera_tables tables, __global const settings *frame, 
 #ifndef AS_LIBRARY
 STAGE generate_rays(CAMERA_ARGUMENTS
                     __global const settings *frame, __global uint *ray, __global uint *path, uint capacity,
-                    uint tile_x, uint tile_y, uint tile_log2_width, uint tile_log2_height,  /* pixels, whole image */
-                    uint end_x, uint end_y,                                                 /* no pixel from here on */
-                    uint first_sample, uint samples, uint count) {
+                    BATCH_ARGUMENTS uint count) {
     camera_tables tables = BIND_CAMERA;
     FOR_EACH_SLOT(i, count) {
-        tile_position at = locate_slot((uint)i, tile_log2_width, tile_log2_height);
-        uint x = tile_x + at.x, y = tile_y + at.y;
-        int inside = (x < end_x) & (y < end_y) & (at.sample < samples);
-        camera_path p = start_path(tables, frame, x, y, first_sample + at.sample, (uint)i, inside);
+        pixel_sample at = LOCATE_SLOT((uint)i);
+        camera_path p = start_path(tables, frame, at.x, at.y, at.sample, (uint)i, at.is);
         store_ray(ray, capacity, i, p.ray);
         store_path(path, capacity, HAS_TREE ? p.ray.path : i, p.path);
     }

@@ -37,8 +37,7 @@ FN void meet_light(geometry g, texture_tables tables, medium_tables media, color
 
 TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS BSDF_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS CAMERA_ARGUMENTS
            __global const settings *frame, __global uint *hit, __global uint *path, uint capacity,
-           uint tile_x, uint tile_y, uint tile_log2_width, uint tile_log2_height, uint end_x, uint end_y, uint first_sample, uint samples,
-           uint most_hops, uint turns, uint count) {
+           BATCH_ARGUMENTS uint most_hops, uint turns, uint count) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
@@ -49,10 +48,8 @@ TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT
     camera_tables camera_set = BIND_CAMERA;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
     for (uint slot = (uint)first; slot < last; ++slot) {
-        tile_position at = locate_slot(slot, tile_log2_width, tile_log2_height);
-        uint x = tile_x + at.x, y = tile_y + at.y;
-        int inside = (x < end_x) & (y < end_y) & (at.sample < samples);
-        camera_path started = start_path(camera_set, frame, x, y, first_sample + at.sample, slot, inside);
+        pixel_sample at = LOCATE_SLOT(slot);
+        camera_path started = start_path(camera_set, frame, at.x, at.y, at.sample, slot, at.is);
         store_path(path, capacity, started.ray.path, started.path);
 
         /* Rays that are still to be followed: several in a tree of rays */

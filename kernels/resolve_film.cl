@@ -1,4 +1,4 @@
-/* path -> film.  Adds a wave's samples to their pixels, in the order of the samples. A run of pixels of the tile for each work-item. */
+/* path -> film.  Adds a wave's samples to their pixels, in the order of the samples. A run of pixels of the wave's blocks for each work-item. */
 #include "color.clh"
 #include "queue.clh"
 #include "film/pixel.clh"
@@ -78,17 +78,20 @@ FN path_item gather_path(__global const settings *frame, __global const uint *pa
     return p;
 }
 
-TRACING_STAGE resolve_film(COLOR_ARGUMENTS __global const settings *frame, __global const uint *path, uint capacity, __global uint *film, uint tile_pixels, uint samples) {
+TRACING_STAGE resolve_film(COLOR_ARGUMENTS __global const settings *frame, __global const uint *path, uint capacity, __global uint *film, uint film_pixels,
+                   __global const layer_range *block_layers, uint block_log2_width, uint block_log2_height) {
     color_tables color_set = BIND_COLORS;
-    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)tile_pixels);
+    uint log2_pixels = block_log2_width + block_log2_height;
+    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)film_pixels);
     for (size_t pixel = first; pixel < last; ++pixel) {
-        film_item f = load_film(film, tile_pixels, pixel);
-        for (uint s = 0; s < samples; ++s) {
-            path_item p = gather_path(frame, path, capacity, s * tile_pixels + (uint)pixel);
+        film_item f = load_film(film, film_pixels, pixel);
+        layer_range range = block_layers[pixel >> log2_pixels];
+        for (uint s = range.first; s < range.first + range.layers; ++s) {
+            path_item p = gather_path(frame, path, capacity, (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u)));
             if (p.weight == 0.0f && is_black(p.L)) continue;
             if (!is_finite(p.L) || max_component(p.L) > MOST_RADIANCE) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
             f = add_sample(f, p, path_palette(color_set, p.seed, p.sample), frame);
         }
-        store_film(film, tile_pixels, pixel, f);
+        store_film(film, film_pixels, pixel, f);
     }
 }

@@ -13,7 +13,7 @@ std::string clockTime(double seconds);
 /// Writes to standard error, or nothing at all if `silent`.
 class ProgressBar {
 public:
-    /// `samples` a pixel will be taken.
+    /// `samples`: the most that a pixel gets.
     ProgressBar(unsigned samples, bool silent);
     /// Ends the bar's line.
     ~ProgressBar();

@@ -23,37 +23,42 @@ void say(const Options& o, const std::string& line) {
     if (o.log >= LogLevel::warning) std::fputs((line + "\n").c_str(), stderr);
 }
 
-/// Renders until all samples are taken, the time is over, or a signal arrives.
-void renderFilm(const Options& o, Session& session, Film& film) {
+/// Renders until all samples are taken or the error is small enough, the time is over, or a signal arrives.
+RenderResult renderFilm(const Options& o, Session& session, Film& film) {
     const auto samples = static_cast<unsigned>(session.packed().samples);
     ProgressBar bar(samples, o.log < LogLevel::warning);
     const Stopwatch time;
     bool isWhole = false;   // every pixel has a sample
     RenderControl control;
     control.endSample = samples;
+    control.targetError = o.output.targetError;
     control.progress = [&](const Progress& p) {
         isWhole = p.samples > 0;
         bar.show(p);
     };
     control.stop = [&] { return Interrupt::signal() != 0 || (o.output.timeLimit && isWhole && time.seconds() > *o.output.timeLimit); };
-    render(session.context(), session.wave(), film, session.profile(), control);
+    return render(session.context(), session.wave(), film, session.profile(), control);
 }
 
 /// Says what the image lacks, if it lacks anything.
-void reportShortfall(const Options& o, const Film& film, unsigned wanted, int endedBy, Diagnostics& diagnostics) {
-    const auto [fewest, most] = film.samples();
-    if (fewest < wanted)
+void reportShortfall(const Options& o, const Film& film, const RenderResult& result, unsigned wanted, int endedBy, Diagnostics& diagnostics) {
+    const auto [fewest, most, mean] = film.samples();
+    if (!result.isFinished)
         say(o, fmt::format("{}: {} of {} samples a pixel", endedBy ? "interrupted" : "ended by --time-limit",
                            fewest == most ? fmt::format("{}", fewest) : fmt::format("{} to {}", fewest, most), wanted));
+    else if (result.error && *result.error > *o.output.targetError)
+        say(o, fmt::format("the relative error is about {:.2g}, not {:g}: {} samples are the most that a pixel gets; --spp sets that number", *result.error, *o.output.targetError, wanted));
     const Film::Invalid invalid = film.invalid();
     if (invalid.count)
         diagnostics.warn({}, fmt::format("{} sample{} not finite, or brighter than {:.0e}, and count{} as black; the first is in pixel ({}, {})", invalid.count,
                                          invalid.count == 1 ? " was" : "s were", MOST_RADIANCE, invalid.count == 1 ? "s" : "", invalid.x, invalid.y));
 }
 
-Metadata metadataOf(const Options& o, const Session& session, unsigned samples, double seconds, const std::string& hash) {
+Metadata metadataOf(const Options& o, const Session& session, const Film::Samples& samples, double seconds, const std::string& hash) {
     Metadata m;
-    m.samples = static_cast<int>(samples);
+    m.samples = static_cast<int>(samples.fewest);
+    if (samples.most > samples.fewest) m.meanSamples = samples.mean;
+    m.targetError = o.output.targetError;
     m.renderSeconds = seconds;
     m.seed = session.scene().sampler.seed;
     m.version = "Eikonal " EIKONAL_VERSION;
@@ -108,12 +113,12 @@ int renderCommand(const Options& o) {
     diagnostics.info(fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), packed.samples));
     std::optional<Film> film(std::in_place, static_cast<int>(packed.frame().width), static_cast<int>(packed.frame().height), packed.pixels, packed.features);
     const Stopwatch renderTime;
-    renderFilm(o, session, *film);
+    const RenderResult result = renderFilm(o, session, *film);
     const double renderSeconds = renderTime.seconds();
     /* A signal counts if it cost samples, not if it comes while what is finished is written */
-    const unsigned samples = film->samples().fewest;
-    const int endedBy = samples < static_cast<unsigned>(packed.samples) ? Interrupt::signal() : 0;
-    reportShortfall(o, *film, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
+    const int endedBy = result.isFinished ? 0 : Interrupt::signal();
+    reportShortfall(o, *film, result, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
+    const Film::Samples samples = film->samples();
 
     const Stopwatch writeTime;
     FilmImage image = film->develop(packed);
@@ -124,7 +129,7 @@ int renderCommand(const Options& o) {
     writeAll(files, image, metadataOf(o, session, samples, renderSeconds, hash.get()), o.output.toneMapping);
     const double writeSeconds = writeTime.seconds();
     say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()));
-    if (o.output.stats) std::fputs(describeRun(session, session.profile(), renderSeconds, writeSeconds).c_str(), stdout);
+    if (o.output.stats) std::fputs(describeRun(session, session.profile(), samples, result, renderSeconds, writeSeconds).c_str(), stdout);
     return endedBy ? 128 + endedBy : static_cast<int>(ExitCode::success);
 }
 

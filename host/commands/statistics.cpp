@@ -19,7 +19,7 @@ std::string describe(const MemoryPlan& plan) {
     return fmt::format("scene tables {}, queues {}, film {}", readableBytes(plan.tables), readableBytes(plan.queues), readableBytes(plan.film));
 }
 
-std::string describeRun(const Session& session, const Profile& profile, double renderSeconds, double writeSeconds) {
+std::string describeRun(const Session& session, const Profile& profile, const Film::Samples& samples, const RenderResult& result, double renderSeconds, double writeSeconds) {
     const SessionTimes& t = session.times();
     std::string text;
     const auto line = [&](const char* what, double seconds, const std::string& more = {}) {
@@ -44,6 +44,9 @@ std::string describeRun(const Session& session, const Profile& profile, double r
     const double seconds = std::max(renderSeconds, 1e-9);
     text += fmt::format("Work:\n  {:.3g} paths ({:.2f} M/s), {:.3g} rays ({:.2f} M/s), {:.3g} shadow rays ({:.2f} M/s), {:.2f} rays a path\n", paths, paths / seconds * 1e-6, rays,
                         rays / seconds * 1e-6, shadowRays, shadowRays / seconds * 1e-6, rays / std::max(paths, 1.0));
+    const auto [fewest, most, mean] = samples;
+    text += fmt::format("Samples a pixel:\n  {} fewest, {:.1f} mean, {} most\n", fewest, mean, most);
+    if (result.error) text += fmt::format("Relative error, expected:\n  {:.4g}\n", *result.error);
     text += fmt::format("Memory: {}\n", describe(session.plan()));
     return text;
 }

@@ -10,6 +10,6 @@ std::string readableBytes(double bytes);
 /// "scene tables 12.0 MiB, queues ...".
 std::string describe(const MemoryPlan& plan);
 /// What --stats prints: where time and memory went. `renderSeconds` and `writeSeconds` as measured by the caller.
-std::string describeRun(const Session& session, const Profile& profile, double renderSeconds, double writeSeconds);
+std::string describeRun(const Session& session, const Profile& profile, const Film::Samples& samples, const RenderResult& result, double renderSeconds, double writeSeconds);
 
 }  // namespace eikonal

@@ -47,7 +47,9 @@ struct FilmImage {
 
 /// How an image was made. Kept as attributes of the file under the names in brackets (the first two are pbrt-v4's). Unset: left out.
 struct Metadata {
-    std::optional<int> samples;              ///< for each pixel [samplesPerPixel]
+    std::optional<int> samples;              ///< for each pixel, or the fewest of any [samplesPerPixel]
+    std::optional<double> meanSamples;       ///< of all pixels, if they differ [meanSamplesPerPixel]
+    std::optional<double> targetError;       ///< that sampling was to come down to [targetError]
     std::optional<double> renderSeconds;     ///< wall-clock time [renderTimeSeconds]
     std::optional<int> seed;                 ///< [seed]
     std::string version;                     ///< the program and its version, "Eikonal 0.1.0" [Software]

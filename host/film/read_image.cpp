@@ -25,7 +25,12 @@ Metadata metadataOf(const OIIO::ImageSpec& spec) {
     int number = 0;
     if (spec.getattribute("samplesPerPixel", TypeDesc::INT, &number)) metadata.samples = number;
     if (spec.getattribute("seed", TypeDesc::INT, &number)) metadata.seed = number;
-    if (float seconds = 0; spec.getattribute("renderTimeSeconds", TypeDesc::FLOAT, &seconds)) metadata.renderSeconds = seconds;
+    const auto readNumber = [&](const char* name, std::optional<double>& value) {
+        if (float found = 0; spec.getattribute(name, TypeDesc::FLOAT, &found)) value = found;
+    };
+    readNumber("renderTimeSeconds", metadata.renderSeconds);
+    readNumber("meanSamplesPerPixel", metadata.meanSamples);
+    readNumber("targetError", metadata.targetError);
     metadata.version = spec.get_string_attribute("Software");
     metadata.scene = spec.get_string_attribute("scene");
     metadata.sceneHash = spec.get_string_attribute("sceneHash");

@@ -85,6 +85,8 @@ std::vector<float> toneMapped(const FilmImage& image, const ToneMapping& mapping
 void addAttributes(OIIO::ImageSpec& spec, const Metadata& metadata) {
     const auto addText = [&](const char* name, const std::string& text) { if (!text.empty()) spec.attribute(name, text); };
     if (metadata.samples) spec.attribute("samplesPerPixel", *metadata.samples);
+    if (metadata.meanSamples) spec.attribute("meanSamplesPerPixel", static_cast<float>(*metadata.meanSamples));
+    if (metadata.targetError) spec.attribute("targetError", static_cast<float>(*metadata.targetError));
     if (metadata.renderSeconds) spec.attribute("renderTimeSeconds", static_cast<float>(*metadata.renderSeconds));
     if (metadata.seed) spec.attribute("seed", *metadata.seed);
     addText("Software", metadata.version);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <numeric>
 
 namespace eikonal {
 
@@ -16,43 +17,77 @@ Film::Film(int width, int height, PixelRect pixels, const Features& features)
     if (!data_) throw Error(ExitCode::scene, "not enough memory for an image of " + std::to_string(pixels.width()) + " x " + std::to_string(pixels.height()) + " pixels");
 }
 
-/// A tile's part as the rectangle of rows and planes that OpenCL copies.
+/// The part of a block that is in the film, as the rectangle of rows and planes that OpenCL copies.
 struct Region {
-    size_t hostOrigin[3], deviceOrigin[3] = {0, 0, 0}, size[3];
+    size_t hostOrigin[3], deviceOrigin[3], size[3];
     size_t hostRow, hostSlice, deviceRow, deviceSlice;
 };
 
-static Region regionOf(const PixelRect& film, const PixelRect& part, int tileWidth, int tileHeight, int words) {
+static Region regionOf(const PixelRect& film, const Batch& batch, size_t block, int words) {
     constexpr size_t word = sizeof(uint);
     const auto n = [](int x) { return static_cast<size_t>(x); };
+    const PixelRect part = batch.blocks[block].within(film, batch.size);
     return {{n(part.x0 - film.x0) * word, n(part.y0 - film.y0), 0},
-            {0, 0, 0},
+            {0, block * n(batch.size.height()), 0},
             {n(part.width()) * word, n(part.height()), n(words)},
-            n(film.width()) * word, n(film.width()) * n(film.height()) * word, n(tileWidth) * word, n(tileWidth) * n(tileHeight) * word};
+            n(film.width()) * word, n(film.width()) * n(film.height()) * word, n(batch.size.width()) * word, batch.pixels() * word};
 }
 
-void Film::upload(const Context& context, const Buffer& tile, PixelRect part, int tileWidth, int tileHeight) const {
-    const Region r = regionOf(pixels_, part, tileWidth, tileHeight, layout_.words);
-    check(clEnqueueWriteBufferRect(context.queue(), tile.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice, r.hostRow,
-                                   r.hostSlice, data_.get(), 0, nullptr, nullptr), "copying a tile of the film to the device");
+void Film::upload(const Context& context, const Buffer& buffer, const Batch& batch) const {
+    for (size_t block = 0; block < batch.blocks.size(); ++block) {
+        const Region r = regionOf(pixels_, batch, block, layout_.words);
+        check(clEnqueueWriteBufferRect(context.queue(), buffer.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice, r.hostRow,
+                                       r.hostSlice, data_.get(), 0, nullptr, nullptr), "copying pixels of the film to the device");
+    }
 }
 
-void Film::download(const Context& context, const Buffer& tile, PixelRect part, int tileWidth, int tileHeight) {
-    const Region r = regionOf(pixels_, part, tileWidth, tileHeight, layout_.words);
-    check(clEnqueueReadBufferRect(context.queue(), tile.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice, r.hostRow,
-                                  r.hostSlice, data_.get(), 0, nullptr, nullptr), "copying a tile of the film from the device");
+void Film::download(const Context& context, const Buffer& buffer, const Batch& batch) {
+    for (size_t block = 0; block < batch.blocks.size(); ++block) {
+        const Region r = regionOf(pixels_, batch, block, layout_.words);
+        check(clEnqueueReadBufferRect(context.queue(), buffer.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice, r.hostRow,
+                                      r.hostSlice, data_.get(), 0, nullptr, nullptr), "copying pixels of the film from the device");
+    }
 }
 
 const uint* Film::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
 const float* Film::floats(const char* field) const { return reinterpret_cast<const float*>(numbers(field)); }
 
-/* The mean is a ratio of two sums, sum(w L) / sum(w): its variance is that of sum(w (L - mean)), over the square of sum(w). */
-float Film::varianceOf(size_t pixel, glm::vec3 mean) const {
-    const double samples = numbers("count")[pixel], weight = floats("weight")[pixel];
-    if (samples < 2 || weight == 0) return 0;
-    const double luminance = 0.2126 * mean.r + 0.7152 * mean.g + 0.0722 * mean.b, aside = luminance - floats("mean")[pixel];
-    const double spread = std::max(floats("spread")[pixel], 0.0f) + floats("square_weight")[pixel] * aside * aside;
-    return static_cast<float>(std::min(spread * samples / (samples - 1) / (weight * weight), static_cast<double>(std::numeric_limits<float>::max())));
+/// What a pixel shows, and how sure that is.
+struct Film::Planes {
+    size_t n;
+    const float *sum, *weight, *squareWeight, *mean, *spread;
+    const uint* count;
+
+    explicit Planes(const Film& f)
+        : n(f.plane()), sum(f.floats("sum")), weight(f.floats("weight")), squareWeight(f.floats("square_weight")), mean(f.floats("mean")), spread(f.floats("spread")),
+          count(f.numbers("count")) {}
+
+    glm::vec3 color(size_t i) const { return glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0); }
+
+    static double luminance(glm::vec3 color) { return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b; }
+
+    /// Of the mean of a pixel's luminance, estimated from the spread of its samples; zero if there are too few.
+    /* The mean is a ratio of two sums, sum(w L) / sum(w): its variance is that of sum(w (L - mean)), over the square of sum(w). */
+    float variance(size_t i, glm::vec3 color) const {
+        const double samples = count[i], weights = weight[i];
+        if (samples < 2 || weights == 0) return 0;
+        const double aside = luminance(color) - mean[i];
+        const double spreads = std::max(spread[i], 0.0f) + squareWeight[i] * aside * aside;
+        return static_cast<float>(std::min(spreads * samples / (samples - 1) / (weights * weights), static_cast<double>(std::numeric_limits<float>::max())));
+    }
+};
+
+double Film::relativeVariance(const PixelRect& part) const {
+    const Planes planes(*this);
+    double sum = 0;
+    for (int y = part.y0; y < part.y1; ++y)
+        for (int x = part.x0; x < part.x1; ++x) {
+            const size_t i = static_cast<size_t>(y - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(x - pixels_.x0);
+            const glm::vec3 color = planes.color(i);
+            const double luminance = Planes::luminance(color);
+            sum += planes.variance(i, color) / (luminance * luminance + 0.01);
+        }
+    return sum;
 }
 
 /// A sum of directions as one of unit length.
@@ -95,16 +130,13 @@ size_t Film::developedBytes(const Features& features) {
 FilmImage Film::develop(const PackedScene& scene) const {
     FilmImage image(width_, height_, {pixels_.x0, pixels_.x1, pixels_.y0, pixels_.y1});
     const size_t n = plane();
-    const float *sum = floats("sum"), *weight = floats("weight");
-    const uint* count = numbers("count");
+    const Planes planes(*this);
     image.variance.resize(n);
     image.sampleCount.resize(n);
     for (size_t i = 0; i < n; ++i) {
-        const float inverse = weight[i] != 0 ? 1 / weight[i] : 0;
-        const glm::vec3 mean = glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * inverse;
-        image.color[i] = mean;
-        image.sampleCount[i] = static_cast<float>(count[i]);
-        image.variance[i] = varianceOf(i, mean);
+        image.color[i] = planes.color(i);
+        image.sampleCount[i] = static_cast<float>(planes.count[i]);
+        image.variance[i] = planes.variance(i, image.color[i]);
     }
     if (layout_.field("albedo").words > 0) developAovs(image, scene);
     return image;
@@ -125,8 +157,9 @@ Film::Invalid Film::invalid() const {
 }
 
 Film::Samples Film::samples() const {
-    const auto [low, high] = std::minmax_element(numbers("count"), numbers("count") + plane());
-    return {*low, *high};
+    const uint *begin = numbers("count"), *end = begin + plane();
+    const auto [low, high] = std::minmax_element(begin, end);
+    return {*low, *high, std::accumulate(begin, end, 0.0) / static_cast<double>(plane())};
 }
 
 }  // namespace eikonal

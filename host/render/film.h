@@ -1,11 +1,11 @@
 #pragma once
-// The film in host memory: per pixel what include/eikonal/film.h lists. The device sees one tile of it at a time, so an
+// The film in host memory: per pixel what include/eikonal/film.h lists. The device sees some blocks of it at a time, so an
 // image may be as large as the host's memory.
 
 #include "device/buffer.h"
 #include "device/layout.h"
 #include "film/film_image.h"
-#include "pack/tables.h"
+#include "render/batch.h"
 
 #include <memory>
 
@@ -19,10 +19,9 @@ public:
     const PixelRect& pixels() const { return pixels_; }
     int words() const { return layout_.words; }
 
-    /// Enqueues copies of the pixels of `part` to and from a buffer that holds a tile of tileWidth x tileHeight pixels, whose
-    /// upper left corner is that of `part`. Does not wait.
-    void upload(const Context& context, const Buffer& tile, PixelRect part, int tileWidth, int tileHeight) const;
-    void download(const Context& context, const Buffer& tile, PixelRect part, int tileWidth, int tileHeight);
+    /// Enqueues copies of the pixels of a batch to and from a buffer that holds its blocks one after another. Does not wait.
+    void upload(const Context& context, const Buffer& buffer, const Batch& batch) const;
+    void download(const Context& context, const Buffer& buffer, const Batch& batch);
 
     /// Bytes a pixel of what develop returns.
     static size_t developedBytes(const Features& features);
@@ -32,16 +31,18 @@ public:
     /// Samples that were not finite, and the first pixel that has one.
     struct Invalid { size_t count = 0; int x = -1, y = -1; };
     Invalid invalid() const;
-    /// The fewest and the most samples that any pixel has.
-    struct Samples { unsigned fewest = 0, most = 0; };
+    /// The fewest and the most samples that any pixel has, and those of all pixels.
+    struct Samples { unsigned fewest = 0, most = 0; double mean = 0; };
     Samples samples() const;
+    /// The expected relative squared error of the pixels of `part`, added up: of each the variance of its mean luminance over that luminance squared + 0.01,
+    /// in terms of which `compare` measures errors, too. As samples vary that are independent: those of a Sobol' sequence have less.
+    double relativeVariance(const PixelRect& part) const;
 
 private:
     struct Free { void operator()(void* p) const { std::free(p); } };
     void developAovs(FilmImage& image, const PackedScene& scene) const;
     size_t plane() const { return static_cast<size_t>(pixels_.width()) * static_cast<size_t>(pixels_.height()); }
-    /// Of the mean of a pixel's luminance, estimated from the spread of its samples; zero if there are too few.
-    float varianceOf(size_t pixel, glm::vec3 mean) const;
+    struct Planes;
     const float* floats(const char* field) const;
     const uint* numbers(const char* field) const;
     int width_, height_;

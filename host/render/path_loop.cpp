@@ -22,7 +22,7 @@ static std::string loopText(const Features& features) {
 
 PathLoop::PathLoop(const Context& context, Compiler& compiler, const DeviceScene& deviceScene, const PackedScene& scene, const StageShape& shape,
                    const BuildSettings& settings, Profile& profile)
-    : context_(context), scene_(deviceScene), shape_(shape), mostPaths_(std::max(shape.wavePaths >> deviceScene.branching().forks, 1u)), profile_(profile) {
+    : context_(context), scene_(deviceScene), shape_(shape), mostPaths_(std::max(shape.wavePaths >> deviceScene.branching().forks, 1u)), profile_(profile), tables_(context) {
     const BuildSettings complete = completeSettings(settings, scene, shape);
     loop_ = Kernel(compiler.build(loopText(complete.features), "loop", complete));
     resolve_ = Kernel(compiler.build("#include \"resolve_film.cl\"\n", "resolve_film", complete));
@@ -37,18 +37,19 @@ PathLoop::PathLoop(const Context& context, Compiler& compiler, const DeviceScene
     bindings_.set("most_hops", mostHops(deviceScene));
 }
 
-void PathLoop::trace(const Tile& tile, int endX, int endY) {
-    bindTile(bindings_, tile, endX, endY);
+void PathLoop::trace(const Batch& batch, int endX, int endY) {
+    tables_.write(context_, batch, endX, endY);
+    const unsigned paths = batch.paths();
     if (scene_.branching().forks) path_.clear(context_, 0, path_.size());
-    bindings_.set("count", tile.paths());
-    profile_.add("loop", tile.paths(), loop_.launch(context_, {&scene_.bindings(), &bindings_}, tile.paths(), shape_.group()));
+    bindings_.set("count", paths);
+    profile_.add("loop", paths, loop_.launch(context_, {&scene_.bindings(), &bindings_, &tables_.bindings()}, paths, shape_.group()));
     context_.finish();
 }
 
-void PathLoop::resolve(const Tile& tile, const Buffer& film) {
+void PathLoop::resolve(const Batch& batch, const Buffer& film) {
     Bindings own = bindings_;
     own.set("film", film);
-    profile_.add("resolve_film", tile.pixels(), resolve_.launch(context_, {&scene_.bindings(), &own}, tile.pixels(), shape_.group()));
+    profile_.add("resolve_film", batch.pixels(), resolve_.launch(context_, {&scene_.bindings(), &tables_.bindings(), &own}, batch.pixels(), shape_.group()));
 }
 
 }  // namespace eikonal

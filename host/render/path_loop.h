@@ -13,8 +13,8 @@ public:
     PathLoop(const Context& context, Compiler& compiler, const DeviceScene& deviceScene, const PackedScene& scene, const StageShape& shape,
              const BuildSettings& settings, Profile& profile);
     unsigned mostPaths() const override { return mostPaths_; }
-    void trace(const Tile& tile, int endX, int endY) override;
-    void resolve(const Tile& tile, const Buffer& film) override;
+    void trace(const Batch& batch, int endX, int endY) override;
+    void resolve(const Batch& batch, const Buffer& film) override;
 
 private:
     const Context& context_;
@@ -24,6 +24,7 @@ private:
     Profile& profile_;
     Kernel loop_, resolve_;
     Buffer hit_, path_;
+    BatchTables tables_;
     Bindings bindings_;
 };
 

@@ -8,7 +8,7 @@ namespace eikonal {
 
 Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile)
     : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), branching_(scene.branching()),
-      mostPaths_(mostPathsFor(shape, branching_)), capacity_(capacityFor(shape, branching_)), mostHops_(mostHops(scene)) {
+      mostPaths_(mostPathsFor(shape, branching_)), capacity_(capacityFor(shape, branching_)), mostHops_(mostHops(scene)), tables_(context) {
     for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), capacity_)) {
         addQueue(queue.layout, queue.items, queue.name);
         if (queue.name == "ray") rays_[0] = &buffers_.back();
@@ -33,7 +33,7 @@ void Wave::addQueue(const QueueLayout& layout, size_t items, const std::string& 
 void Wave::run(const Stage* stage, unsigned items, const Bindings& extra) {
     if (!stage) return;
     /* Scene tables, then queues, then what this launch has of its own */
-    profile_.add(stage->name, items, stage->kernel.launch(context_, {&scene_, &bindings_, &extra}, items, shape_.group()));
+    profile_.add(stage->name, items, stage->kernel.launch(context_, {&scene_, &bindings_, &tables_.bindings(), &extra}, items, shape_.group()));
 }
 
 static Bindings segment(unsigned first, unsigned count) {
@@ -85,15 +85,15 @@ unsigned Wave::shade(const Counts& counts) {
     return slots * branching_.branches;
 }
 
-void Wave::trace(const Tile& tile, int endX, int endY) {
-    bindTile(bindings_, tile, endX, endY);
+void Wave::trace(const Batch& batch, int endX, int endY) {
+    tables_.write(context_, batch, endX, endY);
     bindings_.set("ray", *rays_[0]);
     bindings_.set("next_ray", *rays_[1]);
     tally_.clear(context_, 0, tallies * sizeof(cl_uint));
     if (branching_.forks) paths_->clear(context_, 0, paths_->size());
 
-    run(stages_.find("generate_rays"), tile.paths(), segment(0, tile.paths()));
-    unsigned rays = tile.paths();
+    unsigned rays = batch.paths();
+    run(stages_.find("generate_rays"), rays, segment(0, rays));
     for (unsigned hop = 0; rays > 0 && hop < mostHops_; ++hop) {
         run(stages_.find("intersect_rays"), rays, segment(0, rays));     // ray -> flight
         run(stages_.find("extinguish_rays"), rays, segment(0, rays));    // flight -> flight, if there are media
@@ -109,17 +109,16 @@ void Wave::trace(const Tile& tile, int endX, int endY) {
     profile_.shadowRays += tally[tally_shadow_rays];
 }
 
-void Wave::resolve(const Tile& tile, const Buffer& film) {
+void Wave::resolve(const Batch& batch, const Buffer& film) {
     Bindings own;
     own.set("film", film);
-    run(stages_.find("resolve_film"), tile.pixels(), own);
+    run(stages_.find("resolve_film"), batch.pixels(), own);
 }
 
 void Wave::warmUp() {
     const Buffer film(context_, 1024, "film");
     Bindings nothing = segment(0, 0);
-    for (const char* name : {"turn", "turn_slots", "tile_x", "tile_y", "tile_log2_width", "tile_log2_height", "end_x", "end_y", "first_sample", "samples", "tile_pixels"})
-        nothing.set(name, 0u);
+    for (const char* name : {"turn", "turn_slots"}) nothing.set(name, 0u);
     nothing.set("film", film);
     nothing.set("ray", *rays_[0]);
     nothing.set("next_ray", *rays_[1]);

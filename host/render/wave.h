@@ -22,8 +22,8 @@ public:
 
     unsigned mostPaths() const override { return mostPaths_; }
     /// Waits only for one small read a bounce.
-    void trace(const Tile& tile, int endX, int endY) override;
-    void resolve(const Tile& tile, const Buffer& film) override;
+    void trace(const Batch& batch, int endX, int endY) override;
+    void resolve(const Batch& batch, const Buffer& film) override;
 
     size_t bytes() const { return bytes_; }
 
@@ -45,6 +45,7 @@ private:
     unsigned mostHops_;   ///< after so many a path ends, wherever it is
     std::list<Buffer> buffers_;
     Buffer counts_, cursors_, tally_;
+    BatchTables tables_;
     Bindings bindings_;
     std::array<Buffer*, 2> rays_{};
     Buffer* paths_ = nullptr;

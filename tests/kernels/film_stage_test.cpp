@@ -41,14 +41,39 @@ TEST_F(StageTest, ResolveFilmSumsUp) {
     }
 }
 
+/// Pixels of several blocks, some with fewer samples than others: each gets its own.
+TEST(ResolveFilm, OfSeveralBlocks) {
+    const Batch batch{{2, 3}, {{12, 8, 1, 2}, {0, 0, 0, 4}, {4, 8, 3, 1}}};
+    StageBench bench(sceneOfEverything(), paths, true, batch.pixels());
+    bench.set(batch, side, side);
+    bench.run("generate_rays", batch.paths());
+    QueueWords states = bench.read("path");
+    for (size_t i = 0; i < batch.paths(); ++i) {
+        states.set("L", i, spectrum{static_cast<float>(i / batch.size.pixels()), static_cast<float>(i % batch.size.pixels()), 1});
+        states.set("weight", i, 1.0f);
+    }
+    bench.write("path", states);
+    bench.run("resolve_film", batch.pixels());
+    const QueueWords film = bench.read("film");
+    size_t layer = 0, pixel = 0;
+    for (const Block& b : batch.blocks) {
+        float layers = 0;
+        for (unsigned s = 0; s < b.samples; ++s) layers += static_cast<float>(layer++);
+        for (size_t i = 0; i < batch.size.pixels(); ++i, ++pixel) {
+            ASSERT_EQ(film.get<uint>("count", pixel), b.samples);
+            ASSERT_EQ(film.get<spectrum>("sum", pixel).r, layers);
+            ASSERT_EQ(film.get<spectrum>("sum", pixel).g, static_cast<float>(b.samples * i));
+        }
+    }
+}
+
 /// The spread of luminances, 65536 of them, a wave of 256 after the other, is that of a calculation in double precision: of nearly equal ones,
 /// where the difference of two sums of squares would be noise; with weights of either sign and of many sizes; and of one sample among
 /// others that is brighter than any square may be.
 TEST_F(StageTest, ResolveFilmKnowsTheSpreadOfNearlyEqualSamples) {
     constexpr unsigned pixels = 4, perWave = 256, waves = 256;
     StageBench bench(sceneOfEverything(), pixels * perWave, true, pixels);
-    bench.set("tile_pixels", pixels);
-    bench.set("samples", perWave);
+    bench.set(Batch{{1, 1}, {{0, 0, 0, perWave}}}, 2, 2);
     QueueWords states = bench.empty("path");
     std::fill(states.words().begin(), states.words().end(), 0);
     std::vector<double> y[pixels], a[pixels];

@@ -26,7 +26,7 @@ TEST_F(StageTest, GenerateRaysFillsEverySlotOfTheImage) {
     EXPECT_EQ(places.size(), paths) << "each has its own place in the random sequences";
 }
 
-/// What a tile reaches beyond the image is dead and weighs nothing.
+/// What a block reaches beyond the image is dead and weighs nothing.
 TEST_F(StageTest, GenerateRaysLeavesSlotsOutsideDead) {
     generate(paths, 10, 7);
     const QueueWords rays = bench.read("ray"), states = bench.read("path");
@@ -35,6 +35,27 @@ TEST_F(StageTest, GenerateRaysLeavesSlotsOutsideDead) {
         ASSERT_EQ(rays.get<float>("t_max", i) > 0, inside) << i;
         if (!inside) { ASSERT_EQ(states.get<float>("weight", i), 0); }
     }
+}
+
+/// Blocks in any order, and some with fewer samples than others: a slot holds the same ray as where the whole image is one block.
+TEST_F(StageTest, GenerateRaysOfSeveralBlocks) {
+    generate();
+    const QueueWords whole = bench.read("ray");
+    const Batch batch{{2, 3}, {{12, 8, 1, 2}, {0, 0, 0, 4}, {4, 8, 3, 1}}};
+    bench.set(batch, side, side);
+    bench.run("generate_rays", batch.paths());
+    const QueueWords rays = bench.read("ray");
+    size_t slot = 0;
+    for (const Block& b : batch.blocks)
+        for (unsigned sample = b.firstSample; sample < b.firstSample + b.samples; ++sample)
+            for (int y = 0; y < 8; ++y)
+                for (int x = 0; x < 4; ++x, ++slot) {
+                    const size_t same = sample * side * side + static_cast<size_t>(b.y + y) * side + static_cast<size_t>(b.x + x);
+                    ASSERT_EQ(rays.get<uint>("seed", slot), whole.get<uint>("seed", same)) << slot;
+                    ASSERT_EQ(rays.get<uint>("sample", slot), whole.get<uint>("sample", same)) << slot;
+                    ASSERT_EQ(rays.get<vec3>("d", slot).x, whole.get<vec3>("d", same).x) << slot;
+                }
+    EXPECT_EQ(slot, batch.paths());
 }
 
 TEST_F(StageTest, IntersectRaysEmptyOneAndFull) {

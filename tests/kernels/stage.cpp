@@ -94,7 +94,7 @@ void StageBench::run(const std::string& stage, unsigned count, unsigned first) {
     Bindings arguments = bindings_;
     arguments.set("first", first);
     arguments.set("count", count);
-    kernels_[stage].launch(testContext(), {&onDevice_.bindings(), &arguments}, count, testGroup);
+    kernels_[stage].launch(testContext(), {&onDevice_.bindings(), &tables_.bindings(), &arguments}, count, testGroup);
     testContext().finish();
     testCompiler().keep(kernels_[stage].program());
 }

@@ -10,6 +10,7 @@
 #include "test_device.h"
 
 #include "eikonal/stages.h"
+#include "render/batch.h"
 #include "render/device_scene.h"
 #include "scene/scene.h"
 
@@ -39,8 +40,10 @@ public:
     QueueWords empty(const std::string& queue) const;
     void clear(const std::string& queue, uint word = poison) { QueueWords words = empty(queue); std::fill(words.words().begin(), words.words().end(), word); write(queue, words); }
 
-    /// A number that stages take as an argument: "tile_x", "samples" ...
+    /// A number that stages take as an argument.
     void set(const std::string& name, uint number) { bindings_.set(name, number); }
+    /// What the slots of the wave stand for; at first nothing. endX, endY: no pixel from there on.
+    void set(const Batch& batch, int endX, int endY) { tables_.write(testContext(), batch, endX, endY); }
     /// Sets `first` and `count`, and runs the stage over `count` slots. "shade_hits diffuse" is that stage for a BSDF.
     void run(const std::string& stage, unsigned count, unsigned first = 0);
 
@@ -59,6 +62,7 @@ private:
     unsigned capacity_;
     bool poisonItems_;
     DeviceScene onDevice_;
+    BatchTables tables_{testContext()};
     std::map<std::string, Buffer> buffers_;
     std::map<std::string, std::pair<QueueLayout, size_t>> layouts_;   ///< and items
     Bindings bindings_;

@@ -9,6 +9,8 @@
 namespace eikonal {
 
 constexpr unsigned side = 16, samples = 4, paths = side * side * samples;
+/// All of it.
+inline const Batch wholeImage{{4, 4}, {{0, 0, 0, samples}}};
 
 /// Something of everything: all BSDFs but media, textures, bumps, a mix, instances, cut-outs, emitters, an environment.
 const PackedScene& sceneOfEverything();
@@ -18,10 +20,8 @@ class StageTest : public testing::Test {
 protected:
     StageBench bench{sceneOfEverything(), paths, true, side * side};
 
-    void generate(unsigned count = paths, uint endX = side, uint endY = side) {
-        for (const auto& [name, value] : {std::pair<const char*, uint>{"tile_x", 0}, {"tile_y", 0}, {"tile_log2_width", 4}, {"tile_log2_height", 4}, {"end_x", endX}, {"end_y", endY},
-                                          {"first_sample", 0}, {"samples", samples}, {"tile_pixels", side * side}})
-            bench.set(name, value);
+    void generate(unsigned count = paths, int endX = side, int endY = side) {
+        bench.set(wholeImage, endX, endY);
         bench.run("generate_rays", count);
     }
     void intersect() { generate(); bench.run("intersect_rays", paths); }

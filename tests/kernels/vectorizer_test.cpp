@@ -88,7 +88,6 @@ TEST(VectorizerChild, DISABLED_BuildsOneStage) {
         /* A hit queue with room for its parameters */
         if (c.stage == "shade_hits principled") scene.require(Feature::BSDF_PRINCIPLED, "the test");
         StageBench bench(scene, 64, false);
-        for (const char* name : {"tile_x", "tile_y", "tile_log2_width", "tile_log2_height", "end_x", "end_y", "first_sample", "samples"}) bench.set(name, 0);
         for (const char* queue : {"hit", "miss", "emission"}) bench.clear(queue, 0);
         bench.run(c.stage, 1);
     }

@@ -10,9 +10,7 @@ namespace {
 /// Bounce after bounce until no ray is left, every stage over what the one before it left, with what each leaves checked for poison.
 /// Returns how many items each queue had in all.
 std::vector<uint> traceWave(StageBench& bench) {
-    for (const auto& [name, value] : {std::pair<const char*, uint>{"tile_x", 0}, {"tile_y", 0}, {"tile_log2_width", 4}, {"tile_log2_height", 4}, {"end_x", side}, {"end_y", side},
-                                      {"first_sample", 0}, {"samples", samples}})
-        bench.set(name, value);
+    bench.set(wholeImage, side, side);
     bench.run("generate_rays", paths);
     const bool media = bench.scene().features.has(Feature::MEDIA);
     std::vector<uint> all(hops);

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace eikonal {
 namespace {
 
@@ -127,6 +129,29 @@ TEST_P(Equality, ACropHasThePixelsOfTheWhole) {
     expectSameBits(reference.image, crop.image, "the crop");
 }
 
+// Adaptive sampling decides from what the film holds after whole passes, and the film is the same however the passes were cut.
+TEST_P(Equality, WaveSizeDoesNotShowInAdaptiveSampling) {
+    PackedScene scene = packScene(text);
+    scene.samples = 128;
+    RenderSetup setup = plain();
+    setup.targetError = 0.12;
+    const Rendered adaptive = render(scene, setup);
+    const auto [fewest, most] = std::ranges::minmax(adaptive.image.sampleCount);
+    ASSERT_LT(fewest, most) << "nothing to decide";
+    for (unsigned paths : {64u, 1000u, 65472u}) {
+        setup.shape.wavePaths = paths;
+        expectSameBits(adaptive.image, render(scene, setup).image, fmt::format("{} paths in a wave", paths));
+    }
+
+    /* A pixel with n samples is that pixel of a render of n */
+    for (int n = 16; n <= 128; n *= 2) {
+        scene.samples = n;
+        const FilmImage uniform = render(scene, plain()).image;
+        for (size_t i = 0; i < uniform.pixelCount(); ++i)
+            if (adaptive.image.sampleCount[i] == static_cast<float>(n)) { ASSERT_EQ(adaptive.image.color[i], uniform.color[i]) << n << " samples, pixel " << i; }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, Equality, testing::Values("surfaces", "media"));
 
 /// With kernels built anew, which takes most of the time: one world holds both.
@@ -173,7 +198,7 @@ class Threads : public ProgramTest {};
 TEST_F(Threads, DoNotShow) {
     write("scene.pbrt", sceneText(view(), mediumWorld));
     for (const char* threads : {"1", "2"}) {
-        const Outcome run = this->run({"render", "scene.pbrt", "-o", std::string(threads) + ".exr", "--aov", "all", "--nthreads", threads, "--contraction", "off"});
+        const Outcome run = this->run({"render", "scene.pbrt", "-o", std::string(threads) + ".exr", "--aov", "all", "--nthreads", threads, "--contraction", "off", "--spp", "64", "--target-error", "0.15"});
         ASSERT_EQ(run.status, 0) << run.error;
     }
     expectSameBits(readImage(path("1.exr")).image, readImage(path("2.exr")).image, "one thread and two");

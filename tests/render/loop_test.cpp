@@ -27,6 +27,7 @@ FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {
     Film film(static_cast<int>(scene.frame().width), static_cast<int>(scene.frame().height), scene.pixels, scene.features);
     RenderControl control;
     control.endSample = static_cast<unsigned>(scene.samples);
+    control.targetError = setup.targetError;
     render(device(), loop, film, profile, control);
     return film.develop(scene);
 }
@@ -110,6 +111,17 @@ TEST(SlowLoop, AgreesWithTheShippedFlags) {
         const Estimate wave = estimate(render(scene, setup).image), loop = estimate(renderInLoop(scene, setup));
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(loop.mean[c] / wave.mean[c], 1, 1e-4) << world;
     }
+}
+
+/// Adaptive sampling gives both the same batches: several blocks, of different numbers of samples.
+TEST(Loop, GivesTheSameBitsInAdaptiveSampling) {
+    PackedScene scene = packScene(textOf(worlds[0]));
+    scene.require(Feature::AOVS, "the test");
+    scene.samples = 64;
+    RenderSetup setup;
+    setup.contraction = false;
+    setup.targetError = 0.1;
+    expectSameBits(render(scene, setup).image, renderInLoop(scene, setup), "adaptive");
 }
 
 }  // namespace

@@ -98,11 +98,14 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     std::vector<unsigned> ends = setup.splits;
     ends.push_back(static_cast<unsigned>(scene.samples));
     RenderControl control;
+    control.targetError = setup.targetError;
+    RenderResult result;
     for (unsigned end : ends) {
         control.endSample = end;
-        control.firstSample = render(device(), wave, film, profile, control);
+        result = render(device(), wave, film, profile, control);
+        control.firstSample = result.samples;
     }
-    return {film.develop(scene), film.invalid()};
+    return {film.develop(scene), film.invalid(), result};
 }
 
 Estimate estimate(const FilmImage& image) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct RenderSetup {
     bool allStages = false;            ///< ... and stages that only they ask for are built and run
     bool contraction = true;
     StageShape shape = smallWaves();
+    std::optional<double> targetError; ///< adaptive sampling, the scene's samples being the most
     std::vector<unsigned> splits;      ///< rendered in ranges of samples that end at these, then at the last one
     std::function<void(PackedScene&)> edit;   ///< changes the tables before they go to the device
 
@@ -45,6 +47,7 @@ RenderSetup media();
 struct Rendered {
     FilmImage image;
     Film::Invalid invalid;
+    RenderResult result;
 };
 
 /// The scene of a pbrt text; throws for whatever the reader or the packer complains about.
