@@ -6,8 +6,8 @@
 
 For each scene and seed an adaptive render, and one with the same samples everywhere: as many as the adaptive one took on average, rounded. By
 turns, at low resolution. Error: relMSE, against the mean of --reference-samples a pixel of other seeds. Efficiency: 1 / (relMSE x seconds of
-rendering), means over the seeds. Bias: the mean of adaptive renders less the reference, of the image and of blocks of 16 x 16 pixels; beside it
-the same for uniform renders, which have none, so that what noise does to such a figure can be seen.
+rendering), medians over the seeds: a mean would be that of the one seed that met the brightest path. Bias: the mean of adaptive renders less the reference, of the image and of blocks of 16 x 16 pixels; beside it
+the same for uniform renders, which have none, so that what noise does to such a figure, also that of the reference, can be seen.
 """
 
 import argparse
@@ -58,7 +58,7 @@ def luminance_blocks(image):
 
 
 def bias(images, reference):
-    """Of the image: relative, and in standard errors. Of blocks: the root of the mean square of their deviations in standard errors, and the mean deviation in %."""
+    """Of the image, with its standard error, and of blocks; relative."""
     truth = luminance_blocks(reference)
     blocks = np.array([luminance_blocks(i) for i in images])
     count = len(images)
@@ -83,7 +83,7 @@ def row(o, scene):
             seconds, taken, image = render(o, scene, o.most if kind == "adaptive" else samples, seed, target if kind == "adaptive" else None)
             figures[kind].append((seconds, taken, relative_error(image, reference)))
             images[kind].append(image)
-    (a_time, a_samples, a_error), (u_time, _, u_error) = (np.mean(figures[k], axis=0) for k in ("adaptive", "uniform"))
+    (a_time, a_samples, a_error), (u_time, _, u_error) = (np.median(figures[k], axis=0) for k in ("adaptive", "uniform"))
     a_path, u_path = a_time / a_samples, u_time / samples
     efficiency = (f"| {scene} | {target} | {a_error ** 0.5:.3f} | {u_error ** 0.5:.3f} | {a_samples:.1f} | {a_path / u_path:.3f} | "
                   f"{u_error * samples / (a_error * a_samples):.2f} | {u_error * u_time / (a_error * a_time):.2f} |")
