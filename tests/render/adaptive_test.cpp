@@ -39,7 +39,7 @@ RenderSetup comingDownTo(double error) {
 /// Whether pixels in this column see the wall: which half that is depends on the camera's handedness.
 bool seesTheWall(const FilmImage& image, int x) { return image.variance[image.index(x, height / 2)] > 1e-9f; }
 
-// Half of the image's average deviation is suspected of the sky, which is a fourth of the wall's; what the wall gets is rounded to a power of two.
+// Half of the image's average deviation is suspected of the sky, which is a fourth of the wall's; rounding both to powers of two leaves a factor of two.
 TEST(AdaptiveSampling, SamplesGoWhereTheNoiseIs) {
     const FilmImage image = render(halves(1024), comingDownTo(0.015)).image;
     ASSERT_NE(seesTheWall(image, 1), seesTheWall(image, width - 2));
@@ -52,7 +52,7 @@ TEST(AdaptiveSampling, SamplesGoWhereTheNoiseIs) {
             if (seesTheWall(image, x)) noisy += count;
             else flat += count;
         }
-    EXPECT_GT(noisy, 2.8 * flat);
+    EXPECT_GT(noisy, 1.9 * flat);
 }
 
 // Over 2048 noisy pixels the mean of squared errors is known to about 4 %, and with doubled samples it may be down to half of what was asked for.
@@ -105,7 +105,8 @@ TEST(AdaptiveSampling, OutOfReachEveryPixelGetsTheMost) {
 class AdaptiveCli : public Cli {};
 
 TEST_F(AdaptiveCli, TheSamplesAreReported) {
-    const Outcome run = this->run({"render", "tiny.pbrt", "--resolution", "96x64", "--spp", "256", "--target-error", "0.008", "--aov", "sampleCount", "--stats", "-o", "a.exr"});
+    write("noisy.pbrt", tinyScene("", "LightSource \"infinite\" \"rgb L\" [1 1 1]"));
+    const Outcome run = this->run({"render", "noisy.pbrt", "--resolution", "48x32", "--spp", "256", "--target-error", "0.02", "--aov", "sampleCount", "--stats", "-o", "a.exr"});
     ASSERT_EQ(run.status, 0) << run.error;
     const FilmFile file = readImage(path("a.exr"));
     const std::vector<float>& counts = file.image.sampleCount;
@@ -116,12 +117,12 @@ TEST_F(AdaptiveCli, TheSamplesAreReported) {
     EXPECT_THAT(run.out, HasSubstr(fmt::format("{} fewest, {:.1f} mean, {} most", fewest, mean, most)));
     EXPECT_EQ(file.metadata.samples, static_cast<int>(fewest));
     EXPECT_NEAR(file.metadata.meanSamples.value(), mean, 1e-3);
-    EXPECT_NEAR(file.metadata.targetError.value(), 0.008, 1e-6);
+    EXPECT_NEAR(file.metadata.targetError.value(), 0.02, 1e-6);
 
-    const Outcome unreached = this->run({"render", "tiny.pbrt", "--spp", "32", "--target-error", "1e-5", "-o", "b.exr"});
+    const Outcome unreached = this->run({"render", "noisy.pbrt", "--spp", "32", "--target-error", "1e-5", "-o", "b.exr"});
     EXPECT_EQ(unreached.status, 0);
     EXPECT_THAT(unreached.error, HasSubstr("32 samples are the most that a pixel gets"));
-    const Outcome late = this->run({"render", "tiny.pbrt", "--spp", "100000000", "--target-error", "1e-5", "--time-limit", "0.5", "-o", "c.exr"});
+    const Outcome late = this->run({"render", "noisy.pbrt", "--spp", "100000000", "--target-error", "1e-5", "--time-limit", "0.5", "-o", "c.exr"});
     EXPECT_EQ(late.status, 0);
     EXPECT_THAT(late.error, HasSubstr("ended by --time-limit"));
 }
