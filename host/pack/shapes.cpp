@@ -99,8 +99,9 @@ private:
     }
 
     size_t addQuadric(Group& group, shape& packed, const Shape& s, quadric q, const glm::dmat4& m, bool instanceSwaps) {
-        /* The normal is made in object space and transformed, so only the shape's own transform can flip it */
-        if (s.reverseOrientation != (swapsHandedness(m) != instanceSwaps)) packed.flags |= shape_reversed;
+        /* The normal is made in object space and transformed, so only the shape's own transform can flip it, as pbrt-v4's mirrored quadrics do;
+           an implicit surface has its inside where F is negative, mirrored or not */
+        if (s.reverseOrientation != (packed.kind != shape_implicit && swapsHandedness(m) != instanceSwaps)) packed.flags |= shape_reversed;
         packed.quadric = static_cast<uint>(tables_.quadrics.size());
         q.scene_from_object = toAffine(m);
         q.object_from_scene = toAffine(glm::inverse(m));
