@@ -41,14 +41,13 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film) {
 }
 
 /// Says what the image lacks, if it lacks anything.
-void reportShortfall(const Options& o, const Film& film, const RenderResult& result, unsigned wanted, int endedBy, Diagnostics& diagnostics) {
-    const auto [fewest, most, mean] = film.samples();
+void reportShortfall(const Options& o, const Film::Samples& samples, const Film::Invalid& invalid, const RenderResult& result, unsigned wanted, int endedBy,
+                     Diagnostics& diagnostics) {
     if (!result.isFinished)
         say(o, fmt::format("{}: {} of {} samples a pixel", endedBy ? "interrupted" : "ended by --time-limit",
-                           fewest == most ? fmt::format("{}", fewest) : fmt::format("{} to {}", fewest, most), wanted));
+                           samples.fewest == samples.most ? fmt::format("{}", samples.fewest) : fmt::format("{} to {}", samples.fewest, samples.most), wanted));
     else if (result.error && *result.error > *o.output.targetError)
         say(o, fmt::format("the relative error is about {:.2g}, not {:g}: {} samples are the most that a pixel gets; --spp sets that number", *result.error, *o.output.targetError, wanted));
-    const Film::Invalid invalid = film.invalid();
     if (invalid.count)
         diagnostics.warn({}, fmt::format("{} sample{} not finite, or brighter than {:.0e}, and count{} as black; the first is in pixel ({}, {})", invalid.count,
                                          invalid.count == 1 ? " was" : "s were", MOST_RADIANCE, invalid.count == 1 ? "s" : "", invalid.x, invalid.y));
@@ -86,9 +85,8 @@ void writeAll(const std::vector<std::string>& files, const FilmImage& image, con
 void checkMemory(const PackedScene& packed, const MemoryPlan& plan) {
     const size_t needed = plan.tables + plan.queues + plan.film + plan.image, available = availableMemory();
     if (needed <= available) return;
-    constexpr double gibibyte = 1 << 30;
-    throw Error(ExitCode::scene, fmt::format("{} x {} pixels take {:.1f} GiB of memory, and {:.1f} GiB are available; --pixelbounds renders parts, which join exactly",
-                                             packed.pixels.width(), packed.pixels.height(), static_cast<double>(needed) / gibibyte, static_cast<double>(available) / gibibyte));
+    throw Error(ExitCode::scene, fmt::format("{} x {} pixels take {} of memory, and {} are available; --pixelbounds renders parts, which join exactly", packed.pixels.width(),
+                                             packed.pixels.height(), readableBytes(static_cast<double>(needed)), readableBytes(static_cast<double>(available))));
 }
 
 }  // namespace
@@ -117,8 +115,8 @@ int renderCommand(const Options& o) {
     const double renderSeconds = renderTime.seconds();
     /* A signal counts if it cost samples, not if it comes while what is finished is written */
     const int endedBy = result.isFinished ? 0 : Interrupt::signal();
-    reportShortfall(o, *film, result, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
     const Film::Samples samples = film->samples();
+    reportShortfall(o, samples, film->invalid(), result, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
 
     const Stopwatch writeTime;
     FilmImage image = film->develop(packed);

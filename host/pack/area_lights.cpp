@@ -56,6 +56,11 @@ static light bilinearLight(const SceneTables& tables, const shape& s, size_t ele
     return l;
 }
 
+/// Of a whole turn; phiMax in degrees.
+static double shareOfTurn(double phiMax) { return std::clamp(phiMax, 0.0, 360.0) / 360; }
+/// In x, on which side a round light emits: 1 where the product of its tangents points outwards in the scene as it does in its own space.
+static vec3 sideOf(const shape& s, const glm::dmat4& m) { return {((s.flags & shape_reversed) != 0) != swapsHandedness(m) ? -1.0f : 1.0f, 0, 0}; }
+
 static bool isWhole(const Sphere& sphere) { return sphere.zMin <= -sphere.radius && sphere.zMax >= sphere.radius && sphere.phiMax >= 360; }
 /// Whole, and still a sphere in the scene: from outside it is sampled by the cone that it fills.
 static bool isSeenAsASphere(const Sphere& sphere, const glm::dmat4& m) { return isWhole(sphere) && uniformScale(m) != 0; }
@@ -75,7 +80,7 @@ static light ellipsoidLight(const shape& s, const Sphere& sphere, const glm::dma
     const glm::dvec3 a = transformVector(m, {sphere.radius, 0, 0}), b = transformVector(m, {0, sphere.radius, 0}), c = transformVector(m, {0, 0, sphere.radius});
     l.p = toVec3(transformPoint(m, glm::dvec3(0)));
     l.a = toVec3(a); l.b = toVec3(b); l.c = toVec3(c);
-    l.extent = static_cast<float>(std::clamp(sphere.phiMax, 0.0, 360.0) / 360);
+    l.extent = static_cast<float>(shareOfTurn(sphere.phiMax));
     const double low = std::clamp(sphere.zMin / sphere.radius, -1.0, 1.0), high = std::clamp(sphere.zMax / sphere.radius, -1.0, 1.0);
     l.cos_inner = static_cast<float>(low);
     l.cos_outer = static_cast<float>(high);
@@ -88,7 +93,7 @@ static light ellipsoidLight(const shape& s, const Sphere& sphere, const glm::dma
         area += glm::length(across) * 2 * M_PI * l.extent * (high - low) / (steps * steps);
     }
     l.inverse_area = static_cast<float>(1 / area);
-    l.n = {((s.flags & shape_reversed) != 0) != swapsHandedness(m) ? -1.0f : 1.0f, 0, 0};
+    l.n = sideOf(s, m);
     return l;
 }
 
@@ -97,7 +102,7 @@ static light diskLight(const shape& s, const Disk& disk, const glm::dmat4& m, co
     const glm::dvec3 a = transformVector(m, {disk.radius, 0, 0}), b = transformVector(m, {0, disk.radius, 0});
     l.p = toVec3(transformPoint(m, {0, 0, disk.height}));
     l.a = toVec3(a); l.b = toVec3(b);
-    const double hole = disk.innerRadius / disk.radius, extent = std::clamp(disk.phiMax, 0.0, 360.0) / 360;
+    const double hole = disk.innerRadius / disk.radius, extent = shareOfTurn(disk.phiMax);
     l.radius = static_cast<float>(hole);
     l.extent = static_cast<float>(extent);
     const double area = glm::length(glm::cross(a, b)) * M_PI * (1 - hole * hole) * extent;
@@ -112,7 +117,7 @@ static light cylinderLight(const shape& s, const Cylinder& cylinder, const glm::
     const glm::dvec3 c = transformVector(m, {0, 0, cylinder.zMax - cylinder.zMin});
     l.p = toVec3(transformPoint(m, {0, 0, cylinder.zMin}));
     l.a = toVec3(a); l.b = toVec3(b); l.c = toVec3(c);
-    l.extent = static_cast<float>(std::clamp(cylinder.phiMax, 0.0, 360.0) / 360);
+    l.extent = static_cast<float>(shareOfTurn(cylinder.phiMax));
     /* The area by quadrature: what the sampler's probability needs */
     double area = 0;
     constexpr int steps = 256;
@@ -122,7 +127,7 @@ static light cylinderLight(const shape& s, const Cylinder& cylinder, const glm::
     }
     l.inverse_area = static_cast<float>(1 / area);
     /* dp/dphi x c points outwards, unless the transform mirrors it */
-    l.n = {((s.flags & shape_reversed) != 0) != swapsHandedness(m) ? -1.0f : 1.0f, 0, 0};
+    l.n = sideOf(s, m);
     return l;
 }
 

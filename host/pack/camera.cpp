@@ -101,8 +101,8 @@ static void packView(Packer& packer) {
     view.times = shutterOf(packer.scene);
     const Motion way(description.worldFromCamera, description.worldFromCameraAtEnd.value_or(description.worldFromCamera));
     const TimeSpan seen = timesSeen(packer.scene);
-    packer.packed.sceneFromCamera = {packer.space.sceneFromWorld() * way.at(seen.from), packer.space.sceneFromWorld() * way.at((seen.from + seen.to) / 2),
-                                     packer.space.sceneFromWorld() * way.at(seen.to)};
+    const auto cameraFromScene = [&](double time) { return glm::inverse(packer.space.sceneFromWorld() * way.at(time)); };
+    packer.packed.cameraFromScene = {cameraFromScene(seen.from), cameraFromScene((seen.from + seen.to) / 2), cameraFromScene(seen.to)};
     if (description.worldFromCameraAtEnd) {
         packer.packed.require(Feature::CAMERA_MOTION, description.where.toString());
         view.moving = way.pack(packer.space, {});

@@ -53,7 +53,7 @@ struct PackedScene {
     int samples = 16;                        ///< for each pixel
     double worldScale = 1;                   ///< world units in one unit of scene space
     glm::dvec3 worldCenter{0};               ///< the origin of scene space, world space
-    std::array<glm::dmat4, 3> sceneFromCamera{glm::dmat4(1), glm::dmat4(1), glm::dmat4(1)};  ///< where the camera is when the shutter opens, between, and when it closes
+    std::array<glm::dmat4, 3> cameraFromScene{glm::dmat4(1), glm::dmat4(1), glm::dmat4(1)};  ///< when the shutter opens, between, and when it closes
     SceneCounts counts;
 
     const settings& frame() const { return tables.frame.front(); }

@@ -50,8 +50,8 @@ std::optional<glm::dvec2> pixelOf(const PackedScene& scene, glm::dvec3 p) {
 }
 
 glm::dvec2 motionInImage(const PackedScene& scene, glm::dvec3 opening, glm::dvec3 closing) {
-    const auto& [open, middle, close] = scene.sceneFromCamera;
-    const auto from = pixelOf(scene, transformPoint(glm::inverse(open), opening)), to = pixelOf(scene, transformPoint(glm::inverse(close), closing));
+    const auto& [open, middle, close] = scene.cameraFromScene;
+    const auto from = pixelOf(scene, transformPoint(open, opening)), to = pixelOf(scene, transformPoint(close, closing));
     if (!from || !to) return glm::dvec2(0);
     glm::dvec2 moved = *to - *from;
     const camera& view = scene.frame().view;
@@ -61,7 +61,7 @@ glm::dvec2 motionInImage(const PackedScene& scene, glm::dvec3 opening, glm::dvec
 }
 
 void toCameraSpace(FilmImage& image, const PackedScene& scene) {
-    const glm::dmat4 cameraFromWorld = glm::inverse(scene.sceneFromCamera[1]) * SceneSpace{scene.worldCenter, 1 / scene.worldScale}.sceneFromWorld();
+    const glm::dmat4 cameraFromWorld = scene.cameraFromScene[1] * SceneSpace{scene.worldCenter, 1 / scene.worldScale}.sceneFromWorld();
     for (size_t i = 0; i < image.position.size(); ++i)
         if (image.depth.empty() || std::isfinite(image.depth[i])) image.position[i] = glm::vec3(transformPoint(cameraFromWorld, image.position[i]));
     for (auto* normals : {&image.normal, &image.geometricNormal})

@@ -16,13 +16,7 @@ import pathlib
 import statistics
 import tempfile
 
-from paths import ROOT, run
-
-
-def rate(program, scene, device, samples, folder):
-    """Million paths a second."""
-    run([program, "bench", scene, "--device", device, "--spp", samples, "--repeats", 1, "--json", folder / "bench.json", "--quiet"])
-    return json.loads((folder / "bench.json").read_text())["pathsPerSecond"] * 1e-6
+from paths import ROOT, bench, run
 
 
 def main():
@@ -43,7 +37,8 @@ def main():
                 run([o.program, "render", scene, "--device", device, "--spp", o.samples, "-o", folder / f"{device}.exr", "--quiet"])
             for _ in range(o.rounds):
                 for device in devices:
-                    rates[device].append(rate(o.program, scene, device, o.samples, folder))
+                    figures = bench(o.program, scene, folder, "--device", device, "--spp", o.samples, "--repeats", 1)
+                    rates[device].append(figures["pathsPerSecond"] * 1e-6)
             comparison = json.loads(run([o.program, "compare", folder / f"{devices[1]}.exr", folder / f"{devices[0]}.exr", "--json"]))
             first, second = (statistics.median(rates[device]) for device in devices)
             print(f"| {scene.parent.name}/{scene.name} | {first:.2f} | {second:.2f} | {second / first:.2f} | {comparison['relativeMse']:.2g} |", flush=True)

@@ -12,23 +12,9 @@ import math
 import pathlib
 import random
 import re
-import subprocess
 import tempfile
-import time
 
-from paths import ROOT, run, write_terrain
-
-
-def bench(program, scene, folder, *more):
-    run([program, "bench", scene, "--repeats", 1, "--json", folder / "bench.json", "--quiet", *more])
-    return json.loads((folder / "bench.json").read_text())
-
-
-def memory_of(program, scene):
-    """Bytes: the scene's tables, the queues."""
-    done = subprocess.run([str(program), "info", str(scene), "--json"], capture_output=True, text=True, check=True)
-    memory = json.loads(done.stdout)["memory"]
-    return memory["tables"], memory["queues"]
+from paths import ROOT, bench, run, write_terrain
 
 
 def triangles_table(o, folder):
@@ -36,8 +22,8 @@ def triangles_table(o, folder):
     last = None
     for count in o.triangles:
         scene = write_terrain(folder, round(math.sqrt(count / 2)))
-        j = bench(o.program, scene, folder, "--spp", 4)
-        tables, _ = memory_of(o.program, scene)
+        j = bench(o.program, scene, folder, "--spp", 4, "--repeats", 1)
+        tables = json.loads(run([o.program, "info", scene, "--json"]))["memory"]["tables"]
         nanoseconds = 1e9 / j["pathsPerSecond"]
         growth = f"{(nanoseconds - last[1]) / math.log2(count / last[0]):.0f}" if last else "-"
         print(f"| {count} | {count / j['buildSeconds'] * 1e-6:.2f} | {tables / count:.0f} | {nanoseconds:.0f} | {growth} |", flush=True)
@@ -45,16 +31,14 @@ def triangles_table(o, folder):
 
 
 def first_ray(program, scene, *more):
-    """Seconds until the first ray, bytes of the queues."""
-    command = [program, "render", scene, "--stats", "--time-limit", "0.01", "-o", "/dev/null.exr"]
+    """Seconds until the first ray, and what the queues take, as the program says it."""
     with tempfile.TemporaryDirectory() as name:
-        command[-1] = pathlib.Path(name) / "image.exr"
-        out = run(command + list(more))
+        out = run([program, "render", scene, "--stats", "--time-limit", "0.01", "-o", pathlib.Path(name) / "image.exr", *more])
     return float(re.search(r"until the first ray\s+([\d.]+) s", out).group(1)), re.search(r"queues ([\d.]+ \w+)", out).group(1)
 
 
 def starts_table(o, folder):
-    """Samples matter to no start; of pixels, only the film's memory does. `info` says what is allocated; the first tile is not awaited."""
+    """With --crop, only 64 x 64 pixels of the large image are rendered, and the film is theirs; without it, all get a sample, which takes minutes."""
     scene = write_terrain(folder, 100)
     first_ray(o.program, scene)   # compiles
     print("\n| image | samples a pixel | until the first ray, s | queues |\n|---|--:|--:|--:|")

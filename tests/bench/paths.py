@@ -29,9 +29,15 @@ def run(command):
     return done.stdout
 
 
-def embree_rate(bench):
+def bench(program, scene, folder, *options):
+    """The figures of `eikonal bench`."""
+    run([program, "bench", scene, "--json", folder / "bench.json", *options])
+    return json.loads((folder / "bench.json").read_text())
+
+
+def embree_rate(traversal_bench):
     """Million bounced rays a second."""
-    report = json.loads(run([bench, "--json", "--scenes", "terrain-1", "--kinds", "bounced", "--batches", "65536", "--repeats", "3"]))
+    report = json.loads(run([traversal_bench, "--json", "--scenes", "terrain-1", "--kinds", "bounced", "--batches", "65536", "--repeats", "3"]))
     return report["figures"][0]["embree_mrays"]
 
 
@@ -75,9 +81,9 @@ def main():
         print("| scene | M paths/s | Embree, M bounced rays/s | wanted at that rate | of it |\n|---|--:|--:|--:|--:|")
         for scene, rate in wanted:
             before = embree_rate(o.traversal_bench)
-            run([o.program, "bench", scene, "--spp", o.samples, "--repeats", o.repeats, "--json", folder / "bench.json"])
+            figures = bench(o.program, scene, folder, "--spp", o.samples, "--repeats", o.repeats)
             embree = (before + embree_rate(o.traversal_bench)) / 2
-            ours = json.loads((folder / "bench.json").read_text())["pathsPerSecond"] * 1e-6
+            ours = figures["pathsPerSecond"] * 1e-6
             target = rate * embree / EMBREE_RATE if rate else None
             row = f"{target:.2f} | {ours / target:.2f}" if target else "- | -"
             print(f"| {scene.parent.name if scene.parent != folder else 'generated'}/{scene.name} | {ours:.2f} | {embree:.2f} | {row} |", flush=True)

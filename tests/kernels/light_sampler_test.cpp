@@ -14,18 +14,24 @@
 namespace eikonal {
 namespace {
 
+/// Nothing but a table that chooses lights with these weights.
+PackedScene sceneChoosingBy(const std::vector<double>& weights) {
+    PackedScene scene;
+    scene.tables.light_aliases = makeAliasTable(weights);
+    scene.tables.frame.resize(1);
+    return scene;
+}
+
 /// Lights are taken as often as their probability; a sample's density has the probability of its light as a factor.
 TEST(LightSampler, TakesLightsByTheirProbability) {
-    PackedScene scene;
     const std::vector<double> weights{1, 5, 0.01, 3, 0, 2, 0.5, 7};
-    scene.tables.light_aliases = makeAliasTable(weights);
+    PackedScene scene = sceneChoosingBy(weights);
     for (size_t i = 0; i < weights.size(); ++i) {
         light l = newLight(kind_point_light);
         l.p = {static_cast<float>(i), 0, 0};
         l.pmf = scene.tables.light_aliases[i].pmf;
         scene.tables.lights.push_back(l);
     }
-    scene.tables.frame.resize(1);
     Random random(49);
     const auto u = generate(100000, [&] { return random.unit(); });
     const auto results = sample(scene, {0.3f, 1, 1}, u, std::vector<vec2>(u.size(), {0.5f, 0.5f}));
@@ -44,9 +50,7 @@ TEST(LightSampler, TakesLightsByTheirProbability) {
 /// What is left over of the number that chose is uniform again, whatever was chosen: it places a point in a texel.
 TEST(LightSampler, LeavesAUniformRest) {
     struct Chosen { int i; float rest; };
-    PackedScene scene;
-    scene.tables.light_aliases = makeAliasTable({0.3, 4, 1, 0.7});
-    scene.tables.frame.resize(1);
+    const PackedScene scene = sceneChoosingBy({0.3, 4, 1, 0.7});
     const DeviceScene onDevice(testContext(), scene);
     const DeviceFunction<Chosen> function({.include = "light/light.clh", .type = "alias_sample", .body = "result = sample_alias(light_aliases, 4, u);",
                                            .inputs = {"float u"}, .tables = "LIGHT_ARGUMENTS"});
@@ -67,9 +71,7 @@ TEST(LightSampler, LeavesAUniformRest) {
 /// again points with one in each of the 16 elementary intervals of every shape. Points that a number of its own had dealt to the lights would not be so.
 TEST(LightSampler, LeavesStrataToEachLight) {
     struct Placed { int i; vec2 at; };
-    PackedScene scene;
-    scene.tables.light_aliases = makeAliasTable({1, 1, 1, 1});
-    scene.tables.frame.resize(1);
+    const PackedScene scene = sceneChoosingBy({1, 1, 1, 1});
     const DeviceScene onDevice(testContext(), scene);
     const DeviceFunction<Placed> function({.include = "light/light.clh", .type = "placed",
         .body = "light_tables tables = BIND_LIGHTS; vec2 u = sample_2d(seed, sample, 9u); alias_sample lot = sample_light_index(tables, 4u, u.x); result.i = lot.i; result.at = make_vec2(lot.rest, u.y);",

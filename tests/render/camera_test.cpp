@@ -76,7 +76,7 @@ TEST(Cameras, SeeAPointWhereItIs) {
             const glm::dvec2 expected = c.pixel(p);
             EXPECT_NEAR(expected.x, c.x + i % 4 + .5, c.tolerance);
             EXPECT_NEAR(expected.y, c.y + i / 4 + .5, c.tolerance);
-            const auto known = pixelOf(scene, transformPoint(glm::inverse(scene.sceneFromCamera[0]), (p - scene.worldCenter) / scene.worldScale));
+            const auto known = pixelOf(scene, transformPoint(scene.cameraFromScene[0], (p - scene.worldCenter) / scene.worldScale));
             ASSERT_TRUE(known);
             EXPECT_NEAR(glm::distance(*known, expected), 0, c.tolerance);
         }
