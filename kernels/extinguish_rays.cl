@@ -28,7 +28,7 @@ FN extinguished extinguish_ray(medium_tables media, color_tables colors, ray_ite
 }
 
 #ifndef AS_LIBRARY
-TRACING_STAGE extinguish_rays(MEDIUM_ARGUMENTS COLOR_ARGUMENTS __global uint *ray, __global uint *flight, __global uint *path, uint capacity, uint count) {
+TRACING_STAGE extinguish_rays(MEDIUM_ARGUMENTS COLOR_ARGUMENTS __global uint *ray, __global uint *flight, __global uint *path, uint capacity, uint path_capacity, uint count) {
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
@@ -38,7 +38,7 @@ TRACING_STAGE extinguish_rays(MEDIUM_ARGUMENTS COLOR_ARGUMENTS __global uint *ra
         extinguished e = extinguish_ray(medium_set, color_set, load_ray(ray, capacity, i), load_flight(flight, capacity, i));
         store_ray(ray, capacity, i, e.ray);
         store_flight(flight, capacity, i, e.flight);
-        if (!is_black(e.L)) add_radiance(path, capacity, e.ray.path, e.L);
+        if (!is_black(e.L)) add_radiance(path, path_capacity, e.ray.path, e.L);
     }
 }
 #endif

@@ -1,5 +1,5 @@
-/* pixels -> ray, path.  A camera ray for each sample of some blocks of the image (film/pixel.clh says which slot holds which).
-   Straight-line: one slot a work-item; slots outside of the image hold dead rays. */
+/* pixels -> ray, path.  A camera ray for each sample of some blocks of the image, in the slots from `first` on: for the paths of the batch from the
+   `begun`-th on (film/pixel.clh says which is which), whose states begin at `first_path`. Straight-line; paths outside of the image have dead rays. */
 #include "queue.clh"
 #include "scene.clh"
 #include "camera/camera.clh"
@@ -7,9 +7,9 @@
 
 typedef struct { ray_item ray; path_item path; } camera_path;
 
-/* The ray and the path of a slot; `inside` says whether it belongs to the image. */
-FN camera_path start_path(camera_tables tables, __global const settings *frame, uint x, uint y, uint sample_index, uint slot, int inside) {
-    camera_sample sample = generate_ray(tables, frame, x, y, sample_index, path_of_slot(frame, slot));
+/* The ray and the state of a path; `inside` says whether it belongs to the image. */
+FN camera_path start_path(camera_tables tables, __global const settings *frame, uint x, uint y, uint sample_index, uint path, int inside) {
+    camera_sample sample = generate_ray(tables, frame, x, y, sample_index, state_of_path(frame, path));
     camera_path p;
     p.ray = sample.ray;
     p.ray.t_max = inside ? p.ray.t_max : -1.0f;
@@ -28,14 +28,15 @@ FN camera_path start_path(camera_tables tables, __global const settings *frame, 
 
 #ifndef AS_LIBRARY
 STAGE generate_rays(CAMERA_ARGUMENTS
-                    __global const settings *frame, __global uint *ray, __global uint *path, uint capacity,
-                    BATCH_ARGUMENTS uint count) {
+                    __global const settings *frame, __global uint *ray, __global uint *path, uint capacity, uint path_capacity,
+                    BATCH_ARGUMENTS uint begun, uint first_path, uint first, uint count) {
     camera_tables tables = BIND_CAMERA;
     FOR_EACH_SLOT(i, count) {
-        pixel_sample at = LOCATE_SLOT((uint)i);
-        camera_path p = start_path(tables, frame, at.x, at.y, at.sample, (uint)i, at.is);
-        store_ray(ray, capacity, i, p.ray);
-        store_path(path, capacity, HAS_TREE ? p.ray.path : i, p.path);
+        uint of_batch = begun + (uint)i;
+        pixel_sample at = LOCATE_PATH(of_batch);
+        camera_path p = start_path(tables, frame, at.x, at.y, at.sample, first_path + of_batch, at.is);
+        store_ray(ray, capacity, first + i, p.ray);
+        store_path(path, path_capacity, HAS_TREE ? p.ray.path : first_path + begun + i, p.path);
     }
 }
 #endif

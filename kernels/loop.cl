@@ -29,15 +29,15 @@ FN kept_albedo albedo_any(bsdf_tables tables, palette colors, __global const uin
     return k;
 }
 
-FN void meet_light(geometry g, texture_tables tables, medium_tables media, color_tables colors, __global uint *path, uint capacity, shadow_item s) {
+FN void meet_light(geometry g, texture_tables tables, medium_tables media, color_tables colors, __global uint *path, uint path_capacity, shadow_item s) {
     if (s.t_max < 0.0f) return;
     spectrum L = test_shadow(g, tables, media, colors, s);
-    if (!is_black(L)) add_radiance(path, capacity, s.path, L);
+    if (!is_black(L)) add_radiance(path, path_capacity, s.path, L);
 }
 
 TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS BSDF_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS CAMERA_ARGUMENTS
-           __global const settings *frame, __global uint *hit, __global uint *path, uint capacity,
-           BATCH_ARGUMENTS uint most_hops, uint turns, uint count) {
+           __global const settings *frame, __global uint *hit, __global uint *path, uint capacity, uint path_capacity,
+           BATCH_ARGUMENTS uint turns, uint count) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
@@ -48,9 +48,9 @@ TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT
     camera_tables camera_set = BIND_CAMERA;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
     for (uint slot = (uint)first; slot < last; ++slot) {
-        pixel_sample at = LOCATE_SLOT(slot);
+        pixel_sample at = LOCATE_PATH(slot);
         camera_path started = start_path(camera_set, frame, at.x, at.y, at.sample, slot, at.is);
-        store_path(path, capacity, started.ray.path, started.path);
+        store_path(path, path_capacity, started.ray.path, started.path);
 
         /* Rays that are still to be followed: several in a tree of rays */
         ray_item waiting[HAS_TREE ? MOST_TREE_RAYS : 1];
@@ -58,7 +58,7 @@ TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT
         waiting[0] = started.ray;
         while (rays > 0) {
             ray_item r = waiting[--rays];
-            for (uint hop = 0; r.t_max >= 0.0f && hop < most_hops; ++hop) {
+            while (r.t_max >= 0.0f) {
                 /* Where the ray ends, and what comes next */
                 flight_item f = intersect_ray(g, tables, r);
                 f.hop = hop_none;
@@ -67,7 +67,7 @@ TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT
                     extinguished e = extinguish_ray(medium_set, color_set, r, f);
                     r = e.ray;
                     f = e.flight;
-                    if (!is_black(e.L)) add_radiance(path, capacity, r.path, e.L);
+                    if (!is_black(e.L)) add_radiance(path, path_capacity, r.path, e.L);
                 }
                 next_hop next = classify_flight(g, tables, material_set, frame, r, f);
                 f.hop = next.hop;
@@ -78,7 +78,7 @@ TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT
                 out.ray = r;
                 out.ray.t_max = -1.0f;
                 out.shadow = no_shadow(r.path);
-                if (ENVIRONMENTS && f.hop == hop_miss) add_radiance(path, capacity, r.path, shade_miss(light_set, color_set, make_miss(r)));
+                if (ENVIRONMENTS && f.hop == hop_miss) add_radiance(path, path_capacity, r.path, shade_miss(light_set, color_set, make_miss(r)));
                 else if (HAS_MEDIA && f.hop == hop_scatter) out = shade_scatter(light_set, color_set, frame, choose_scatters_light(light_set, frame, make_scatter(medium_set, r, f)), 1);
                 else if (HAS_DIFFUSION && r.body != NONE && f.hop < hop_miss) {
                     if (f.hop == hop_passage) out.ray = make_probe(g, tables, material_set, r, f, flight_surface(g, tables, r, f));
@@ -89,7 +89,7 @@ TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT
                         out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, e.hit, 0u);
                         if (HAS_AOVS && !e.hit.seen) {
                             kept_albedo k = albedo_any(bsdf_set, path_palette(color_set, e.hit.seed, e.hit.sample), hit, capacity, slot, f.hop);
-                            if (k.is) STORE_FIELD(path, spectrum, albedo, path, capacity, r.path, seen_albedo(e.hit, k.albedo));
+                            if (k.is) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(e.hit, k.albedo));
                         }
                     }
                 }
@@ -97,14 +97,14 @@ TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT
                     surface s = flight_surface(g, tables, r, f);
                     if (HAS_EMITTERS && flight_emits(g, f, NONE)) {
                         emission_item e = make_emission(g, tables, light_set, color_set, r, f, s);
-                        add_radiance(path, capacity, r.path, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
+                        add_radiance(path, path_capacity, r.path, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
                     }
                     if (HAS_INTERFACE && f.hop == hop_passage) out.ray = make_passage(g, r, f, s);
                     else if (HAS_AMBIENT_OCCLUSION && f.hop == hop_occlusion) {
                         hit_item h = make_hit(g, r, f, s, material_set.materials[f.material]);
                         out.shadow = shade_occlusion(color_set, frame, h, 1);
-                        if (HAS_AOVS) store_first_surface(g, frame, path, capacity, r, f, s);
-                        if (HAS_AOVS) STORE_FIELD(path, spectrum, albedo, path, capacity, r.path, seen_albedo(h, uniform_spectrum(1.0f)));
+                        if (HAS_AOVS) store_first_surface(g, frame, path, path_capacity, r, f, s);
+                        if (HAS_AOVS) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(h, uniform_spectrum(1.0f)));
                     } else if (f.hop < hop_miss) {
                         material m = material_set.materials[f.material];
                         s = relieve_surface(tables, m, s);
@@ -112,22 +112,22 @@ TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT
                         if (HAS_DIFFUSION) h = place_probe(material_set, color_set, m, h);
                         store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
                         out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h, 0u);
-                        if (HAS_TREE) { meet_light(g, tables, medium_set, color_set, path, capacity, out.shadow); out.shadow.t_max = -1.0f; }
+                        if (HAS_TREE) { meet_light(g, tables, medium_set, color_set, path, path_capacity, out.shadow); out.shadow.t_max = -1.0f; }
                         for (uint turn = 1; HAS_TREE && turn < turns; ++turn) {
                             scattering more = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h, turn);
                             if (more.ray.t_max >= 0.0f) waiting[rays++] = more.ray;
-                            meet_light(g, tables, medium_set, color_set, path, capacity, more.shadow);
+                            meet_light(g, tables, medium_set, color_set, path, path_capacity, more.shadow);
                         }
-                        if (HAS_AOVS && r.depth == 0) store_first_surface(g, frame, path, capacity, r, f, s);
+                        if (HAS_AOVS && r.depth == 0) store_first_surface(g, frame, path, path_capacity, r, f, s);
                         if (HAS_AOVS && !h.seen) {
                             kept_albedo k = albedo_any(bsdf_set, path_palette(color_set, h.seed, h.sample), hit, capacity, slot, f.hop);
-                            if (k.is) STORE_FIELD(path, spectrum, albedo, path, capacity, r.path, seen_albedo(h, k.albedo));
+                            if (k.is) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(h, k.albedo));
                         }
                     }
                 }
 
                 /* Light from one light, and on */
-                meet_light(g, tables, medium_set, color_set, path, capacity, out.shadow);
+                meet_light(g, tables, medium_set, color_set, path, path_capacity, out.shadow);
                 r = out.ray;
             }
         }

@@ -67,18 +67,18 @@ FN film_item add_sample(film_item f, path_item p, palette colors, __global const
     return f;
 }
 
-/* The path of a slot, with what all rays of its tree have gathered. */
-FN path_item gather_path(__global const settings *frame, __global const uint *path, uint capacity, uint slot) {
-    uint first = path_of_slot(frame, slot);
-    path_item p = load_path(path, capacity, first);
+/* A path, with what all rays of its tree have gathered. */
+FN path_item gather_path(__global const settings *frame, __global const uint *path, uint path_capacity, uint index) {
+    uint first = state_of_path(frame, index);
+    path_item p = load_path(path, path_capacity, first);
     for (uint branch = 1; HAS_TREE && branch < 1u << frame->tree_forks; ++branch) {
-        p.L = add(p.L, LOAD_FIELD(path, spectrum, L, path, capacity, first + branch));
-        if (HAS_AOVS) p.albedo = add(p.albedo, LOAD_FIELD(path, spectrum, albedo, path, capacity, first + branch));
+        p.L = add(p.L, LOAD_FIELD(path, spectrum, L, path, path_capacity, first + branch));
+        if (HAS_AOVS) p.albedo = add(p.albedo, LOAD_FIELD(path, spectrum, albedo, path, path_capacity, first + branch));
     }
     return p;
 }
 
-TRACING_STAGE resolve_film(COLOR_ARGUMENTS __global const settings *frame, __global const uint *path, uint capacity, __global uint *film, uint film_pixels,
+TRACING_STAGE resolve_film(COLOR_ARGUMENTS __global const settings *frame, __global const uint *path, uint path_capacity, uint first_path, __global uint *film, uint film_pixels,
                    __global const layer_range *block_layers, uint block_log2_width, uint block_log2_height) {
     color_tables color_set = BIND_COLORS;
     uint log2_pixels = block_log2_width + block_log2_height;
@@ -87,7 +87,7 @@ TRACING_STAGE resolve_film(COLOR_ARGUMENTS __global const settings *frame, __glo
         film_item f = load_film(film, film_pixels, pixel);
         layer_range range = block_layers[pixel >> log2_pixels];
         for (uint s = range.first; s < range.first + range.layers; ++s) {
-            path_item p = gather_path(frame, path, capacity, (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u)));
+            path_item p = gather_path(frame, path, path_capacity, first_path + (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u)));
             if (p.weight == 0.0f && is_black(p.L)) continue;
             if (!is_finite(p.L) || max_component(p.L) > MOST_RADIANCE) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
             f = add_sample(f, p, path_palette(color_set, p.seed, p.sample), frame);

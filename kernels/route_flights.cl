@@ -27,7 +27,7 @@ TRACING_STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUME
                     __global const settings *frame, __global const uint *ray, __global const uint *flight, uint capacity, uint count,
                     __global const uint *counts, __global uint *cursors,
                     __global uint *hit, __global uint *scatter, __global uint *miss, __global uint *emission, __global uint *next_ray,
-                    __global uint *shadow, __global uint *path) {
+                    __global uint *shadow, __global uint *path, uint path_capacity) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
@@ -53,7 +53,7 @@ TRACING_STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUME
     }
 
     /* Fill it */
-    if ((HAS_INTERFACE || HAS_DIFFUSION) && first == 0) end_passages(next_ray, shadow, capacity, counts[hop_passage]);
+    if (HAS_PASSAGES && first == 0) end_passages(next_ray, shadow, capacity, counts[hop_passage]);
     for (size_t i = first; i < last; ++i) {
         if (LOAD_FIELD(flight, float, t, flight, capacity, i) < 0.0f) continue;
         flight_item f = load_flight(flight, capacity, i);
@@ -83,7 +83,7 @@ TRACING_STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUME
             hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m));
             if (HAS_DIFFUSION) h = place_probe(material_set, color_set, m, h);
             store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
-            if (HAS_AOVS && r.depth == 0) store_first_surface(g, frame, path, capacity, r, f, s);
+            if (HAS_AOVS && r.depth == 0) store_first_surface(g, frame, path, path_capacity, r, f, s);
         }
     }
 }

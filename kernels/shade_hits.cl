@@ -77,7 +77,7 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
 #ifndef AS_LIBRARY
 STAGE shade_hits(LIGHT_ARGUMENTS BSDF_ARGUMENTS COLOR_ARGUMENTS
                  __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, __global uint *path,
-                 uint capacity, uint first, uint count, uint turn, uint turn_slots) {
+                 uint capacity, uint path_capacity, uint first, uint count, uint turn, uint turn_slots) {
     light_tables light_set = BIND_LIGHTS;
     bsdf_tables bsdf_set = BIND_BSDFS;
     color_tables color_set = BIND_COLORS;
@@ -96,7 +96,7 @@ STAGE shade_hits(LIGHT_ARGUMENTS BSDF_ARGUMENTS COLOR_ARGUMENTS
         store_ray(next_ray, capacity, to, out.ray);
         if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
         else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
-        if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.seen) STORE_FIELD(path, spectrum, albedo, path, capacity, h.path, seen_albedo(h, ALBEDO_BSDF(b)));
+        if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.seen) STORE_FIELD(path, spectrum, albedo, path, path_capacity, h.path, seen_albedo(h, ALBEDO_BSDF(b)));
     }
 }
 #endif

@@ -36,13 +36,13 @@ FN spectrum shade_miss(light_tables lights, color_tables color_set, miss_item m)
 }
 
 #ifndef AS_LIBRARY
-STAGE shade_misses(LIGHT_ARGUMENTS COLOR_ARGUMENTS __global const uint *miss, __global uint *path, uint capacity, uint count) {
+STAGE shade_misses(LIGHT_ARGUMENTS COLOR_ARGUMENTS __global const uint *miss, __global uint *path, uint capacity, uint path_capacity, uint count) {
     light_tables light_set = BIND_LIGHTS;
     color_tables color_set = BIND_COLORS;
     FOR_EACH_SLOT(i, count) {
         miss_item m = load_miss(miss, capacity, i);
         spectrum L = shade_miss(light_set, color_set, m);
-        add_radiance(path, capacity, i < count ? m.path : NOBODYS_PATH(i), L);
+        add_radiance(path, path_capacity, i < count ? m.path : NOBODYS_PATH(i), L);
     }
 }
 #endif

@@ -29,7 +29,7 @@ FN shadow_item shade_occlusion(color_tables colors, __global const settings *fra
 #ifndef AS_LIBRARY
 STAGE shade_occlusions(COLOR_ARGUMENTS
                        __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, __global uint *path,
-                       uint capacity, uint first, uint count) {
+                       uint capacity, uint path_capacity, uint first, uint count) {
     color_tables color_set = BIND_COLORS;
     FOR_EACH_SLOT(at, count) {
         size_t i = first + at;
@@ -37,7 +37,7 @@ STAGE shade_occlusions(COLOR_ARGUMENTS
         hit_item h = load_hit(hit, capacity, i);
         store_shadow(shadow, capacity, i, shade_occlusion(color_set, frame, h, alive));
         STORE_FIELD(ray, float, t_max, next_ray, capacity, i, -1.0f);
-        if (HAS_AOVS && alive) STORE_FIELD(path, spectrum, albedo, path, capacity, h.path, seen_albedo(h, uniform_spectrum(1.0f)));
+        if (HAS_AOVS && alive) STORE_FIELD(path, spectrum, albedo, path, path_capacity, h.path, seen_albedo(h, uniform_spectrum(1.0f)));
     }
 }
 #endif

@@ -16,7 +16,8 @@ static void requireBsdf(Packer& packer, hop h, const std::string& why) {
     BSDFS(REQUIRE_BSDF)
 #undef REQUIRE_BSDF
     if (transmits(h)) packer.packed.require(Feature::TRANSMISSION, why);
-    if (h == hop_passage) packer.packed.require(Feature::INTERFACE, why);
+    if (h == hop_passage)
+        for (Feature feature : {Feature::INTERFACE, Feature::PASSAGES}) packer.packed.require(feature, why);
     if (h == hop_mix) packer.packed.require(Feature::MIX, why);
 }
 
@@ -33,7 +34,7 @@ static uint packProfile(Packer& packer, InputWriter& in, const Material& descrip
     SceneTables& tables = packer.packed.tables;
     const auto [place, isNew] = packer.profiles.try_emplace(description.diffusion.get(), static_cast<uint>(tables.profiles.size()));
     if (!isNew) return place->second;
-    for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, Feature::BSDF_EMERGENCE}) packer.packed.require(feature, in.why());
+    for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, Feature::PASSAGES, Feature::BSDF_EMERGENCE}) packer.packed.require(feature, in.why());
     const color albedo = packReflectance(packer, description.diffusion->albedo);
     material surface = blank;
     surface.hop = hop_emergence;

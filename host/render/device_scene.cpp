@@ -11,7 +11,7 @@ Branching Branching::of(const PackedScene& scene) {
     return {frame.tree_forks, branches, std::max(branches, frame.tree_lights)};
 }
 
-DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : maxDepth_(scene.frame().max_depth), hasWalks_(scene.features.has(Feature::SUBSURFACE)), branching_(Branching::of(scene)) {
+DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : branching_(Branching::of(scene)) {
     const auto upload = [&](const auto& table, const char* name) {
         using Element = typename std::decay_t<decltype(table)>::value_type;
         buffers_.push_back(Buffer::of<Element>(context, table, std::string("table ") + name));

@@ -22,18 +22,12 @@ public:
     DeviceScene(const Context& context, const PackedScene& scene);
     const Bindings& bindings() const { return bindings_; }
     size_t bytes() const { return bytes_; }
-    /// Most scattering events on a path.
-    unsigned maxDepth() const { return maxDepth_; }
     Branching branching() const { return branching_; }
-    /// Whether there are bodies in which paths wander: events there are no depth.
-    bool hasWalks() const { return hasWalks_; }
 
 private:
     std::list<Buffer> buffers_;
     Bindings bindings_;
     size_t bytes_ = 0;
-    unsigned maxDepth_;
-    bool hasWalks_;
     Branching branching_;
 };
 

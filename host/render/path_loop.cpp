@@ -32,18 +32,21 @@ PathLoop::PathLoop(const Context& context, Compiler& compiler, const DeviceScene
     path_ = Buffer(context, words(queueLayout("path", complete.features).words), "paths");
     bindings_.set("hit", hit_);
     bindings_.set("path", path_);
-    bindings_.set("capacity", capacity);
+    for (const char* name : {"capacity", "path_capacity"}) bindings_.set(name, capacity);
+    bindings_.set("first_path", 0u);
     bindings_.set("turns", deviceScene.branching().turns);
-    bindings_.set("most_hops", mostHops(deviceScene));
 }
 
-void PathLoop::trace(const Batch& batch, int endX, int endY) {
-    tables_.write(context_, batch, endX, endY);
-    const unsigned paths = batch.paths();
-    if (scene_.branching().forks) path_.clear(context_, 0, path_.size());
-    bindings_.set("count", paths);
-    profile_.add("loop", paths, loop_.launch(context_, {&scene_.bindings(), &bindings_, &tables_.bindings()}, paths, shape_.group()));
-    context_.finish();
+void PathLoop::trace(const BatchStream& stream) {
+    while (const std::optional<Batch> batch = stream.next()) {
+        tables_.write(context_, *batch, stream.endX, stream.endY);
+        const unsigned paths = batch->paths();
+        if (scene_.branching().forks) path_.clear(context_, 0, path_.size());
+        bindings_.set("count", paths);
+        profile_.add("loop", paths, loop_.launch(context_, {&scene_.bindings(), &bindings_, &tables_.bindings()}, paths, shape_.group()));
+        context_.finish();
+        stream.traced(*batch);
+    }
 }
 
 void PathLoop::resolve(const Batch& batch, const Buffer& film) {

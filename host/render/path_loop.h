@@ -2,6 +2,7 @@
 // The plain way: one kernel that follows each path in a loop (kernels/loop.cl), over the same functions as the stages. What the wavefront
 // is tested against, and measured against.
 
+#include "render/device_scene.h"
 #include "render/profile.h"
 #include "render/stages.h"
 #include "render/tracer.h"
@@ -13,7 +14,7 @@ public:
     PathLoop(const Context& context, Compiler& compiler, const DeviceScene& deviceScene, const PackedScene& scene, const StageShape& shape,
              const BuildSettings& settings, Profile& profile);
     unsigned mostPaths() const override { return mostPaths_; }
-    void trace(const Batch& batch, int endX, int endY) override;
+    void trace(const BatchStream& stream) override;
     void resolve(const Batch& batch, const Buffer& film) override;
 
 private:

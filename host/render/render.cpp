@@ -4,6 +4,8 @@
 
 #include <bit>
 #include <chrono>
+#include <deque>
+#include <utility>
 
 namespace eikonal {
 namespace {
@@ -15,6 +17,7 @@ constexpr unsigned smallestBlock = 1024;
 struct Pass {
     BlockSize size;
     std::vector<Block> blocks;
+    unsigned samples = 0;       ///< that it brings to every pixel
 };
 
 /// The next samples of all pixels: as few as fill a wave at first, then about twice as many as there are already, so that the whole image is
@@ -26,7 +29,7 @@ Pass uniformPass(const PixelRect& rect, unsigned done, unsigned end, unsigned mo
     const unsigned wanted = std::min(std::max(fill, done + 1), left);
     const unsigned blockPixels = std::bit_floor(std::max(mostPaths / wanted, std::min(smallestBlock, mostPaths)));
     const unsigned samples = std::min(left, std::max(mostPaths / blockPixels, 1u));
-    Pass pass{chooseBlockSize(rect, blockPixels), {}};
+    Pass pass{chooseBlockSize(rect, blockPixels), {}, samples};
     for (int y = rect.y0; y < rect.y1; y += pass.size.height())
         for (int x = rect.x0; x < rect.x1; x += pass.size.width()) pass.blocks.push_back({x, y, done, samples});
     return pass;
@@ -36,7 +39,7 @@ Pass uniformPass(const PixelRect& rect, unsigned done, unsigned end, unsigned mo
 Pass cut(const std::vector<Block>& blocks, BlockSize size, const PixelRect& rect, unsigned mostPaths) {
     BlockSize small = size;
     while (small.pixels() > mostPaths) --(small.log2Height > small.log2Width ? small.log2Height : small.log2Width);
-    Pass pass{small, {}};
+    Pass pass{small, {}, 0};
     for (const Block& b : blocks) {
         const PixelRect part = b.within(rect, size);
         for (int y = part.y0; y < part.y1; y += small.height())
@@ -57,12 +60,14 @@ public:
         pixels_ = static_cast<double>(rect.width()) * rect.height();
         allPaths_ = pixels_ * (end - samples_);
         const unsigned uniformEnd = control_.targetError ? std::min(end, samples_ + AdaptiveSampling::firstSamples) : end;
-        while (samples_ < uniformEnd) {
-            const Pass pass = uniformPass(rect, samples_, uniformEnd, most);
-            const unsigned samples = pass.blocks.front().samples;
-            if (!trace(pass)) return {false, samples_, {}};
-            samples_ += samples;
-        }
+        unsigned planned = samples_;
+        trace([&]() -> std::optional<Pass> {
+            if (planned >= uniformEnd) return {};
+            Pass pass = uniformPass(rect, planned, uniformEnd, most);
+            planned += pass.samples;
+            return pass;
+        });
+        if (stopped_) return {false, samples_, {}};
         if (!control_.targetError) return {true, samples_, {}};
 
         AdaptiveSampling adaptive(rect, samples_, end, *control_.targetError);
@@ -70,28 +75,36 @@ public:
             const std::vector<Block> blocks = adaptive.nextPass(film_);
             if (blocks.empty()) return {true, samples_, adaptive.error()};
             allPaths_ = adaptive.plannedSamples() - pixels_ * control_.firstSample;
-            if (!trace(cut(blocks, AdaptiveSampling::blockSize, rect, most))) return {false, samples_, {}};
+            std::optional<Pass> pass = cut(blocks, AdaptiveSampling::blockSize, rect, most);
+            trace([&] { return std::exchange(pass, std::nullopt); });
+            if (stopped_) return {false, samples_, {}};
         }
     }
 
 private:
-    /// Whether it came to an end.
-    bool trace(const Pass& pass) {
-        Batches batches(pass.size, pass.blocks, tracer_.mostPaths());
-        while (!batches.empty()) {
-            if (control_.stop && control_.stop()) { context_.finish(); return false; }
-            trace(batches.next());
-        }
+    /// Traces all that `nextPass` gives, until it gives nothing.
+    void trace(const std::function<std::optional<Pass>()>& nextPass) {
+        std::optional<Batches> batches;
+        const auto next = [&]() -> std::optional<Batch> {
+            if (control_.stop && control_.stop()) stopped_ = true;
+            if (stopped_) return {};
+            if (!batches || batches->empty()) {
+                const std::optional<Pass> pass = nextPass();
+                if (!pass) return {};
+                batches.emplace(pass->size, pass->blocks, tracer_.mostPaths());
+                traced_.push_back({pass->samples, layersOf(*pass)});
+            }
+            return batches->next();
+        };
+        tracer_.trace({next, [this](const Batch& batch) { resolve(batch); }, film_.pixels().x1, film_.pixels().y1});
         context_.finish();
-        return true;
     }
 
-    void trace(const Batch& batch) {
+    void resolve(const Batch& batch) {
         const PixelRect& rect = film_.pixels();
         const size_t bytes = static_cast<size_t>(batch.pixels()) * static_cast<size_t>(film_.words()) * sizeof(uint);
         if (blocks_.size() < bytes) blocks_ = Buffer(context_, bytes, "blocks of the film");
         film_.upload(context_, blocks_, batch);
-        tracer_.trace(batch, rect.x1, rect.y1);
         tracer_.resolve(batch, blocks_);
         film_.download(context_, blocks_, batch);
         std::uint64_t paths = 0;
@@ -101,9 +114,17 @@ private:
         }
         profile_.paths += paths;
         paths_ += static_cast<double>(paths);
+        traced_.front().layers -= batch.layers();
+        if (!traced_.front().layers) { samples_ += traced_.front().samples; traced_.pop_front(); }
         if (control_.progress)
             control_.progress({std::min(paths_ / allPaths_, 1.0), std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(), samples_,
                                control_.firstSample + paths_ / pixels_});
+    }
+
+    static unsigned long layersOf(const Pass& pass) {
+        unsigned long sum = 0;
+        for (const Block& b : pass.blocks) sum += b.samples;
+        return sum;
     }
 
     const Context& context_;
@@ -113,6 +134,9 @@ private:
     const RenderControl& control_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     Buffer blocks_;
+    struct Traced { unsigned samples; unsigned long layers; };
+    std::deque<Traced> traced_;             ///< passes under way: what they bring to every pixel, and what of them is not traced yet
+    bool stopped_ = false;
     unsigned samples_;                      ///< that every pixel has
     double pixels_ = 0;
     double paths_ = 0, allPaths_ = 0;       ///< traced by now, and expected to be in the end

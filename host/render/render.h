@@ -22,8 +22,8 @@ struct Progress {
 struct RenderControl {
     unsigned firstSample = 0, endSample = 1;          ///< of each pixel
     std::optional<double> targetError;                ///< sampling is adaptive (adaptive.h), and endSample the most that a pixel gets
-    std::function<void(const Progress&)> progress;    ///< called after each wave; may be empty
-    std::function<bool()> stop;                       ///< asked before each wave: ends the render there; may be empty
+    std::function<void(const Progress&)> progress;    ///< called after each batch of paths; may be empty
+    std::function<bool()> stop;                       ///< asked before each batch of paths: those in flight are the last then; may be empty
 };
 
 struct RenderResult {

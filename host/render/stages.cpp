@@ -11,6 +11,7 @@ StageShape StageShape::forDevice(const DeviceInfo& device) {
         shape.localSize = 64;
         shape.run = 1;
         shape.wavePaths = 1u << 20;
+        shape.batches = 2;
     }
     shape.localSize = static_cast<unsigned>(std::min<size_t>(shape.localSize, device.largestGroup));
     return shape;

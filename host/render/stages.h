@@ -17,6 +17,7 @@ struct StageShape {
     unsigned run = 64;         ///< slots that a work-item handles, a power of two: on a CPU SIMD is inside of the work-item,
     bool widensGroups = false; ///< unless this is set; then a work-item of a straight-line stage handles one (kernels/scene.clh)
     unsigned wavePaths = 131008;  ///< rays in flight: a path is one, or more with trees of rays
+    unsigned batches = 8;      ///< whose paths are in flight together, at most MOST_BATCHES: the last paths of one leave room for the first of the next
     /// Slots of a group: segments of queues begin at multiples of it.
     unsigned group() const { return localSize * run; }
     /// `slots`, rounded up to whole groups.

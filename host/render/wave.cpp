@@ -7,21 +7,24 @@
 namespace eikonal {
 
 Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile)
-    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), branching_(scene.branching()),
-      mostPaths_(mostPathsFor(shape, branching_)), capacity_(capacityFor(shape, branching_)), mostHops_(mostHops(scene)), tables_(context) {
-    for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), capacity_)) {
+    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), branching_(scene.branching()) {
+    const WaveSize size(shape, branching_);
+    mostPaths_ = size.paths;
+    log2BatchPaths_ = size.log2BatchPaths;
+    for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), size)) {
         addQueue(queue.layout, queue.items, queue.name);
         if (queue.name == "ray") rays_[0] = &buffers_.back();
         if (queue.name == "next_ray") rays_[1] = &buffers_.back();
         if (queue.name == "path") paths_ = &buffers_.back();
     }
+    for (unsigned place = 0; place < size.batches; ++place) tables_.emplace_back(context);
     counts_ = Buffer(context, sizeof(Counts), "counts");
     cursors_ = Buffer(context, sizeof(Counts), "cursors");
-    tally_ = Buffer(context, tallies * sizeof(cl_uint), "tally");
     bindings_.set("counts", counts_);
     bindings_.set("cursors", cursors_);
-    bindings_.set("tally", tally_);
-    bindings_.set("capacity", capacity_);
+    bindings_.set("capacity", size.capacity);
+    bindings_.set("path_capacity", size.pathCapacity);
+    bindings_.set("log2_batch_paths", log2BatchPaths_ + branching_.forks);
 }
 
 void Wave::addQueue(const QueueLayout& layout, size_t items, const std::string& name) {
@@ -33,7 +36,7 @@ void Wave::addQueue(const QueueLayout& layout, size_t items, const std::string& 
 void Wave::run(const Stage* stage, unsigned items, const Bindings& extra) {
     if (!stage) return;
     /* Scene tables, then queues, then what this launch has of its own */
-    profile_.add(stage->name, items, stage->kernel.launch(context_, {&scene_, &bindings_, &tables_.bindings(), &extra}, items, shape_.group()));
+    profile_.add(stage->name, items, stage->kernel.launch(context_, {&scene_, &bindings_, &extra}, items, shape_.group()));
 }
 
 static Bindings segment(unsigned first, unsigned count) {
@@ -44,7 +47,7 @@ static Bindings segment(unsigned first, unsigned count) {
 }
 
 Wave::Counts Wave::countAndRoute(unsigned rays) {
-    counts_.clear(context_, 0, sizeof(Counts));
+    counts_.clear(context_, 0, count_of_shadow_rays * sizeof(cl_uint));
     cursors_.clear(context_, 0, sizeof(Counts));
     run(stages_.find("classify_flights"), rays, segment(0, rays));
     Counts counts;
@@ -85,43 +88,99 @@ unsigned Wave::shade(const Counts& counts) {
     return slots * branching_.branches;
 }
 
-void Wave::trace(const Batch& batch, int endX, int endY) {
-    tables_.write(context_, batch, endX, endY);
+void Wave::bindRays() {
     bindings_.set("ray", *rays_[0]);
     bindings_.set("next_ray", *rays_[1]);
-    tally_.clear(context_, 0, tallies * sizeof(cl_uint));
-    if (branching_.forks) paths_->clear(context_, 0, paths_->size());
+}
 
-    unsigned rays = batch.paths();
-    run(stages_.find("generate_rays"), rays, segment(0, rays));
-    for (unsigned hop = 0; rays > 0 && hop < mostHops_; ++hop) {
-        run(stages_.find("intersect_rays"), rays, segment(0, rays));     // ray -> flight
-        run(stages_.find("extinguish_rays"), rays, segment(0, rays));    // flight -> flight, if there are media
-        const Counts counts = countAndRoute(rays);                       // flight -> hit, scatter, miss, emission, next ray
-        rays = shade(counts);                                            // -> path, next ray, shadow -> path
-        std::swap(rays_[0], rays_[1]);
-        bindings_.set("ray", *rays_[0]);
-        bindings_.set("next_ray", *rays_[1]);
+void Wave::countShadowRays(const Counts& counts) {
+    profile_.shadowRays += counts[count_of_shadow_rays] - shadowRays_;
+    shadowRays_ = counts[count_of_shadow_rays];
+}
+
+/// Every ray goes to where it ends, and from there on. Of `slots` of the queue that may hold one; afterwards it is those of the next.
+Wave::Counts Wave::hop(unsigned& slots) {
+    if (!slots) return {};
+    run(stages_.find("intersect_rays"), slots, segment(0, slots));     // ray -> flight
+    run(stages_.find("extinguish_rays"), slots, segment(0, slots));    // flight -> flight, if there are media
+    const Counts counts = countAndRoute(slots);                        // flight -> hit, scatter, miss, emission, next ray
+    slots = shade(counts);                                             // -> path, next ray, shadow -> path
+    std::swap(rays_[0], rays_[1]);
+    bindRays();
+    for (unsigned place = 0; place < tables_.size(); ++place) profile_.rays += counts[count_of_batches + place];
+    countShadowRays(counts);
+    return counts;
+}
+
+/// For how many new rays there is room, or none where it is not worth a launch. With trees of rays nobody knows how many those in flight become.
+unsigned Wave::room(unsigned slots) const {
+    if (branching_.forks) return slots ? 0 : mostPaths_;
+    const unsigned most = shape_.padded(mostPaths_), left = most - std::min(slots, most);
+    return left < most / 16 ? 0 : left;
+}
+
+/// Takes on another batch, if there is one and a place for it.
+bool Wave::admit(const BatchStream& stream) {
+    if (flying_.size() == tables_.size()) return false;
+    std::optional<Batch> batch = stream.next();
+    if (!batch) return false;
+    tables_[nextPlace_].write(context_, *batch, stream.endX, stream.endY);
+    flying_.push_back({std::move(*batch), nextPlace_});
+    nextPlace_ = (nextPlace_ + 1) % static_cast<unsigned>(tables_.size());
+    if (branching_.forks) paths_->clear(context_, 0, paths_->size());
+    return true;
+}
+
+/// Begins paths in the slots after `slots`, which are taken. Returns how many are taken then.
+unsigned Wave::refill(unsigned slots, const BatchStream& stream) {
+    for (unsigned left = room(slots); left > 0;) {
+        if ((flying_.empty() || flying_.back().isBegun()) && !admit(stream)) break;
+        Flying& last = flying_.back();
+        const unsigned count = std::min(left, last.batch.paths() - last.begun), taken = shape_.padded(count);
+        Bindings own = tables_[last.place].bindings();
+        own.set("begun", last.begun);
+        own.set("first_path", firstPath(last.place));
+        own.set("first", slots);
+        own.set("count", count);
+        run(stages_.find("generate_rays"), count, own);
+        last.begun += count;
+        slots += taken;
+        left -= std::min(left, taken);
     }
-    std::array<cl_uint, tallies> tally;
-    tally_.read(context_, tally.data(), sizeof tally);
-    profile_.rays += tally[tally_rays];
-    profile_.shadowRays += tally[tally_shadow_rays];
+    return slots;
+}
+
+void Wave::trace(const BatchStream& stream) {
+    bindRays();
+    unsigned slots = refill(0, stream);
+    while (!flying_.empty()) {
+        const Counts counts = hop(slots);
+        /* Batches that had no ray at this hop are done */
+        while (!flying_.empty() && flying_.front().isBegun() && !counts[count_of_batches + flying_.front().place]) {
+            stream.traced(flying_.front().batch);
+            flying_.pop_front();
+        }
+        slots = refill(slots, stream);
+    }
+    Counts counts;
+    counts_.read(context_, counts.data(), sizeof counts);
+    countShadowRays(counts);
 }
 
 void Wave::resolve(const Batch& batch, const Buffer& film) {
-    Bindings own;
+    const Flying& done = flying_.front();
+    Bindings own = tables_[done.place].bindings();
+    own.set("first_path", firstPath(done.place));
     own.set("film", film);
     run(stages_.find("resolve_film"), batch.pixels(), own);
 }
 
 void Wave::warmUp() {
     const Buffer film(context_, 1024, "film");
-    Bindings nothing = segment(0, 0);
-    for (const char* name : {"turn", "turn_slots"}) nothing.set(name, 0u);
+    Bindings nothing = tables_.front().bindings();
+    for (const char* name : {"first", "count", "turn", "turn_slots", "begun", "first_path"}) nothing.set(name, 0u);
     nothing.set("film", film);
-    nothing.set("ray", *rays_[0]);
-    nothing.set("next_ray", *rays_[1]);
+    bindRays();
     counts_.clear(context_, 0, sizeof(Counts));
     cursors_.clear(context_, 0, sizeof(Counts));
     for (Stage& stage : stages_.all()) {

@@ -1,5 +1,6 @@
 #pragma once
-// A wave: the paths that are in flight at once, and the queues that they travel through.
+// A wave: the paths that are in flight at once, and the queues that they travel through. Where paths end, new ones begin: at the next hop, so
+// that the queues stay full while there is work.
 
 #include "device/layout.h"
 #include "render/device_scene.h"
@@ -8,6 +9,7 @@
 #include "render/tracer.h"
 
 #include <array>
+#include <deque>
 #include <list>
 
 namespace eikonal {
@@ -21,19 +23,33 @@ public:
     void warmUp();
 
     unsigned mostPaths() const override { return mostPaths_; }
-    /// Waits only for one small read a bounce.
-    void trace(const Batch& batch, int endX, int endY) override;
+    /// Waits only for one small read a hop.
+    void trace(const BatchStream& stream) override;
     void resolve(const Batch& batch, const Buffer& film) override;
 
     size_t bytes() const { return bytes_; }
 
 private:
-    using Counts = std::array<cl_uint, hops>;
+    using Counts = std::array<cl_uint, wave_counts>;
+    /// A batch that has paths in flight.
+    struct Flying {
+        Batch batch;
+        unsigned place;       ///< of its tables, and of the states of its paths
+        unsigned begun = 0;   ///< paths
+        bool isBegun() const { return begun == batch.paths(); }
+    };
     void addQueue(const QueueLayout& layout, size_t items, const std::string& name);
     void run(const Stage* stage, unsigned items, const Bindings& extra);
     Counts countAndRoute(unsigned rays);
     unsigned shade(const Counts& counts);
     void shadeTurn(const Counts& counts, unsigned turn, unsigned slots);
+    Counts hop(unsigned& slots);
+    unsigned room(unsigned slots) const;
+    bool admit(const BatchStream& stream);
+    unsigned refill(unsigned slots, const BatchStream& stream);
+    void bindRays();
+    void countShadowRays(const Counts& counts);
+    unsigned firstPath(unsigned place) const { return place << log2BatchPaths_; }
 
     const Context& context_;
     const Bindings& scene_;
@@ -41,11 +57,13 @@ private:
     StageShape shape_;
     Profile& profile_;
     Branching branching_;
-    unsigned mostPaths_, capacity_;
-    unsigned mostHops_;   ///< after so many a path ends, wherever it is
+    unsigned mostPaths_, log2BatchPaths_;
     std::list<Buffer> buffers_;
-    Buffer counts_, cursors_, tally_;
-    BatchTables tables_;
+    Buffer counts_, cursors_;
+    std::vector<BatchTables> tables_;   ///< for each place
+    std::deque<Flying> flying_;         ///< the oldest first
+    unsigned nextPlace_ = 0;
+    cl_uint shadowRays_ = 0;            ///< as counted last; wraps around
     Bindings bindings_;
     std::array<Buffer*, 2> rays_{};
     Buffer* paths_ = nullptr;

@@ -1,31 +1,34 @@
 #include "render/wave_queues.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace eikonal {
 
-unsigned mostPathsFor(const StageShape& shape, const Branching& branching) { return std::max(shape.wavePaths >> branching.forks, 1u); }
-
-unsigned capacityFor(const StageShape& shape, const Branching& branching) {
-    const unsigned rays = mostPathsFor(shape, branching) << branching.forks;
-    return branching.branches * (shape.padded(rays) + hops * shape.group()) + shape.group();
+WaveSize::WaveSize(const StageShape& shape, const Branching& branching) {
+    paths = std::max(shape.wavePaths >> branching.forks, 1u);
+    batches = branching.forks ? 1 : shape.batches;
+    log2BatchPaths = static_cast<unsigned>(std::bit_width(shape.padded(paths) - 1));
+    capacity = branching.branches * (shape.padded(paths << branching.forks) + hops * shape.group()) + shape.group();
+    pathCapacity = (batches << (log2BatchPaths + branching.forks)) + shape.group();
 }
 
-std::vector<PlannedQueue> queuesFor(const Features& features, bool hasMisses, size_t capacity) {
+std::vector<PlannedQueue> queuesFor(const Features& features, bool hasMisses, const WaveSize& size) {
     std::vector<PlannedQueue> list;
     for (QueueLayout layout : queueLayouts(features)) {
         if (layout.name == "hit") layout.words += bsdfWords(features);
         const bool unused = (layout.name == "scatter" && !features.has(Feature::MEDIA)) || (layout.name == "emission" && !features.has(Feature::EMITTERS)) ||
                             (layout.name == "miss" && !hasMisses);
-        list.push_back({layout, unused ? 0 : capacity, layout.name});
-        if (layout.name == "ray") list.push_back({layout, capacity, "next_ray"});
+        const size_t items = layout.name == "path" ? size.pathCapacity : size.capacity;
+        list.push_back({layout, unused ? 0 : items, layout.name});
+        if (layout.name == "ray") list.push_back({layout, items, "next_ray"});
     }
     return list;
 }
 
 size_t plannedWaveBytes(const PackedScene& scene, const StageShape& shape) {
     size_t bytes = 0;
-    for (const PlannedQueue& q : queuesFor(scene.features, scene.environments > 0, capacityFor(shape, Branching::of(scene))))
+    for (const PlannedQueue& q : queuesFor(scene.features, scene.environments > 0, WaveSize(shape, Branching::of(scene))))
         bytes += q.items * static_cast<size_t>(q.layout.words) * sizeof(cl_uint);
     return bytes;
 }

@@ -1,10 +1,13 @@
-/* How the slots of a wave stand for samples of pixels. */
+/* How the paths of a wave stand for samples of pixels. */
 #ifndef EIKONAL_BATCH_H
 #define EIKONAL_BATCH_H
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
 
-/* One sample of each pixel of a block: as many slots as the block has pixels, row after row. */
+/* Of how many batches a wave may have paths in flight. */
+#define MOST_BATCHES 16
+
+/* One sample of each pixel of a block: as many paths as the block has pixels, row after row. */
 typedef struct {
     uint x, y;      /* the block's upper left pixel */
     uint sample;    /* which of each pixel */
@@ -12,7 +15,7 @@ typedef struct {
 
 /* The layers of a block, in the order of the samples. */
 typedef struct {
-    uint first;     /* layer of the wave */
+    uint first;     /* layer of the batch */
     uint layers;
 } layer_range;
 

@@ -18,6 +18,7 @@
     F(DIFFUSION,        "such a body, whose light leaves by a diffusion profile") \
     F(FOCI,             "a light that is a point, and a homogeneous medium that scatters") \
     F(INTERFACE,        "a surface of material \"interface\"") \
+    F(PASSAGES,         "a surface of material \"interface\", or a body whose light leaves by a diffusion profile") \
     F(INSTANCES,        "object instances") \
     F(ALPHA,            "shapes cut out by an alpha texture") \
     F(MIX,              "a mix of materials") \

@@ -45,6 +45,7 @@
     F(q, float,    t_max,      ALWAYS)       /* < 0: this slot is dead */ \
     F(q, float,    pdf,        ALWAYS)       /* density over solid angle with which d was sampled; 0: no light could sample it */ \
     F(q, float,    traveled,   INTERFACE)    /* from where d was sampled to o: interfaces passed on the way */ \
+    F(q, uint,     passed,     PASSAGES)     /* how many surfaces it has passed since d was sampled */ \
     F(q, vec3,     n,          LIGHT_TREE)   /* shading normal where d was sampled, on the side of wo; zero: not on a surface */ \
     F(q, spectrum, r_l,        MEDIA)        /* density of this path had a light been sampled instead, but for the light's own */ \
     F(q, uint,     medium,     MEDIA)        /* which fills the space at o, or NONE */ \

@@ -4,6 +4,7 @@
    and its test are called x too. */
 #ifndef EIKONAL_STAGES_H
 #define EIKONAL_STAGES_H
+#include "eikonal/batch.h"
 #include "eikonal/bsdfs.h"
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
@@ -37,8 +38,8 @@ enum hop {
     hop_none                 /* the path ends, or goes where its element says */
 };
 
-/* What a wave counts of itself, for people: real rays only. */
-enum tally { tally_rays, tally_shadow_rays, tallies };
+/* What a wave counts at each hop, real rays only: how many go to each queue, and how many each batch in flight has; and, on and on, the shadow rays. */
+enum wave_count { count_of_batches = hops, count_of_shadow_rays = count_of_batches + MOST_BATCHES, wave_counts };
 
 CONTRACT_END
 #endif

@@ -24,7 +24,7 @@ DeviceTracer::DeviceTracer(const Context& context, const BenchMesh& mesh, const 
 #define BIND_EMPTY(type, name) bind(#name, Buffer(context, 0, #name));
     SCENE_TABLES(BIND_EMPTY)
 #undef BIND_EMPTY
-    bind("tally", Buffer(context, tallies * sizeof(cl_uint), "tally"));
+    bind("counts", Buffer(context, wave_counts * sizeof(cl_uint), "counts"));
     bind("nodes", Buffer::of<bvh_node>(context, tables_.nodes, "nodes"));
     bind("triangle_blocks", Buffer::of<triangle_block>(context, tables_.triangleBlocks, "blocks"));
 
@@ -82,7 +82,8 @@ void DeviceTracer::trace() {
         Bindings queues;
         queues.set(shadows_ ? "shadow" : "ray", b.in);
         queues.set(shadows_ ? "path" : "flight", b.out);
-        queues.set("capacity", static_cast<cl_uint>(b.in.size() / sizeof(uint) / static_cast<size_t>(queueLayout(shadows_ ? "shadow" : "ray", features_).words)));
+        const auto capacity = static_cast<cl_uint>(b.in.size() / sizeof(uint) / static_cast<size_t>(queueLayout(shadows_ ? "shadow" : "ray", features_).words));
+        for (const char* name : {"capacity", "path_capacity"}) queues.set(name, capacity);
         queues.set("count", static_cast<cl_uint>(b.count));
         (shadows_ ? occlude_ : intersect_).launch(context_, {&scene_, &queues}, b.count, static_cast<size_t>(shape_.localSize) * static_cast<size_t>(shape_.run));
     }

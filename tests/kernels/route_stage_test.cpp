@@ -15,7 +15,7 @@ TEST_F(StageTest, ClassifyFlightsCountsItsHops) {
     bench.run("classify_flights", 0);
     for (uint n : bench.counts()) EXPECT_EQ(n, 0u);
     bench.run("classify_flights", 1);
-    EXPECT_EQ(bench.tally()[tally_rays], 1u);
+    EXPECT_EQ(bench.rays(), 1u);
 
     bench.resetCounters();
     bench.run("classify_flights", paths);
@@ -34,7 +34,7 @@ TEST_F(StageTest, ClassifyFlightsCountsItsHops) {
         }
     }
     EXPECT_EQ(bench.counts(), found);
-    EXPECT_EQ(bench.tally()[tally_rays], paths);
+    EXPECT_EQ(bench.rays(), paths);
     EXPECT_GT(found[hop_emission], 0u);
     EXPECT_GT(found[hop_diffuse], 0u);
 }

@@ -111,9 +111,9 @@ TEST_F(StageTest, TestShadowsAddsWhereTheWayIsFree) {
     bench.clear("path", 0);
     bench.resetCounters();
     bench.run("test_shadows", 0);
-    EXPECT_EQ(bench.tally()[tally_shadow_rays], 0u);
+    EXPECT_EQ(bench.shadowRays(), 0u);
     bench.run("test_shadows", 96);
-    EXPECT_EQ(bench.tally()[tally_shadow_rays], 64u);
+    EXPECT_EQ(bench.shadowRays(), 64u);
     const QueueWords states = bench.read("path");
     for (unsigned i = 0; i < 96; ++i) ASSERT_EQ(states.get<spectrum>("L", 95 - i).r, i % 3 == 1 ? static_cast<float>(i + 1) : 0) << i;
 }

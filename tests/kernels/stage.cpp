@@ -53,12 +53,13 @@ StageBench::StageBench(const PackedScene& scene, unsigned paths, bool poisonItem
         bindings_.set(name, buffers_[name]);
         clear(name, name == "path" || name == "film" ? 0 : poison);
     }
-    for (const char* name : {"counts", "cursors", "tally"}) {
-        buffers_[name] = Buffer(testContext(), hops * sizeof(uint), name);
+    for (const char* name : {"counts", "cursors"}) {
+        buffers_[name] = Buffer(testContext(), wave_counts * sizeof(uint), name);
         bindings_.set(name, buffers_[name]);
     }
-    bindings_.set("capacity", capacity_);
-    for (const char* name : {"turn", "turn_slots"}) bindings_.set(name, 0u);
+    for (const char* name : {"capacity", "path_capacity"}) bindings_.set(name, capacity_);
+    for (const char* name : {"turn", "turn_slots", "begun", "first_path"}) bindings_.set(name, 0u);
+    bindings_.set("log2_batch_paths", 31u);
 }
 
 QueueWords StageBench::empty(const std::string& queue) const { return {layouts_.at(queue).first, layouts_.at(queue).second, poison}; }
@@ -73,14 +74,14 @@ void StageBench::write(const std::string& queue, const QueueWords& words) {
     buffers_.at(queue).write(testContext(), words.words().data(), words.words().size() * sizeof(uint));
 }
 
-std::vector<uint> StageBench::readWords(const std::string& buffer) const {
-    std::vector<uint> words(hops);
+std::vector<uint> StageBench::readWords(const std::string& buffer, size_t count) const {
+    std::vector<uint> words(count);
     buffers_.at(buffer).read(testContext(), words.data(), words.size() * sizeof(uint));
     return words;
 }
 
 void StageBench::resetCounters() {
-    for (const char* name : {"counts", "cursors", "tally"}) buffers_[name].clear(testContext(), 0, hops * sizeof(uint));
+    for (const char* name : {"counts", "cursors"}) buffers_[name].clear(testContext(), 0, wave_counts * sizeof(uint));
 }
 
 void StageBench::run(const std::string& stage, unsigned count, unsigned first) {

@@ -47,17 +47,18 @@ public:
     /// Sets `first` and `count`, and runs the stage over `count` slots. "shade_hits diffuse" is that stage for a BSDF.
     void run(const std::string& stage, unsigned count, unsigned first = 0);
 
-    /// Counters by hop, of classify_flights; and its cursors.
-    std::vector<uint> counts() const { return readWords("counts"); }
-    std::vector<uint> tally() const { return readWords("tally"); }
-    /// Zeroes counts, cursors and tally.
+    /// What classify_flights found for each hop, and how many rays; and how many shadow rays test_shadows.
+    std::vector<uint> counts() const { return readWords("counts", hops); }
+    uint rays() const { return readWords("counts", wave_counts)[count_of_batches]; }
+    uint shadowRays() const { return readWords("counts", wave_counts)[count_of_shadow_rays]; }
+    /// Zeroes these, and the cursors.
     void resetCounters();
 
     unsigned capacity() const { return capacity_; }
     const PackedScene& scene() const { return scene_; }
 
 private:
-    std::vector<uint> readWords(const std::string& buffer) const;
+    std::vector<uint> readWords(const std::string& buffer, size_t words) const;
     const PackedScene& scene_;
     unsigned capacity_;
     bool poisonItems_;

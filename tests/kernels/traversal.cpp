@@ -42,7 +42,7 @@ std::vector<bool> blocked(const PackedScene& scene, const std::vector<Ray>& rays
     bench.write("shadow", queue);
     bench.resetCounters();
     bench.run("test_shadows", static_cast<unsigned>(rays.size()));
-    EXPECT_EQ(bench.tally()[tally_shadow_rays], rays.size());
+    EXPECT_EQ(bench.shadowRays(), rays.size());
     const QueueWords paths = bench.read("path");
     std::vector<bool> result;
     for (size_t i = 0; i < rays.size(); ++i) result.push_back(paths.get<spectrum>("L", i).b == 0);

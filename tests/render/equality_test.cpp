@@ -113,6 +113,35 @@ TEST_P(Equality, WaveSizeAndTilesDoNotShow) {
     }
 }
 
+TEST_P(Equality, HowManyBatchesAreInFlightDoesNotShow) {
+    for (unsigned batches : {1u, 3u, static_cast<unsigned>(MOST_BATCHES)}) {
+        RenderSetup setup = plain();
+        setup.shape.wavePaths = 1000;
+        setup.shape.batches = batches;
+        expectSameBits(reference.image, render(text, setup).image, fmt::format("{} batches", batches));
+    }
+}
+
+// What is in flight when a render is ended is finished: each pixel is that of a render of as many samples as it got.
+TEST_P(Equality, AnEndedRenderHasWholeSamples) {
+    RenderSetup setup = plain();
+    setup.shape.wavePaths = 300;
+    setup.batches = 10;
+    const Rendered ended = render(text, setup);
+    EXPECT_FALSE(ended.result.isFinished);
+    const auto [fewest, most] = std::ranges::minmax(ended.image.sampleCount);
+    EXPECT_GE(fewest, static_cast<float>(ended.result.samples));
+    ASSERT_LT(fewest, reference.image.sampleCount.front());
+    ASSERT_GT(most, 0);
+    PackedScene scene = packScene(text);
+    for (int n = static_cast<int>(std::max(fewest, 1.0f)); n <= static_cast<int>(most); ++n) {
+        scene.samples = n;
+        const FilmImage whole = render(scene, plain()).image;
+        for (size_t i = 0; i < whole.pixelCount(); ++i)
+            if (ended.image.sampleCount[i] == static_cast<float>(n)) { ASSERT_EQ(ended.image.color[i], whole.color[i]) << n << " samples, pixel " << i; }
+    }
+}
+
 TEST_P(Equality, SamplesMayComeInParts) {
     for (const std::vector<unsigned>& splits : {std::vector<unsigned>{1}, {3, 4, 7}}) {
         RenderSetup setup = plain();

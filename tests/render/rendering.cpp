@@ -99,6 +99,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     ends.push_back(static_cast<unsigned>(scene.samples));
     RenderControl control;
     control.targetError = setup.targetError;
+    if (setup.batches) control.stop = [left = *setup.batches]() mutable { return left-- == 0; };
     RenderResult result;
     for (unsigned end : ends) {
         control.endSample = end;

@@ -31,6 +31,7 @@ struct RenderSetup {
     bool contraction = true;
     StageShape shape = smallWaves();
     std::optional<double> targetError; ///< adaptive sampling, the scene's samples being the most
+    std::optional<unsigned> batches;   ///< after so many batches of paths the render is ended
     std::vector<unsigned> splits;      ///< rendered in ranges of samples that end at these, then at the last one
     std::function<void(PackedScene&)> edit;   ///< changes the tables before they go to the device
 

@@ -53,6 +53,25 @@ TEST(Light, APaneTransmitsWhatTwoBoundariesDo) {
                                 "\"point3 P\" [-1 -1 -1  -1 1 -1  1 1 -1  1 -1 -1  -1 -1 1  -1 1 1  1 1 1  1 -1 1] AttributeEnd"), Le * T);
 }
 
+// Interfaces are no depth, but a ray that passes more than a thousand is lost: nobody would wait for one between two that touch.
+TEST(Light, AThousandInterfacesArePassed) {
+    const auto pile = [](int count) {
+        std::string points, indices;
+        for (int i = 0; i < count; ++i) {
+            const double z = i / 250.;
+            points += fmt::format("-9 -9 {0} 9 -9 {0} 9 9 {0} -9 9 {0} ", z);
+            indices += fmt::format("{} {} {} {} {} {} ", 4 * i, 4 * i + 1, 4 * i + 2, 4 * i, 4 * i + 2, 4 * i + 3);
+        }
+        return "AttributeBegin Material \"interface\" Shape \"trianglemesh\" \"point3 P\" [" + points + "] \"integer indices\" [" + indices + "] AttributeEnd\n";
+    };
+    /* Without a medium anywhere there are no interfaces */
+    const std::string fog = "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\"\n"
+        "AttributeBegin Material \"interface\" MediumInterface \"fog\" \"\" Translate 0 20 0 Shape \"sphere\" AttributeEnd\n";
+    const auto through = [&](int count) { return render(sceneText(View{.maxDepth = 1}, brightWall + fog + pile(count)), media()); };
+    expectRadiance(through(1000), Le);
+    expectRadiance(through(1100), 0);
+}
+
 // A mix is each of its materials as often as it says: under a sky, the mean of what they reflect.
 TEST(Light, AMixReflectsTheMean) {
     View view;
