@@ -1,6 +1,7 @@
-/* hit -> ray, shadow, slot i to slot i; path.  Scatters each path at a surface: a shadow ray to one light, and a ray on. With trees of rays
+/* hit -> ray, shadow, walk, slot i to slot i; path.  Scatters each path at a surface: a shadow ray to one light, and a ray on. With trees of rays
    it runs in turns: turn r makes the r-th ray that leaves, in slot i + r * turn_slots, and the shadow ray to the r-th light.
-   Built once for each BSDF (the macro BSDF), over that BSDF's own segment of the hit queue. Straight-line, unless the BSDF loops. */
+   Built once for each BSDF (the macro BSDF), over that BSDF's own segment of the hit queue. Straight-line, unless the BSDF loops; where its walks
+   go in step (BSDF_walks), so is each step. */
 #include "scatter.clh"
 #include "tree.clh"
 
@@ -74,17 +75,31 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
     return out;
 }
 
+/* Whether the slots of a run go through it in step. Where SIMD lanes are made of work-items, each goes its own way. */
+#if JOIN(BSDF, _walks) && !WIDENS_GROUPS && !HAS_TREE && !HAS_UNIFORM_DIRECTIONS && !defined AS_LIBRARY
+#define WALKS_IN_STEP 1
+#include "shade_walks.clh"
+#else
+#define WALKS_IN_STEP 0
+#endif
+
 #ifndef AS_LIBRARY
 STAGE shade_hits(LIGHT_ARGUMENTS BSDF_ARGUMENTS COLOR_ARGUMENTS
                  __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, __global uint *path,
-                 uint capacity, uint path_capacity, uint first, uint count, uint turn, uint turn_slots) {
+                 __global uint *walk, uint capacity, uint path_capacity, uint first, uint count, uint turn, uint turn_slots) {
     light_tables light_set = BIND_LIGHTS;
     bsdf_tables bsdf_set = BIND_BSDFS;
     color_tables color_set = BIND_COLORS;
+#if WALKS_IN_STEP
+    if (count == 0u) return;
+    if (HAS_LIGHTS) eval_walks(light_set, color_set, frame, hit, walk, capacity, first, count);
+    sample_walks(light_set, color_set, frame, hit, walk, capacity, first, count);
+    if (HAS_LAYER_MEDIUM && !are_clear(hit, capacity, first, count)) walk_alone(light_set, color_set, frame, hit, walk, capacity, first, count);
+#endif
     FOR_EACH_SLOT(at, count) {
         size_t i = first + at, to = HAS_TREE ? i + turn * turn_slots : i;
         int alive = at < count;
-        if (BSDF_LOOPS && !alive) {
+        if (BSDF_LOOPS && !WALKS_IN_STEP && !alive) {
             /* Nobody knows what such a slot would have it do */
             STORE_FIELD(ray, float, t_max, next_ray, capacity, to, -1.0f);
             STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
@@ -92,7 +107,12 @@ STAGE shade_hits(LIGHT_ARGUMENTS BSDF_ARGUMENTS COLOR_ARGUMENTS
         }
         hit_item h = load_hit(hit, capacity, i);
         BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_palette(color_set, h.seed, h.sample));
+#if WALKS_IN_STEP
+        layers between = layers_of(b);
+        scattering out = finish_walks(light_set, color_set, frame, h, &between, load_walk(walk, capacity, i), alive);
+#else
         scattering out = JOIN(shade_, BSDF)(light_set, color_set, frame, h, b, turn, alive);
+#endif
         store_ray(next_ray, capacity, to, out.ray);
         if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
         else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);

@@ -61,7 +61,7 @@ static hop packCoatedDiffuse(InputWriter& in) {
     in.index(slot_coated_diffuse::eta, "eta");
     in.widths(slot_coated_diffuse::alpha_x, slot_coated_diffuse::alpha_y);
     in.number(slot_coated_diffuse::thickness, "thickness");
-    in.spectrum(slot_coated_diffuse::albedo, "albedo");
+    in.layerMedium(slot_coated_diffuse::albedo);
     in.number(slot_coated_diffuse::g, "g");
     in.count(slot_coated_diffuse::max_depth, "maxdepth");
     in.count(slot_coated_diffuse::samples, "nsamples");
@@ -75,7 +75,7 @@ static hop packCoatedConductor(InputWriter& in) {
     in.number(slot_coated_conductor::eta, index > 0 ? index : 1);
     in.widths(slot_coated_conductor::alpha_x, slot_coated_conductor::alpha_y);
     in.number(slot_coated_conductor::thickness, "thickness");
-    in.spectrum(slot_coated_conductor::albedo, "albedo");
+    in.layerMedium(slot_coated_conductor::albedo);
     in.number(slot_coated_conductor::g, "g");
     in.count(slot_coated_conductor::max_depth, "maxdepth");
     in.count(slot_coated_conductor::samples, "nsamples");

@@ -35,6 +35,12 @@ public:
         const Input& in = get(name);
         add(slot, input_spectrum, packReflectance(packer_, in.value), in.texture == none ? NONE : texture(in.texture, TextureUse::reflectance));
     }
+    /// "albedo", of what is between two layers: black is nothing.
+    void layerMedium(uint slot) {
+        const Input& in = get("albedo");
+        if (in.texture != none || (in.value.isConstant() ? glm::dvec3(in.value.value()) : in.value.albedo()) != glm::dvec3(0)) packer_.packed.require(Feature::LAYER_MEDIUM, why());
+        spectrum(slot, "albedo");
+    }
     /// One that may be larger than 1.
     void coefficient(uint slot, const char* name) {
         const Input& in = get(name);

@@ -152,6 +152,8 @@ unsigned Wave::refill(unsigned slots, const BatchStream& stream) {
 
 void Wave::trace(const BatchStream& stream) {
     bindRays();
+    counts_.clear(context_, 0, sizeof(Counts));
+    shadowRays_ = 0;
     unsigned slots = refill(0, stream);
     while (!flying_.empty()) {
         const Counts counts = hop(slots);

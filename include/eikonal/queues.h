@@ -136,6 +136,19 @@
     F(q, uint,     sample,     MEDIA) \
     F(q, uint,     depth,      MEDIA)
 
+/* A walk between the layers of a surface that is looked at from above: of shade_hits alone, slot i to slot i of hit. */
+#define WALK_FIELDS(F, q) \
+    F(q, uint,     state,      ALWAYS)       /* whether it is still under way, or has left (kernels/bsdf/clear_walk.clh) */ \
+    F(q, uint,     key,        ALWAYS)       /* which random numbers */ \
+    F(q, vec3,     w,          ALWAYS)       /* where to; in the shading frame, as all directions here */ \
+    F(q, spectrum, beta,       ALWAYS)       /* throughput */ \
+    F(q, uint,     off_coat,   ALWAYS)       /* 1: reflected by the coat, and never below it */ \
+    F(q, vec3,     wi,         ALWAYS)       /* of an evaluation: the direction that light comes from, */ \
+    F(q, spectrum, f,          ALWAYS)       /*   what is found of it so far, */ \
+    F(q, vec3,     exit_w,     ALWAYS)       /*   and a way through the coat that was sampled for it: from wi downwards, */ \
+    F(q, float,    exit_weight, ALWAYS)      /*     with its weight, */ \
+    F(q, float,    exit_pdf,   ALWAYS)       /*     and its density */
+
 /* What lives from camera to film, by path index: its own radiance, to which only this path adds. */
 #define PATH_FIELDS(F, q) \
     F(q, uint,     seed,       SPECTRAL) \
@@ -161,6 +174,7 @@
     Q(miss,     MISS_FIELDS) \
     Q(emission, EMISSION_FIELDS) \
     Q(shadow,   SHADOW_FIELDS) \
+    Q(walk,     WALK_FIELDS) \
     Q(path,     PATH_FIELDS)
 
 #endif

@@ -17,7 +17,7 @@ CONTRACT_BEGIN
     S(route_flights,    "flight ray", "hit scatter miss emission ray shadow path", ALWAYS) \
     S(shade_misses,     "miss",       "path",               ALWAYS) \
     S(shade_emitters,   "emission",   "path",               EMITTERS) \
-    S(shade_hits,       "hit",        "ray shadow path",    ALWAYS) \
+    S(shade_hits,       "hit",        "ray shadow path walk", ALWAYS) \
     S(shade_occlusions, "hit",        "ray shadow path",    AMBIENT_OCCLUSION) \
     S(shade_scatters,   "scatter",    "ray shadow",         MEDIA) \
     S(test_shadows,     "shadow",     "path",               ALWAYS) \

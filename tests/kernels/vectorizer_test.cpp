@@ -56,6 +56,7 @@ std::vector<VectorCase> cases() {
             {"shade_hits_thin_dielectric", "shade_hits thin_dielectric", sphereOf("\"thindielectric\"")},
             /* No pbrt material is principled: what counts is that the scene has directions along surfaces */
             {"shade_hits_principled", "shade_hits principled", sphereOf("\"conductor\" \"float uroughness\" 0.3")},
+            {"shade_hits_coated_diffuse", "shade_hits coated_diffuse", sphereOf("\"coateddiffuse\"")},
             {"shade_hits_hair", "shade_hits hair", sphereOf("\"hair\"")}};
     /* The same at wavelengths */
     for (VectorCase c : std::vector<VectorCase>(list)) {
@@ -72,7 +73,7 @@ std::vector<VectorCase> cases() {
 }
 
 /// What must not pass for vectorised: a walk of unknown length.
-VectorCase aLoopingStage() { return {"shade_hits_coated_diffuse", "shade_hits coated_diffuse", sphereOf("\"coateddiffuse\"")}; }
+VectorCase aLoopingStage() { return {"shade_hits_coated_conductor", "shade_hits coated_conductor", sphereOf("\"coatedconductor\"")}; }
 
 class Vectorizer : public testing::TestWithParam<VectorCase> {};
 
