@@ -10,8 +10,8 @@ TRACING_STAGE classify_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARG
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
-    uint found[count_of_shadow_rays];
-    for (int c = 0; c < count_of_shadow_rays; ++c) found[c] = 0;
+    uint found[wave_counts];
+    for (int c = 0; c < wave_counts; ++c) found[c] = 0;
     size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
     for (size_t i = first; i < last; ++i) {
         flight_item f = load_flight(flight, capacity, i);
@@ -24,6 +24,6 @@ TRACING_STAGE classify_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARG
         if (next.hop < hops) ++found[next.hop];
         if (HAS_EMITTERS && next.emits) ++found[hop_emission];
     }
-    for (int c = 0; c < count_of_shadow_rays; ++c)
+    for (int c = 0; c < wave_counts; ++c)
         if (found[c]) atomic_add(counts + c, found[c]);
 }

@@ -46,7 +46,7 @@ FN spectrum test_shadow(geometry g, texture_tables tables, medium_tables media, 
 
 #ifndef AS_LIBRARY
 TRACING_STAGE test_shadows(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS
-                   __global const uint *shadow, __global uint *path, uint capacity, uint path_capacity, uint count, __global uint *counts) {
+                   __global const uint *shadow, __global uint *path, uint capacity, uint path_capacity, uint count, __global uint *shadow_count) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     medium_tables medium_set = BIND_MEDIA;
@@ -60,6 +60,6 @@ TRACING_STAGE test_shadows(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MEDIUM_ARGUMENTS
         spectrum L = test_shadow(g, tables, medium_set, color_set, s);
         if (!is_black(L)) add_radiance(path, path_capacity, s.path, L);
     }
-    if (tested) atomic_add(counts + count_of_shadow_rays, tested);
+    if (tested) atomic_add(shadow_count, tested);
 }
 #endif

@@ -2,6 +2,7 @@
 #include "commands/commands.h"
 #include "commands/session.h"
 #include "commands/statistics.h"
+#include "commands/traffic.h"
 #include "eikonal/stages.h"
 #include "film/atomic_file.h"
 
@@ -64,7 +65,7 @@ double medianSeconds(const std::vector<Repeat>& repeats) {
     return medianOf(repeats, [](const Repeat& r) { return r.seconds; });
 }
 
-nlohmann::ordered_json measure(const Options& o, const Session& session, const std::vector<Repeat>& repeats, const std::vector<Repeat>& loops) {
+nlohmann::ordered_json measure(const Options& o, const Session& session, const std::vector<Repeat>& repeats, const std::vector<Repeat>& loops, double copyRate) {
     const Repeat& first = repeats.front();
     const double seconds = medianSeconds(repeats);
     nlohmann::ordered_json json{{"scene", o.scene.path}, {"sceneHash", sceneHash(session.packed())}, {"device", session.context().device().name}, {"version", EIKONAL_VERSION},
@@ -86,13 +87,15 @@ nlohmann::ordered_json measure(const Options& o, const Session& session, const s
     json["pathsPerSecond"] = rate(first.paths);
     json["raysPerSecond"] = rate(first.rays);
     json["shadowRaysPerSecond"] = rate(first.shadowRays);
+    json["queueCopyBytesPerSecond"] = copyRate;
     for (const auto& [name, stage] : first.stages) {
         const double stageSeconds = medianOf(repeats, [&, &key = name](const Repeat& r) { return r.stages.at(key).seconds; });
         const double slots = static_cast<double>(stage.slots);
-        const double occupancy = occupancyOf(name, first, stage.slots);
+        const double occupancy = occupancyOf(name, first, stage.slots), bytes = queueBytesPerSlot(name, session.packed().features);
         json["stages"].push_back({{"stage", name}, {"launches", stage.launches}, {"slots", stage.slots}, {"seconds", stageSeconds},
                                   {"nanosecondsPerSlot", slots > 0 ? stageSeconds / slots * 1e9 : 0}, {"occupancy", occupancy},
-                                  {"waveFill", slots / (static_cast<double>(stage.launches) * session.shape().wavePaths)}});
+                                  {"waveFill", slots / (static_cast<double>(stage.launches) * session.shape().wavePaths)},
+                                  {"queueBytesPerSlot", bytes}, {"shareOfCopyRate", stageSeconds > 0 ? bytes * slots / stageSeconds / copyRate : 0}});
     }
     for (const Stage& s : session.stages().all())
         json["kernels"].push_back({{"stage", s.name}, {"buildSeconds", s.compileSeconds}, {"firstLaunchSeconds", s.firstLaunchSeconds}, {"cached", s.kernel.program().fromCache}});
@@ -104,14 +107,14 @@ std::string asTable(const nlohmann::ordered_json& j) {
                                    j["repeats"].get<int>(), j["samples"].get<int>(), j["renderSeconds"].get<double>(), j["pathsPerSecond"].get<double>() * 1e-6);
     text += fmt::format("rays {} ({:.2f} M/s), shadow rays {} ({:.2f} M/s); {} kernels compiled in {:.2f} s, apart\n", j["rays"].get<std::uint64_t>(), j["raysPerSecond"].get<double>() * 1e-6,
                         j["shadowRays"].get<std::uint64_t>(), j["shadowRaysPerSecond"].get<double>() * 1e-6, j["compiledKernels"].get<int>(), j["compileSeconds"].get<double>());
-    text += fmt::format("{:<28}{:>9}{:>13}{:>10}{:>9}{:>11}{:>11}{:>8}\n", "stage", "launches", "slots", "seconds", "share", "ns a slot", "occupancy", "fill");
+    text += fmt::format("{:<28}{:>9}{:>13}{:>10}{:>9}{:>11}{:>11}{:>8}{:>14}{:>12}\n", "stage", "launches", "slots", "seconds", "share", "ns a slot", "occupancy", "fill", "bytes a slot", "of copying");
     double all = 0;
     for (const auto& s : j["stages"]) all += s["seconds"].get<double>();
     for (const auto& s : j["stages"])
-        text += fmt::format("{:<28}{:>9}{:>13}{:>10.3f}{:>8.1f}%{:>11.1f}{:>10.1f}%{:>7.1f}%\n", s["stage"].get<std::string>(), s["launches"].get<std::uint64_t>(), s["slots"].get<std::uint64_t>(),
+        text += fmt::format("{:<28}{:>9}{:>13}{:>10.3f}{:>8.1f}%{:>11.1f}{:>10.1f}%{:>7.1f}%{:>14.0f}{:>11.0f}%\n", s["stage"].get<std::string>(), s["launches"].get<std::uint64_t>(), s["slots"].get<std::uint64_t>(),
                             s["seconds"].get<double>(), s["seconds"].get<double>() / std::max(all, 1e-12) * 100, s["nanosecondsPerSlot"].get<double>(), s["occupancy"].get<double>() * 100,
-                            s["waveFill"].get<double>() * 100);
-    text += fmt::format("{:<28}{:>32.3f}, of {:.3f} s of wall clock\n", "all stages", all, j["renderSeconds"].get<double>());
+                            s["waveFill"].get<double>() * 100, s["queueBytesPerSlot"].get<double>(), s["shareOfCopyRate"].get<double>() * 100);
+    text += fmt::format("{:<28}{:>32.3f}, of {:.3f} s of wall clock; a queue is copied at {:.1f} GB/s\n", "all stages", all, j["renderSeconds"].get<double>(), j["queueCopyBytesPerSecond"].get<double>() * 1e-9);
     if (j.contains("loopSeconds"))
         text += fmt::format("one kernel with a loop: {:.3f} s, {:.2f} times as long\n", j["loopSeconds"].get<double>(), j["loopSeconds"].get<double>() / j["renderSeconds"].get<double>());
     return text;
@@ -134,7 +137,8 @@ int benchCommand(const Options& o) {
         repeats.push_back(renderOnce(session, session.wave(), session.profile()));
         if (loop) loops.push_back(renderOnce(session, *loop, loopProfile));
     }
-    const nlohmann::ordered_json json = measure(o, session, repeats, loops);
+    Compiler compiler(session.context(), findKernelFolders(), cacheFolderFor(o.device));
+    const nlohmann::ordered_json json = measure(o, session, repeats, loops, queueCopyRate(session.context(), compiler, session.shape()));
     std::fputs(asTable(json).c_str(), stdout);
     if (!o.jsonFile.empty()) {
         const std::string text = json.dump(2) + "\n";

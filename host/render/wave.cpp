@@ -20,8 +20,10 @@ Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, con
     for (unsigned place = 0; place < size.batches; ++place) tables_.emplace_back(context);
     counts_ = Buffer(context, sizeof(Counts), "counts");
     cursors_ = Buffer(context, sizeof(Counts), "cursors");
+    shadowCount_ = Buffer(context, sizeof(cl_uint), "shadow rays");
     bindings_.set("counts", counts_);
     bindings_.set("cursors", cursors_);
+    bindings_.set("shadow_count", shadowCount_);
     bindings_.set("capacity", size.capacity);
     bindings_.set("path_capacity", size.pathCapacity);
     bindings_.set("log2_batch_paths", log2BatchPaths_ + branching_.forks);
@@ -47,17 +49,20 @@ static Bindings segment(unsigned first, unsigned count) {
 }
 
 Wave::Counts Wave::countAndRoute(unsigned rays) {
-    counts_.clear(context_, 0, count_of_shadow_rays * sizeof(cl_uint));
+    counts_.clear(context_, 0, sizeof(Counts));
     cursors_.clear(context_, 0, sizeof(Counts));
     run(stages_.find("classify_flights"), rays, segment(0, rays));
     Counts counts;
+    cl_uint shadowRays = 0;
     cl_event done = nullptr;
+    check(clEnqueueReadBuffer(context_.queue(), shadowCount_.handle(), CL_FALSE, 0, sizeof shadowRays, &shadowRays, 0, nullptr, nullptr), "reading how many shadow rays there were");
     check(clEnqueueReadBuffer(context_.queue(), counts_.handle(), CL_FALSE, 0, sizeof counts, counts.data(), 0, nullptr, &done), "reading the counts");
     const Owned<cl_event, clReleaseEvent> owner(done);
     /* While the counts travel, the device routes */
     run(stages_.find("route_flights"), rays, segment(0, rays));
     context_.flush();
     check(clWaitForEvents(1, &done), "waiting for the counts");
+    countShadowRays(shadowRays);
     return counts;
 }
 
@@ -93,9 +98,9 @@ void Wave::bindRays() {
     bindings_.set("next_ray", *rays_[1]);
 }
 
-void Wave::countShadowRays(const Counts& counts) {
-    profile_.shadowRays += counts[count_of_shadow_rays] - shadowRays_;
-    shadowRays_ = counts[count_of_shadow_rays];
+void Wave::countShadowRays(cl_uint now) {
+    profile_.shadowRays += now - shadowRays_;
+    shadowRays_ = now;
 }
 
 /// Every ray goes to where it ends, and from there on. Of `slots` of the queue that may hold one; afterwards it is those of the next.
@@ -108,7 +113,6 @@ Wave::Counts Wave::hop(unsigned& slots) {
     std::swap(rays_[0], rays_[1]);
     bindRays();
     for (unsigned place = 0; place < tables_.size(); ++place) profile_.rays += counts[count_of_batches + place];
-    countShadowRays(counts);
     return counts;
 }
 
@@ -152,7 +156,7 @@ unsigned Wave::refill(unsigned slots, const BatchStream& stream) {
 
 void Wave::trace(const BatchStream& stream) {
     bindRays();
-    counts_.clear(context_, 0, sizeof(Counts));
+    shadowCount_.clear(context_, 0, sizeof shadowRays_);
     shadowRays_ = 0;
     unsigned slots = refill(0, stream);
     while (!flying_.empty()) {
@@ -164,9 +168,9 @@ void Wave::trace(const BatchStream& stream) {
         }
         slots = refill(slots, stream);
     }
-    Counts counts;
-    counts_.read(context_, counts.data(), sizeof counts);
-    countShadowRays(counts);
+    cl_uint shadowRays = 0;
+    shadowCount_.read(context_, &shadowRays, sizeof shadowRays);
+    countShadowRays(shadowRays);
 }
 
 void Wave::resolve(const Batch& batch, const Buffer& film) {

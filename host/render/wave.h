@@ -48,7 +48,7 @@ private:
     bool admit(const BatchStream& stream);
     unsigned refill(unsigned slots, const BatchStream& stream);
     void bindRays();
-    void countShadowRays(const Counts& counts);
+    void countShadowRays(cl_uint now);
     unsigned firstPath(unsigned place) const { return place << log2BatchPaths_; }
 
     const Context& context_;
@@ -59,11 +59,11 @@ private:
     Branching branching_;
     unsigned mostPaths_, log2BatchPaths_;
     std::list<Buffer> buffers_;
-    Buffer counts_, cursors_;
+    Buffer counts_, cursors_, shadowCount_;
     std::vector<BatchTables> tables_;   ///< for each place
     std::deque<Flying> flying_;         ///< the oldest first
     unsigned nextPlace_ = 0;
-    cl_uint shadowRays_ = 0;            ///< as counted last; wraps around
+    cl_uint shadowRays_ = 0;            ///< as read last from the device, where they wrap around
     Bindings bindings_;
     std::array<Buffer*, 2> rays_{};
     Buffer* paths_ = nullptr;

@@ -38,8 +38,8 @@ enum hop {
     hop_none                 /* the path ends, or goes where its element says */
 };
 
-/* What a wave counts at each hop, real rays only: how many go to each queue, and how many each batch in flight has; and, on and on, the shadow rays. */
-enum wave_count { count_of_batches = hops, count_of_shadow_rays = count_of_batches + MOST_BATCHES, wave_counts };
+/* What a wave counts at each hop, real rays only: how many go to each queue, and how many each batch in flight has. */
+enum wave_count { count_of_batches = hops, wave_counts = count_of_batches + MOST_BATCHES };
 
 CONTRACT_END
 #endif

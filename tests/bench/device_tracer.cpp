@@ -24,7 +24,7 @@ DeviceTracer::DeviceTracer(const Context& context, const BenchMesh& mesh, const 
 #define BIND_EMPTY(type, name) bind(#name, Buffer(context, 0, #name));
     SCENE_TABLES(BIND_EMPTY)
 #undef BIND_EMPTY
-    bind("counts", Buffer(context, wave_counts * sizeof(cl_uint), "counts"));
+    bind("shadow_count", Buffer(context, sizeof(cl_uint), "shadow rays"));
     bind("nodes", Buffer::of<bvh_node>(context, tables_.nodes, "nodes"));
     bind("triangle_blocks", Buffer::of<triangle_block>(context, tables_.triangleBlocks, "blocks"));
 

@@ -53,7 +53,7 @@ StageBench::StageBench(const PackedScene& scene, unsigned paths, bool poisonItem
         bindings_.set(name, buffers_[name]);
         clear(name, name == "path" || name == "film" ? 0 : poison);
     }
-    for (const char* name : {"counts", "cursors"}) {
+    for (const char* name : {"counts", "cursors", "shadow_count"}) {
         buffers_[name] = Buffer(testContext(), wave_counts * sizeof(uint), name);
         bindings_.set(name, buffers_[name]);
     }
@@ -81,7 +81,7 @@ std::vector<uint> StageBench::readWords(const std::string& buffer, size_t count)
 }
 
 void StageBench::resetCounters() {
-    for (const char* name : {"counts", "cursors"}) buffers_[name].clear(testContext(), 0, wave_counts * sizeof(uint));
+    for (const char* name : {"counts", "cursors", "shadow_count"}) buffers_[name].clear(testContext(), 0, wave_counts * sizeof(uint));
 }
 
 void StageBench::run(const std::string& stage, unsigned count, unsigned first) {

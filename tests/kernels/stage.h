@@ -50,7 +50,7 @@ public:
     /// What classify_flights found for each hop, and how many rays; and how many shadow rays test_shadows.
     std::vector<uint> counts() const { return readWords("counts", hops); }
     uint rays() const { return readWords("counts", wave_counts)[count_of_batches]; }
-    uint shadowRays() const { return readWords("counts", wave_counts)[count_of_shadow_rays]; }
+    uint shadowRays() const { return readWords("shadow_count", 1)[0]; }
     /// Zeroes these, and the cursors.
     void resetCounters();
 

@@ -84,7 +84,9 @@ TEST_F(Cli, BenchCountsRealRaysOnly) {
         EXPECT_GT(stage.at("seconds"), 0) << stage;
         EXPECT_GT(stage.at("occupancy"), 0) << stage;
         EXPECT_LE(stage.at("occupancy"), 1) << stage;
+        EXPECT_EQ(stage.at("queueBytesPerSlot") > 0, stage.at("stage") != "resolve_film") << stage;
     }
+    EXPECT_GT(json.at("queueCopyBytesPerSecond"), 1e8);
     /* 16 x 12 pixels are a tile of 16 x 16; every stage that runs over the rays' slots has their holes */
     const auto occupancy = [&](const std::string& name) {
         for (const auto& stage : json.at("stages")) if (stage.at("stage") == name) return stage.at("occupancy").get<double>();
