@@ -75,8 +75,8 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
     return out;
 }
 
-/* Whether the slots of a run go through it in step. Where SIMD lanes are made of work-items, each goes its own way. */
-#if JOIN(BSDF, _walks) && !WIDENS_GROUPS && !HAS_TREE && !HAS_UNIFORM_DIRECTIONS && !defined AS_LIBRARY
+/* Whether the slots of a run go through it in step. Where a work-item has one slot, each goes its own way. */
+#if JOIN(BSDF, _walks) && RUN > 1 && !WIDENS_GROUPS && !HAS_TREE && !HAS_UNIFORM_DIRECTIONS && !defined AS_LIBRARY
 #define WALKS_IN_STEP 1
 #include "shade_walks.clh"
 #else
