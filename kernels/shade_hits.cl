@@ -94,7 +94,7 @@ STAGE shade_hits(LIGHT_ARGUMENTS BSDF_ARGUMENTS COLOR_ARGUMENTS
     if (count == 0u) return;
     if (HAS_LIGHTS) eval_walks(light_set, color_set, frame, hit, walk, capacity, first, count);
     sample_walks(light_set, color_set, frame, hit, walk, capacity, first, count);
-    if (HAS_LAYER_MEDIUM && !are_clear(hit, capacity, first, count)) walk_alone(light_set, color_set, frame, hit, walk, capacity, first, count);
+    if (HAS_LAYER_MEDIUM) walk_alone(light_set, color_set, frame, hit, walk, capacity, first, count);
 #endif
     FOR_EACH_SLOT(at, count) {
         size_t i = first + at, to = HAS_TREE ? i + turn * turn_slots : i;
