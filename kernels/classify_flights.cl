@@ -3,17 +3,19 @@
    atomic for each. */
 #include "queue.clh"
 #include "route.clh"
+#include "stage.clh"
 
-TRACING_STAGE classify_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS
-                       __global const settings *frame, __global const uint *ray, __global uint *flight, uint capacity, uint log2_batch_paths, uint count,
-                       __global uint *counts) {
+#define CLASSIFY_FLIGHTS(TABLE, ARGUMENT) \
+    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) \
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, ray) ARGUMENT(__global uint *, flight) \
+    ARGUMENT(uint, capacity) ARGUMENT(uint, log2_batch_paths) ARGUMENT(__global uint *, counts)
+TRACING_STAGE(classify_flights, CLASSIFY_FLIGHTS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
     uint found[wave_counts];
     for (int c = 0; c < wave_counts; ++c) found[c] = 0;
-    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
-    for (size_t i = first; i < last; ++i) {
+    for (size_t i = run_start; i < RUN_END; ++i) {
         flight_item f = load_flight(flight, capacity, i);
         if (f.t < 0.0f) continue;
         ray_item r = load_ray(ray, capacity, i);

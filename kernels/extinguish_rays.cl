@@ -4,6 +4,7 @@
 #include "dimension.clh"
 #include "medium/medium.clh"
 #include "eikonal/stages.h"
+#include "stage.clh"
 
 typedef struct { ray_item ray; flight_item flight; spectrum L; } extinguished;
 
@@ -28,11 +29,14 @@ FN extinguished extinguish_ray(medium_tables media, color_tables colors, ray_ite
 }
 
 #ifndef AS_LIBRARY
-TRACING_STAGE extinguish_rays(MEDIUM_ARGUMENTS COLOR_ARGUMENTS __global uint *ray, __global uint *flight, __global uint *path, uint capacity, uint path_capacity, uint count) {
+#define EXTINGUISH_RAYS(TABLE, ARGUMENT) \
+    MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE) \
+    ARGUMENT(__global uint *, ray) ARGUMENT(__global uint *, flight) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) \
+    ARGUMENT(uint, path_capacity)
+TRACING_STAGE(extinguish_rays, EXTINGUISH_RAYS) {
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;
-    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
-    for (size_t i = first; i < last; ++i) {
+    for (size_t i = run_start; i < RUN_END; ++i) {
         if (LOAD_FIELD(ray, float, t_max, ray, capacity, i) < 0.0f) continue;
         if (LOAD_FIELD(ray, uint, medium, ray, capacity, i) == NONE) continue;
         extinguished e = extinguish_ray(medium_set, color_set, load_ray(ray, capacity, i), load_flight(flight, capacity, i));

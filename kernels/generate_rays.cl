@@ -1,7 +1,7 @@
 /* pixels -> ray, path.  A camera ray for each sample of some blocks of the image, in the slots from `first` on: for the paths of the batch from the
    `begun`-th on (film/pixel.clh says which is which), whose states begin at `first_path`. Straight-line; paths outside of the image have dead rays. */
 #include "queue.clh"
-#include "scene.clh"
+#include "stage.clh"
 #include "camera/camera.clh"
 #include "film/pixel.clh"
 
@@ -27,9 +27,11 @@ FN camera_path start_path(camera_tables tables, __global const settings *frame, 
 }
 
 #ifndef AS_LIBRARY
-STAGE generate_rays(CAMERA_ARGUMENTS
-                    __global const settings *frame, __global uint *ray, __global uint *path, uint capacity, uint path_capacity,
-                    BATCH_ARGUMENTS uint begun, uint first_path, uint first, uint count) {
+#define GENERATE_RAYS(TABLE, ARGUMENT) \
+    CAMERA_TABLES(TABLE) \
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global uint *, ray) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) \
+    ARGUMENT(uint, path_capacity) BATCH_ARGUMENTS(ARGUMENT) ARGUMENT(uint, begun) ARGUMENT(uint, first_path) ARGUMENT(uint, first)
+STAGE(generate_rays, GENERATE_RAYS) {
     camera_tables tables = BIND_CAMERA;
     FOR_EACH_SLOT(i, count) {
         uint of_batch = begun + (uint)i;

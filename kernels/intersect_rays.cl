@@ -2,6 +2,7 @@
 #include "queue.clh"
 #include "bvh.clh"
 #include "eikonal/stages.h"
+#include "stage.clh"
 
 FN flight_item intersect_ray(geometry g, texture_tables tables, ray_item r) {
     nearest_hit best;
@@ -17,12 +18,13 @@ FN flight_item intersect_ray(geometry g, texture_tables tables, ray_item r) {
 }
 
 #ifndef AS_LIBRARY
-TRACING_STAGE intersect_rays(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS
-                     __global const uint *ray, __global uint *flight, uint capacity, uint count) {
+#define INTERSECT_RAYS(TABLE, ARGUMENT) \
+    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) \
+    ARGUMENT(__global const uint *, ray) ARGUMENT(__global uint *, flight) ARGUMENT(uint, capacity)
+TRACING_STAGE(intersect_rays, INTERSECT_RAYS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
-    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
-    for (size_t i = first; i < last; ++i) {
+    for (size_t i = run_start; i < RUN_END; ++i) {
         if (LOAD_FIELD(ray, float, t_max, ray, capacity, i) < 0.0f) {
             STORE_FIELD(flight, float, t, flight, capacity, i, -1.0f);
             continue;

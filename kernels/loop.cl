@@ -10,6 +10,7 @@
 #include "shade_occlusions.cl"
 #include "shade_scatters.cl"
 #include "test_shadows.cl"
+#include "stage.clh"
 
 #define SHADE_CASE(name) if (hop == hop_##name) return JOIN(shade_, name)(lights, colors, frame, h, bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, path_palette(colors, h.seed, h.sample)), turn, 1);
 FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables colors, __global const settings *frame, __global const uint *hit, uint capacity, uint slot, uint hop, hit_item h, uint turn) {
@@ -35,9 +36,12 @@ FN void meet_light(geometry g, texture_tables tables, medium_tables media, color
     if (!is_black(L)) add_radiance(path, path_capacity, s.path, L);
 }
 
-TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS BSDF_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS CAMERA_ARGUMENTS
-           __global const settings *frame, __global uint *hit, __global uint *path, uint capacity, uint path_capacity,
-           BATCH_ARGUMENTS uint turns, uint count) {
+#define LOOP(TABLE, ARGUMENT) \
+    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) LIGHT_TABLES(TABLE) BSDF_TABLES(TABLE) MEDIUM_TABLES(TABLE) \
+    COLOR_TABLES(TABLE) CAMERA_TABLES(TABLE) \
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global uint *, hit) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) \
+    ARGUMENT(uint, path_capacity) BATCH_ARGUMENTS(ARGUMENT) ARGUMENT(uint, turns)
+TRACING_STAGE(loop, LOOP) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
@@ -46,8 +50,7 @@ TRACING_STAGE loop(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;
     camera_tables camera_set = BIND_CAMERA;
-    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
-    for (uint slot = (uint)first; slot < last; ++slot) {
+    for (uint slot = (uint)run_start; slot < RUN_END; ++slot) {
         pixel_sample at = LOCATE_PATH(slot);
         camera_path started = start_path(camera_set, frame, at.x, at.y, at.sample, slot, at.is);
         store_path(path, path_capacity, started.ray.path, started.path);

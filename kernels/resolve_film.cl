@@ -4,6 +4,7 @@
 #include "film/pixel.clh"
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
+#include "stage.clh"
 
 /* sum += x, with what rounding loses kept apart (Kahan 1965). */
 typedef struct { float sum, compensation; } compensated;
@@ -78,13 +79,16 @@ FN path_item gather_path(__global const settings *frame, __global const uint *pa
     return p;
 }
 
-TRACING_STAGE resolve_film(COLOR_ARGUMENTS __global const settings *frame, __global const uint *path, uint path_capacity, uint first_path, __global uint *film, uint film_pixels,
-                   __global const layer_range *block_layers, uint block_log2_width, uint block_log2_height) {
+#define RESOLVE_FILM(TABLE, ARGUMENT) \
+    COLOR_TABLES(TABLE) \
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, path) ARGUMENT(uint, path_capacity) \
+    ARGUMENT(uint, first_path) ARGUMENT(__global uint *, film) ARGUMENT(__global const layer_range *, block_layers) \
+    ARGUMENT(uint, block_log2_width) ARGUMENT(uint, block_log2_height)
+TRACING_STAGE(resolve_film, RESOLVE_FILM) {
     color_tables color_set = BIND_COLORS;
     uint log2_pixels = block_log2_width + block_log2_height;
-    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)film_pixels);
-    for (size_t pixel = first; pixel < last; ++pixel) {
-        film_item f = load_film(film, film_pixels, pixel);
+    for (size_t pixel = run_start; pixel < RUN_END; ++pixel) {
+        film_item f = load_film(film, count, pixel);
         layer_range range = block_layers[pixel >> log2_pixels];
         for (uint s = range.first; s < range.first + range.layers; ++s) {
             path_item p = gather_path(frame, path, path_capacity, first_path + (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u)));
@@ -92,6 +96,6 @@ TRACING_STAGE resolve_film(COLOR_ARGUMENTS __global const settings *frame, __glo
             if (!is_finite(p.L) || max_component(p.L) > MOST_RADIANCE) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
             f = add_sample(f, p, path_palette(color_set, p.seed, p.sample), frame);
         }
-        store_film(film, film_pixels, pixel, f);
+        store_film(film, count, pixel, f);
     }
 }

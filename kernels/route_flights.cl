@@ -3,6 +3,7 @@
 #include "queue.clh"
 #include "route.clh"
 #include "route_items.clh"
+#include "stage.clh"
 
 /* Rays that pass an interface, and probes, have no shadow ray, and nothing lives in the slots after the last of them. */
 FN void store_passage(__global uint *next_ray, __global uint *shadow, uint capacity, uint slot, ray_item r) {
@@ -23,23 +24,24 @@ FN uint segment_start(__global const uint *counts, uint hop) {
     return start;
 }
 
-TRACING_STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUMENTS LIGHT_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS
-                    __global const settings *frame, __global const uint *ray, __global const uint *flight, uint capacity, uint count,
-                    __global const uint *counts, __global uint *cursors,
-                    __global uint *hit, __global uint *scatter, __global uint *miss, __global uint *emission, __global uint *next_ray,
-                    __global uint *shadow, __global uint *path, uint path_capacity) {
+#define ROUTE_FLIGHTS(TABLE, ARGUMENT) \
+    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) LIGHT_TABLES(TABLE) MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE) \
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, ray) ARGUMENT(__global const uint *, flight) \
+    ARGUMENT(uint, capacity) ARGUMENT(__global const uint *, counts) ARGUMENT(__global uint *, cursors) ARGUMENT(__global uint *, hit) \
+    ARGUMENT(__global uint *, scatter) ARGUMENT(__global uint *, miss) ARGUMENT(__global uint *, emission) \
+    ARGUMENT(__global uint *, next_ray) ARGUMENT(__global uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(uint, path_capacity)
+TRACING_STAGE(route_flights, ROUTE_FLIGHTS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
     light_tables light_set = BIND_LIGHTS;
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;
-    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
 
     /* Count what this run sends to each queue, and reserve it */
     uint at[hops];
     for (int h = 0; h < hops; ++h) at[h] = 0;
-    for (size_t i = first; i < last; ++i) {
+    for (size_t i = run_start; i < RUN_END; ++i) {
         if (LOAD_FIELD(flight, float, t, flight, capacity, i) < 0.0f) continue;
         flight_item f = load_flight(flight, capacity, i);
         if (f.hop < hops) ++at[f.hop];
@@ -53,8 +55,8 @@ TRACING_STAGE route_flights(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MATERIAL_ARGUME
     }
 
     /* Fill it */
-    if (HAS_PASSAGES && first == 0) end_passages(next_ray, shadow, capacity, counts[hop_passage]);
-    for (size_t i = first; i < last; ++i) {
+    if (HAS_PASSAGES && run_start == 0) end_passages(next_ray, shadow, capacity, counts[hop_passage]);
+    for (size_t i = run_start; i < RUN_END; ++i) {
         if (LOAD_FIELD(flight, float, t, flight, capacity, i) < 0.0f) continue;
         flight_item f = load_flight(flight, capacity, i);
         uint body = HAS_DIFFUSION ? LOAD_FIELD(ray, uint, body, ray, capacity, i) : NONE;

@@ -1,8 +1,10 @@
 /* emission -> path.  Adds what the surfaces that were hit emit. Straight-line. */
 #include "emission.clh"
-#include "scene.clh"
+#include "stage.clh"
 
-STAGE shade_emitters(__global const uint *emission, __global uint *path, uint capacity, uint path_capacity, uint count) {
+#define SHADE_EMITTERS(TABLE, ARGUMENT) \
+    ARGUMENT(__global const uint *, emission) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) ARGUMENT(uint, path_capacity)
+STAGE(shade_emitters, SHADE_EMITTERS) {
     FOR_EACH_SLOT(i, count) {
         emission_item e = load_emission(emission, capacity, i);
         spectrum L = weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light);

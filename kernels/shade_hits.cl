@@ -4,6 +4,7 @@
    go in step (BSDF_walks), so is each step. */
 #include "scatter.clh"
 #include "tree.clh"
+#include "stage.clh"
 
 #ifndef JOIN
 #define JOIN_(a, b) a##b
@@ -84,17 +85,20 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
 #endif
 
 #ifndef AS_LIBRARY
-STAGE shade_hits(LIGHT_ARGUMENTS BSDF_ARGUMENTS COLOR_ARGUMENTS
-                 __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, __global uint *path,
-                 __global uint *walk, uint capacity, uint path_capacity, uint first, uint count, uint turn, uint turn_slots) {
+#define SHADE_HITS(TABLE, ARGUMENT) \
+    LIGHT_TABLES(TABLE) BSDF_TABLES(TABLE) COLOR_TABLES(TABLE) \
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, hit) ARGUMENT(__global uint *, next_ray) \
+    ARGUMENT(__global uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(__global uint *, walk) ARGUMENT(uint, capacity) \
+    ARGUMENT(uint, path_capacity) ARGUMENT(uint, first) ARGUMENT(uint, turn) ARGUMENT(uint, turn_slots)
+STAGE(shade_hits, SHADE_HITS) {
     light_tables light_set = BIND_LIGHTS;
     bsdf_tables bsdf_set = BIND_BSDFS;
     color_tables color_set = BIND_COLORS;
 #if WALKS_IN_STEP
     if (count == 0u) return;
-    if (HAS_LIGHTS) eval_walks(light_set, color_set, frame, hit, walk, capacity, first, count);
-    sample_walks(light_set, color_set, frame, hit, walk, capacity, first, count);
-    if (HAS_LAYER_MEDIUM) walk_alone(light_set, color_set, frame, hit, walk, capacity, first, count);
+    if (HAS_LIGHTS) eval_walks(light_set, color_set, frame, hit, walk, capacity, first, count, run_start);
+    sample_walks(light_set, color_set, frame, hit, walk, capacity, first, count, run_start);
+    if (HAS_LAYER_MEDIUM) walk_alone(light_set, color_set, frame, hit, walk, capacity, first, count, run_start);
 #endif
     FOR_EACH_SLOT(at, count) {
         size_t i = first + at, to = HAS_TREE ? i + turn * turn_slots : i;

@@ -2,6 +2,7 @@
    environments is known when the kernel is built. */
 #include "light/light.clh"
 #include "emission.clh"
+#include "stage.clh"
 
 FN spectrum shade_miss(light_tables lights, color_tables color_set, miss_item m) {
     palette colors = path_palette(color_set, m.seed, m.sample);
@@ -36,7 +37,10 @@ FN spectrum shade_miss(light_tables lights, color_tables color_set, miss_item m)
 }
 
 #ifndef AS_LIBRARY
-STAGE shade_misses(LIGHT_ARGUMENTS COLOR_ARGUMENTS __global const uint *miss, __global uint *path, uint capacity, uint path_capacity, uint count) {
+#define SHADE_MISSES(TABLE, ARGUMENT) \
+    LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE) \
+    ARGUMENT(__global const uint *, miss) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) ARGUMENT(uint, path_capacity)
+STAGE(shade_misses, SHADE_MISSES) {
     light_tables light_set = BIND_LIGHTS;
     color_tables color_set = BIND_COLORS;
     FOR_EACH_SLOT(i, count) {

@@ -1,6 +1,7 @@
 /* hit -> ray, shadow, slot i to slot i; path.  Ambient occlusion (Zhukov et al. 1998; pbrt-v4's "ambientocclusion"): whatever the surface is, a
    shadow ray of limited length to where light of the same radiance comes from everywhere; no ray goes on. Straight-line. */
 #include "scatter.clh"
+#include "stage.clh"
 
 FN shadow_item shade_occlusion(color_tables colors, __global const settings *frame, hit_item h, int alive) {
     /* By the surface itself, not by its shading normal */
@@ -27,9 +28,12 @@ FN shadow_item shade_occlusion(color_tables colors, __global const settings *fra
 }
 
 #ifndef AS_LIBRARY
-STAGE shade_occlusions(COLOR_ARGUMENTS
-                       __global const settings *frame, __global const uint *hit, __global uint *next_ray, __global uint *shadow, __global uint *path,
-                       uint capacity, uint path_capacity, uint first, uint count) {
+#define SHADE_OCCLUSIONS(TABLE, ARGUMENT) \
+    COLOR_TABLES(TABLE) \
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, hit) ARGUMENT(__global uint *, next_ray) \
+    ARGUMENT(__global uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) ARGUMENT(uint, path_capacity) \
+    ARGUMENT(uint, first)
+STAGE(shade_occlusions, SHADE_OCCLUSIONS) {
     color_tables color_set = BIND_COLORS;
     FOR_EACH_SLOT(at, count) {
         size_t i = first + at;

@@ -2,6 +2,7 @@
    Straight-line. */
 #include "scatter.clh"
 #include "medium/phase.clh"
+#include "stage.clh"
 
 FN scattering shade_scatter(light_tables lights, color_tables colors, __global const settings *frame, scatter_item s, int alive) {
     scattering out;
@@ -47,9 +48,11 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
 }
 
 #ifndef AS_LIBRARY
-STAGE shade_scatters(LIGHT_ARGUMENTS COLOR_ARGUMENTS
-                     __global const settings *frame, __global const uint *scatter, __global uint *next_ray, __global uint *shadow, uint capacity,
-                     uint first, uint count) {
+#define SHADE_SCATTERS(TABLE, ARGUMENT) \
+    LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE) \
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, scatter) ARGUMENT(__global uint *, next_ray) \
+    ARGUMENT(__global uint *, shadow) ARGUMENT(uint, capacity) ARGUMENT(uint, first)
+STAGE(shade_scatters, SHADE_SCATTERS) {
     light_tables light_set = BIND_LIGHTS;
     color_tables color_set = BIND_COLORS;
     FOR_EACH_SLOT(at, count) {

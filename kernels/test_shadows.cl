@@ -5,6 +5,7 @@
 #include "light/pattern.clh"
 #include "medium/medium.clh"
 #include "eikonal/stages.h"
+#include "stage.clh"
 
 /* No shadow ray crosses more interfaces than this; one that would is taken as blocked. */
 #define MOST_INTERFACES 256
@@ -45,15 +46,17 @@ FN spectrum test_shadow(geometry g, texture_tables tables, medium_tables media, 
 }
 
 #ifndef AS_LIBRARY
-TRACING_STAGE test_shadows(GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS MEDIUM_ARGUMENTS COLOR_ARGUMENTS
-                   __global const uint *shadow, __global uint *path, uint capacity, uint path_capacity, uint count, __global uint *shadow_count) {
+#define TEST_SHADOWS(TABLE, ARGUMENT) \
+    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE) \
+    ARGUMENT(__global const uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) ARGUMENT(uint, path_capacity) \
+    ARGUMENT(__global uint *, shadow_count)
+TRACING_STAGE(test_shadows, TEST_SHADOWS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;
-    size_t first = get_global_id(0) * RUN, last = min(first + RUN, (size_t)count);
     uint tested = 0;
-    for (size_t i = first; i < last; ++i) {
+    for (size_t i = run_start; i < RUN_END; ++i) {
         if (LOAD_FIELD(shadow, float, t_max, shadow, capacity, i) < 0.0f) continue;
         ++tested;
         shadow_item s = load_shadow(shadow, capacity, i);

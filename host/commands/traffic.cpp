@@ -50,7 +50,8 @@ double queueBytesPerSlot(const std::string& stage, const Features& features) {
 
 double queueCopyRate(const Context& context, Compiler& compiler, const StageShape& shape) {
     constexpr unsigned words = 16;
-    std::string text = "#include \"scene.clh\"\nSTAGE copy_queue(__global const uint *from, __global uint *to, uint capacity, uint count) {\n    FOR_EACH_SLOT(i, count) {\n";
+    std::string text = "#include \"stage.clh\"\n#define COPY_QUEUE(TABLE, ARGUMENT) ARGUMENT(__global const uint *, from) ARGUMENT(__global uint *, to) ARGUMENT(uint, capacity)\n"
+                       "STAGE(copy_queue, COPY_QUEUE) {\n    FOR_EACH_SLOT(i, count) {\n";
     for (unsigned w = 0; w < words; ++w) text += "        to[" + std::to_string(w) + "ul * capacity + i] = from[" + std::to_string(w) + "ul * capacity + i];\n";
     BuildSettings settings;
     settings.constants = {{"LOCAL_SIZE", static_cast<int>(shape.localSize)}, {"RUN", static_cast<int>(shape.run)}, {"WIDENS_GROUPS", shape.widensGroups}};

@@ -53,7 +53,7 @@ BatchTables::BatchTables(const Context& context) : layers_(context, 0, "layers o
     bindings_.set("block_layers", ranges_);
     /* One layer, no pixel */
     bindings_.set("layer_count", 1u);
-    for (const char* name : {"block_log2_width", "block_log2_height", "end_x", "end_y", "film_pixels"}) bindings_.set(name, 0u);
+    for (const char* name : {"block_log2_width", "block_log2_height", "end_x", "end_y"}) bindings_.set(name, 0u);
 }
 
 /// Into a buffer that grows as it must.
@@ -79,7 +79,6 @@ void BatchTables::write(const Context& context, const Batch& batch, int endX, in
     bindings_.set("block_log2_height", static_cast<cl_uint>(batch.size.log2Height));
     bindings_.set("end_x", static_cast<cl_uint>(endX));
     bindings_.set("end_y", static_cast<cl_uint>(endY));
-    bindings_.set("film_pixels", batch.pixels());
 }
 
 }  // namespace eikonal

@@ -52,6 +52,7 @@ void PathLoop::trace(const BatchStream& stream) {
 void PathLoop::resolve(const Batch& batch, const Buffer& film) {
     Bindings own = bindings_;
     own.set("film", film);
+    own.set("count", batch.pixels());
     profile_.add("resolve_film", batch.pixels(), resolve_.launch(context_, {&scene_.bindings(), &tables_.bindings(), &own}, batch.pixels(), shape_.group()));
 }
 

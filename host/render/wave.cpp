@@ -178,6 +178,7 @@ void Wave::resolve(const Batch& batch, const Buffer& film) {
     Bindings own = tables_[done.place].bindings();
     own.set("first_path", firstPath(done.place));
     own.set("film", film);
+    own.set("count", batch.pixels());
     run(stages_.find("resolve_film"), batch.pixels(), own);
 }
 

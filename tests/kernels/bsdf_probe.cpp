@@ -110,7 +110,7 @@ FN rgb three_of(spectrum s) {{ return make_rgb(s.r, s.g, s.b); }}
 FN float split_{0}({0}_bound b, vec3 wo) {{ return 0.0f; }}
 #endif
 )", name);
-    text.tables = "BSDF_ARGUMENTS COLOR_ARGUMENTS";
+    text.tables = "BSDF_TABLES(TABLE) COLOR_TABLES(TABLE)";
     text.body = fmt::format(R"(
     bsdf_tables tables = BIND_BSDFS;
     color_tables colors = BIND_COLORS;

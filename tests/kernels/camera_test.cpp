@@ -30,7 +30,7 @@ std::vector<CameraSample> drawRays(const std::string& head, uint x, uint y, size
         .body = "camera_tables tables = BIND_CAMERA; camera_sample s = generate_ray(tables, frame, x, y, sample, 0u);"
                 "result.o = s.ray.o; result.d = s.ray.d; result.weight = s.weight;",
         .inputs = {"uint x", "uint y", "uint sample"}, .declarations = "typedef struct { vec3 o, d; float weight; } camera_result;",
-        .tables = "CAMERA_ARGUMENTS __global const settings *frame,", .features = scene.features});
+        .tables = "CAMERA_TABLES(TABLE) ARGUMENT(__global const settings *, frame)", .features = scene.features});
     std::vector<uint> samples(n);
     for (size_t i = 0; i < n; ++i) samples[i] = static_cast<uint>(i);
     const DeviceScene onDevice(testContext(), scene);
@@ -146,7 +146,7 @@ TEST(Camera, RealisticRaysGoThroughEachElement) {
     const DeviceFunction<LensResult> function({.include = "camera/camera.clh", .type = "lens_result",
         .body = "camera_tables tables = BIND_CAMERA; lens_ray r = generate_realistic(tables, frame, film.x, film.y, u); result.o = r.ray.o; result.d = r.ray.d; result.importance = r.importance;",
         .inputs = {"vec2 film", "vec2 u"}, .declarations = "typedef struct { vec3 o, d; float importance; } lens_result;",
-        .tables = "CAMERA_ARGUMENTS __global const settings *frame,", .features = scene.features});
+        .tables = "CAMERA_TABLES(TABLE) ARGUMENT(__global const settings *, frame)", .features = scene.features});
     constexpr size_t n = 8192;
     Random random(2);
     const auto film = generate(n, [&] { return vec2{random.between(-0.014f, 0.014f), random.between(-0.0105f, 0.0105f)}; });

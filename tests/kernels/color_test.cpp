@@ -31,7 +31,7 @@ struct Colors {
 std::vector<Four> evaluate(const PackedScene& scene, const std::vector<color>& colors, const std::vector<Four>& lambda) {
     static const DeviceFunction<Four> function({.include = "color.clh", .type = "spectrum", .body = R"(
         palette p = {curves, uplift, lambda};
-        result = eval_color(p, c);)", .inputs = {"color c", "spectrum lambda"}, .tables = "COLOR_ARGUMENTS", .features = Features::allSpectral()});
+        result = eval_color(p, c);)", .inputs = {"color c", "spectrum lambda"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::allSpectral()});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, colors, lambda);
 }
@@ -59,7 +59,7 @@ TEST(Color, OfATexelIsThatOfTheTable) {
     packUplift(tables.packer);
     static const DeviceFunction<Four> function({.include = "color.clh", .type = "spectrum", .body = R"(
         palette p = {curves, uplift, lambda};
-        result = uplift_albedo(p, c.x, c.y, c.z);)", .inputs = {"vec3 c", "spectrum lambda"}, .tables = "COLOR_ARGUMENTS", .features = Features::allSpectral()});
+        result = uplift_albedo(p, c.x, c.y, c.z);)", .inputs = {"vec3 c", "spectrum lambda"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::allSpectral()});
     Random random(61);
     std::vector<vec3> colors = generate(500, [&] { return vec3{random.unit(), random.unit(), random.unit()}; });
     colors.insert(colors.end(), {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}, {0, 1, 1}, {1e-6f, 0, 2e-6f}, {.3f, .3f, .3f}, {3, 2, 0}});
@@ -82,7 +82,7 @@ TEST(Color, ComesBackFromItsWavelengths) {
     static const DeviceFunction<vec3> function({.include = "color.clh", .type = "rgb", .body = R"(
         color_tables set = BIND_COLORS;
         palette p = path_palette(set, 77u, sample);
-        result = color_seen(p, from, eval_color(p, c));)", .inputs = {"color c", "uint sample", "uint from"}, .tables = "COLOR_ARGUMENTS", .features = Features::allSpectral()});
+        result = color_seen(p, from, eval_color(p, c));)", .inputs = {"color c", "uint sample", "uint from"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::allSpectral()});
     const uint light = tables.packed.frame().sensor_curves, surface = tables.packed.frame().albedo_curves;
     struct Case { color c; uint from; glm::dvec3 expected; };
     const Case cases[] = {{packEmission(tables.packer, Spectrum::rgb({1, 1, 1})), light, {1, 1, 1}},

@@ -11,16 +11,16 @@ namespace eikonal {
 static std::string nameOf(const std::string& input) { return input.substr(input.rfind(' ') + 1); }
 static std::string typeOf(const std::string& input) { return input.substr(0, input.rfind(' ')); }
 
-/// The kernel. Arrays are padded to whole work-groups, so there is no guard in it, and straight-line code is vectorised as shipped.
+/// The kernel. Arrays are padded to whole groups, so there is no guard in it, and straight-line code is vectorised as shipped.
 static std::string kernelText(const FunctionText& text) {
-    std::string source = "#include \"queue.clh\"\n#include \"scene.clh\"\n";
+    std::string source = "#include \"queue.clh\"\n#include \"stage.clh\"\n";
     std::istringstream files(text.include);
     for (std::string file; files >> file;) source += fmt::format("#include \"{}\"\n", file);
-    source += text.declarations + "\nTRACING_STAGE device_function(" + text.tables + "\n    ";
-    for (const std::string& input : text.inputs) source += fmt::format("__global const {} *{}_array, ", typeOf(input), nameOf(input));
-    source += fmt::format("__global {} *results) {{\n    size_t index = get_global_id(0);\n", text.type);
-    for (const std::string& input : text.inputs) source += fmt::format("    {} = {}_array[index];\n", input, nameOf(input));
-    return source + fmt::format("    {} result;\n    {}\n    results[index] = result;\n}}\n", text.type, text.body);
+    source += text.declarations + "\n#define DEVICE_FUNCTION(TABLE, ARGUMENT) " + text.tables;
+    for (const std::string& input : text.inputs) source += fmt::format(" ARGUMENT(__global const {} *, {}_array)", typeOf(input), nameOf(input));
+    source += fmt::format(" ARGUMENT(__global {} *, results)\nSTAGE(device_function, DEVICE_FUNCTION) {{\n    FOR_EACH_SLOT(index, count) {{\n", text.type);
+    for (const std::string& input : text.inputs) source += fmt::format("        {} = {}_array[index];\n", input, nameOf(input));
+    return source + fmt::format("        {} result;\n        {}\n        results[index] = result;\n    }}\n}}\n", text.type, text.body);
 }
 
 DeviceFunctionBase::DeviceFunctionBase(FunctionText text) : text_(std::move(text)) {
@@ -30,7 +30,7 @@ DeviceFunctionBase::DeviceFunctionBase(FunctionText text) : text_(std::move(text
 
 void DeviceFunctionBase::run(const DeviceScene* scene, const std::vector<Array>& inputs, size_t count, void* result, size_t resultWords) const {
     if (inputs.size() != text_.inputs.size()) throw std::invalid_argument(fmt::format("{} arrays for {} inputs", inputs.size(), text_.inputs.size()));
-    const size_t padded = (std::max<size_t>(count, 1) + testLocalSize - 1) / testLocalSize * testLocalSize;
+    const size_t padded = (std::max<size_t>(count, 1) + testGroup - 1) / testGroup * testGroup;
     std::list<Buffer> buffers;
     Bindings own;
     for (size_t k = 0; k < inputs.size(); ++k) {
@@ -45,8 +45,9 @@ void DeviceFunctionBase::run(const DeviceScene* scene, const std::vector<Array>&
     }
     buffers.emplace_back(testContext(), padded * resultWords * sizeof(uint), "results");
     own.set("results", buffers.back());
+    own.set("count", static_cast<cl_uint>(padded));
     const Bindings nothing;
-    kernel_.launch(testContext(), {scene ? &scene->bindings() : &nothing, &own}, padded, testLocalSize);
+    kernel_.launch(testContext(), {scene ? &scene->bindings() : &nothing, &own}, padded, testGroup);
     testCompiler().keep(kernel_.program());
     if (count > 0) buffers.back().read(testContext(), result, count * resultWords * sizeof(uint));
 }

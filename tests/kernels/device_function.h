@@ -23,7 +23,7 @@ struct FunctionText {
     std::string body;                     ///< statements that set `result` from the inputs
     std::vector<std::string> inputs;      ///< "vec3 wo": type and name of each array
     std::string declarations = {};        ///< structs and functions before the kernel
-    std::string tables = {};              ///< "LIGHT_ARGUMENTS": scene tables as arguments, each group ending with a comma
+    std::string tables = {};              ///< "LIGHT_TABLES(TABLE)": scene tables, and other arguments, as a stage lists them (kernels/stage.clh)
     Features features = Features::all();
 };
 

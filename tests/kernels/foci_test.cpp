@@ -37,7 +37,7 @@ TEST(Foci, WaysTowardsThemAreWeightedRight) {
         float sum = 0.0f, step = 2.0f / 40.0f / 64.0f;
         for (int i = 0; i < 64; ++i) sum += pdf_towards_foci(medium_set.foci, 2u, o, d, 2.0f, u.x * 2.0f + ((float)i + 0.5f) * step) * step;
         result = make_vec3(sample_towards_foci(medium_set.foci, 2u, o, d, 2.0f, u.x, u.y), sum, share_of_foci(medium_set.foci, 2u, o, d, 2.0f, 3.0f));)",
-        .inputs = {"vec3 o", "vec3 d", "vec2 u"}, .tables = "MEDIUM_ARGUMENTS"});
+        .inputs = {"vec3 o", "vec3 d", "vec2 u"}, .tables = "MEDIUM_TABLES(TABLE)"});
     Random random(13);
     constexpr size_t n = 20000, bins = 40;
     for (const MediumRay& ray : rays) {

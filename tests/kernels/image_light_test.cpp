@@ -56,7 +56,7 @@ std::vector<ImageLightResult> sample(const PackedScene& scene, const std::vector
         result.L = s.L; result.wi = s.wi; result.pdf = s.pdf; result.is_delta = s.is_delta; result.Le = seen.Le; result.pdf_here = seen.pdf;)",
         .inputs = {"vec3 p", "vec2 v"},
         .declarations = "typedef struct { spectrum L; vec3 wi; float pdf; int is_delta; spectrum Le; float pdf_here; } image_light_result;",
-        .tables = "LIGHT_ARGUMENTS COLOR_ARGUMENTS"});
+        .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, p, v);
 }
@@ -261,7 +261,7 @@ TEST(PortalEnvironment, IsDarkElsewhere) {
         light_tables tables = BIND_LIGHTS;
         color_tables color_set = BIND_COLORS;
         portal_light seen = eval_portal_environment(tables, path_palette(color_set, 0u, 0u), fetch(tables.lights), uniform_spectrum(1.0f), p, d);
-        result = seen.pdf + max_component(seen.Le);)", .inputs = {"vec3 p", "vec3 d"}, .tables = "LIGHT_ARGUMENTS COLOR_ARGUMENTS"});
+        result = seen.pdf + max_component(seen.Le);)", .inputs = {"vec3 p", "vec3 d"}, .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     const DeviceScene onDevice(testContext(), scene);
     const glm::dvec3 p = portalPoints()[0];
     std::vector<vec3> d;

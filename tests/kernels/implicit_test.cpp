@@ -45,7 +45,7 @@ std::vector<Answer> ask(const PackedScene& scene, const std::vector<vec3>& o, co
         result.undefined = f.undefined.s3 != 0; result.broken = f.broken.s3 != 0;)",
         .inputs = {"vec3 o", "vec3 d", "float size"},
         .declarations = "typedef struct { float t; vec3 p, error, ng; float value_low, value_high, slope_low, slope_high; uint undefined, broken; } answer;",
-        .tables = "GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS", .features = Features().require(Feature::SHAPE_IMPLICIT)});
+        .tables = "GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE)", .features = Features().require(Feature::SHAPE_IMPLICIT)});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, o, d, size);
 }

@@ -72,16 +72,17 @@ Report hostReport(const Features& features) {
 std::string probeText() {
     std::string text = R"(
 #include "queue.clh"
-#include "scene.clh"
+#include "stage.clh"
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
 #define PUT(x) words[n++] = (uint)(x);
 #define PUT_FIELD(q, type, name, FEATURE) PUT(q##_##name##_slot) PUT(WORDS_##type * HAS_##FEATURE)
 #define PUT_QUEUE(q, FIELDS) FIELDS(PUT_FIELD, q) PUT(q##_words)
 #define PUT_SIZE(type, name) PUT(sizeof(type))
-TRACING_STAGE layout_probe(__global uint *words) {
+#define LAYOUT_PROBE(TABLE, ARGUMENT) ARGUMENT(__global uint *, words)
+TRACING_STAGE(layout_probe, LAYOUT_PROBE) {
     uint n = 0;
-    if (get_global_id(0) > 0) return;
+    if (run_start > 0) return;
     QUEUES(PUT_QUEUE)
     PUT_QUEUE(film, FILM_FIELDS)
     SCENE_TABLES(PUT_SIZE)
@@ -99,6 +100,7 @@ void expectEqualLayout(const Features& features, const std::string& what) {
     Buffer words(testContext(), host.values.size() * sizeof(uint), "layout");
     Bindings arguments;
     arguments.set("words", words);
+    arguments.set("count", 1u);
     kernel.launch(testContext(), {&arguments}, 1, testLocalSize);
     testContext().finish();
     testCompiler().keep(kernel.program());

@@ -53,7 +53,7 @@ TEST(LightSampler, LeavesAUniformRest) {
     const PackedScene scene = sceneChoosingBy({0.3, 4, 1, 0.7});
     const DeviceScene onDevice(testContext(), scene);
     const DeviceFunction<Chosen> function({.include = "light/light.clh", .type = "alias_sample", .body = "result = sample_alias(light_aliases, 4, u);",
-                                           .inputs = {"float u"}, .tables = "LIGHT_ARGUMENTS"});
+                                           .inputs = {"float u"}, .tables = "LIGHT_TABLES(TABLE)"});
     Random random(50);
     const auto u = generate(100000, [&] { return random.unit(); });
     std::vector<double> counts(4 * 16), expected;
@@ -75,7 +75,7 @@ TEST(LightSampler, LeavesStrataToEachLight) {
     const DeviceScene onDevice(testContext(), scene);
     const DeviceFunction<Placed> function({.include = "light/light.clh", .type = "placed",
         .body = "light_tables tables = BIND_LIGHTS; vec2 u = sample_2d(seed, sample, 9u); alias_sample lot = sample_light_index(tables, 4u, u.x); result.i = lot.i; result.at = make_vec2(lot.rest, u.y);",
-        .inputs = {"uint seed", "uint sample"}, .declarations = "#include \"random.clh\"\ntypedef struct { int i; vec2 at; } placed;", .tables = "LIGHT_ARGUMENTS",
+        .inputs = {"uint seed", "uint sample"}, .declarations = "#include \"random.clh\"\ntypedef struct { int i; vec2 at; } placed;", .tables = "LIGHT_TABLES(TABLE)",
         .features = Features().require(Feature::SOBOL)});
     std::vector<uint> sample(64);
     std::iota(sample.begin(), sample.end(), 0u);

@@ -49,7 +49,7 @@ const DeviceFunction<Chosen>& chooser() {
         result.pmf = c.pmf;
         result.again = l.pmf * pmf_light_tree(tables, l, p, n);)",
         .inputs = {"vec3 p", "vec3 n", "float u"}, .declarations = "typedef struct { uint light; float pmf, again; } chosen;",
-        .tables = "LIGHT_ARGUMENTS __global const settings *frame,"});
+        .tables = "LIGHT_TABLES(TABLE) ARGUMENT(__global const settings *, frame)"});
     return function;
 }
 
@@ -66,7 +66,7 @@ const DeviceFunction<Sent>& sender() {
         light l = fetch(tables.lights + light_index);
         result.pmf = l.pmf * pmf_light_tree(tables, l, p, n);)",
         .inputs = {"uint light_index", "vec3 p", "vec3 n", "vec2 v"}, .declarations = "typedef struct { float contribution, pmf; } sent;",
-        .tables = "LIGHT_ARGUMENTS COLOR_ARGUMENTS"});
+        .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     return function;
 }
 

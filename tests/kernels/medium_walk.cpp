@@ -75,7 +75,7 @@ const DeviceFunction<Integrals>& integrate() {
             result.tau = add(result.tau, mul(half_tau, 2.0f));
         })",
         .inputs = {"vec3 o", "vec3 d", "float t"},
-        .declarations = "typedef struct { spectrum tau, absorbed, scattered, emitted; } integrals;", .tables = "MEDIUM_ARGUMENTS COLOR_ARGUMENTS"});
+        .declarations = "typedef struct { spectrum tau, absorbed, scattered, emitted; } integrals;", .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     return function;
 }
 
@@ -84,7 +84,7 @@ static FunctionText walkText(const std::string& body) {
             .body = "medium_tables medium_set = BIND_MEDIA; color_tables color_set = BIND_COLORS; palette colors = path_palette(color_set, 0u, 0u); random_stream more = make_stream(seed, 1u, 2u); spectrum zero = uniform_spectrum(0.0f), one = uniform_spectrum(1.0f); track end = {track_passes, t};" + body +
                     "result.end = end.end; result.t = end.t; result.beta = path.beta; result.r_u = path.r_u; result.r_l = path.r_l; result.L = path.L;",
             .inputs = {"vec3 o", "vec3 d", "float t", "uint hero", "uint seed"},
-            .declarations = "typedef struct { uint end; float t; spectrum beta, r_u, r_l, L; } walked;", .tables = "MEDIUM_ARGUMENTS COLOR_ARGUMENTS"};
+            .declarations = "typedef struct { uint end; float t; spectrum beta, r_u, r_l, L; } walked;", .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"};
 }
 
 const DeviceFunction<Walked>& track() {

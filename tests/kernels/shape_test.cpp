@@ -70,7 +70,7 @@ std::vector<Probe> probe(const PackedScene& scene, const std::vector<vec3>& o, c
         })",
         .inputs = {"vec3 o", "vec3 d", "vec3 w", "float side"},
         .declarations = "typedef struct { float t; uint element, instance; float u, v; vec3 p, error, ng, ns, dpdu, dpdv, dndu, dndv; vec2 uv; float again; } probe;",
-        .tables = "GEOMETRY_ARGUMENTS TEXTURE_ARGUMENTS", .features = shapeFeatures()});
+        .tables = "GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE)", .features = shapeFeatures()});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, o, d, w, side);
 }

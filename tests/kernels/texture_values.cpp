@@ -17,7 +17,7 @@ std::vector<TextureResult> evaluate(const PackedScene& scene, const std::vector<
         result.value = eval_texture(tables, path_palette(colors, 0u, 0u), program, at);
         result.bumped = displace_normal(tables, program, at).ns;
         result.mapped = map_normal(tables, 0u, at).ns;)",
-        .inputs = {"uint program", "vec2 uv", "vec3 p"}, .declarations = "typedef struct { spectrum value; vec3 bumped, mapped; } texture_result;", .tables = "TEXTURE_ARGUMENTS COLOR_ARGUMENTS"});
+        .inputs = {"uint program", "vec2 uv", "vec3 p"}, .declarations = "typedef struct { spectrum value; vec3 bumped, mapped; } texture_result;", .tables = "TEXTURE_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, program, uv, p);
 }

@@ -54,7 +54,7 @@ std::string textOf(const std::string& stage) {
 
 /// The names of a kernel's queues, those that it may write or those that it may only read. next_ray is the ray queue of the next bounce.
 Names queueArguments(const std::string& arguments, bool written) {
-    static const std::regex buffer(R"(__global (const )?uint \*(?:next_)?([a-z_]+))");
+    static const std::regex buffer(R"(__global (const )?uint \*, (?:next_)?([a-z_]+)\))");
     Names names;
     for (std::sregex_iterator i(arguments.begin(), arguments.end(), buffer), end; i != end; ++i)
         if ((*i)[1].matched != written) names.insert((*i)[2]);
@@ -67,10 +67,10 @@ TEST_P(StageQueues, AreTheArgumentsOfItsKernel) {
     const StageCase& stage = GetParam();
     const std::string text = textOf(stage.name);
     std::smatch kernel;
-    ASSERT_TRUE(std::regex_search(text, kernel, std::regex("\n(?:TRACING_)?STAGE " + stage.name + R"(\(([^{]*)\) \{)")));
-    EXPECT_EQ(queueArguments(kernel[1], true), stage.writes);
+    ASSERT_TRUE(std::regex_search(text, kernel, std::regex(R"(#define ([A-Z_]+)\(TABLE, ARGUMENT\)((?:.*\\\n)*.*)\n(?:TRACING_)?STAGE\()" + stage.name + R"(, \1\) \{)")));
+    EXPECT_EQ(queueArguments(kernel[2], true), stage.writes);
     /* What is not const may be read as well, where the list says so */
-    Names readable = queueArguments(kernel[1], false);
+    Names readable = queueArguments(kernel[2], false);
     for (const std::string& q : stage.reads)
         if (stage.writes.count(q) || q == "pixels") readable.insert(q);
     EXPECT_EQ(readable, stage.reads);
