@@ -8,7 +8,7 @@
 #define CLASSIFY_FLIGHTS(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, ray) ARGUMENT(__global uint *, flight) \
-    ARGUMENT(uint, capacity) ARGUMENT(uint, log2_batch_paths) ARGUMENT(__global uint *, counts)
+    ARGUMENT(uint, log2_batch_paths) ARGUMENT(__global uint *, counts)
 TRACING_STAGE(classify_flights, CLASSIFY_FLIGHTS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
@@ -24,6 +24,7 @@ TRACING_STAGE(classify_flights, CLASSIFY_FLIGHTS) {
         STORE_FIELD(flight, uint, hop, flight, capacity, i, next.hop);
         STORE_FIELD(flight, uint, material, flight, capacity, i, next.material);
         if (next.hop < hops) ++found[next.hop];
+        if (HAS_EMITTERS) STORE_FIELD(flight, uint, emits, flight, capacity, i, (uint)next.emits);
         if (HAS_EMITTERS && next.emits) ++found[hop_emission];
     }
     for (int c = 0; c < wave_counts; ++c)

@@ -31,8 +31,7 @@ FN extinguished extinguish_ray(medium_tables media, color_tables colors, ray_ite
 #ifndef AS_LIBRARY
 #define EXTINGUISH_RAYS(TABLE, ARGUMENT) \
     MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE) \
-    ARGUMENT(__global uint *, ray) ARGUMENT(__global uint *, flight) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) \
-    ARGUMENT(uint, path_capacity)
+    ARGUMENT(__global uint *, ray) ARGUMENT(__global uint *, flight) ARGUMENT(__global uint *, path)
 TRACING_STAGE(extinguish_rays, EXTINGUISH_RAYS) {
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;

@@ -29,8 +29,8 @@ FN camera_path start_path(camera_tables tables, __global const settings *frame, 
 #ifndef AS_LIBRARY
 #define GENERATE_RAYS(TABLE, ARGUMENT) \
     CAMERA_TABLES(TABLE) \
-    ARGUMENT(__global const settings *, frame) ARGUMENT(__global uint *, ray) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) \
-    ARGUMENT(uint, path_capacity) BATCH_ARGUMENTS(ARGUMENT) ARGUMENT(uint, begun) ARGUMENT(uint, first_path) ARGUMENT(uint, first)
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global uint *, ray) ARGUMENT(__global uint *, path) BATCH_ARGUMENTS(ARGUMENT) \
+    ARGUMENT(uint, begun) ARGUMENT(uint, first_path) ARGUMENT(uint, first)
 STAGE(generate_rays, GENERATE_RAYS) {
     camera_tables tables = BIND_CAMERA;
     FOR_EACH_SLOT(i, count) {

@@ -20,7 +20,7 @@ FN flight_item intersect_ray(geometry g, texture_tables tables, ray_item r) {
 #ifndef AS_LIBRARY
 #define INTERSECT_RAYS(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) \
-    ARGUMENT(__global const uint *, ray) ARGUMENT(__global uint *, flight) ARGUMENT(uint, capacity)
+    ARGUMENT(__global const uint *, ray) ARGUMENT(__global uint *, flight)
 TRACING_STAGE(intersect_rays, INTERSECT_RAYS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
@@ -30,7 +30,7 @@ TRACING_STAGE(intersect_rays, INTERSECT_RAYS) {
             continue;
         }
         flight_item f = intersect_ray(g, tables, load_ray(ray, capacity, i));
-        f.hop = hop_none; f.material = NONE;
+        f.hop = hop_none; f.material = NONE; f.emits = 0u;
         store_flight(flight, capacity, i, f);
     }
 }

@@ -39,8 +39,8 @@ FN void meet_light(geometry g, texture_tables tables, medium_tables media, color
 #define LOOP(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) LIGHT_TABLES(TABLE) BSDF_TABLES(TABLE) MEDIUM_TABLES(TABLE) \
     COLOR_TABLES(TABLE) CAMERA_TABLES(TABLE) \
-    ARGUMENT(__global const settings *, frame) ARGUMENT(__global uint *, hit) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) \
-    ARGUMENT(uint, path_capacity) BATCH_ARGUMENTS(ARGUMENT) ARGUMENT(uint, turns)
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global uint *, hit) ARGUMENT(__global uint *, path) BATCH_ARGUMENTS(ARGUMENT) \
+    ARGUMENT(uint, turns)
 TRACING_STAGE(loop, LOOP) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
@@ -98,7 +98,7 @@ TRACING_STAGE(loop, LOOP) {
                 }
                 else if (f.element != NONE) {
                     surface s = flight_surface(g, tables, r, f);
-                    if (HAS_EMITTERS && flight_emits(g, f, NONE)) {
+                    if (HAS_EMITTERS && next.emits) {
                         emission_item e = make_emission(g, tables, light_set, color_set, r, f, s);
                         add_radiance(path, path_capacity, r.path, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
                     }

@@ -81,9 +81,9 @@ FN path_item gather_path(__global const settings *frame, __global const uint *pa
 
 #define RESOLVE_FILM(TABLE, ARGUMENT) \
     COLOR_TABLES(TABLE) \
-    ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, path) ARGUMENT(uint, path_capacity) \
-    ARGUMENT(uint, first_path) ARGUMENT(__global uint *, film) ARGUMENT(__global const layer_range *, block_layers) \
-    ARGUMENT(uint, block_log2_width) ARGUMENT(uint, block_log2_height)
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, path) ARGUMENT(uint, first_path) \
+    ARGUMENT(__global uint *, film) ARGUMENT(__global const layer_range *, block_layers) ARGUMENT(uint, block_log2_width) \
+    ARGUMENT(uint, block_log2_height)
 TRACING_STAGE(resolve_film, RESOLVE_FILM) {
     color_tables color_set = BIND_COLORS;
     uint log2_pixels = block_log2_width + block_log2_height;

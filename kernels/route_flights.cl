@@ -27,9 +27,9 @@ FN uint segment_start(__global const uint *counts, uint hop) {
 #define ROUTE_FLIGHTS(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) LIGHT_TABLES(TABLE) MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, ray) ARGUMENT(__global const uint *, flight) \
-    ARGUMENT(uint, capacity) ARGUMENT(__global const uint *, counts) ARGUMENT(__global uint *, cursors) ARGUMENT(__global uint *, hit) \
+    ARGUMENT(__global const uint *, counts) ARGUMENT(__global uint *, cursors) ARGUMENT(__global uint *, hit) \
     ARGUMENT(__global uint *, scatter) ARGUMENT(__global uint *, miss) ARGUMENT(__global uint *, emission) \
-    ARGUMENT(__global uint *, next_ray) ARGUMENT(__global uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(uint, path_capacity)
+    ARGUMENT(__global uint *, next_ray) ARGUMENT(__global uint *, shadow) ARGUMENT(__global uint *, path)
 TRACING_STAGE(route_flights, ROUTE_FLIGHTS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
@@ -43,10 +43,9 @@ TRACING_STAGE(route_flights, ROUTE_FLIGHTS) {
     for (int h = 0; h < hops; ++h) at[h] = 0;
     for (size_t i = run_start; i < RUN_END; ++i) {
         if (LOAD_FIELD(flight, float, t, flight, capacity, i) < 0.0f) continue;
-        flight_item f = load_flight(flight, capacity, i);
-        if (f.hop < hops) ++at[f.hop];
-        uint body = HAS_DIFFUSION ? LOAD_FIELD(ray, uint, body, ray, capacity, i) : NONE;
-        if (HAS_EMITTERS && flight_emits(g, f, body)) ++at[hop_emission];
+        uint hop = LOAD_FIELD(flight, uint, hop, flight, capacity, i);
+        if (hop < hops) ++at[hop];
+        if (HAS_EMITTERS && LOAD_FIELD(flight, uint, emits, flight, capacity, i)) ++at[hop_emission];
     }
     for (uint h = 0; h < hops; ++h) {
         if (!at[h]) continue;
@@ -59,8 +58,7 @@ TRACING_STAGE(route_flights, ROUTE_FLIGHTS) {
     for (size_t i = run_start; i < RUN_END; ++i) {
         if (LOAD_FIELD(flight, float, t, flight, capacity, i) < 0.0f) continue;
         flight_item f = load_flight(flight, capacity, i);
-        uint body = HAS_DIFFUSION ? LOAD_FIELD(ray, uint, body, ray, capacity, i) : NONE;
-        int emits = HAS_EMITTERS && flight_emits(g, f, body);
+        int emits = HAS_EMITTERS && f.emits;
         if (f.hop >= hops && !emits) continue;
         ray_item r = load_ray(ray, capacity, i);
         if (ENVIRONMENTS && f.hop == hop_miss) { store_miss(miss, capacity, at[hop_miss]++, make_miss(r)); continue; }

@@ -3,7 +3,7 @@
 #include "stage.clh"
 
 #define SHADE_EMITTERS(TABLE, ARGUMENT) \
-    ARGUMENT(__global const uint *, emission) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) ARGUMENT(uint, path_capacity)
+    ARGUMENT(__global const uint *, emission) ARGUMENT(__global uint *, path)
 STAGE(shade_emitters, SHADE_EMITTERS) {
     FOR_EACH_SLOT(i, count) {
         emission_item e = load_emission(emission, capacity, i);

@@ -88,8 +88,8 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
 #define SHADE_HITS(TABLE, ARGUMENT) \
     LIGHT_TABLES(TABLE) BSDF_TABLES(TABLE) COLOR_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, hit) ARGUMENT(__global uint *, next_ray) \
-    ARGUMENT(__global uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(__global uint *, walk) ARGUMENT(uint, capacity) \
-    ARGUMENT(uint, path_capacity) ARGUMENT(uint, first) ARGUMENT(uint, turn) ARGUMENT(uint, turn_slots)
+    ARGUMENT(__global uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(__global uint *, walk) ARGUMENT(uint, first) \
+    ARGUMENT(uint, turn) ARGUMENT(uint, turn_slots)
 STAGE(shade_hits, SHADE_HITS) {
     light_tables light_set = BIND_LIGHTS;
     bsdf_tables bsdf_set = BIND_BSDFS;

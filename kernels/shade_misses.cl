@@ -39,7 +39,7 @@ FN spectrum shade_miss(light_tables lights, color_tables color_set, miss_item m)
 #ifndef AS_LIBRARY
 #define SHADE_MISSES(TABLE, ARGUMENT) \
     LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE) \
-    ARGUMENT(__global const uint *, miss) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) ARGUMENT(uint, path_capacity)
+    ARGUMENT(__global const uint *, miss) ARGUMENT(__global uint *, path)
 STAGE(shade_misses, SHADE_MISSES) {
     light_tables light_set = BIND_LIGHTS;
     color_tables color_set = BIND_COLORS;

@@ -31,8 +31,7 @@ FN shadow_item shade_occlusion(color_tables colors, __global const settings *fra
 #define SHADE_OCCLUSIONS(TABLE, ARGUMENT) \
     COLOR_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, hit) ARGUMENT(__global uint *, next_ray) \
-    ARGUMENT(__global uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) ARGUMENT(uint, path_capacity) \
-    ARGUMENT(uint, first)
+    ARGUMENT(__global uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(uint, first)
 STAGE(shade_occlusions, SHADE_OCCLUSIONS) {
     color_tables color_set = BIND_COLORS;
     FOR_EACH_SLOT(at, count) {

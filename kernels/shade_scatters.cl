@@ -51,7 +51,7 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
 #define SHADE_SCATTERS(TABLE, ARGUMENT) \
     LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, scatter) ARGUMENT(__global uint *, next_ray) \
-    ARGUMENT(__global uint *, shadow) ARGUMENT(uint, capacity) ARGUMENT(uint, first)
+    ARGUMENT(__global uint *, shadow) ARGUMENT(uint, first)
 STAGE(shade_scatters, SHADE_SCATTERS) {
     light_tables light_set = BIND_LIGHTS;
     color_tables color_set = BIND_COLORS;

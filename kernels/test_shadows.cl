@@ -48,8 +48,7 @@ FN spectrum test_shadow(geometry g, texture_tables tables, medium_tables media, 
 #ifndef AS_LIBRARY
 #define TEST_SHADOWS(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE) \
-    ARGUMENT(__global const uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(uint, capacity) ARGUMENT(uint, path_capacity) \
-    ARGUMENT(__global uint *, shadow_count)
+    ARGUMENT(__global const uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(__global uint *, shadow_count)
 TRACING_STAGE(test_shadows, TEST_SHADOWS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;

@@ -78,6 +78,7 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
         if (!o.device.empty()) arguments.insert(arguments.end(), {"--device", o.device});
         if (o.localSize) arguments.insert(arguments.end(), {"--local-size", std::to_string(*o.localSize)});
         if (o.run) arguments.insert(arguments.end(), {"--run", std::to_string(*o.run)});
+        if (o.wavePaths) arguments.insert(arguments.end(), {"--wave-paths", std::to_string(*o.wavePaths)});
         if (const pid_t process = startSelf(arguments)) processes.push_back(process);
     }
     for (const pid_t process : processes) ::waitpid(process, nullptr, 0);
@@ -89,14 +90,13 @@ int compileKernelsCommand(const Options& o) {
     const Context context(chooseDevice(o.device.device));
     Compiler compiler(context, findKernelFolders(), cacheFolderFor(o.device));
     const PackedScene scene = emptyScene(o.compile);
-    StageShape shape = shapeFor(context.device(), o.device);
-    shape.wavePaths = shape.localSize;
+    const StageShape shape = shapeFor(context.device(), o.device);
     const DeviceScene tables(context, scene);
     Profile profile;
     Stages stages(compiler, scene, shape, buildSettingsFor(o.device), {o.compile.part, o.compile.parts});
     Wave wave(context, tables, stages, shape, scene.features, profile);
     wave.warmUp();
-    for (const Stage& stage : stages.all()) compiler.keep(stage.kernel.program());
+    for (const Stage& stage : stages.all()) compiler.keep(stage.kernel.program(), stage.firstLaunchSeconds);
     return static_cast<int>(ExitCode::success);
 }
 

@@ -117,7 +117,7 @@ void Session::prepare() {
     wave_->warmUp();
     times_.compile = compileTime.seconds();
     const Stopwatch keepTime;
-    for (const Stage& stage : stages_->all()) compiler_->keep(stage.kernel.program());
+    for (const Stage& stage : stages_->all()) compiler_->keep(stage.kernel.program(), stage.firstLaunchSeconds);
     times_.keep = keepTime.seconds();
     times_.firstRay = secondsSinceStart();
 }

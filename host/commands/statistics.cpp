@@ -33,9 +33,11 @@ std::string describeRun(const Session& session, const Profile& profile, const Fi
     line("upload the tables", t.upload);
     line("compile the kernels", t.compile, fmt::format("{} compiled, {} from the cache", session.compiledStages(), static_cast<int>(session.stages().all().size()) - session.compiledStages()));
     if (session.compiledStages() > 0) line("  in worker processes", t.workers);
-    for (const Stage& s : session.stages().all())
-        text += fmt::format("    {:<26}{:8.3f} s  build {:.3f}, first launch {:.3f}{}\n", s.name, s.compileSeconds + s.firstLaunchSeconds, s.compileSeconds,
-                            s.firstLaunchSeconds, s.kernel.program().fromCache ? ", cached" : "");
+    for (const Stage& s : session.stages().all()) {
+        const Program& program = s.kernel.program();
+        text += fmt::format("    {:<26}{:8.3f} s  build {:.3f}, first launch {:.3f}{}\n", s.name, s.compileSeconds + s.firstLaunchSeconds, s.compileSeconds, s.firstLaunchSeconds,
+                            program.fromCache ? fmt::format("; kept, compiled in {:.2f} s", program.compileSeconds) : "");
+    }
     line("keep the kernels", t.keep);
     line("until the first ray", t.firstRay);
     line("render", renderSeconds);

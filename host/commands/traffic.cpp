@@ -50,7 +50,7 @@ double queueBytesPerSlot(const std::string& stage, const Features& features) {
 
 double queueCopyRate(const Context& context, Compiler& compiler, const StageShape& shape) {
     constexpr unsigned words = 16;
-    std::string text = "#include \"stage.clh\"\n#define COPY_QUEUE(TABLE, ARGUMENT) ARGUMENT(__global const uint *, from) ARGUMENT(__global uint *, to) ARGUMENT(uint, capacity)\n"
+    std::string text = "#include \"stage.clh\"\n#define COPY_QUEUE(TABLE, ARGUMENT) ARGUMENT(__global const uint *, from) ARGUMENT(__global uint *, to)\n"
                        "STAGE(copy_queue, COPY_QUEUE) {\n    FOR_EACH_SLOT(i, count) {\n";
     for (unsigned w = 0; w < words; ++w) text += "        to[" + std::to_string(w) + "ul * capacity + i] = from[" + std::to_string(w) + "ul * capacity + i];\n";
     BuildSettings settings;
@@ -64,6 +64,7 @@ double queueCopyRate(const Context& context, Compiler& compiler, const StageShap
     bindings.set("from", from);
     bindings.set("to", to);
     bindings.set("capacity", capacity);
+    bindings.set("path_capacity", 0u);
     bindings.set("count", slots);
     double best = 0;
     for (int i = 0; i < 5; ++i) {

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 namespace eikonal {
 
-// The file: a magic word, then the key, the argument names and the binary, each with its length, then a checksum of all.
-constexpr std::string_view magic = "eikonal program 1\n";
+// The file: a magic word, then the key, the argument names, the seconds and the binary, each with its length, then a checksum of all.
+constexpr std::string_view magic = "eikonal program 2\n";
 
 static void append(std::string& out, std::string_view bytes) {
     const std::uint64_t size = bytes.size();
@@ -104,10 +104,11 @@ std::optional<CachedProgram> ProgramCache::load(const std::string& key) const {
     std::string_view rest(bytes.data(), bytes.size() - sizeof sum);
     if (checksum(rest) != sum) return std::nullopt;
     rest.remove_prefix(magic.size());
-    const auto storedKey = take(rest), arguments = take(rest), binary = take(rest);
-    if (!storedKey || !arguments || !binary || *storedKey != key) return std::nullopt;
-
+    const auto storedKey = take(rest), arguments = take(rest), seconds = take(rest), binary = take(rest);
     CachedProgram program;
+    if (!storedKey || !arguments || !seconds || seconds->size() != sizeof program.seconds || !binary || *storedKey != key) return std::nullopt;
+
+    std::memcpy(&program.seconds, seconds->data(), sizeof program.seconds);
     program.binary.assign(binary->begin(), binary->end());
     std::istringstream names{std::string(*arguments)};
     for (std::string name; std::getline(names, name);) program.arguments.push_back(name);
@@ -121,6 +122,7 @@ void ProgramCache::store(const std::string& key, const CachedProgram& program) c
     std::string bytes(magic);
     append(bytes, key);
     append(bytes, names);
+    append(bytes, {reinterpret_cast<const char*>(&program.seconds), sizeof program.seconds});
     append(bytes, {reinterpret_cast<const char*>(program.binary.data()), program.binary.size()});
     const std::uint32_t sum = checksum(bytes);
     bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);

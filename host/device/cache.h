@@ -12,6 +12,7 @@ namespace eikonal {
 struct CachedProgram {
     std::vector<unsigned char> binary;
     std::vector<std::string> arguments;   ///< names of its kernel's arguments: a binary does not tell them
+    double seconds = 0;                   ///< that it took to compile
 };
 
 /// Where compiled kernels are kept.

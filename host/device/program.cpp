@@ -72,6 +72,7 @@ std::shared_ptr<Program> Compiler::loadCached(const std::string& key, const std:
     program->kernel = kernel;
     program->arguments = cached->arguments;
     program->fromCache = true;
+    program->compileSeconds = cached->seconds;
     return program;
 }
 
@@ -131,10 +132,10 @@ static std::vector<unsigned char> binaryOf(cl_program program) {
     return bytes;
 }
 
-void Compiler::keep(const Program& program) const {
+void Compiler::keep(const Program& program, double firstLaunchSeconds) const {
     if (program.fromCache || cache_.folder().empty()) return;
     const std::vector<unsigned char> binary = binaryOf(program.handle);
-    if (!binary.empty()) cache_.store(program.cacheKey, {binary, program.arguments});
+    if (!binary.empty()) cache_.store(program.cacheKey, {binary, program.arguments, program.seconds + firstLaunchSeconds});
 }
 
 }  // namespace eikonal

@@ -27,6 +27,7 @@ struct Program {
     std::vector<std::string> arguments;   ///< names of the kernel's arguments, in order
     bool fromCache = false;
     double seconds = 0;                   ///< to build or load
+    double compileSeconds = 0;            ///< fromCache: what compiling it once took, the first launch with it
     std::string cacheKey;                 ///< what the cache knows it by; empty if it comes from there
 };
 
@@ -43,7 +44,7 @@ public:
     bool isKept(const std::string& text, const std::string& kernel, const BuildSettings& settings) const;
     /// Keeps the program's binary for later starts. Best once its kernel has been launched, since an implementation may compile at the
     /// first launch only; and only while the device is idle: PoCL 3.1 aborts when a binary is asked for during a launch.
-    void keep(const Program& program) const;
+    void keep(const Program& program, double firstLaunchSeconds = 0) const;
 
     const KernelFolders& folders() const { return folders_; }
     const ProgramCache& cache() const { return cache_; }

@@ -17,8 +17,7 @@ constexpr uint spectrumBefore = 256;
 #define PARAMETER_SLOT(q, type, name, FEATURE) name, name##_last = name + STEP_##type - 1,
 constexpr uint wordOf(uint slot, bool spectral) { return slot % spectrumBefore + (spectral ? (CHANNELS_SPECTRAL - CHANNELS_RGB) * (slot / spectrumBefore) : 0); }
 #define PARAMETER_SLOTS(bsdf, FEATURE, PARAMETERS) \
-    namespace slot_##bsdf { enum : uint { PARAMETERS(PARAMETER_SLOT, bsdf) words }; } \
-    static_assert(wordOf(slot_##bsdf::words, true) <= BSDF_MAX_WORDS);
+    namespace slot_##bsdf { enum : uint { PARAMETERS(PARAMETER_SLOT, bsdf) words }; }
 BSDFS(PARAMETER_SLOTS)
 
 /// Collects the inputs of one material's BSDF.

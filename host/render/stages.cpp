@@ -1,5 +1,7 @@
 #include "render/stages.h"
 
+#include "render/wave_queues.h"
+
 #include <fmt/format.h>
 
 namespace eikonal {
@@ -51,8 +53,19 @@ BuildSettings completeSettings(BuildSettings settings, const PackedScene& scene,
     return settings;
 }
 
-int Stages::missing(const Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings) {
+/// Strides of queues are constants where waves have their usual size; others are not worth kernels of their own.
+static BuildSettings stageSettings(BuildSettings settings, const PackedScene& scene, const StageShape& shape) {
     settings = completeSettings(std::move(settings), scene, shape);
+    const Branching branching = Branching::of(scene);
+    if (branching.forks || shape.wavePaths != StageShape().wavePaths) return settings;
+    const WaveSize size(shape, branching);
+    settings.constants["QUEUE_CAPACITY"] = static_cast<int>(size.capacity);
+    settings.constants["PATH_CAPACITY"] = static_cast<int>(size.pathCapacity);
+    return settings;
+}
+
+int Stages::missing(const Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings) {
+    settings = stageSettings(std::move(settings), scene, shape);
     int count = 0;
     for (const StageRequest& request : requiredStages(scene)) count += !compiler.isKept(request.text, request.kernel, settings);
     return count;
@@ -60,7 +73,7 @@ int Stages::missing(const Compiler& compiler, const PackedScene& scene, const St
 
 Stages::Stages(Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part) {
     shading_.fill(-1);
-    settings = completeSettings(std::move(settings), scene, shape);
+    settings = stageSettings(std::move(settings), scene, shape);
     unsigned index = 0;
     for (const StageRequest& request : requiredStages(scene)) {
         if (index++ % part.of != part.index) continue;

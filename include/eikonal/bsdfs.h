@@ -112,9 +112,6 @@
     B(measured,             BSDF_MEASURED,             MEASURED_PARAMETERS) \
     B(emergence,            BSDF_EMERGENCE,            EMERGENCE_PARAMETERS)
 
-/* No BSDF has more words of parameters. */
-#define BSDF_MAX_WORDS 24
-
 /* Microfacets narrower than this are numerically a mirror (pbrt-v4's limit for "effectively smooth"). */
 #define MIN_ALPHA 1e-3f
 

@@ -66,7 +66,8 @@
     F(q, float,    u,          ALWAYS)       /* parameters of the point on the element */ \
     F(q, float,    v,          ALWAYS) \
     F(q, uint,     hop,        ALWAYS)       /* which queue comes next: enum hop */ \
-    F(q, uint,     material,   ALWAYS)       /* of a hit, mixes resolved */
+    F(q, uint,     material,   ALWAYS)       /* of a hit, mixes resolved */ \
+    F(q, uint,     emits,      EMITTERS)     /* 1: a hit on something that emits, which shade_emitters wants as well */
 
 /* A point on a surface, to be scattered at: filled by route_flights, drained by shade_hits. Dense, one segment for each
    BSDF, which adds its own parameters (bsdfs.h) after these words. */

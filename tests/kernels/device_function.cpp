@@ -46,6 +46,7 @@ void DeviceFunctionBase::run(const DeviceScene* scene, const std::vector<Array>&
     buffers.emplace_back(testContext(), padded * resultWords * sizeof(uint), "results");
     own.set("results", buffers.back());
     own.set("count", static_cast<cl_uint>(padded));
+    for (const char* name : {"capacity", "path_capacity"}) own.set(name, 0u);
     const Bindings nothing;
     kernel_.launch(testContext(), {scene ? &scene->bindings() : &nothing, &own}, padded, testGroup);
     testCompiler().keep(kernel_.program());

@@ -101,6 +101,7 @@ void expectEqualLayout(const Features& features, const std::string& what) {
     Bindings arguments;
     arguments.set("words", words);
     arguments.set("count", 1u);
+    for (const char* name : {"capacity", "path_capacity"}) arguments.set(name, 0u);
     kernel.launch(testContext(), {&arguments}, 1, testLocalSize);
     testContext().finish();
     testCompiler().keep(kernel.program());

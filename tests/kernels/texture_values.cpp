@@ -14,7 +14,8 @@ std::vector<TextureResult> evaluate(const PackedScene& scene, const std::vector<
         at.ng = at.ns = make_vec3(0.0f, 0.0f, 1.0f);
         at.dpdu = make_vec3(2.0f, 0.0f, 0.0f);
         at.dpdv = make_vec3(0.0f, 3.0f, 0.0f);
-        result.value = eval_texture(tables, path_palette(colors, 0u, 0u), program, at);
+        texture_point here = textured_point(at);
+        result.value = eval_texture(tables, path_palette(colors, 0u, 0u), program, &here);
         result.bumped = displace_normal(tables, program, at).ns;
         result.mapped = map_normal(tables, 0u, at).ns;)",
         .inputs = {"uint program", "vec2 uv", "vec3 p"}, .declarations = "typedef struct { spectrum value; vec3 bumped, mapped; } texture_result;", .tables = "TEXTURE_TABLES(TABLE) COLOR_TABLES(TABLE)"});

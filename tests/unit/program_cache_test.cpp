@@ -72,8 +72,12 @@ TEST_F(CacheFolder, IsNotUsedIfItIsALinkOrSomeoneElses) {
 
 TEST_F(CacheFolder, IsClearedOfWhatWasNeverFinished) {
     const ProgramCache cache(folder_.string());
-    cache.store("a key", {{1, 2, 3}, {"argument"}});
-    ASSERT_TRUE(cache.load("a key"));
+    cache.store("a key", {{1, 2, 3}, {"argument"}, 0.5});
+    const auto kept = cache.load("a key");
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(kept->binary, (std::vector<unsigned char>{1, 2, 3}));
+    EXPECT_EQ(kept->arguments, std::vector<std::string>{"argument"});
+    EXPECT_EQ(kept->seconds, 0.5);
     write("0123456789abcdef.program.42.4711", "half of it");
     write("a note", "somebody's");
     EXPECT_EQ(cache.clear(), 1);
