@@ -50,6 +50,7 @@ void addDevice(CLI::App* app, Options& o) {
     value(app, "--run", d.run, "N", "Neighbouring slots of a queue for each work-item, a power of two; changes speed, never the image", parsePowerOfTwo)->group(group);
     addListDevices(app, o)->group(group);
     value(app, "--contraction", d.contraction, "on|off", "Whether a*b+c may be rounded once (default: on)", oneOf<bool>({{"on", true}, {"off", false}}))->group(group);
+    app->add_option("--build-options", d.buildOptions, "More options for OpenCL's compiler, such as --build-options=-cl-fast-relaxed-math")->type_name("TEXT")->group(group);
 }
 
 /// `takesOne`: the command works on a single scene.

@@ -42,6 +42,7 @@ struct DeviceOptions {
     std::string dumpFolder;                           ///< not empty: each program's text goes there
     std::optional<unsigned> wavePaths, localSize, run;
     bool contraction = true;
+    std::string buildOptions;                         ///< for OpenCL's compiler, besides its own
 };
 
 /// Channels of an EXR besides colour.

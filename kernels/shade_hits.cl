@@ -96,9 +96,12 @@ STAGE(shade_hits, SHADE_HITS) {
     color_tables color_set = BIND_COLORS;
 #if WALKS_IN_STEP
     if (count == 0u) return;
-    if (HAS_LIGHTS) eval_walks(light_set, color_set, frame, hit, walk, capacity, first, count, run_start);
-    sample_walks(light_set, color_set, frame, hit, walk, capacity, first, count, run_start);
-    if (HAS_LAYER_MEDIUM) walk_alone(light_set, color_set, frame, hit, walk, capacity, first, count, run_start);
+    if (HAS_LIGHTS) {
+        aim_walks(light_set, color_set, frame, shadow, hit, walk, capacity, first, count, run_start);
+        eval_walks(hit, walk, capacity, first, count, run_start);
+    }
+    sample_walks(hit, walk, capacity, first, count, run_start);
+    if (HAS_LAYER_MEDIUM) walk_alone(hit, walk, capacity, first, count, run_start);
 #endif
     FOR_EACH_SLOT(at, count) {
         size_t i = first + at, to = HAS_TREE ? i + turn * turn_slots : i;
@@ -113,13 +116,15 @@ STAGE(shade_hits, SHADE_HITS) {
         BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_palette(color_set, h.seed, h.sample));
 #if WALKS_IN_STEP
         layers between = layers_of(b);
-        scattering out = finish_walks(light_set, color_set, frame, h, &between, load_walk(walk, capacity, i), alive);
+        walk_item walked = load_walk(walk, capacity, i);
+        store_ray(next_ray, capacity, to, finish_ray(&between, h, walked, alive));
+        if (HAS_LIGHTS) finish_light(shadow, capacity, i, &between, h, walked);
 #else
         scattering out = JOIN(shade_, BSDF)(light_set, color_set, frame, h, b, turn, alive);
-#endif
         store_ray(next_ray, capacity, to, out.ray);
         if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
-        else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
+#endif
+        if (BSDF_IS_DELTA || !HAS_LIGHTS) STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
         if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.seen) STORE_FIELD(path, spectrum, albedo, path, path_capacity, h.path, seen_albedo(h, ALBEDO_BSDF(b)));
     }
 }

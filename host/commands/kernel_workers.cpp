@@ -75,6 +75,7 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
     for (int i = 0; i < workers; ++i) {
         std::vector<std::string> arguments{"eikonal", "compile-kernels", bitsOf(scene.features), std::to_string(scene.environments), std::to_string(i), std::to_string(workers),
                                            std::to_string(::getpid()), "--contraction", o.contraction ? "on" : "off", "--nthreads", "1"};
+        if (!o.buildOptions.empty()) arguments.push_back("--build-options=" + o.buildOptions);
         if (!o.device.empty()) arguments.insert(arguments.end(), {"--device", o.device});
         if (o.localSize) arguments.insert(arguments.end(), {"--local-size", std::to_string(*o.localSize)});
         if (o.run) arguments.insert(arguments.end(), {"--run", std::to_string(*o.run)});

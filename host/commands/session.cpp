@@ -44,6 +44,7 @@ StageShape shapeFor(const DeviceInfo& device, const DeviceOptions& options) {
 BuildSettings buildSettingsFor(const DeviceOptions& options) {
     BuildSettings settings;
     settings.contraction = options.contraction;
+    settings.more = options.buildOptions;
     settings.dumpFolder = options.dumpFolder;
     return settings;
 }

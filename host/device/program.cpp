@@ -87,7 +87,7 @@ static void dumpProgram(const std::string& folder, const std::string& name, cons
 }
 
 static std::string optionsFor(const KernelSource& source, const BuildSettings& settings) {
-    return fmt::format("{}{} -DNO_CONTRACTION={} -DPOISON_ITEMS={}", languageOptions, settings.warningsAreErrors ? " -Werror" : "", settings.contraction ? 0 : 1,
+    return fmt::format("{}{}{}{} -DNO_CONTRACTION={} -DPOISON_ITEMS={}", languageOptions, settings.more.empty() ? "" : " ", settings.more, settings.warningsAreErrors ? " -Werror" : "", settings.contraction ? 0 : 1,
                        settings.poison ? 1 : 0) + source.options(settings.features, settings.constants);
 }
 

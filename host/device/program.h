@@ -16,6 +16,7 @@ struct BuildSettings {
     Constants constants;
     bool contraction = true;     ///< a*b+c may become one operation
     bool warningsAreErrors = false;
+    std::string more;            ///< options of OpenCL's compiler, besides those that are always set
     bool poison = false;         ///< new items hold a value that tests recognise
     std::string dumpFolder;      ///< not empty: write each program's text and options there
 };

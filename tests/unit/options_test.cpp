@@ -58,7 +58,7 @@ TEST(Options, PbrtsSpellingsMeanWhatTheyMeanThere) {
 
 TEST(Options, ValuesOfEveryKindAreRead) {
     const Options o = parse("render a.obj --camera -1,2.5,3e1 --look-at=0,0,0 --up 0,0,1 --fov 35 --resolution 640x480 --sampler independent --integrator whitted --max-depth 0 "
-                            "--time-limit 1.5 --aov albedo,depth --tonemap filmic --exposure -1 --wave-paths 4096 --local-size 32 --run 8 --contraction off --no-cache "
+                            "--time-limit 1.5 --aov albedo,depth --tonemap filmic --exposure -1 --wave-paths 4096 --local-size 32 --run 8 --contraction off --no-cache --build-options=-cl-mad-enable "
                             "--dump-kernels k --device gpu --strict --stats -o a.exr -o b.png --seed -3");
     EXPECT_EQ(o.scene.camera, glm::dvec3(-1, 2.5, 30));
     EXPECT_EQ(o.scene.lookAt, glm::dvec3(0));
@@ -78,6 +78,7 @@ TEST(Options, ValuesOfEveryKindAreRead) {
     EXPECT_EQ(o.device.localSize, 32u);
     EXPECT_EQ(o.device.run, 8u);
     EXPECT_FALSE(o.device.contraction || o.device.cache);
+    EXPECT_EQ(o.device.buildOptions, "-cl-mad-enable");
     EXPECT_EQ(o.device.dumpFolder, "k");
     EXPECT_EQ(o.device.device, "gpu");
     EXPECT_TRUE(o.scene.strict && o.output.stats);
