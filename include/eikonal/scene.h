@@ -1,5 +1,5 @@
 /* The scene as the device sees it: every table, its element type, and the struct of all that is not a table.
-   T(type, name).  A kernel takes a group of tables as arguments with the group's macro (kernels/scene.clh). */
+   T(type, name).  A stage has a group of tables among its arguments (kernels/stage.clh). */
 #ifndef EIKONAL_SCENE_H
 #define EIKONAL_SCENE_H
 #include "eikonal/bvh.h"
