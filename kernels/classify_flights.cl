@@ -24,8 +24,10 @@ TRACING_STAGE(classify_flights, CLASSIFY_FLIGHTS) {
         STORE_FIELD(flight, uint, hop, flight, capacity, i, next.hop);
         STORE_FIELD(flight, uint, material, flight, capacity, i, next.material);
         if (next.hop < hops) ++found[next.hop];
-        if (HAS_EMITTERS) STORE_FIELD(flight, uint, emits, flight, capacity, i, (uint)next.emits);
-        if (HAS_EMITTERS && next.emits) ++found[hop_emission];
+        if (HAS_EMITTERS) {
+            STORE_FIELD(flight, uint, emits, flight, capacity, i, (uint)next.emits);
+            found[hop_emission] += (uint)next.emits;
+        }
     }
     for (int c = 0; c < wave_counts; ++c)
         if (found[c]) atomic_add(counts + c, found[c]);

@@ -1,10 +1,10 @@
 /* path -> film.  Adds a wave's samples to their pixels, in the order of the samples. A run of pixels of the wave's blocks for each work-item. */
 #include "color.clh"
 #include "queue.clh"
+#include "stage.clh"
 #include "film/pixel.clh"
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
-#include "stage.clh"
 
 /* sum += x, with what rounding loses kept apart (Kahan 1965). */
 typedef struct { float sum, compensation; } compensated;

@@ -116,9 +116,10 @@ STAGE(shade_hits, SHADE_HITS) {
         BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_palette(color_set, h.seed, h.sample));
 #if WALKS_IN_STEP
         layers between = layers_of(b);
+        walked_surface seen = see_surface(h);
         walk_item walked = load_walk(walk, capacity, i);
-        store_ray(next_ray, capacity, to, finish_ray(&between, h, walked, alive));
-        if (HAS_LIGHTS) finish_light(shadow, capacity, i, &between, h, walked);
+        store_ray(next_ray, capacity, to, finish_ray(&between, h, seen, walked, alive));
+        if (HAS_LIGHTS) finish_light(shadow, capacity, i, &between, seen, walked);
 #else
         scattering out = JOIN(shade_, BSDF)(light_set, color_set, frame, h, b, turn, alive);
         store_ray(next_ray, capacity, to, out.ray);
