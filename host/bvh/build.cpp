@@ -65,7 +65,7 @@ static References collectReferences(const Sources& sources) {
 struct Piece {
     Subtree part;                                   ///< of the one node: all but its children
     std::vector<std::pair<WideBox, Piece>> children;
-    uint firstNode = 0, firstBlock = 0, firstElement = 0;  ///< where part's tables begin in the joined ones
+    uint firstNode = 0, firstLine = 0, firstElement = 0;  ///< where part's tables begin in the joined ones
 };
 
 /* The eight or fewer ranges below a node */
@@ -121,16 +121,16 @@ static Piece buildPiece(const Sources& sources, std::span<Reference> references,
 static uint moved(uint child, const Piece& piece) {
     if (child == NONE) return NONE;
     if (!(child & LEAF_BIT)) return child + piece.firstNode;
-    const auto kind = static_cast<leaf_kind>((child >> LEAF_KIND_SHIFT) & 7u);
-    return child + (kind == leaf_triangles ? piece.firstBlock : kind == leaf_elements ? piece.firstElement : 0);
+    const auto kind = static_cast<leaf_kind>((child >> LEAF_KIND_SHIFT) & LEAF_KIND_MASK);
+    return child + (kind == leaf_triangles ? piece.firstLine : kind == leaf_elements ? piece.firstElement : 0);
 }
 
 /* Numbers the pieces depth first, so that what is visited together lies together */
-static void place(Piece& piece, std::vector<Piece*>& order, size_t& nodes, size_t& blocks, size_t& elements) {
+static void place(Piece& piece, std::vector<Piece*>& order, size_t& nodes, size_t& lines, size_t& elements) {
     order.push_back(&piece);
-    piece.firstNode = static_cast<uint>(nodes); piece.firstBlock = static_cast<uint>(blocks); piece.firstElement = static_cast<uint>(elements);
-    nodes += piece.part.tables.nodes.size(); blocks += piece.part.tables.triangleBlocks.size(); elements += piece.part.tables.leafElements.size();
-    for (auto& [box, child] : piece.children) place(child, order, nodes, blocks, elements);
+    piece.firstNode = static_cast<uint>(nodes); piece.firstLine = static_cast<uint>(lines); piece.firstElement = static_cast<uint>(elements);
+    nodes += piece.part.tables.nodes.size(); lines += piece.part.tables.triangleLines.size(); elements += piece.part.tables.leafElements.size();
+    for (auto& [box, child] : piece.children) place(child, order, nodes, lines, elements);
 }
 
 static void checkRoom(size_t count, const char* what) {
@@ -142,12 +142,12 @@ static void checkRoom(size_t count, const char* what) {
 static void join(BvhTables& tables, Piece& top, uint root) {
     std::vector<Piece*> order;
     const bool append = root == tables.nodes.size();
-    size_t nodes = append ? root : tables.nodes.size() - 1, blocks = tables.triangleBlocks.size(), elements = tables.leafElements.size();
-    place(top, order, nodes, blocks, elements);
-    checkRoom(blocks, "blocks of triangles");
+    size_t nodes = append ? root : tables.nodes.size() - 1, lines = tables.triangleLines.size(), elements = tables.leafElements.size();
+    place(top, order, nodes, lines, elements);
+    checkRoom(lines, "lines of triangles");
     checkRoom(elements, "elements that are not triangles");
     tables.nodes.resize(nodes);
-    tables.triangleBlocks.resize(blocks);
+    tables.triangleLines.resize(lines);
     tables.leafElements.resize(elements);
     tbb::parallel_for(size_t{0}, order.size(), [&](size_t i) {
         Piece& piece = *order[i];
@@ -161,7 +161,7 @@ static void join(BvhTables& tables, Piece& top, uint root) {
             }
             tables.nodes[&piece == &top && n == 0 ? root : piece.firstNode + n] = node;
         }
-        std::copy(from.triangleBlocks.begin(), from.triangleBlocks.end(), tables.triangleBlocks.begin() + piece.firstBlock);
+        std::copy(from.triangleLines.begin(), from.triangleLines.end(), tables.triangleLines.begin() + piece.firstLine);
         std::copy(from.leafElements.begin(), from.leafElements.end(), tables.leafElements.begin() + piece.firstElement);
         from = {};
     });
@@ -169,7 +169,7 @@ static void join(BvhTables& tables, Piece& top, uint root) {
 
 BvhRoot buildBvh(BvhTables& tables, std::span<const TriangleRange> triangles, std::span<const BoxedElement> others, const BvhOptions& options) {
     const Sources sources{triangles, others};
-    if (sources.size() >= LEAF_BIT) throw Error(ExitCode::scene, fmt::format("the scene is too large: {} elements", sources.size()));
+    if (sources.size() >= ELEMENT_MARK) throw Error(ExitCode::scene, fmt::format("the scene is too large: {} elements", sources.size()));
     for (const BoxedElement& other : others)
         if (other.kind == leaf_instances) checkRoom(other.reference, "instances");
     References references = collectReferences(sources);
@@ -178,7 +178,7 @@ BvhRoot buildBvh(BvhTables& tables, std::span<const TriangleRange> triangles, st
     result.root = options.world ? 0 : static_cast<uint>(tables.nodes.size());
     result.elements = references.count;
     result.dropped = sources.size() - references.count;
-    const size_t nodesBefore = tables.nodes.size() - options.world, blocksBefore = tables.triangleBlocks.size();
+    const size_t nodesBefore = tables.nodes.size() - options.world, linesBefore = tables.triangleLines.size();
     if (references.count == 0) {
         if (options.world) tables.nodes[0] = emptyNode();
         else tables.nodes.push_back(emptyNode());
@@ -195,7 +195,7 @@ BvhRoot buildBvh(BvhTables& tables, std::span<const TriangleRange> triangles, st
         result.cost = all.box.halfArea() > 0 ? top.part.cost / all.box.halfArea() : 0;
     }
     result.nodes = tables.nodes.size() - nodesBefore;
-    result.blocks = tables.triangleBlocks.size() - blocksBefore;
+    result.lines = tables.triangleLines.size() - linesBefore;
     return result;
 }
 

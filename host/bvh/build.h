@@ -32,7 +32,7 @@ bvh_node emptyNode();
 /// All hierarchies of a scene. Node 0 is the world's root, there from the start: a scene without anything is valid.
 struct BvhTables {
     std::vector<bvh_node> nodes{emptyNode()};
-    std::vector<triangle_block> triangleBlocks;
+    std::vector<triangle_line> triangleLines;
     std::vector<uint> leafElements;
 };
 
@@ -46,13 +46,13 @@ struct BvhRoot {
     vec3 low{0, 0, 0}, high{0, 0, 0}; ///< box of all that it holds, not padded; all zero if it holds nothing
     int depth = 0;                    ///< nodes on the longest way down, at most BVH_MAX_DEPTH
     size_t elements = 0, dropped = 0; ///< held; left out because they have a number that is not finite or two equal corners
-    size_t nodes = 0, leaves = 0, blocks = 0;
+    size_t nodes = 0, leaves = 0, lines = 0;
     double cost = 0;                  ///< expected work of a ray that enters the root's box, in tests of a node
 };
 
 /// Appends the hierarchy of some triangles and other elements. The result does not depend on the number of threads.
 /// Coordinates beyond 1e17 count as not finite. Boxes of nodes are padded for the rounding of the device's slab test and
-/// triangle test (host/bvh/padding.h). Throws an Error when the tables' numbers run out (2^25 blocks or leaf elements).
+/// triangle test (host/bvh/padding.h). Throws an Error when the tables' numbers run out (2^26 lines of triangles, leaf elements or instances).
 BvhRoot buildBvh(BvhTables& appendTo, std::span<const TriangleRange> triangles, std::span<const BoxedElement> others, const BvhOptions& options = {});
 
 }  // namespace eikonal

@@ -2,7 +2,7 @@
 
 #include "bvh/padding.h"
 
-#include <cstring>
+#include <bit>
 
 namespace eikonal {
 
@@ -48,30 +48,32 @@ static uint leafReference(leaf_kind kind, size_t count, size_t first) {
     return LEAF_BIT | static_cast<uint>(kind) << LEAF_KIND_SHIFT | static_cast<uint>(count - 1) << LEAF_COUNT_SHIFT | static_cast<uint>(first);
 }
 
-static triangle_block makeBlock(const Sources& sources, std::span<const Reference> references) {
-    triangle_block block;
-    std::memset(&block, 0, sizeof block);
-    for (uint& element : block.element) element = NONE;
-    for (size_t lane = 0; lane < references.size(); ++lane) {
-        const TriangleRange& from = sources.triangles[references[lane].source()];
-        const uint index = references[lane].index();
-        for (int v = 0; v < 3; ++v) {
+/* The lines of a leaf of triangles (include/eikonal/bvh.h) */
+static void appendTriangles(std::vector<triangle_line>& lines, const Sources& sources, std::span<const Reference> references) {
+    constexpr size_t words = std::size(triangle_line{}.words);
+    const size_t count = references.size(), first = lines.size();
+    lines.resize(first + (TRIANGLE_WORDS * count + words - 1) / words, triangle_line{});
+    const auto word = [&](size_t row, size_t i) -> float& { return lines[first + (row * count + i) / words].words[(row * count + i) % words]; };
+    for (size_t i = 0; i < count; ++i) {
+        const TriangleRange& from = sources.triangles[references[i].source()];
+        const uint index = references[i].index();
+        for (size_t v = 0; v < 3; ++v) {
             const vec3& p = from.positions[from.indices[3 * static_cast<size_t>(index) + v]];
-            block.corner[3 * v][lane] = p.x;
-            block.corner[3 * v + 1][lane] = p.y;
-            block.corner[3 * v + 2][lane] = p.z;
+            word(3 * v, i) = p.x;
+            word(3 * v + 1, i) = p.y;
+            word(3 * v + 2, i) = p.z;
         }
-        block.element[lane] = from.firstElement + index;
+        word(9, i) = std::bit_cast<float>((from.firstElement + index) | ELEMENT_MARK);
     }
-    return block;
 }
 
 uint appendLeaf(BvhTables& tables, const Sources& sources, std::span<const Reference> references) {
     const leaf_kind kind = references[0].kind();
     if (kind == leaf_instances) return leafReference(kind, 1, sources.others[references[0].index()].reference);
     if (kind == leaf_triangles) {
-        tables.triangleBlocks.push_back(makeBlock(sources, references));
-        return leafReference(kind, 1, tables.triangleBlocks.size() - 1);
+        const size_t first = tables.triangleLines.size();
+        appendTriangles(tables.triangleLines, sources, references);
+        return leafReference(kind, references.size(), first);
     }
     const size_t first = tables.leafElements.size();
     for (const Reference& r : references) tables.leafElements.push_back(sources.others[r.index()].reference);

@@ -118,7 +118,7 @@ private:
         for (const PlacedGroup& p : placed_) place(world, p, groups_[p.group], roots[p.group]);
         const BvhRoot root = build(bvh, world, true);
         tables_.nodes = std::move(bvh.nodes);
-        tables_.triangle_blocks = std::move(bvh.triangleBlocks);
+        tables_.triangle_lines = std::move(bvh.triangleLines);
         tables_.leaf_elements = std::move(bvh.leafElements);
         packer_.packed.counts.bvhDepth = root.depth;
         packer_.packed.counts.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

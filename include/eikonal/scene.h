@@ -49,7 +49,7 @@ typedef struct {
 /* What traversal reads. */
 #define GEOMETRY_TABLES(T) \
     T(bvh_node,       nodes) \
-    T(triangle_block, triangle_blocks) \
+    T(triangle_line,  triangle_lines)        /* of the leaves */ \
     T(uint,           leaf_elements)         /* elements, or instances, by leaf kind */ \
     T(uint,           element_shapes)        /* element -> shape */ \
     T(shape,          shapes) \

@@ -26,7 +26,7 @@ DeviceTracer::DeviceTracer(const Context& context, const BenchMesh& mesh, const 
 #undef BIND_EMPTY
     bind("shadow_count", Buffer(context, sizeof(cl_uint), "shadow rays"));
     bind("nodes", Buffer::of<bvh_node>(context, tables_.nodes, "nodes"));
-    bind("triangle_blocks", Buffer::of<triangle_block>(context, tables_.triangleBlocks, "blocks"));
+    bind("triangle_lines", Buffer::of<triangle_line>(context, tables_.triangleLines, "triangles"));
 
     Compiler compiler(context, findKernelFolders(), "");
     BuildSettings settings;

@@ -106,13 +106,13 @@ void runScene(const Context& context, const std::string& name, const Options& op
     const EmbreeTracer embree(mesh, static_cast<int>(context.device().computeUnits), options.robust, options.high);
     const BvhRoot& root = device.root();
     const double triangles = static_cast<double>(mesh.triangles());
-    const double bytes = (static_cast<double>(root.nodes) * sizeof(bvh_node) + static_cast<double>(root.blocks) * sizeof(triangle_block)) / triangles;
+    const double bytes = (static_cast<double>(root.nodes) * sizeof(bvh_node) + static_cast<double>(root.lines) * sizeof(triangle_line)) / triangles;
     if (!options.json)
-        fmt::print("{}: {} triangles, built at {:.2f} M/s (Embree {:.2f}), depth {}, {:.2f} triangles a block, {:.2f} children a node, cost {:.2f}, {:.1f} bytes a triangle\n",
+        fmt::print("{}: {} triangles, built at {:.2f} M/s (Embree {:.2f}), depth {}, {:.2f} triangles a leaf, {:.2f} children a node, cost {:.2f}, {:.1f} bytes a triangle\n",
                    name, mesh.triangles(), triangles / device.buildSeconds() * 1e-6, triangles / embree.buildSeconds() * 1e-6, root.depth,
-                   triangles / static_cast<double>(root.blocks), static_cast<double>(root.leaves + root.nodes - 1) / static_cast<double>(root.nodes), root.cost, bytes);
+                   triangles / static_cast<double>(root.leaves), static_cast<double>(root.leaves + root.nodes - 1) / static_cast<double>(root.nodes), root.cost, bytes);
     report["scenes"].push_back({{"scene", name}, {"triangles", mesh.triangles()}, {"build_seconds", device.buildSeconds()}, {"embree_build_seconds", embree.buildSeconds()},
-                                {"depth", root.depth}, {"nodes", root.nodes}, {"blocks", root.blocks}, {"cost", root.cost}, {"bytes_per_triangle", bytes}});
+                                {"depth", root.depth}, {"nodes", root.nodes}, {"leaves", root.leaves}, {"cost", root.cost}, {"bytes_per_triangle", bytes}});
     const std::vector<BenchRay> primary = primaryRays(mesh, options.width, options.width);
     std::vector<BenchHit> hits(primary.size());
     embree.intersect(primary, hits, 0, primary.size());

@@ -1,5 +1,7 @@
 #include "brute_force.h"
 
+#include "leaf_triangles.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,11 +29,9 @@ void BruteForce::collect(uint node, Group& group, std::vector<uint>* instances) 
     for (uint ref : tables.nodes[node].child) {
         if (ref == NONE) continue;
         if (!(ref & LEAF_BIT)) { collect(ref, group, instances); continue; }
-        const uint kind = (ref >> LEAF_KIND_SHIFT) & 7u, count = ((ref >> LEAF_COUNT_SHIFT) & 7u) + 1, first = ref & LEAF_FIRST_MASK;
+        const uint kind = (ref >> LEAF_KIND_SHIFT) & LEAF_KIND_MASK, count = ((ref >> LEAF_COUNT_SHIFT) & LEAF_COUNT_MASK) + 1, first = ref & LEAF_FIRST_MASK;
         if (kind == leaf_triangles) {
-            for (uint b = first; b < first + count; ++b)
-                for (uint e : tables.triangle_blocks[b].element)
-                    if (e != NONE) group.elements.push_back(e);
+            for (const LeafTriangle& triangle : leafTriangles(tables.triangle_lines, ref)) group.elements.push_back(triangle.element);
         } else if (kind == leaf_elements) group.elements.insert(group.elements.end(), &tables.leaf_elements[first], &tables.leaf_elements[first] + count);
         else instances->push_back(first);
     }

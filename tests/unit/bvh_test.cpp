@@ -2,6 +2,7 @@
 
 #include "bvh/build.h"
 #include "bvh/padding.h"
+#include "leaf_triangles.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -55,7 +56,7 @@ Soup randomSoup(size_t count, float size, unsigned seed = 1) {
 /// What a walk over all nodes sees.
 struct Census {
     std::vector<int> triangleVisits, otherVisits, instanceVisits;
-    size_t nodes = 0, leaves = 0, blocks = 0;
+    size_t nodes = 0, leaves = 0, lines = 0;
     int depth = 0;
 };
 
@@ -74,7 +75,7 @@ float halfPad(std::initializer_list<vec3> points) {
     return 0.5f * boxPadding * largest;
 }
 
-/// Walks a hierarchy and checks that children lie in their boxes. Every block and element of the soup is counted.
+/// Walks a hierarchy and checks that children lie in their boxes. Every line and element of the soup is counted.
 Census inspect(const BvhTables& tables, const BvhRoot& root, const Soup& soup) {
     Census seen;
     seen.triangleVisits.resize(soup.triangles());
@@ -101,28 +102,17 @@ Census inspect(const BvhTables& tables, const BvhRoot& root, const Soup& soup) {
                 continue;
             }
             ++seen.leaves;
-            const uint kind = (child >> LEAF_KIND_SHIFT) & 7u, count = ((child >> LEAF_COUNT_SHIFT) & 7u) + 1u, first = child & LEAF_FIRST_MASK;
+            const uint kind = (child >> LEAF_KIND_SHIFT) & LEAF_KIND_MASK, count = ((child >> LEAF_COUNT_SHIFT) & LEAF_COUNT_MASK) + 1u, first = child & LEAF_FIRST_MASK;
             if (kind == leaf_triangles) {
-                ASSERT_LE(first + count, tables.triangleBlocks.size());
-                for (uint b = first; b < first + count; ++b) {
-                    const triangle_block& block = tables.triangleBlocks[b];
-                    ++seen.blocks;
-                    EXPECT_NE(block.element[0], NONE);
-                    for (int i = 0; i < BVH_WIDTH; ++i) {
-                        vec3 v[3];
-                        for (int k = 0; k < 3; ++k) v[k] = {block.corner[3 * k][i], block.corner[3 * k + 1][i], block.corner[3 * k + 2][i]};
-                        if (block.element[i] == NONE) {
-                            EXPECT_EQ(std::memcmp(&v[0], &v[1], sizeof v[0]), 0);
-                            EXPECT_EQ(std::memcmp(&v[0], &v[2], sizeof v[0]), 0);
-                            continue;
-                        }
-                        ASSERT_LT(block.element[i], seen.triangleVisits.size());
-                        ++seen.triangleVisits[block.element[i]];
-                        for (int k = 0; k < 3; ++k) {
-                            const vec3 expected = soup.positions[soup.indices[3 * block.element[i] + k]];
-                            EXPECT_EQ(std::memcmp(&v[k], &expected, sizeof expected), 0);
-                            EXPECT_TRUE(contains(node, lane, v[k], halfPad({v[0], v[1], v[2]})));
-                        }
+                seen.lines += (TRIANGLE_WORDS * count + 15) / 16;
+                for (const LeafTriangle& triangle : leafTriangles(tables.triangleLines, child)) {
+                    ASSERT_LT(triangle.element, seen.triangleVisits.size());
+                    ++seen.triangleVisits[triangle.element];
+                    const vec3 (&v)[3] = triangle.corner;
+                    for (uint k = 0; k < 3; ++k) {
+                        const vec3 expected = soup.positions[soup.indices[3 * triangle.element + k]];
+                        EXPECT_EQ(std::memcmp(&v[k], &expected, sizeof expected), 0);
+                        EXPECT_TRUE(contains(node, lane, v[k], halfPad({v[0], v[1], v[2]})));
                     }
                 }
                 continue;
@@ -143,7 +133,7 @@ Census inspect(const BvhTables& tables, const BvhRoot& root, const Soup& soup) {
     visit(root.root, 1);
     EXPECT_EQ(seen.nodes, root.nodes);
     EXPECT_EQ(seen.leaves, root.leaves);
-    EXPECT_EQ(seen.blocks, root.blocks);
+    EXPECT_EQ(seen.lines, root.lines);
     EXPECT_EQ(seen.depth, root.depth);
     EXPECT_LE(seen.depth, BVH_MAX_DEPTH);
     return seen;
@@ -267,9 +257,10 @@ TEST(Bvh, SeveralRangesKeepTheirNumbers) {
     BvhTables tables;
     buildBvh(tables, ranges, {}, {.world = true});
     std::vector<uint> found;
-    for (const triangle_block& block : tables.triangleBlocks)
-        for (const uint element : block.element)
-            if (element != NONE) found.push_back(element);
+    for (const bvh_node& node : tables.nodes)
+        for (const uint child : node.child)
+            if (child != NONE && child & LEAF_BIT)
+                for (const LeafTriangle& triangle : leafTriangles(tables.triangleLines, child)) found.push_back(triangle.element);
     std::sort(found.begin(), found.end());
     ASSERT_EQ(found.size(), 300u);
     for (uint i = 0; i < 300; ++i) EXPECT_EQ(found[i], i < 100 ? 1000 + i : 4900 + i);
@@ -292,11 +283,11 @@ TEST(Bvh, TheTablesDoNotDependOnTheNumberOfThreads) {
         BvhTables tables;
         soup.build(tables);
         EXPECT_TRUE(sameBytes(tables.nodes, expected.nodes));
-        EXPECT_TRUE(sameBytes(tables.triangleBlocks, expected.triangleBlocks));
+        EXPECT_TRUE(sameBytes(tables.triangleLines, expected.triangleLines));
     }
 }
 
-TEST(Bvh, BlocksAndNodesOfAMeshAreWellFilled) {
+TEST(Bvh, LeavesAndNodesOfAMeshAreWellFilled) {
     // A bumpy sheet of 200 x 200 quadrilaterals
     Soup soup;
     const auto point = [](int x, int y) { return vec3{.01f * static_cast<float>(x), .01f * static_cast<float>(y), .02f * std::sin(.3f * static_cast<float>(x + 2 * y))}; };
@@ -307,7 +298,7 @@ TEST(Bvh, BlocksAndNodesOfAMeshAreWellFilled) {
         }
     BvhTables tables;
     const BvhRoot root = soup.build(tables);
-    EXPECT_GT(static_cast<double>(soup.triangles()) / static_cast<double>(root.blocks), 5);
+    EXPECT_GT(static_cast<double>(soup.triangles()) / static_cast<double>(root.leaves), 5);
     EXPECT_GT(static_cast<double>(root.leaves + root.nodes - 1) / static_cast<double>(root.nodes), 6.5);
 }
 
