@@ -101,7 +101,6 @@ STAGE(shade_hits, SHADE_HITS) {
         eval_walks(hit, walk, capacity, first, count, run_start);
     }
     sample_walks(hit, walk, capacity, first, count, run_start);
-    if (HAS_LAYER_MEDIUM) walk_alone(hit, walk, capacity, first, count, run_start);
 #endif
     FOR_EACH_SLOT(at, count) {
         size_t i = first + at, to = HAS_TREE ? i + turn * turn_slots : i;

@@ -23,7 +23,7 @@ int wordsOf(const std::string& queue, const std::string& stage, const Features& 
     if (queue == "pixels" || queue == "film") return 0;
     const QueueLayout layout = queueLayout(queue, features);
     if (queue == "path" && stage != "generate_rays") return 2 * layout.field("L").words;
-    if (queue == "walk" && stage != "shade_hits coated_diffuse") return 0;
+    if (queue == "walk" && !stage.starts_with("shade_hits coated_")) return 0;
     return layout.words + (queue == "hit" ? parameterWords(stage, features) : 0);
 }
 

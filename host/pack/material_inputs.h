@@ -36,6 +36,7 @@ public:
     }
     /// "albedo", of what is between two layers: black is nothing.
     void layerMedium(uint slot) {
+        packer_.packed.require(Feature::LAYERS, why());
         const Input& in = get("albedo");
         if (in.texture != none || (in.value.isConstant() ? glm::dvec3(in.value.value()) : in.value.albedo()) != glm::dvec3(0)) packer_.packed.require(Feature::LAYER_MEDIUM, why());
         spectrum(slot, "albedo");

@@ -18,7 +18,7 @@ std::vector<PlannedQueue> queuesFor(const Features& features, bool hasMisses, co
     for (QueueLayout layout : queueLayouts(features)) {
         if (layout.name == "hit") layout.words += bsdfWords(features);
         const bool unused = (layout.name == "scatter" && !features.has(Feature::MEDIA)) || (layout.name == "emission" && !features.has(Feature::EMITTERS)) ||
-                            (layout.name == "miss" && !hasMisses) || (layout.name == "walk" && !features.has(Feature::BSDF_COATED_DIFFUSE));
+                            (layout.name == "miss" && !hasMisses) || (layout.name == "walk" && !features.has(Feature::LAYERS));
         const size_t items = layout.name == "path" ? size.pathCapacity : size.capacity;
         list.push_back({layout, unused ? 0 : items, layout.name});
         if (layout.name == "ray") list.push_back({layout, items, "next_ray"});

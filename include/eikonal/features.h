@@ -22,6 +22,7 @@
     F(INSTANCES,        "object instances") \
     F(ALPHA,            "shapes cut out by an alpha texture") \
     F(MIX,              "a mix of materials") \
+    F(LAYERS,           "a coat over a base") \
     F(LAYER_MEDIUM,     "a coat with something between it and its base") \
     F(TEXTURED,         "a material parameter that varies over its surface") \
     F(TRANSMISSION,     "a material that transmits") \

@@ -137,13 +137,14 @@
     F(q, uint,     sample,     MEDIA) \
     F(q, uint,     depth,      MEDIA)
 
-/* A walk between the layers of a surface that is looked at from above: of shade_hits alone, slot i to slot i of hit. */
+/* A walk between the layers of a surface that is looked at from above: of shade_hits of coated surfaces alone, slot i to slot i of hit. */
 #define WALK_FIELDS(F, q) \
-    F(q, uint,     state,      ALWAYS)       /* whether it is still under way, or has left (kernels/bsdf/clear_walk.clh) */ \
+    F(q, uint,     state,      ALWAYS)       /* whether it is still under way, or has left (kernels/bsdf/layer_walk.clh) */ \
     F(q, uint,     key,        ALWAYS)       /* which random numbers */ \
     F(q, vec3,     w,          ALWAYS)       /* where to; in the shading frame, as all directions here */ \
     F(q, spectrum, beta,       ALWAYS)       /* throughput */ \
-    F(q, uint,     off_coat,   ALWAYS)       /* 1: reflected by the coat, and never below it */ \
+    F(q, uint,     spread,     ALWAYS)       /* 1: turned by more than mirrors since it entered the coat */ \
+    F(q, float,    z,          LAYER_MEDIUM) /* height above the base */ \
     F(q, vec3,     wi,         ALWAYS)       /* of an evaluation: the direction that light comes from, */ \
     F(q, spectrum, f,          ALWAYS)       /*   what is found of it so far, */ \
     F(q, vec3,     exit_w,     ALWAYS)       /*   and a way through the coat that was sampled for it: from wi downwards, */ \

@@ -57,6 +57,8 @@ std::vector<VectorCase> cases() {
             /* No pbrt material is principled: what counts is that the scene has directions along surfaces */
             {"shade_hits_principled", "shade_hits principled", sphereOf("\"conductor\" \"float uroughness\" 0.3")},
             {"shade_hits_coated_diffuse", "shade_hits coated_diffuse", sphereOf("\"coateddiffuse\"")},
+            {"shade_hits_coated_conductor", "shade_hits coated_conductor", sphereOf("\"coatedconductor\"")},
+            {"shade_hits_with_a_layer_medium", "shade_hits coated_diffuse", sphereOf("\"coateddiffuse\" \"rgb albedo\" [.8 .4 .2]")},
             {"shade_hits_hair", "shade_hits hair", sphereOf("\"hair\"")}};
     /* The same at wavelengths */
     for (VectorCase c : std::vector<VectorCase>(list)) {
@@ -72,8 +74,8 @@ std::vector<VectorCase> cases() {
     return list;
 }
 
-/// What must not pass for vectorised: a walk of unknown length.
-VectorCase aLoopingStage() { return {"shade_hits_coated_conductor", "shade_hits coated_conductor", sphereOf("\"coatedconductor\"")}; }
+/// What must not pass for vectorised: walks of unknown length, which in a tree of rays do not go in step.
+VectorCase aLoopingStage() { return {"shade_hits_walking_alone", "shade_hits coated_conductor", sphereOf("\"coatedconductor\""), "Integrator \"whitted\"\n"}; }
 
 class Vectorizer : public testing::TestWithParam<VectorCase> {};
 
