@@ -161,6 +161,7 @@
     F(q, vec3,     normal,     AOVS)         /* of the first surface: shading normal */ \
     F(q, vec3,     ng,         AOVS)         /* its geometric normal, on the same side */ \
     F(q, vec3,     position,   AOVS)         /* its point that was hit */ \
+    F(q, vec2,     uv,         AOVS)         /* and the texture coordinates there */ \
     F(q, vec3,     opening,    MOTION_VECTORS) /* where that point of the surface is when the shutter opens */ \
     F(q, vec3,     closing,    MOTION_VECTORS) /* and when it closes */ \
     F(q, uint,     object,     AOVS)         /* which object of the scene it is, from 1; 0: none */ \
