@@ -59,8 +59,7 @@ TEST(Subsurface, AProfileIsWholeOnABall) {
     expectRadiance(look(whiteSky + ball(diffused + "\"rgb reflectance\" [.8 .5 .2] \"float eta\" 1")), glm::dvec3(.8, .5, .2), 0.02);
 }
 
-// A texture that says the same everywhere is as good as a number, and light that falls on a board of two colours comes out of the one that it fell on, as bright as
-// its own: so the image's mean is the mean of both (the camera sees a point of one colour with every pixel; it is looked up where the path goes below).
+// A texture that says the same everywhere is as good as a number; and of a board of two colours, whose squares are far larger than what is seen, each is a slab by itself.
 TEST(Subsurface, TheReflectanceMayBeATexture) {
     const auto slab = [](const std::string& texture, const std::string& uv) {
         return "Texture \"t\" \"spectrum\" " + texture + " Material \"subsurface\" \"texture reflectance\" \"t\" \"rgb mfp\" [.05 .03 .04]\n"
