@@ -47,7 +47,7 @@ struct DeviceOptions {
 
 /// Channels of an EXR besides colour.
 struct Aovs {
-    bool albedo = false, normal = false, geometricNormal = false, position = false, motion = false, depth = false, object = false, material = false;
+    bool albedo = false, normal = false, geometricNormal = false, position = false, uv = false, depthSlope = false, motion = false, depth = false, object = false, material = false;
     bool variance = false, sampleCount = false;
     bool any() const;
     /// Whether the device has to keep what paths see.
@@ -56,7 +56,8 @@ struct Aovs {
 
 /// What --aov calls each of them.
 struct AovName { const char* name; bool Aovs::*asked; bool isOfSurfaces = true; };
-inline constexpr AovName aovNames[] = {{"albedo", &Aovs::albedo}, {"normal", &Aovs::normal}, {"geometricNormal", &Aovs::geometricNormal}, {"position", &Aovs::position}, {"motion", &Aovs::motion},
+inline constexpr AovName aovNames[] = {{"albedo", &Aovs::albedo}, {"normal", &Aovs::normal}, {"geometricNormal", &Aovs::geometricNormal}, {"position", &Aovs::position},
+                                       {"uv", &Aovs::uv}, {"depthSlope", &Aovs::depthSlope}, {"motion", &Aovs::motion},
                                        {"depth", &Aovs::depth}, {"object", &Aovs::object}, {"material", &Aovs::material},
                                        {"variance", &Aovs::variance, false}, {"sampleCount", &Aovs::sampleCount, false}};
 inline bool Aovs::any() const { return std::ranges::any_of(aovNames, [this](const AovName& n) { return this->*n.asked; }); }

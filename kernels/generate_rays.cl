@@ -21,6 +21,7 @@ FN camera_path start_path(camera_tables tables, __global const settings *frame, 
     p.path.importance = sample.importance;
     p.path.albedo = uniform_spectrum(0.0f);
     p.path.normal = p.path.ng = p.path.position = p.path.opening = p.path.closing = make_vec3(0.0f, 0.0f, 0.0f);
+    p.path.uv = make_vec2(0.0f, 0.0f);
     p.path.object = p.path.material = 0u;
     p.path.distance = FAR_AWAY;
     return p;

@@ -112,7 +112,7 @@ TRACING_STAGE(loop, LOOP) {
                         material m = material_set.materials[f.material];
                         s = relieve_surface(tables, m, s);
                         hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m));
-                        if (HAS_DIFFUSION) h = place_probe(material_set, color_set, m, h);
+                        if (HAS_DIFFUSION) h = place_probe(tables, material_set, color_set, m, h, s);
                         store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
                         out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h, 0u);
                         if (HAS_TREE) { meet_light(g, tables, medium_set, color_set, path, path_capacity, out.shadow); out.shadow.t_max = -1.0f; }

@@ -58,6 +58,7 @@ FN film_item add_sample(film_item f, path_item p, palette colors, __global const
     f.normal = mul_add(p.normal, p.weight, f.normal);
     f.ng = mul_add(p.ng, p.weight, f.ng);
     f.position = add(f.position, p.position);
+    f.uv = make_vec2(f.uv.x + p.uv.x, f.uv.y + p.uv.y);
     f.opening = add(f.opening, p.opening);
     f.closing = add(f.closing, p.closing);
     f.distance += p.distance < FAR_AWAY ? p.distance : 0.0f;

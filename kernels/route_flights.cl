@@ -81,7 +81,7 @@ TRACING_STAGE(route_flights, ROUTE_FLIGHTS) {
             material m = material_set.materials[f.material];
             s = relieve_surface(tables, m, s);
             hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m));
-            if (HAS_DIFFUSION) h = place_probe(material_set, color_set, m, h);
+            if (HAS_DIFFUSION) h = place_probe(tables, material_set, color_set, m, h, s);
             store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
             if (HAS_AOVS && r.depth == 0) store_first_surface(g, frame, path, path_capacity, r, f, s);
         }

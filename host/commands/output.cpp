@@ -31,6 +31,8 @@ void selectAovs(FilmImage& image, const Aovs& aovs) {
     if (!aovs.normal) image.normal.clear();
     if (!aovs.geometricNormal) image.geometricNormal.clear();
     if (!aovs.position) image.position.clear();
+    if (!aovs.uv) image.uv.clear();
+    if (!aovs.depthSlope) image.depthSlope.clear();
     if (!aovs.motion) image.motion.clear();
     if (!aovs.depth) image.depth.clear();
     if (!aovs.object) image.object.clear();

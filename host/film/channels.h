@@ -28,6 +28,10 @@ template <class Float, class Image> std::vector<ChannelView<Float>> channelsOf(I
         int c = 0;
         if (!values.empty()) for (const char* name : {x, y, z}) channels.push_back({name, &values[0][c++], 3});
     };
+    const auto add2 = [&](auto& values, const char* x, const char* y) {
+        int c = 0;
+        if (!values.empty()) for (const char* name : {x, y}) channels.push_back({name, &values[0][c++], 2});
+    };
     const auto add1 = [&](auto& values, const char* name) {
         if (!values.empty()) channels.push_back({name, values.data(), 1});
     };
@@ -36,7 +40,9 @@ template <class Float, class Image> std::vector<ChannelView<Float>> channelsOf(I
     add3(image.normal, "N.X", "N.Y", "N.Z");
     add3(image.geometricNormal, "Ng.X", "Ng.Y", "Ng.Z");
     add3(image.position, "P.X", "P.Y", "P.Z");
-    if (!image.motion.empty()) for (int c : {0, 1}) channels.push_back({c ? "motion.Y" : "motion.X", &image.motion[0][c], 2});
+    add2(image.uv, "u", "v");
+    add2(image.depthSlope, "dzdx", "dzdy");
+    add2(image.motion, "motion.X", "motion.Y");
     if (!image.depth.empty()) channels.push_back({"Z", image.depth.data(), 1, true});
     add1(image.object, "objectId");
     add1(image.material, "materialId");

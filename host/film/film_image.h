@@ -24,6 +24,8 @@ struct FilmImage {
     std::vector<glm::vec3> normal;     ///< of the first surface: shading normal, world space, unit length or zero
     std::vector<glm::vec3> geometricNormal;  ///< of the first surface, on the same side
     std::vector<glm::vec3> position;   ///< of the first surface, world space: mean over the samples that saw one; zero: none did
+    std::vector<glm::vec2> uv;         ///< texture coordinates of the first surface: mean over the samples that saw one; zero: none did
+    std::vector<glm::vec2> depthSlope; ///< camera units: how much z of the camera's space changes from pixel to pixel, to the right and down, on the plane that touches the first surface; >= 0; zero: none
     std::vector<glm::vec2> motion;     ///< pixels, x to the right and y down, that the first surface's point moves in the image while the shutter is open; zero: none
     std::vector<float> depth;          ///< distance to the first surface, world units; infinity: none
     std::vector<float> object;         ///< which object most samples saw: 1, 2, 3 ... in the order of the scene, shapes before instances; 0: none

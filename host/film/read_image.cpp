@@ -82,6 +82,8 @@ FilmFile readImage(const std::string& path) {
     if (has("N.X") && has("N.Y") && has("N.Z")) image.normal.resize(image.pixelCount());
     if (has("Ng.X") && has("Ng.Y") && has("Ng.Z")) image.geometricNormal.resize(image.pixelCount());
     if (has("P.X") && has("P.Y") && has("P.Z")) image.position.resize(image.pixelCount());
+    if (has("u") && has("v")) image.uv.resize(image.pixelCount());
+    if (has("dzdx") && has("dzdy")) image.depthSlope.resize(image.pixelCount());
     if (has("motion.X") && has("motion.Y")) image.motion.resize(image.pixelCount());
     if (has("objectId")) image.object.resize(image.pixelCount());
     if (has("materialId")) image.material.resize(image.pixelCount());
@@ -90,7 +92,7 @@ FilmFile readImage(const std::string& path) {
     if (has("sampleCount")) image.sampleCount.resize(image.pixelCount());
 
     for (const auto& channel : channelsOf<float>(image)) {
-        const bool isColor = channel.name.size() == 1 && !channel.isDepth;
+        const bool isColor = channel.name == "R" || channel.name == "G" || channel.name == "B";
         const int from = isColor && grey >= 0 ? grey : find(spec, channel.name);
         for (std::size_t i = 0; i < image.pixelCount(); ++i) {
             const float value = values[i * static_cast<std::size_t>(spec.nchannels) + static_cast<std::size_t>(from)];

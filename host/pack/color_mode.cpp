@@ -25,7 +25,7 @@ bool isMeasured(const Medium& m) { return isMeasured(m.sigmaA) || isMeasured(m.s
 bool isMeasured(const Material& m) {
     for (const auto& [name, input] : m.inputs)
         if (input.texture == none && isMeasured(input.value) && !isIndexOfMetal(m, name)) return true;
-    return m.interior && isMeasured(*m.interior);
+    return (m.interior && isMeasured(*m.interior)) || (m.diffusion && m.diffusion->texture != none && isMeasured(m.diffusion->length));
 }
 
 bool isMeasured(const AreaLight& light) { return isMeasured(light.L); }

@@ -100,10 +100,10 @@ static glm::vec3 meanDirection(const float* sum, size_t n, size_t i) {
 void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
     const size_t n = plane();
     for (auto* v : {&image.albedo, &image.normal, &image.geometricNormal, &image.position}) v->resize(n);
-    image.motion.resize(n);
+    for (auto* v : {&image.uv, &image.depthSlope, &image.motion}) v->resize(n);
     const bool moves = layout_.field("opening").words > 0;
     for (auto* v : {&image.depth, &image.object, &image.material}) v->resize(n);
-    const float *weight = floats("weight"), *albedo = floats("albedo"), *position = floats("position"), *distance = floats("distance"), *seen = floats("seen");
+    const float *weight = floats("weight"), *albedo = floats("albedo"), *position = floats("position"), *uv = floats("uv"), *distance = floats("distance"), *seen = floats("seen");
     for (size_t i = 0; i < n; ++i) {
         const float inverse = weight[i] != 0 ? 1 / weight[i] : 0;
         image.albedo[i] = glm::clamp(glm::vec3(albedo[i], albedo[n + i], albedo[2 * n + i]) * inverse, 0.0f, 1.0f);
@@ -117,13 +117,15 @@ void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
         const auto meanPoint = [&](const float* sum) { return glm::dvec3(sum[i], sum[n + i], sum[2 * n + i]) / count; };
         const glm::dvec3 p = meanPoint(position);
         image.motion[i] = glm::vec2(motionInImage(scene, moves ? meanPoint(floats("opening")) : p, moves ? meanPoint(floats("closing")) : p));
+        image.depthSlope[i] = glm::vec2(depthSlope(scene, p, image.geometricNormal[i]));
+        image.uv[i] = glm::vec2(uv[i] / count, uv[n + i] / count);
         image.position[i] = glm::vec3(p * scene.worldScale + scene.worldCenter);
         image.depth[i] = static_cast<float>(distance[i] / count * scene.worldScale);
     }
 }
 
 size_t Film::developedBytes(const Features& features) {
-    const size_t always = sizeof(glm::vec3) + 2 * sizeof(float), ofSurfaces = 4 * sizeof(glm::vec3) + sizeof(glm::vec2) + 3 * sizeof(float);
+    const size_t always = sizeof(glm::vec3) + 2 * sizeof(float), ofSurfaces = 4 * sizeof(glm::vec3) + 3 * sizeof(glm::vec2) + 3 * sizeof(float);
     return always + (features.has(Feature::AOVS) ? ofSurfaces : 0);
 }
 

@@ -18,6 +18,10 @@ std::optional<glm::dvec2> pixelOf(const PackedScene& scene, glm::dvec3 p);
 /// the camera's own motion included; zero where it is not seen at both times. The shorter way around a map of longitudes.
 glm::dvec2 motionInImage(const PackedScene& scene, glm::dvec3 opening, glm::dvec3 closing);
 
+/// How much z of camera space changes from one pixel to the next, to the right and down, on the plane through p with normal n, both in scene space, in the
+/// middle of the shutter's time; without its sign. Zero where the plane is seen edge on.
+glm::dvec2 depthSlope(const PackedScene& scene, glm::dvec3 p, glm::dvec3 n);
+
 /// Turns positions and normals from world space to that of the camera (x to the right, y up, looking along +z) in the middle of the shutter's time.
 void toCameraSpace(FilmImage& image, const PackedScene& scene);
 

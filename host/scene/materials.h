@@ -24,7 +24,8 @@ constexpr std::pair<const char*, SubsurfaceMethod> subsurfaceMethodNames[] = {{"
 /// How much light leaves a body how far from where it has entered, by normalised diffusion (kernels/diffusion.clh).
 struct DiffusionProfile {
     Spectrum albedo;    ///< share of the light that enters, in [0, 1]
-    Spectrum length;    ///< d, world units
+    Spectrum length;    ///< d, world units; with a texture: the mean free path, scattering reduced
+    int texture = none; ///< in Scene::textures: the albedo where light enters
 };
 
 /// A material. `inputs` has every parameter of its kind under pbrt-v4's name, defaults filled in by the reader:

@@ -20,6 +20,7 @@ CONTRACT_BEGIN
     F(q, vec3,     normal,       AOVS) \
     F(q, vec3,     ng,           AOVS) \
     F(q, vec3,     position,     AOVS)     /* sums over the samples that saw a surface ... */ \
+    F(q, vec2,     uv,           AOVS) \
     F(q, vec3,     opening,      MOTION_VECTORS) /* where those surfaces' points are when the shutter opens ... */ \
     F(q, vec3,     closing,      MOTION_VECTORS) /* ... and when it closes */ \
     F(q, float,    distance,     AOVS) \

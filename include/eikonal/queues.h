@@ -56,7 +56,9 @@
     F(q, vec3,     exit_p,     DIFFUSION)    /* of a probe that has found one: the point where the path comes up, as in hit */ \
     F(q, float,    exit_offset, DIFFUSION) \
     F(q, vec3,     exit_ng,    DIFFUSION) \
-    F(q, vec3,     exit_ns,    DIFFUSION)
+    F(q, vec3,     exit_ns,    DIFFUSION) \
+    F(q, spectrum, body_albedo, BODY_TEXTURES) /* of a probe: what is said of the body at `entry`, as in hit */ \
+    F(q, spectrum, body_length, BODY_TEXTURES)
 
 /* Where a ray ends: slot i belongs to ray i. Filled by intersect_rays, refined by extinguish_rays and classify_flights. */
 #define FLIGHT_FIELDS(F, q) \
@@ -85,6 +87,8 @@
     F(q, vec3,     probe_o,    DIFFUSION)    /* where a path that goes below looks for a way out: along this probe */ \
     F(q, vec3,     probe_d,    DIFFUSION) \
     F(q, float,    probe_length, DIFFUSION) \
+    F(q, spectrum, body_albedo, BODY_TEXTURES) /* of the body, if light enters it here: share of it that leaves again, */ \
+    F(q, spectrum, body_length, BODY_TEXTURES) /*   and d of its profile */ \
     LIGHT_CHOICE_FIELDS(F, q)
 
 /* A point in a medium, to be scattered at: filled by route_flights, drained by shade_scatters. Dense. */
@@ -162,6 +166,7 @@
     F(q, vec3,     normal,     AOVS)         /* of the first surface: shading normal */ \
     F(q, vec3,     ng,         AOVS)         /* its geometric normal, on the same side */ \
     F(q, vec3,     position,   AOVS)         /* its point that was hit */ \
+    F(q, vec2,     uv,         AOVS)         /* and the texture coordinates there */ \
     F(q, vec3,     opening,    MOTION_VECTORS) /* where that point of the surface is when the shutter opens */ \
     F(q, vec3,     closing,    MOTION_VECTORS) /* and when it closes */ \
     F(q, uint,     object,     AOVS)         /* which object of the scene it is, from 1; 0: none */ \

@@ -2,6 +2,8 @@
 
 #include "rendering.h"
 
+#include <fmt/format.h>
+
 namespace eikonal {
 namespace {
 
@@ -103,6 +105,81 @@ TEST(Aovs, MotionIsHowFarPointsMoveInTheImage) {
     expectMotion(motionOf(back, "", square), -2, 1);
     expectMotion(motionOf("", "", "ObjectBegin \"a\"" + along + square + "ObjectEnd" + back + "ObjectInstance \"a\""), 0, 0);
     expectMotion(motionOf("", "", ""), 0, 0);
+}
+
+/// Corners of a square that have (u, v) of their own, and of a triangle that has pbrt-v4's (0, 0), (1, 0), (1, 1): what is seen of them at (x, y) is what lies between.
+TEST(Aovs, TextureCoordinatesAreThoseOfTheShape) {
+    View v = view(90, 8);
+    v.lookAt = "0 0 -1  0 0 0  0 1 0";
+    const auto check = [&](const std::string& shape, auto expected) {
+        const Rendered r = renderAovs(v, "LightSource \"point\" \"point3 from\" [0 0 -1]\n" + shape);
+        for (size_t i : {0u, 19u, 44u, 63u}) {
+            const glm::vec3 p = r.image.position[i];
+            const glm::vec2 e = expected(p.x, p.y);
+            EXPECT_NEAR(r.image.uv[i].x, e.x, 1e-5);
+            EXPECT_NEAR(r.image.uv[i].y, e.y, 1e-5);
+        }
+    };
+    check("Shape \"bilinearmesh\" \"point3 P\" [-2 -2 0  2 -2 0  -2 2 0  2 2 0] \"point2 uv\" [3 -1  7 -1  3 1  7 1]", [](float x, float y) { return glm::vec2(5 + x, y / 2); });
+    check("Shape \"trianglemesh\" \"point3 P\" [-4 -4 0  12 -4 0  -4 12 0]", [](float x, float y) {
+        const float b = (x + 4) / 16, c = (y + 4) / 16;   /* the weights of the second and the third corner */
+        return glm::vec2(b + c, c);
+    });
+    const Rendered nothing = renderAovs(v, "LightSource \"infinite\"");
+    EXPECT_EQ(nothing.image.uv[19], glm::vec2(0));
+    EXPECT_EQ(nothing.image.depthSlope[19], glm::vec2(0));
+}
+
+/// On the plane z = a + b x + c y, by the columns s = x / z and the rows t = y / z of a camera at the origin: z = a / (1 - b s - c t), so that
+/// dz/ds = b z^2 / a and dz/dt = c z^2 / a; a pixel is 2 / 16 of s and t. Through an orthographic camera, that is b and c for each unit. No sign is kept.
+TEST(Aovs, DepthSlopesAreThoseOfThePlane) {
+    constexpr double a = 4, b = .5, c = -.25;
+    /* Corners at x, y = +-9; the world is turned, moved and scaled against the camera, which sees itself in camera units */
+    std::string square = "LightSource \"infinite\" Shape \"bilinearmesh\" \"point3 P\" [";
+    for (double y : {-9., 9.}) for (double x : {-9., 9.}) square += fmt::format("{} {} {} ", x, y, a + b * x + c * y);
+    square += "]";
+    View v = view(90, 16);
+    const auto seenBy = [&](const std::string& camera, const std::string& world) {
+        v.lookAt = "0 0 0  0 0 1  0 1 0";
+        v.more = camera;
+        return renderAovs(v, world);
+    };
+    const Rendered perspective = seenBy("", square);
+    const std::string turn = "Translate 30 1 2 Rotate 50 1 2 3 ", back = "Rotate -50 1 2 3 Translate -30 -1 -2 ";
+    const Rendered moved = seenBy(back + " Camera \"perspective\" \"float fov\" 90 ", turn + square);
+    for (size_t i : {3u, 70u, 200u, 255u}) {
+        const double z = perspective.image.position[i].z;
+        EXPECT_NEAR(perspective.image.depthSlope[i].x, b * z * z / a / 8, 1e-4 * z * z) << i;
+        EXPECT_NEAR(perspective.image.depthSlope[i].y, -c * z * z / a / 8, 1e-4 * z * z) << i;
+        EXPECT_NEAR(moved.image.depthSlope[i].x, perspective.image.depthSlope[i].x, 1e-3 * z * z) << i;
+        EXPECT_NEAR(moved.image.depthSlope[i].y, perspective.image.depthSlope[i].y, 1e-3 * z * z) << i;
+    }
+    const Rendered orthographic = seenBy("Camera \"orthographic\" \"float screenwindow\" [-2 2 -2 2] ", square);
+    for (size_t i : {3u, 70u, 255u}) {
+        EXPECT_NEAR(orthographic.image.depthSlope[i].x, b / 4, 1e-4);
+        EXPECT_NEAR(orthographic.image.depthSlope[i].y, -c / 4, 1e-4);
+    }
+}
+
+/// A spherical camera in the middle of a ball sees it touched by planes across its rays: a turn by an angle of a pixel moves the point by radius times that
+/// (and the sine of the angle to the pole), along z by the sine of the angle to z: at a quarter of a turn from z, all of it; towards z, nothing.
+TEST(Aovs, DepthSlopesInAPanorama) {
+    View v = view();
+    v.width = 256;
+    v.height = 128;
+    v.samples = 16;
+    v.lookAt = "0 0 0  0 0 1  0 1 0";
+    v.more = "Camera \"spherical\" \"string mapping\" \"equirectangular\" ";
+    const Rendered r = renderAovs(v, "LightSource \"point\" Shape \"sphere\" \"float radius\" 3");
+    size_t sideways = 0;
+    for (int y = 62; y < 66; ++y)
+        for (int x = 0; x < 256; ++x) {
+            const size_t i = static_cast<size_t>(y) * 256 + static_cast<size_t>(x);
+            const glm::vec3 p = r.image.position[i];
+            EXPECT_NEAR(r.image.depthSlope[i].x, 2 * M_PI / 256 * std::abs(p.x), 1e-3);
+            sideways += std::abs(p.x) > 2.9f;
+        }
+    EXPECT_GT(sideways, 0u);
 }
 
 /// Objects are numbered as the scene lists them, instances after shapes; materials likewise; a pixel's number is that of most samples.

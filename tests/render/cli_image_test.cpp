@@ -90,7 +90,7 @@ TEST_F(Cli, AFilmMayAskForAovs) {
         write("gbuffer.pbrt", scene);
         ASSERT_EQ(run({"render", "gbuffer.pbrt", "-o", "a.exr"}).status, 0);
         const FilmImage seen = image("a.exr");
-        ASSERT_FALSE(seen.albedo.empty() || seen.normal.empty() || seen.position.empty() || seen.motion.empty() || seen.object.empty() || seen.variance.empty());
+        ASSERT_FALSE(seen.albedo.empty() || seen.normal.empty() || seen.position.empty() || seen.uv.empty() || seen.depthSlope.empty() || seen.motion.empty() || seen.object.empty() || seen.variance.empty());
         EXPECT_NEAR(seen.position[seen.index(8, 6)].z, space == std::string("camera") ? 4 : 0, 0.1);
     }
     const Outcome run = this->run({"render", "gbuffer.pbrt", "-o", "a.png"});

@@ -47,7 +47,8 @@ AttributeBegin Translate 1.5 0 0 Material "coatedconductor" "float interface.rou
 MakeNamedMedium "m" "string type" "homogeneous" "rgb sigma_a" [.1 .5 1] "rgb sigma_s" [3 2 1] "float g" .5
 Material "diffuse" Shape "trianglemesh" "point3 P" [-5 -1 -5  5 -1 -5  5 -1 5  -5 -1 5] "integer indices" [0 1 2 0 2 3]
 MediumInterface "m" "" Material "interface" Shape "sphere" Translate 2 0 0 Material "dielectric" Shape "sphere" "float radius" .5
-Translate -4 0 0 Material "subsurface" "rgb reflectance" [.8 .5 .3] "rgb mfp" [.2 .1 .05] Shape "sphere" "float radius" .5
+Texture "skin" "spectrum" "checkerboard" "float uscale" 9 "rgb tex1" [.8 .5 .3] "rgb tex2" [.4 .5 .6]
+Translate -4 0 0 Material "subsurface" "texture reflectance" "skin" "rgb mfp" [.2 .1 .05] Shape "sphere" "float radius" .5
 Translate 1 -.5 -1 Material "subsurface" "string method" "randomwalk" "float roughness" .2 "rgb reflectance" [.8 .5 .3] "rgb mfp" [.2 .1 .05] Shape "sphere" "float radius" .4)",
     R"(LightSource "point" "rgb I" [9 9 9] "point3 from" [2 3 -3]
 MakeNamedMedium "m" "string type" "homogeneous" "rgb sigma_s" [3 2 1] AttributeBegin MediumInterface "m" "" Material "interface"

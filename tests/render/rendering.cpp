@@ -159,7 +159,8 @@ void expectSameBits(const FilmImage& a, const FilmImage& b, const std::string& w
     size_t otherChannels = 0;
     for (const auto& [x, y] : {std::pair(&a.albedo, &b.albedo), {&a.normal, &b.normal}, {&a.geometricNormal, &b.geometricNormal}, {&a.position, &b.position}})
         for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];
-    for (size_t i = 0; a.motion.size() == b.motion.size() && i < a.motion.size(); ++i) otherChannels += a.motion[i] != b.motion[i];
+    for (const auto& [x, y] : {std::pair(&a.motion, &b.motion), {&a.uv, &b.uv}, {&a.depthSlope, &b.depthSlope}})
+        for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];
     for (const auto& [x, y] : {std::pair(&a.depth, &b.depth), {&a.object, &b.object}, {&a.material, &b.material}})
         for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];
     EXPECT_EQ(otherChannels, 0u) << what << ": values of other channels";

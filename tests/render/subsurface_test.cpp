@@ -59,6 +59,34 @@ TEST(Subsurface, AProfileIsWholeOnABall) {
     expectRadiance(look(whiteSky + ball(diffused + "\"rgb reflectance\" [.8 .5 .2] \"float eta\" 1")), glm::dvec3(.8, .5, .2), 0.02);
 }
 
+// A texture that says the same everywhere is as good as a number; and of a board of two colours, whose squares are far larger than what is seen, each is a slab by itself.
+TEST(Subsurface, TheReflectanceMayBeATexture) {
+    const auto slab = [](const std::string& texture, const std::string& uv) {
+        return "Texture \"t\" \"spectrum\" " + texture + " Material \"subsurface\" \"texture reflectance\" \"t\" \"rgb mfp\" [.05 .03 .04]\n"
+            "Shape \"trianglemesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 50 0  50 -50 0] \"integer indices\" [0 1 2 0 2 3] \"point2 uv\" [" + uv + "]\n";
+    };
+    const double F = 0.33 * 0.33 / (2.33 * 2.33);
+    const glm::dvec3 one(.6, .4, .2), other(.2, .8, .9);
+    const std::string uv = "0 0 0 1 1 1 1 0", far = "0 0 0 1e-4 1e-4 1e-4 1e-4 0";
+    expectRadiance(look(whiteSky + slab("\"constant\" \"rgb value\" [.6 .4 .2]", uv)), F + (1 - F) * one, 0.02);
+    const std::string board = "\"checkerboard\" \"rgb tex1\" [.6 .4 .2] \"rgb tex2\" [.2 .8 .9]";
+    expectRadiance(look(whiteSky + slab(board, far)), F + (1 - F) * one, 0.02);
+    expectRadiance(look(whiteSky + slab(board + " \"float udelta\" 1", far)), F + (1 - F) * other, 0.02);
+}
+
+// Beside a lit spot all light comes from below: how much, is a matter of the profile's width, which follows from the texture.
+TEST(Subsurface, ATextureSaysHowFarLightSpreads) {
+    const auto beside = [](const std::string& reflectance) {
+        View view;
+        view.maxDepth = 1;
+        view.samples = 4096;   // of which few find the way to the light
+        return render(sceneText(view, "LightSource \"spot\" \"point3 from\" [.5 0 -3] \"point3 to\" [.5 0 0] \"float coneangle\" 4 \"float conedeltaangle\" .1 \"rgb I\" [50 50 50]\n"
+            "Texture \"t\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [.8 .5 .3] \"rgb tex2\" [.8 .5 .3]\n"
+            "Material \"subsurface\" \"float roughness\" .2 \"rgb mfp\" [.12 .08 .1] " + reflectance + " Shape \"bilinearmesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 -50 0  50 50 0]\n"), media());
+    };
+    expectEqualMeans(beside("\"texture reflectance\" \"t\""), beside("\"rgb reflectance\" [.8 .5 .3]"), 0.05);
+}
+
 // A body that nothing happens in keeps out what is around it: of the 9 from the camera to the wall, light goes 7 through the haze, whether the camera says
 // that it is there or a ball of radius 3 around both, of which it is 4. Shapes name no media.
 TEST(Subsurface, WhatIsAroundABodyGoesOnBehindIt) {

@@ -91,6 +91,8 @@ TEST_F(Film, exrKeepsTheAuxiliaryChannels) {
     for (int i = 0; i < 6; ++i) {
         image.albedo.push_back({.1f, .2f, i / 10.f});
         image.normal.push_back({0, i / 5.f, -1});
+        image.uv.push_back({i / 7.f, -2});
+        image.depthSlope.push_back({.5f, i / 3.f});
         image.depth.push_back(i == 2 ? inf : i + .5f);
         image.variance.push_back(i * 1e-3f);
         image.sampleCount.push_back(16.f + i);
@@ -100,18 +102,20 @@ TEST_F(Film, exrKeepsTheAuxiliaryChannels) {
     EXPECT_EQ(back.color, image.color);
     EXPECT_EQ(back.albedo, image.albedo);
     EXPECT_EQ(back.normal, image.normal);
+    EXPECT_EQ(back.uv, image.uv);
+    EXPECT_EQ(back.depthSlope, image.depthSlope);
     EXPECT_EQ(back.depth, image.depth);
     EXPECT_EQ(back.variance, image.variance);
     EXPECT_EQ(back.sampleCount, image.sampleCount);
 
     auto input = OIIO::ImageInput::open(path("a.exr"));
     EXPECT_THAT(input->spec().channelnames, testing::UnorderedElementsAre("R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "N.X", "N.Y",
-                                                                          "N.Z", "Z", "variance", "sampleCount"));
-    std::vector<float> raw(6 * 12);
-    ASSERT_TRUE(input->read_image(0, 0, 0, 12, OIIO::TypeDesc::FLOAT, raw.data()));
+                                                                          "N.Z", "u", "v", "dzdx", "dzdy", "Z", "variance", "sampleCount"));
+    std::vector<float> raw(6 * 16);
+    ASSERT_TRUE(input->read_image(0, 0, 0, 16, OIIO::TypeDesc::FLOAT, raw.data()));
     const auto depth =
         std::find(input->spec().channelnames.begin(), input->spec().channelnames.end(), "Z") - input->spec().channelnames.begin();
-    EXPECT_EQ(raw[2 * 12 + static_cast<std::size_t>(depth)], 1e10f);
+    EXPECT_EQ(raw[2 * 16 + static_cast<std::size_t>(depth)], 1e10f);
 }
 
 TEST_F(Film, aCropIsADataWindowInExr) {

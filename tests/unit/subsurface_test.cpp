@@ -120,11 +120,24 @@ TEST_F(Subsurface, IsDiffusedUnlessItIsToWalk) {
     EXPECT_THAT(errorOfWorld("Material \"subsurface\" \"string method\" \"dipole\""), HasSubstr("\"dipole\"; it can be \"diffusion\" or \"randomwalk\""));
 }
 
-// What is inside has no place on the surface for a texture to be looked up at.
-TEST_F(Subsurface, IsReplacedWhereItIsTextured) {
-    const Material material = world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"texture reflectance\" \"t\"").materials.at(0);
+// A texture is looked up where light enters; what is inside has no such place.
+TEST_F(Subsurface, TakesItsReflectanceFromATexture) {
+    const auto read = [&](const std::string& parameters) { return world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"float eta\" 1 " + parameters).materials.at(0); };
+    const Material body = read("\"texture reflectance\" \"t\" \"rgb mfp\" [.3 .2 .1] \"float scale\" 2");
+    EXPECT_EQ(body.kind, MaterialKind::subsurface);
+    EXPECT_NE(body.diffusion->texture, none);
+    expectNear(body.diffusion->length.albedo(), {.6, .4, .2});
+    EXPECT_FALSE(body.interior);
+    EXPECT_TRUE(warnings_.empty());
+    const Material other = read("\"texture reflectance\" \"t\" \"string name\" \"Skin1\"");
+    EXPECT_EQ(other.diffusion->texture, none);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"reflectance\" is ignored")));
+}
+
+TEST_F(Subsurface, IsReplacedWhereItsFreePathsAreTextured) {
+    const Material material = world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"texture mfp\" \"t\" \"rgb reflectance\" [.3 .4 .5]").materials.at(0);
     EXPECT_EQ(material.kind, MaterialKind::coatedDiffuse);
-    EXPECT_NE(material.inputs.at("reflectance").texture, none);
+    expectNear(material.inputs.at("reflectance").value.albedo(), {.3, .4, .5});
     EXPECT_EQ(material.inputs.at("thickness").value.value(), .01);
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a coated diffuse surface stands in for it")));
 }

@@ -154,20 +154,21 @@ void MaterialBook::readInputs(const Arguments& arguments, Material& material) {
 
 void MaterialBook::readSubsurface(const Arguments& arguments, Material& material) {
     const auto isTexture = [&](const char* name) { return arguments.has(name) && arguments.given(name)->type == ParameterType::texture; };
-    for (const char* name : {"sigma_a", "sigma_s", "reflectance", "mfp"}) {
+    const bool isReflected = arguments.text("name").empty() && !arguments.has("sigma_a") && !arguments.has("sigma_s") && arguments.has("reflectance");
+    for (const char* name : {"sigma_a", "sigma_s", "mfp"}) {
         if (!isTexture(name)) continue;
         /* What is inside has no surface coordinates */
         reading_.unsupported("textured subsurface", arguments.whereOf(name),
-                             "a texture for what is inside of material \"subsurface\" is not rendered yet; a coated diffuse surface stands in for it");
+                             "a texture for the free paths inside of material \"subsurface\" is not rendered yet; a coated diffuse surface stands in for it");
         material.kind = MaterialKind::coatedDiffuse;
-        material.inputs["reflectance"] = isTexture("reflectance") ? textures_.input(arguments, "reflectance") : Input{Spectrum::constant(0.5)};
+        material.inputs["reflectance"] = arguments.has("reflectance") ? textures_.input(arguments, "reflectance") : Input{Spectrum::constant(0.5)};
         for (const Kind& kind : materialKinds().kinds())
             if (kind.value == kindOf(MaterialKind::coatedDiffuse))
                 for (const Rule& rule : kind.rules)
                     if (rule.as != "-" && !rule.fallback.empty()) material.inputs.try_emplace(rule.as, Input{defaultSpectrum(rule)});
         return;
     }
-    readInterior(reading_, arguments, material);
+    readInterior(reading_, arguments, material, isReflected && isTexture("reflectance") ? textures_.input(arguments, "reflectance").texture : none);
 }
 
 void MaterialBook::readMix(const Arguments& arguments, Material& material) {

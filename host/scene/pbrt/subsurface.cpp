@@ -49,9 +49,16 @@ DiffusionProfile profileOf(const Medium& medium, std::optional<Spectrum> albedo,
     return {*albedo, combine(*albedo, reduced, [&](double A, double sigma) { return profileLength(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), eta); })};
 }
 
+/// Of a body whose albedo is a texture. Scattering that is not reduced counts as that of an albedo of 0.5.
+DiffusionProfile texturedProfile(const Arguments& arguments, int texture, double eta) {
+    const double g = std::clamp(arguments.number("g"), -0.99, 0.99), scale = arguments.number("scale");
+    const double reduced = 1 - g * DiffuseAlbedoTable(g, eta).singleScattering(0.5);
+    return {Spectrum::constant(1), arguments.spectrum("mfp", Spectrum::constant(1)) * (scale / reduced), texture};
+}
+
 }  // namespace
 
-void readInterior(Reading& reading, const Arguments& arguments, Material& material) {
+void readInterior(Reading& reading, const Arguments& arguments, Material& material, int texture) {
     const double eta = material.inputs.at("eta").value.value();
     const std::string method = arguments.text("method");
     const auto* known = std::ranges::find(subsurfaceMethodNames, method, &std::pair<const char*, SubsurfaceMethod>::first);
@@ -59,6 +66,10 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         throw SceneError(arguments.whereOf("method"), "there is no method \"" + method + "\"; it can be \"diffusion\" or \"randomwalk\"");
     material.method = known->second;
 
+    if (texture != none) {
+        material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(arguments, texture, eta));
+        return;
+    }
     std::optional<Spectrum> albedo;
     auto medium = std::make_shared<Medium>();
     medium->where = arguments.where();
