@@ -97,7 +97,7 @@ int compileKernelsCommand(const Options& o) {
     Stages stages(compiler, scene, shape, buildSettingsFor(o.device), {o.compile.part, o.compile.parts});
     Wave wave(context, tables, stages, shape, scene.features, profile);
     wave.warmUp();
-    for (const Stage& stage : stages.all()) compiler.keep(stage.kernel.program(), stage.firstLaunchSeconds);
+    stages.keep(compiler);
     return static_cast<int>(ExitCode::success);
 }
 

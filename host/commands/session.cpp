@@ -118,7 +118,7 @@ void Session::prepare() {
     wave_->warmUp();
     times_.compile = compileTime.seconds();
     const Stopwatch keepTime;
-    for (const Stage& stage : stages_->all()) compiler_->keep(stage.kernel.program(), stage.firstLaunchSeconds);
+    stages_->keep(*compiler_);
     times_.keep = keepTime.seconds();
     times_.firstRay = secondsSinceStart();
 }

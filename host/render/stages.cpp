@@ -92,4 +92,8 @@ const Stage* Stages::find(const std::string& name) const {
     return nullptr;
 }
 
+void Stages::keep(const Compiler& compiler) const {
+    for (const Stage& s : stages_) compiler.keep(s.kernel.program(), s.firstLaunchSeconds);
+}
+
 }  // namespace eikonal

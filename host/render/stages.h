@@ -50,6 +50,8 @@ public:
     const Stage* find(const std::string& name) const;
     /// shade_hits for the BSDF of a hop.
     const Stage* shading(uint hop) const { return shading_[hop] < 0 ? nullptr : &stages_[static_cast<size_t>(shading_[hop])]; }
+    /// Keeps their programs in the compiler's cache, once each has been launched (Compiler::keep).
+    void keep(const Compiler& compiler) const;
     std::vector<Stage>& all() { return stages_; }
     const std::vector<Stage>& all() const { return stages_; }
 

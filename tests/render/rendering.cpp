@@ -92,7 +92,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     Stages stages(compiler(), scene, setup.shape, settings);
     Wave wave(device(), onDevice, stages, setup.shape, built, profile);
     wave.warmUp();
-    for (const Stage& stage : stages.all()) compiler().keep(stage.kernel.program(), stage.firstLaunchSeconds);
+    stages.keep(compiler());
 
     Film film(static_cast<int>(scene.frame().width), static_cast<int>(scene.frame().height), scene.pixels, built);
     std::vector<unsigned> ends = setup.splits;
