@@ -6,6 +6,7 @@
 #include "commands/progress_bar.h"
 #include "commands/session.h"
 #include "commands/statistics.h"
+#include "commands/wait_notice.h"
 #include "film/exposure.h"
 #include "render/projection.h"
 
@@ -69,9 +70,10 @@ Metadata metadataOf(const Options& o, const Session& session, const Film::Sample
 }
 
 /// One file that cannot be written does not keep the others from being written.
-void writeAll(const std::vector<std::string>& files, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping) {
+void writeAll(const std::vector<std::string>& files, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping, bool silent) {
     std::string problems;
     for (const std::string& file : files) {
+        const WaitNotice notice("writing " + file, silent);
         try {
             writeImage(file, image, metadata, mapping);
         } catch (const Error& error) {
@@ -124,7 +126,7 @@ int renderCommand(const Options& o) {
     if (!packed.features.has(Feature::SPECTRAL)) expose(image, session.scene().film);
     selectAovs(image, aovs);
     if (session.scene().film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, packed);
-    writeAll(files, image, metadataOf(o, session, samples, renderSeconds, hash.get()), o.output.toneMapping);
+    writeAll(files, image, metadataOf(o, session, samples, renderSeconds, hash.get()), o.output.toneMapping, o.log < LogLevel::warning);
     const double writeSeconds = writeTime.seconds();
     say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()));
     if (o.output.stats) std::fputs(describeRun(session, session.profile(), samples, result, renderSeconds, writeSeconds).c_str(), stdout);
