@@ -3,6 +3,8 @@
 #include "scene/pbrt/settings.h"
 #include "spectra/sensor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace eikonal::pbrt {
@@ -17,6 +19,10 @@ void Settings::applyFilm(const Arguments& arguments) {
     film.filename = arguments.text("filename");
     film.iso = arguments.number("iso");
     film.whiteBalance = arguments.number("whitebalance");
+    constexpr double coldest = 100;  // what is colder has no light to see by
+    if (film.whiteBalance > 0 && film.whiteBalance < coldest)
+        throw SceneError(arguments.whereOf("whitebalance"), fmt::format("film \"{}\": \"float whitebalance\" is {:g}; it is a temperature in kelvin, {:g} at least, or 0 for none",
+                                                                        arguments.kind().name, film.whiteBalance, coldest));
     film.maxComponentValue = arguments.number("maxcomponentvalue");
     film.diagonal = arguments.number("diagonal");
     film.sensor = arguments.text("sensor");
