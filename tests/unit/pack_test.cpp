@@ -33,6 +33,24 @@ TEST_F(Pack, DisplacementsAreScaledWithTheScene) {
     EXPECT_EQ(reliefOf(4, 0.5) * pack("Shape \"sphere\" \"float radius\" 4").worldScale, 0.5);
 }
 
+// What is given as a spectrum or by its temperature, wherever it is, asks for wavelengths; metals do not, and what is not used does not.
+TEST_F(Pack, SpectraAskForWavelengths) {
+    const auto isSpectral = [&](const std::string& text) { return pack(text + "\nShape \"sphere\"").features.has(Feature::SPECTRAL); };
+    const std::string green = "Texture \"green\" \"spectrum\" \"constant\" \"spectrum value\" [400 .1 550 .8 700 .2]\n", use = "Material \"diffuse\" \"texture reflectance\" ";
+    EXPECT_FALSE(isSpectral("LightSource \"infinite\" \"rgb L\" [1 2 3] Material \"diffuse\" \"rgb reflectance\" [.1 .2 .3]"));
+    EXPECT_FALSE(isSpectral("Material \"conductor\" \"spectrum eta\" \"metal-Au-eta\" \"spectrum k\" \"metal-Au-k\""));
+    EXPECT_FALSE(isSpectral(green));
+    EXPECT_TRUE(isSpectral(green + use + "\"green\""));
+    EXPECT_TRUE(isSpectral(green + "Texture \"mixed\" \"spectrum\" \"mix\" \"texture tex1\" \"green\" \"rgb tex2\" [0 0 1]\n" + use + "\"mixed\""));
+    EXPECT_TRUE(isSpectral("Material \"diffuse\" \"spectrum reflectance\" [400 .1 550 .8 700 .2]"));
+    EXPECT_TRUE(isSpectral("Material \"dielectric\" \"spectrum eta\" \"glass-BK7\""));
+    EXPECT_TRUE(isSpectral("LightSource \"point\" \"blackbody I\" 3000"));
+    EXPECT_TRUE(isSpectral("AreaLightSource \"diffuse\" \"spectrum L\" \"stdillum-F11\""));
+    const std::string fire = "MakeNamedMedium \"fire\" \"string type\" \"uniformgrid\" \"integer nx\" 1 \"integer ny\" 1 \"integer nz\" 1 \"float density\" [1] ", inside = "\nMediumInterface \"fire\" \"\" Material \"interface\"";
+    EXPECT_FALSE(isSpectral(fire + inside));
+    EXPECT_TRUE(isSpectral(fire + "\"float temperature\" [2000]" + inside));
+}
+
 // pbrt-v4's rule for microfacet widths below 0.3: doubled, at least 0.1, at most 0.3. What has none has no twin.
 TEST_F(Pack, RegularizationMakesARougherTwin) {
     const auto widthOfTwin = [&](const std::string& material) {
