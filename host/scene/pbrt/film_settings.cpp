@@ -29,7 +29,7 @@ void Settings::applyFilm(const Arguments& arguments) {
     if (const auto names = sensorNames(); !std::ranges::count(names, film.sensor)) {
         const std::string near = nearestWord(film.sensor, names);
         throw SceneError(arguments.whereOf("sensor"), "there is no sensor \"" + film.sensor + "\"; " +
-                                                          (near.empty() ? "cie1931 is the usual one" : "did you mean \"" + near + "\"?"));
+                                                          (near.empty() ? fmt::format("it can be {}", fmt::join(names, ", ")) : "did you mean \"" + near + "\"?"));
     }
     film.gbuffer = static_cast<GBuffer>(arguments.kind().value);
     if (film.gbuffer != GBuffer::none) {
