@@ -51,6 +51,20 @@ TEST_F(Pack, SpectraAskForWavelengths) {
     EXPECT_TRUE(isSpectral(fire + "\"float temperature\" [2000]" + inside));
 }
 
+// pbrt-v4 goes on with one wavelength wherever an index is not one number: of glass, of coats, and if it is given as a colour.
+TEST_F(Pack, IndicesThatDependOnTheWavelengthDisperse) {
+    const std::pair<std::string, std::string> materials[] = {{"dielectric", "eta"}, {"thindielectric", "eta"}, {"coateddiffuse", "eta"}, {"coatedconductor", "interface.eta"}};
+    for (const auto& [kind, eta] : materials) {
+        const auto disperses = [&](const std::string& type, const std::string& value) {
+            return pack("LightSource \"infinite\" \"spectrum L\" \"stdillum-D65\" Material \"" + kind + "\" \"" + type + " " + eta + "\" " + value + " Shape \"sphere\"").features.has(Feature::DISPERSION);
+        };
+        EXPECT_TRUE(disperses("spectrum", "\"glass-F11\"")) << kind;
+        EXPECT_TRUE(disperses("rgb", "[1.2 1.5 2.2]")) << kind;
+        EXPECT_FALSE(disperses("rgb", "[1.5 1.5 1.5]")) << kind;
+        EXPECT_FALSE(disperses("float", "1.5")) << kind;
+    }
+}
+
 // Samples are held to a value of the image: of RGB, which is exposed in the end, to that much less light.
 TEST_F(Pack, SamplesAreHeldToAnExposedValue) {
     const auto most = [&](const std::string& light) {
