@@ -72,7 +72,7 @@ static hop packCoatedConductor(InputWriter& in) {
     const double index = in.get("eta").value.value();
     packMetal(in, slot_coated_conductor::metal_eta, slot_coated_conductor::metal_k, "metal_eta", "metal_k", index > 0 ? index : 1);
     in.widths(slot_coated_conductor::metal_alpha_x, slot_coated_conductor::metal_alpha_y, "metal_uroughness", "metal_vroughness");
-    in.number(slot_coated_conductor::eta, index > 0 ? index : 1);
+    in.index(slot_coated_conductor::eta, "eta");
     in.widths(slot_coated_conductor::alpha_x, slot_coated_conductor::alpha_y);
     in.number(slot_coated_conductor::thickness, "thickness");
     in.layerMedium(slot_coated_conductor::albedo);

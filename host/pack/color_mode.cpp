@@ -1,5 +1,8 @@
 #include "pack/color_mode.h"
 
+#include "overloaded.h"
+
+#include <algorithm>
 #include <variant>
 
 namespace eikonal {
@@ -19,21 +22,49 @@ bool isIndexOfMetal(const Material& m, const std::string& name) {
     return name == "k" || name == "metal_eta" || name == "metal_k" || (name == "eta" && m.kind == MaterialKind::conductor);
 }
 
-bool isMeasured(const Medium& m) { return isMeasured(m.sigmaA) || isMeasured(m.sigmaS) || isMeasured(m.Le); }
+bool isMeasured(const Medium& m) {
+    return isMeasured(m.sigmaA) || isMeasured(m.sigmaS) || isMeasured(m.Le) || !m.temperature.values.empty() || m.sparseTemperature;
+}
+
+/// What a texture takes its colours from.
+std::vector<Input> inputsOf(const Texture& texture) {
+    using Inputs = std::vector<Input>;
+    return std::visit(Overloaded{
+        [](const ConstantTexture& t) { return Inputs{t.value}; },
+        [](const ImagemapTexture&) { return Inputs{}; },
+        [](const ScaleTexture& t) { return Inputs{t.texture, t.scale}; },
+        [](const MixTexture& t) { return Inputs{t.a, t.b}; },
+        [](const CheckerboardTexture& t) { return Inputs{t.a, t.b}; },
+        [](const BilerpTexture& t) { return Inputs{t.v00, t.v01, t.v10, t.v11}; },
+        [](const DotsTexture& t) { return Inputs{t.inside, t.outside}; },
+        [](const DirectionMixTexture& t) { return Inputs{t.a, t.b}; },
+        [](const NoiseTexture&) { return Inputs{}; },
+        [](const AbsorptionTexture& t) { return Inputs{t.color}; },
+    }, texture.kind);
+}
+
+/// In itself, or somewhere in its texture.
+bool isMeasured(const Scene& scene, const Input& input) {
+    if (input.texture == none) return isMeasured(input.value);
+    return std::ranges::any_of(inputsOf(scene.textures[static_cast<size_t>(input.texture)]), [&](const Input& i) { return isMeasured(scene, i); });
+}
 
 /// A metal's eta and k are left to three indices that reflect as it does (spectra/spectrum.h).
-bool isMeasured(const Material& m) {
+bool isMeasured(const Scene& scene, const Material& m) {
     for (const auto& [name, input] : m.inputs)
-        if (input.texture == none && isMeasured(input.value) && !isIndexOfMetal(m, name)) return true;
+        if (!isIndexOfMetal(m, name) && isMeasured(scene, input)) return true;
     return (m.interior && isMeasured(*m.interior)) || (m.diffusion && m.diffusion->texture != none && isMeasured(m.diffusion->length));
 }
 
 bool isMeasured(const AreaLight& light) { return isMeasured(light.L); }
 
+/// Of those that are enough by themselves.
+template <class Thing> bool isMeasured(const Scene&, const Thing& thing) { return isMeasured(thing); }
+
 /// The first of a list that is measured, in words.
-template <class Thing> std::string firstMeasured(const std::vector<Thing>& things, const char* what) {
+template <class Thing> std::string firstMeasured(const Scene& scene, const std::vector<Thing>& things, const char* what) {
     for (const Thing& thing : things)
-        if (isMeasured(thing)) return thing.where.toString() + ": " + what + " given by its spectrum";
+        if (isMeasured(scene, thing)) return thing.where.toString() + ": " + what + " given by its spectrum";
     return {};
 }
 
@@ -41,8 +72,8 @@ template <class Thing> std::string firstMeasured(const std::vector<Thing>& thing
 
 std::string needOfWavelengths(const Scene& scene) {
     if (scene.film.sensor != "cie1931") return scene.film.where.toString() + ": sensor \"" + scene.film.sensor + "\"";
-    for (const std::string& need : {firstMeasured(scene.materials, "a material"), firstMeasured(scene.lights, "a light"),
-                                    firstMeasured(scene.areaLights, "an area light"), firstMeasured(scene.media, "a medium")})
+    for (const std::string& need : {firstMeasured(scene, scene.materials, "a material"), firstMeasured(scene, scene.lights, "a light"),
+                                    firstMeasured(scene, scene.areaLights, "an area light"), firstMeasured(scene, scene.media, "a medium")})
         if (!need.empty()) return need;
     return {};
 }

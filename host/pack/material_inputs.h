@@ -49,17 +49,23 @@ public:
     void spectrum(uint slot, glm::dvec3 value) { add(slot, input_spectrum, packRgb(value), NONE); }
     void color(uint slot, const eikonal::color& value) { add(slot, input_spectrum, value, NONE); }
     void constant(uint slot, double value) { add(slot, input_spectrum, packConstant(packer_, value), NONE); }
-    /// An index of refraction, which may be another for each wavelength.
+    /// An index of refraction, which may be another for each wavelength. 0 counts as 1, as in pbrt-v4.
     void index(uint slot, const char* name) {
         const Input& in = get(name);
-        if (in.texture != none || in.value.kind() != Spectrum::Kind::sampled) return number(slot, name);
+        if (in.texture != none) return number(slot, name);
+        if (in.value.isFlat()) return number(slot, in.value.value() > 0 ? in.value.value() : 1);
         if (!packer_.spectral) {
             packer_.diagnostics.warnOnce("dispersion", in.where, "there is no dispersion in RGB: the mean of the index counts");
             return number(slot, name);
         }
         packer_.packed.require(Feature::DISPERSION, why());
         disperses_ = true;
-        add(slot, input_hero, packCoefficient(packer_, in.value), NONE);
+        SampledCurve index;
+        for (const double value : in.value.dense()) {
+            index.wavelengths.push_back(shortestWavelength + static_cast<double>(index.wavelengths.size()));
+            index.values.push_back(value > 0 ? value : 1);
+        }
+        add(slot, input_hero, packCoefficient(packer_, Spectrum::sampled(std::move(index))), NONE);
     }
     bool disperses() const { return disperses_; }
     /// The k of a metal with eta = 1 that has this reflectance.

@@ -76,7 +76,8 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     }
     frame.light_count = static_cast<uint>(packed.tables.light_aliases.size());
     frame.world_scale = static_cast<float>(packed.worldScale);
-    frame.max_component_value = static_cast<float>(scene.film.maxComponentValue);
+    /* At wavelengths, samples are what the film makes of light; in RGB they are light, which is exposed in the end */
+    frame.max_component_value = static_cast<float>(scene.film.maxComponentValue / (packer.spectral ? 1 : scene.film.exposureTime * scene.film.iso / 100));
     packed.environments = static_cast<int>(packed.tables.environments.size());
     packed.samples = scene.sampler.pixelSamples;
     if (scene.sampler.kind != SamplerKind::independent) packed.require(Feature::SOBOL, scene.sampler.where.toString());

@@ -85,7 +85,7 @@ const Curves& allCurves() {
 }  // namespace
 
 double SampledCurve::operator()(double wavelength) const {
-    if (wavelengths.empty() || !(wavelength >= wavelengths.front() && wavelength <= wavelengths.back())) return 0;
+    if (wavelengths.size() < 2 || !(wavelength >= wavelengths.front() && wavelength <= wavelengths.back())) return 0;
     const auto above = std::upper_bound(wavelengths.begin(), wavelengths.end(), wavelength);
     if (above == wavelengths.end()) return values.back();
     const size_t i = above - wavelengths.begin();

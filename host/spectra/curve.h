@@ -7,7 +7,7 @@
 
 namespace eikonal {
 
-/// A piecewise-linear function of wavelength, 0 beyond its ends (as pbrt-v4 reads one that a scene gives).
+/// A piecewise-linear function of wavelength, 0 beyond its ends (as pbrt-v4 reads one that a scene gives). A single wavelength has no width: 0.
 struct SampledCurve {
     std::vector<double> wavelengths;  ///< nm, ascending
     std::vector<double> values;

@@ -1,5 +1,7 @@
 #include "spectra/sensor.h"
 
+#include "spectra/spectrum.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -27,9 +29,11 @@ double integral(const DenseCurve& curve) {
     return sum;
 }
 
-/// CIE daylight of a correlated colour temperature from 4000 K to 25000 K (CIE 15:2004, section 3.1); its scale has no meaning.
+/// CIE daylight of a correlated colour temperature (CIE 15:2004, section 3.1); below 4000 K, where there is none, a black body, as in pbrt-v4.
+/// Its scale has no meaning.
 DenseCurve daylight(double kelvin) {
-    const double t = std::clamp(kelvin * 1.4388 / 1.4380, 4000.0, 25000.0);  // the constant of Planck's law has since changed
+    const double t = kelvin * 1.4388 / 1.4380;  // the constant of Planck's law has since changed
+    if (t < 4000) return Spectrum::blackbody(t).dense();
     const double x = t <= 7000 ? -4.607e9 / (t * t * t) + 2.9678e6 / (t * t) + 0.09911e3 / t + 0.244063
                                : -2.0064e9 / (t * t * t) + 1.9018e6 / (t * t) + 0.24748e3 / t + 0.23704;
     const double y = -3 * x * x + 2.87 * x - 0.275;

@@ -12,7 +12,7 @@ namespace eikonal {
 /// How a film turns light into numbers, in the terms of pbrt-v4's Film directive.
 struct SensorDescription {
     std::string name = "cie1931";             ///< or a camera of sensorNames()
-    double whiteBalance = 0;                  ///< K, of the daylight that is to become white; 0: none for cie1931, 6500 for cameras
+    double whiteBalance = 0;                  ///< K, of the light that is to become white: daylight, a black body below 4000 K; 0: none for cie1931, 6500 for cameras
     double imagingRatio = 1;                  ///< exposure time (s) * ISO / 100
     ColorSpace output = ColorSpace::srgb;     ///< of the image
 };

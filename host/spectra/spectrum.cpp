@@ -98,7 +98,8 @@ glm::dvec3 Spectrum::illuminant() const {
     return xyz.y > 0 ? rgbFromXyz(ColorSpace::srgb) * xyz / xyz.y * factor_ : glm::dvec3(0);
 }
 
-double Spectrum::value() const { return kind_ == Kind::rgb ? rgb_.x : xyzUnderDaylight(dense()).y; }
+bool Spectrum::isFlat() const { return kind_ == Kind::rgb && rgb_.x == rgb_.y && rgb_.y == rgb_.z; }
+double Spectrum::value() const { return isFlat() ? rgb_.x : xyzUnderDaylight(dense()).y; }
 
 Spectrum Spectrum::operator*(double factor) const {
     Spectrum s = *this;

@@ -25,6 +25,7 @@ public:
 
     Kind kind() const { return kind_; }
     bool isConstant() const { return constant_; }                            ///< made by constant()
+    bool isFlat() const;                                                     ///< a constant, or grey
     const SampledCurve& curve() const { return *curve_; }                    ///< sampled
     double kelvin() const { return kelvin_; }                                ///< blackbody
     glm::dvec3 color() const { return rgb_; }                                ///< rgb: in its space
@@ -36,7 +37,7 @@ public:
     /// Linear sRGB of emitted light, which may lie outside of [0, inf) for colours that sRGB cannot show. An rgb colour is itself,
     /// moved to sRGB; a curve or blackbody has luminance 1 (0 stays 0), as pbrt-v4's lights divide by their photometric integral.
     glm::dvec3 illuminant() const;
-    /// The one number for a parameter that is a float: the first channel; of a curve, its mean over daylight as the eye weighs it.
+    /// The one number for a parameter that is a float; of a curve or a colour, its mean over daylight as the eye weighs it.
     double value() const;
     /// The values at 360, 361, ... 830 nm. A colour becomes a smooth spectrum of that colour (pbrt-v4's unbounded RGB spectrum).
     DenseCurve dense() const;

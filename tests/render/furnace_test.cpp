@@ -2,6 +2,10 @@
 
 #include "measured_file.h"
 #include "rendering.h"
+#include "spectra/sensor.h"
+#include "spectra/spectrum.h"
+
+#include <fmt/format.h>
 
 #include <unistd.h>
 
@@ -71,6 +75,25 @@ TEST(Furnace, AColorIsItselfAtWavelengths) {
     for (int c = 0; c < 3; ++c) {
         EXPECT_NEAR(wall[c], expected[c], 2e-3);
         EXPECT_NEAR(glass[c], 1, 4e-3);
+    }
+}
+
+// Under a tube, what a paint of measured reflectance sends to a camera: the sum over 360, 361, ... 830 nm of response * light * reflectance, the light
+// divided by its own sum with the matching function y; times 200 / 100. Seen by the eye, the same with the matching functions.
+TEST(Furnace, ACameraSeesTheProductOfSpectra) {
+    const DenseCurve tube = Spectrum::sampled(namedSpectrum("stdillum-F11")).dense(), paint = densify({{400, 500, 600, 700}, {.1, .8, .3, .9}});
+    View view;
+    view.samples = 1024;
+    view.sampler = "sobol";
+    const std::string text = sceneText(view, "LightSource \"infinite\" \"spectrum L\" \"stdillum-F11\" Material \"diffuse\" \"spectrum reflectance\" [400 .1 500 .8 600 .3 700 .9] Shape \"sphere\"");
+    for (const SensorDescription& sensor : {SensorDescription{.imagingRatio = 2}, {.name = "nikon_d810", .whiteBalance = 3200, .imagingRatio = 2}}) {
+        std::string film = text;
+        film.insert(film.find("\"rgb\"") + 5, fmt::format(" \"float iso\" 200 \"string sensor\" \"{}\" \"float whitebalance\" {}", sensor.name, sensor.whiteBalance));
+        glm::dvec3 expected(0);
+        const auto response = linearSrgbResponse(sensor);
+        for (int i = 0; i < wavelengthCount; ++i) expected += response[i] * tube[i] * paint[i] / integrateXyz(tube).y;
+        const glm::dvec3 seen = estimate(render(packScene(film)).image).mean;
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], expected[c], 4e-3) << sensor.name;
     }
 }
 

@@ -33,6 +33,48 @@ TEST_F(Pack, DisplacementsAreScaledWithTheScene) {
     EXPECT_EQ(reliefOf(4, 0.5) * pack("Shape \"sphere\" \"float radius\" 4").worldScale, 0.5);
 }
 
+// What is given as a spectrum or by its temperature, wherever it is, asks for wavelengths; metals do not, and what is not used does not.
+TEST_F(Pack, SpectraAskForWavelengths) {
+    const auto isSpectral = [&](const std::string& text) { return pack(text + "\nShape \"sphere\"").features.has(Feature::SPECTRAL); };
+    const std::string green = "Texture \"green\" \"spectrum\" \"constant\" \"spectrum value\" [400 .1 550 .8 700 .2]\n", use = "Material \"diffuse\" \"texture reflectance\" ";
+    EXPECT_FALSE(isSpectral("LightSource \"infinite\" \"rgb L\" [1 2 3] Material \"diffuse\" \"rgb reflectance\" [.1 .2 .3]"));
+    EXPECT_FALSE(isSpectral("Material \"conductor\" \"spectrum eta\" \"metal-Au-eta\" \"spectrum k\" \"metal-Au-k\""));
+    EXPECT_FALSE(isSpectral(green));
+    EXPECT_TRUE(isSpectral(green + use + "\"green\""));
+    EXPECT_TRUE(isSpectral(green + "Texture \"mixed\" \"spectrum\" \"mix\" \"texture tex1\" \"green\" \"rgb tex2\" [0 0 1]\n" + use + "\"mixed\""));
+    EXPECT_TRUE(isSpectral("Material \"diffuse\" \"spectrum reflectance\" [400 .1 550 .8 700 .2]"));
+    EXPECT_TRUE(isSpectral("Material \"dielectric\" \"spectrum eta\" \"glass-BK7\""));
+    EXPECT_TRUE(isSpectral("LightSource \"point\" \"blackbody I\" 3000"));
+    EXPECT_TRUE(isSpectral("AreaLightSource \"diffuse\" \"spectrum L\" \"stdillum-F11\""));
+    const std::string fire = "MakeNamedMedium \"fire\" \"string type\" \"uniformgrid\" \"integer nx\" 1 \"integer ny\" 1 \"integer nz\" 1 \"float density\" [1] ", inside = "\nMediumInterface \"fire\" \"\" Material \"interface\"";
+    EXPECT_FALSE(isSpectral(fire + inside));
+    EXPECT_TRUE(isSpectral(fire + "\"float temperature\" [2000]" + inside));
+}
+
+// pbrt-v4 goes on with one wavelength wherever an index is not one number: of glass, of coats, and if it is given as a colour.
+TEST_F(Pack, IndicesThatDependOnTheWavelengthDisperse) {
+    const std::pair<std::string, std::string> materials[] = {{"dielectric", "eta"}, {"thindielectric", "eta"}, {"coateddiffuse", "eta"}, {"coatedconductor", "interface.eta"}};
+    for (const auto& [kind, eta] : materials) {
+        const auto disperses = [&](const std::string& type, const std::string& value) {
+            return pack("LightSource \"infinite\" \"spectrum L\" \"stdillum-D65\" Material \"" + kind + "\" \"" + type + " " + eta + "\" " + value + " Shape \"sphere\"").features.has(Feature::DISPERSION);
+        };
+        EXPECT_TRUE(disperses("spectrum", "\"glass-F11\"")) << kind;
+        EXPECT_TRUE(disperses("rgb", "[1.2 1.5 2.2]")) << kind;
+        EXPECT_FALSE(disperses("rgb", "[1.5 1.5 1.5]")) << kind;
+        EXPECT_FALSE(disperses("float", "1.5")) << kind;
+    }
+}
+
+// Samples are held to a value of the image: of RGB, which is exposed in the end, to that much less light.
+TEST_F(Pack, SamplesAreHeldToAnExposedValue) {
+    const auto most = [&](const std::string& light) {
+        Diagnostics diagnostics(LogLevel::silent, true);
+        return packScene(read("Film \"rgb\" \"float maxcomponentvalue\" 2 \"float iso\" 400\nCamera \"perspective\" \"float shutterclose\" .5\nWorldBegin\nLightSource \"infinite\" " + light + "\nShape \"sphere\""), diagnostics).frame().max_component_value;
+    };
+    EXPECT_EQ(most("\"rgb L\" [1 1 1]"), 1);
+    EXPECT_EQ(most("\"blackbody L\" 5000"), 2);
+}
+
 // pbrt-v4's rule for microfacet widths below 0.3: doubled, at least 0.1, at most 0.3. What has none has no twin.
 TEST_F(Pack, RegularizationMakesARougherTwin) {
     const auto widthOfTwin = [&](const std::string& material) {

@@ -62,8 +62,29 @@ TEST_F(PbrtParameters, spectraBySamplesByFileAndByName) {
     EXPECT_THAT(errorOfWorld("Material \"conductor\" \"spectrum eta\" \"metal-Ag-etha\""), HasSubstr("did you mean \"metal-Ag-eta\"?"));
     EXPECT_THAT(errorOfWorld("Material \"conductor\" \"spectrum eta\" [400 1 300 1]"), HasSubstr("must ascend"));
     EXPECT_THAT(errorOfWorld("Material \"conductor\" \"spectrum eta\" [400 1 500]"), HasSubstr("pairs of a wavelength in nm and a value"));
+    EXPECT_THAT(errorOfWorld("LightSource \"point\" \"spectrum I\" \"neon\""), AllOf(HasSubstr("it can be glass-BAF10, "), HasSubstr("stdillum-F9, or a file of wavelengths")));
+    write("fallen.spd", "300 .4\n\n500 1 400 1\n");
+    EXPECT_THAT(errorOfWorld("Material \"diffuse\" \"spectrum reflectance\" \"fallen.spd\""), HasSubstr("fallen.spd:3:7: the wavelengths of a spectrum must ascend: 400 follows 500"));
     write("bad.spd", "300 .4\n900 none\n");
     EXPECT_THAT(errorOfWorld("Material \"diffuse\" \"spectrum reflectance\" \"bad.spd\""), HasSubstr("bad.spd:2:5: \"none\" found where a number is expected"));
+}
+
+// As pbrt-v4 does, which looks for a file whatever its name.
+TEST_F(PbrtParameters, spectrumFilesNeedNoSuffix) {
+    write("grey", "300 .4\n900 .4\n");
+    expectNear(reflectance("\"spectrum reflectance\" \"grey\""), glm::dvec3(.4), 1e-3);
+}
+
+TEST_F(PbrtParameters, spectraThatCannotBeMeantAreNamed) {
+    const auto warningOf = [&](const std::string& curve) {
+        world("LightSource \"point\" \"spectrum I\" " + curve);
+        return warnings_.empty() ? std::string() : warnings_.back();
+    };
+    EXPECT_EQ(warningOf("[300 0 900 0]"), "");
+    EXPECT_THAT(warningOf("[.4 1 .7 1]"), HasSubstr("is black: it is 0 at 360, 361, ... 830 nm"));  // micrometres
+    EXPECT_THAT(warningOf("[550 1]"), HasSubstr("is black"));
+    EXPECT_THAT(warningOf("[400 1 500 -2 600 -3]"), HasSubstr("is -3 at 600 nm; what is below 0 counts as 0"));
+    EXPECT_EQ(std::get<PointLight>(world("LightSource \"point\" \"spectrum I\" [550 1]").lights[0].kind).I.illuminant(), glm::dvec3(0));
 }
 
 TEST_F(PbrtParameters, blackbodiesAreReddishBelowSunlight) {

@@ -265,6 +265,17 @@ TEST(Sensor, WhiteBalanceMakesItsDaylightWhite) {
     expectNear(pixelFromLinearSrgb({.whiteBalance = 5000}) * d50, glm::dvec3(1), 1e-3);
 }
 
+// CIE daylight begins at 4000 K: lamps are balanced as black bodies. Of 3200 K: what 3200 * 1.4388 / 1.4380 = 3201.8 K shines.
+TEST(Sensor, WhiteBalanceOfALampMakesABlackBodyWhite) {
+    for (const double kelvin : {2000., 3200.}) {
+        const glm::dvec3 lamp = Spectrum::blackbody(kelvin * 1.4388 / 1.4380).illuminant();
+        expectNear(pixelFromLinearSrgb({.whiteBalance = kelvin}) * lamp, glm::dvec3(1), 1e-6);
+    }
+    /* Blue skies go on beyond 25000 K: at 50000 K * 1.4388 / 1.4380, x is 0.24273 and y 0.24488 by CIE 15's polynomials */
+    const glm::dvec3 sky = rgbFromXyz(ColorSpace::srgb) * glm::dvec3(.242731, .244883, 1 - .242731 - .244883) / .244883;
+    expectNear(pixelFromLinearSrgb({.whiteBalance = 50000}) * sky, glm::dvec3(1), 2e-3);
+}
+
 TEST(Sensor, OutputSpaceChangesOnlyCoordinates) {
     const glm::dvec3 color(.2, .5, .3);
     const glm::dvec3 wide = pixelFromLinearSrgb({.output = ColorSpace::rec2020}) * color;

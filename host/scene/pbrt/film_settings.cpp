@@ -3,6 +3,8 @@
 #include "scene/pbrt/settings.h"
 #include "spectra/sensor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace eikonal::pbrt {
@@ -17,13 +19,17 @@ void Settings::applyFilm(const Arguments& arguments) {
     film.filename = arguments.text("filename");
     film.iso = arguments.number("iso");
     film.whiteBalance = arguments.number("whitebalance");
+    constexpr double coldest = 100;  // what is colder has no light to see by
+    if (film.whiteBalance > 0 && film.whiteBalance < coldest)
+        throw SceneError(arguments.whereOf("whitebalance"), fmt::format("film \"{}\": \"float whitebalance\" is {:g}; it is a temperature in kelvin, {:g} at least, or 0 for none",
+                                                                        arguments.kind().name, film.whiteBalance, coldest));
     film.maxComponentValue = arguments.number("maxcomponentvalue");
     film.diagonal = arguments.number("diagonal");
     film.sensor = arguments.text("sensor");
     if (const auto names = sensorNames(); !std::ranges::count(names, film.sensor)) {
         const std::string near = nearestWord(film.sensor, names);
         throw SceneError(arguments.whereOf("sensor"), "there is no sensor \"" + film.sensor + "\"; " +
-                                                          (near.empty() ? "cie1931 is the usual one" : "did you mean \"" + near + "\"?"));
+                                                          (near.empty() ? fmt::format("it can be {}", fmt::join(names, ", ")) : "did you mean \"" + near + "\"?"));
     }
     film.gbuffer = static_cast<GBuffer>(arguments.kind().value);
     if (film.gbuffer != GBuffer::none) {

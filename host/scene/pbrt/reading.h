@@ -6,10 +6,12 @@
 #include "scene/pbrt/problems.h"
 #include "scene/scene.h"
 
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace eikonal::pbrt {
 
@@ -32,6 +34,9 @@ struct Reading {
     Spectrum readSpectrum(const Parameter& parameter);
 
 private:
+    /// Where a file of that name would be.
+    std::vector<std::filesystem::path> candidatesFor(const std::string& name, const SourceLocation& where) const;
+    bool hasFile(const std::string& name, const SourceLocation& where) const;
     std::map<std::string, std::shared_ptr<const SampledCurve>> spectrumFiles_;
 };
 
