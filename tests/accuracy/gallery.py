@@ -34,6 +34,7 @@ REASONS = {
     "medium-in-glass": ("RGB: exp(-x) of three numbers, see below", 0.034, 15),
     "medium-camera-inside": ("noise of the reference next to a point light, see below", 0.01, 3),
     "material-hair": ("RGB: what a hair absorbs of light of three numbers, see below", 0.015, 1.5),
+    "material-coatedconductor": ("pbrt-v4's weights for ways out of a rough coat, see below", 0.016, 1.5),
     "material-coateddiffuse-medium": ("RGB: what is between the layers absorbs light of three numbers, see below", 0.012, 1.5),
     "material-subsurface": ("RGB: what a body absorbs of light of three numbers, see below", 0.015, 1.5),
     "texture-bilerp": ("RGB: the dark channels of saturated colours, see below", 0.05, 8),
