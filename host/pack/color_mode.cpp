@@ -3,6 +3,7 @@
 #include "overloaded.h"
 
 #include <algorithm>
+#include <optional>
 #include <variant>
 
 namespace eikonal {
@@ -23,7 +24,8 @@ bool isIndexOfMetal(const Material& m, const std::string& name) {
 }
 
 bool isMeasured(const Medium& m) {
-    return isMeasured(m.sigmaA) || isMeasured(m.sigmaS) || isMeasured(m.Le) || !m.temperature.values.empty() || m.sparseTemperature;
+    const bool glows = m.emissionScale > 0 && (!m.temperature.values.empty() || m.sparseTemperature);
+    return isMeasured(m.sigmaA) || isMeasured(m.sigmaS) || isMeasured(m.Le) || glows;
 }
 
 /// What a texture takes its colours from.
@@ -43,28 +45,39 @@ std::vector<Input> inputsOf(const Texture& texture) {
     }, texture.kind);
 }
 
-/// In itself, or somewhere in its texture.
-bool isMeasured(const Scene& scene, const Input& input) {
-    if (input.texture == none) return isMeasured(input.value);
-    return std::ranges::any_of(inputsOf(scene.textures[static_cast<size_t>(input.texture)]), [&](const Input& i) { return isMeasured(scene, i); });
-}
+/// Whether inputs are measured, in themselves or somewhere in their textures. Each texture is looked at once.
+class MeasuredInputs {
+public:
+    explicit MeasuredInputs(const Scene& scene) : scene_(scene), known_(scene.textures.size()) {}
+
+    bool has(const Input& input) {
+        if (input.texture == none) return isMeasured(input.value);
+        std::optional<bool>& known = known_[static_cast<size_t>(input.texture)];
+        if (!known) known = std::ranges::any_of(inputsOf(scene_.textures[static_cast<size_t>(input.texture)]), [&](const Input& i) { return has(i); });
+        return *known;
+    }
+
+private:
+    const Scene& scene_;
+    std::vector<std::optional<bool>> known_;   ///< of each texture
+};
 
 /// A metal's eta and k are left to three indices that reflect as it does (spectra/spectrum.h).
-bool isMeasured(const Scene& scene, const Material& m) {
+bool isMeasured(MeasuredInputs& inputs, const Material& m) {
     for (const auto& [name, input] : m.inputs)
-        if (!isIndexOfMetal(m, name) && isMeasured(scene, input)) return true;
+        if (!isIndexOfMetal(m, name) && inputs.has(input)) return true;
     return (m.interior && isMeasured(*m.interior)) || (m.diffusion && m.diffusion->texture != none && isMeasured(m.diffusion->length));
 }
 
 bool isMeasured(const AreaLight& light) { return isMeasured(light.L); }
 
 /// Of those that are enough by themselves.
-template <class Thing> bool isMeasured(const Scene&, const Thing& thing) { return isMeasured(thing); }
+template <class Thing> bool isMeasured(MeasuredInputs&, const Thing& thing) { return isMeasured(thing); }
 
 /// The first of a list that is measured, in words.
-template <class Thing> std::string firstMeasured(const Scene& scene, const std::vector<Thing>& things, const char* what) {
+template <class Thing> std::string firstMeasured(MeasuredInputs& inputs, const std::vector<Thing>& things, const char* what) {
     for (const Thing& thing : things)
-        if (isMeasured(scene, thing)) return thing.where.toString() + ": " + what + " given by its spectrum";
+        if (isMeasured(inputs, thing)) return thing.where.toString() + ": " + what + " given by its spectrum";
     return {};
 }
 
@@ -72,8 +85,9 @@ template <class Thing> std::string firstMeasured(const Scene& scene, const std::
 
 std::string needOfWavelengths(const Scene& scene) {
     if (scene.film.sensor != "cie1931") return scene.film.where.toString() + ": sensor \"" + scene.film.sensor + "\"";
-    for (const std::string& need : {firstMeasured(scene, scene.materials, "a material"), firstMeasured(scene, scene.lights, "a light"),
-                                    firstMeasured(scene, scene.areaLights, "an area light"), firstMeasured(scene, scene.media, "a medium")})
+    MeasuredInputs inputs(scene);
+    for (const std::string& need : {firstMeasured(inputs, scene.materials, "a material"), firstMeasured(inputs, scene.lights, "a light"),
+                                    firstMeasured(inputs, scene.areaLights, "an area light"), firstMeasured(inputs, scene.media, "a medium")})
         if (!need.empty()) return need;
     return {};
 }

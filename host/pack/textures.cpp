@@ -5,6 +5,8 @@
 #include "overloaded.h"
 #include "pack/colors.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstring>
 
@@ -42,6 +44,9 @@ uint packImage(Packer& packer, int index, bool asFloat) {
     return found->second;
 }
 
+/// Textures that are used twice are worked out twice, so a few of them can ask for more work than anyone can wait for.
+constexpr size_t mostInstructions = 65536;
+
 /// Makes the instructions of one program.
 class ProgramWriter {
 public:
@@ -60,6 +65,9 @@ public:
 
     void texture(int index) { texture(packer_.scene.textures[static_cast<size_t>(index)]); }
     void texture(const Texture& t) {
+        if (code_.size() > mostInstructions)
+            throw SceneError(t.where, fmt::format("this texture is part of one that takes more than {} steps, where one that is used twice counts twice. "
+                                                  "Make an image of what is used often.", mostInstructions));
         const bool outer = isFloat_;
         isFloat_ = t.isFloat;
         std::visit(Overloaded{

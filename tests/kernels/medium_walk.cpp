@@ -46,7 +46,7 @@ std::string parametersOf(const std::string& kind) {
 }
 
 PackedScene sceneWith(const std::string& kind, const std::string& parameters, const std::string& lights) {
-    return packText("WorldBegin " + lights + " MakeNamedMedium \"m\" \"string type\" \"" + kind + "\" " + parameters + " MediumInterface \"m\" \"\" Material \"interface\" Shape \"sphere\" \"float radius\" 0.5");
+    return packText("WorldBegin " + lights + " MakeNamedMedium \"m\" \"string type\" \"" + kind + "\" " + parameters + " MediumInterface \"m\" \"\" Material \"interface\" Shape \"sphere\" \"float radius\" 0.5", ColorMode::rgb);
 }
 
 const DeviceFunction<Integrals>& integrate() {

@@ -6,6 +6,8 @@
 #include "measured_file.h"
 #include "unit/pbrt_reading.h"
 
+#include <fmt/format.h>
+
 namespace eikonal {
 namespace {
 
@@ -49,6 +51,18 @@ TEST_F(Pack, SpectraAskForWavelengths) {
     const std::string fire = "MakeNamedMedium \"fire\" \"string type\" \"uniformgrid\" \"integer nx\" 1 \"integer ny\" 1 \"integer nz\" 1 \"float density\" [1] ", inside = "\nMediumInterface \"fire\" \"\" Material \"interface\"";
     EXPECT_FALSE(isSpectral(fire + inside));
     EXPECT_TRUE(isSpectral(fire + "\"float temperature\" [2000]" + inside));
+}
+
+// 2^40 steps: nobody waits for them, neither to find out what is in them nor to write them down.
+TEST_F(Pack, TexturesOfTexturesEnd) {
+    std::string tower = "Texture \"t0\" \"spectrum\" \"constant\" \"rgb value\" [.1 .8 .2]\n";
+    for (int i = 1; i <= 40; ++i) tower += fmt::format("Texture \"t{0}\" \"spectrum\" \"mix\" \"texture tex1\" \"t{1}\" \"texture tex2\" \"t{1}\"\n", i, i - 1);
+    try {
+        pack(tower + "Material \"diffuse\" \"texture reflectance\" \"t40\"\nShape \"sphere\"");
+        ADD_FAILURE() << "that is too much";
+    } catch (const SceneError& error) {
+        EXPECT_NE(std::string(error.what()).find("more than 65536 steps"), std::string::npos) << error.what();
+    }
 }
 
 // pbrt-v4 goes on with one wavelength wherever an index is not one number: of glass, of coats, and if it is given as a colour.
