@@ -18,6 +18,8 @@ import subprocess
 import sys
 import tempfile
 
+from report import Report
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 EMBREE_RATE = 6.0
 
@@ -72,21 +74,21 @@ def main():
     options.add_argument("--traversal-bench", type=pathlib.Path, default=ROOT / "build" / "tests" / "bench" / "traversal_bench")
     options.add_argument("--samples", type=int, default=8)
     options.add_argument("--repeats", type=int, default=3)
+    Report.add_to(options)
     o = options.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         wanted = [(pathlib.Path(path), float(rate) if rate else None) for path, _, rate in (scene.partition("=") for scene in o.scenes)]
         if o.terrain:
             wanted.append((write_terrain(folder), o.terrain))
-        print("| scene | M paths/s | Embree, M bounced rays/s | wanted at that rate | of it |\n|---|--:|--:|--:|--:|")
+        add = Report(o.json).table("paths", {"scene": None, "M paths/s": ".2f", "Embree, M bounced rays/s": ".2f", "wanted at that rate": ".2f", "of it": ".2f"})
         for scene, rate in wanted:
             before = embree_rate(o.traversal_bench)
             figures = bench(o.program, scene, folder, "--spp", o.samples, "--repeats", o.repeats)
             embree = (before + embree_rate(o.traversal_bench)) / 2
             ours = figures["pathsPerSecond"] * 1e-6
             target = rate * embree / EMBREE_RATE if rate else None
-            row = f"{target:.2f} | {ours / target:.2f}" if target else "- | -"
-            print(f"| {scene.parent.name if scene.parent != folder else 'generated'}/{scene.name} | {ours:.2f} | {embree:.2f} | {row} |", flush=True)
+            add(f"{scene.parent.name if scene.parent != folder else 'generated'}/{scene.name}", ours, embree, target, ours / target if target else None)
 
 
 if __name__ == "__main__":

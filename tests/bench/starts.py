@@ -16,6 +16,8 @@ import subprocess
 import sys
 import tempfile
 
+from report import Report
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
@@ -39,14 +41,15 @@ def main():
     options.add_argument("scenes", type=pathlib.Path, nargs="+")
     options.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "eikonal")
     options.add_argument("--repeats", type=int, default=3)
+    Report.add_to(options)
     o = options.parse_args()
-    print("| scene | kernels | cold: kernels, s | cold: first ray, s | warm: kernels, s | warm: first ray, s |\n|---|--:|--:|--:|--:|--:|")
+    add = Report(o.json).table("starts", {"scene": None, "kernels": None, "cold: kernels, s": ".1f", "cold: first ray, s": ".1f", "warm: kernels, s": ".2f", "warm: first ray, s": ".2f"})
     for scene in o.scenes:
         with tempfile.TemporaryDirectory() as cache:
             count, cold, cold_first = start(o.program, scene, cache)
             warm = [start(o.program, scene, cache) for _ in range(o.repeats)]
         kernels, first = (statistics.median(run[i] for run in warm) for i in (1, 2))
-        print(f"| {scene.parent.name}/{scene.name} | {count} | {cold:.1f} | {cold_first:.1f} | {kernels:.2f} | {first:.2f} |", flush=True)
+        add(f"{scene.parent.name}/{scene.name}", count, cold, cold_first, kernels, first)
 
 
 if __name__ == "__main__":
