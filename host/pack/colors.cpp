@@ -3,6 +3,7 @@
 #include "film/transfer.h"
 #include "pack/packer.h"
 #include "spectra/sensor.h"
+#include "spectra/uplift_table.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,18 +26,13 @@ uint packCurve(Packer& packer, const DenseCurve& curve) {
 
 color packCurveColor(Packer& packer, const DenseCurve& curve, double factor) { return {0, 0, saturated, toFloat(factor), packCurve(packer, curve)}; }
 
-const UpliftTable& upliftTable(Packer& packer) {
-    if (!packer.colors.table) packer.colors.table.emplace(UPLIFT_CELLS);
-    return *packer.colors.table;
-}
-
 /// A smooth spectrum of a colour whose components are in [0, 1], times `factor`, times a curve.
 color packSmooth(Packer& packer, glm::dvec3 rgb, ColorSpace space, double factor, uint curve) {
     if (rgb.x == rgb.y && rgb.y == rgb.z) return {0, 0, saturated, toFloat(rgb.x * factor), curve};
     /* A few colours exactly; many, as grids have them, from the table, which is faster */
     constexpr size_t few = 256;
     const auto [found, isNew] = packer.colors.smooth.try_emplace({rgb.x, rgb.y, rgb.z, space});
-    if (isNew) found->second = space == ColorSpace::srgb && packer.colors.smooth.size() > few ? upliftTable(packer)(rgb) : upliftReflectance(rgb, space);
+    if (isNew) found->second = space == ColorSpace::srgb && packer.colors.smooth.size() > few ? tabulatedReflectance(rgb) : upliftReflectance(rgb, space);
     const glm::dvec3 c = found->second.c;
     return {toFloat(c.x), toFloat(c.y), toFloat(c.z), toFloat(factor), curve};
 }
@@ -124,13 +120,13 @@ void packTexels(Packer& packer, const std::vector<glm::vec3>& texels) {
         if (!packer.spectral) { table.insert(table.end(), {t.x, t.y, t.z}); continue; }
         if (t.x == t.y && t.y == t.z) { table.insert(table.end(), {0, 0, saturated, t.x}); continue; }
         const float scale = 2 * std::max({t.x, t.y, t.z});
-        const glm::vec3 c(upliftTable(packer)(glm::dvec3(t) / double(scale)).c);
+        const glm::vec3 c(tabulatedReflectance(glm::dvec3(t) / double(scale)).c);
         table.insert(table.end(), {c.x, c.y, c.z, scale});
     }
 }
 
 void packUplift(Packer& packer) {
-    if (packer.packed.tables.uplift.empty()) packer.packed.tables.uplift = upliftTable(packer).coefficients();
+    packer.packed.tables.uplift.assign(upliftTable().begin(), upliftTable().end());
 }
 
 void packSensor(Packer& packer) {

@@ -6,7 +6,6 @@
 #include "spectra/uplift.h"
 
 #include <map>
-#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -18,7 +17,6 @@ struct Packer;
 struct ColorPacker {
     std::map<DenseCurve, uint> curves;
     std::map<std::tuple<double, double, double, ColorSpace>, SmoothReflectance> smooth;
-    std::optional<UpliftTable> table;     ///< made when the first image asks for it
 };
 
 /// Emitted light, times `factor`.

@@ -1,5 +1,7 @@
 #include "spectra/uplift.h"
 
+#include "eikonal/scene.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -77,12 +79,6 @@ glm::dvec3 approach(const ColorWeights& parts, glm::dvec3 target, glm::dvec3 c, 
 
 glm::dvec3 keptInside(glm::dvec3 rgb) { return glm::clamp(rgb, margin, 1 - margin); }
 
-/// Where the table has values of the largest channel: close together at both ends, where spectra change fast.
-double node(int i, int cells) {
-    const auto smooth = [](double x) { return x * x * (3 - 2 * x); };
-    return smooth(smooth(static_cast<double>(i) / (cells - 1)));
-}
-
 }  // namespace
 
 double SmoothReflectance::operator()(double wavelength) const {
@@ -90,10 +86,12 @@ double SmoothReflectance::operator()(double wavelength) const {
     return sigmoid((c.x * t + c.y) * t + c.z);
 }
 
+SmoothReflectance upliftGrey(double value) { return {{0, 0, sigmoidInverse(std::clamp(value, margin, 1 - margin))}}; }
+
 SmoothReflectance upliftReflectance(glm::dvec3 rgb, ColorSpace space) {
     const glm::dvec3 target = keptInside(rgb);
     const double grey = (target.x + target.y + target.z) / 3;
-    glm::dvec3 c(0, 0, sigmoidInverse(grey));
+    glm::dvec3 c = upliftGrey(grey).c;
     if (target == glm::dvec3(grey)) return {c};
 
     // Walk from grey to the colour, so that each solution starts near the next.
@@ -103,19 +101,26 @@ SmoothReflectance upliftReflectance(glm::dvec3 rgb, ColorSpace space) {
     return {c};
 }
 
-UpliftTable::UpliftTable(int cells) : cells_(cells), coefficients_(static_cast<size_t>(3 * 3) * cells * cells * cells) {
+double upliftNode(int i) {
+    const auto smooth = [](double x) { return x * x * (3 - 2 * x); };
+    return smooth(smooth(static_cast<double>(i) / (UPLIFT_CELLS - 1)));
+}
+
+std::vector<float> fitUpliftTable() {
+    constexpr int cells = UPLIFT_CELLS;
     const ColorWeights parts = colorWeights(ColorSpace::srgb, 5);
+    std::vector<float> coefficients(static_cast<size_t>(3 * 3) * cells * cells * cells);
     tbb::parallel_for(0, 3 * cells * cells, [&](int line) {
         /* One line of the table: from the middle, where spectra are easily found, to both ends */
         const int channel = line / (cells * cells), y = line / cells % cells, x = line % cells;
         const auto fit = [&](int z, glm::dvec3 c) {
             glm::dvec3 rgb;
-            rgb[channel] = node(z, cells);
+            rgb[channel] = upliftNode(z);
             rgb[(channel + 1) % 3] = rgb[channel] * x / (cells - 1);
             rgb[(channel + 2) % 3] = rgb[channel] * y / (cells - 1);
             c = approach(parts, keptInside(rgb), c, 1e-6);
             for (int k = 0; k < 3; ++k)
-                coefficients_[static_cast<size_t>((((channel * cells + z) * cells + y) * cells + x) * 3 + k)] = static_cast<float>(c[k]);
+                coefficients[static_cast<size_t>((((channel * cells + z) * cells + y) * cells + x) * 3 + k)] = static_cast<float>(c[k]);
             return c;
         };
         const glm::dvec3 middle = fit(cells / 2, glm::dvec3(0));
@@ -124,24 +129,7 @@ UpliftTable::UpliftTable(int cells) : cells_(cells), coefficients_(static_cast<s
         c = middle;
         for (int z = cells / 2 - 1; z >= 0; --z) c = fit(z, c);
     });
-}
-
-SmoothReflectance UpliftTable::operator()(glm::dvec3 rgb) const {
-    if (rgb.x == rgb.y && rgb.y == rgb.z) return {{0, 0, sigmoidInverse(std::clamp(rgb.x, margin, 1 - margin))}};
-    const int channel = rgb.x >= rgb.y && rgb.x >= rgb.z ? 0 : rgb.y >= rgb.z ? 1 : 2;
-    const double largest = rgb[channel], x = rgb[(channel + 1) % 3] / largest * (cells_ - 1), y = rgb[(channel + 2) % 3] / largest * (cells_ - 1);
-    int z = 0;
-    while (z + 2 < cells_ && node(z + 1, cells_) <= largest) ++z;
-    const int ix = std::min(static_cast<int>(x), cells_ - 2), iy = std::min(static_cast<int>(y), cells_ - 2);
-    const double fx = x - ix, fy = y - iy, fz = (largest - node(z, cells_)) / (node(z + 1, cells_) - node(z, cells_));
-    SmoothReflectance result;
-    for (int corner = 0; corner < 8; ++corner) {
-        const int dx = corner & 1, dy = corner >> 1 & 1, dz = corner >> 2;
-        const double weight = (dx ? fx : 1 - fx) * (dy ? fy : 1 - fy) * (dz ? fz : 1 - fz);
-        const size_t at = static_cast<size_t>((((channel * cells_ + z + dz) * cells_ + iy + dy) * cells_ + ix + dx) * 3);
-        result.c += weight * glm::dvec3(coefficients_[at], coefficients_[at + 1], coefficients_[at + 2]);
-    }
-    return result;
+    return coefficients;
 }
 
 }  // namespace eikonal

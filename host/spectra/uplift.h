@@ -19,19 +19,13 @@ struct SmoothReflectance {
 SmoothReflectance upliftReflectance(glm::dvec3 rgb, ColorSpace space);
 
 /// The coefficients of the smooth reflectances of all colours of sRGB, tabulated as the device looks them up (UPLIFT_CELLS in eikonal/scene.h):
-/// by which channel is the largest, its value, and the ratios of the other two to it.
-class UpliftTable {
-public:
-    /// Takes about half a second of one core for 32 cells.
-    explicit UpliftTable(int cells);
-    /// Three for each colour.
-    const std::vector<float>& coefficients() const { return coefficients_; }
-    /// Interpolated, for components in [0, 1].
-    SmoothReflectance operator()(glm::dvec3 rgb) const;
+/// by which channel is the largest, its value (at uplift nodes), and the ratios of the other two to it. Three for each colour.
+/// Takes about half a second of two cores: the program carries the result (spectra/uplift_table.h).
+std::vector<float> fitUpliftTable();
 
-private:
-    int cells_;
-    std::vector<float> coefficients_;
-};
+/// Where the table has values of the largest channel, i of UPLIFT_CELLS: close together at both ends, where spectra change fast.
+double upliftNode(int i);
+/// The smooth reflectance of a grey in [0, 1]: a constant.
+SmoothReflectance upliftGrey(double value);
 
 }  // namespace eikonal

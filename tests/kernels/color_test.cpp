@@ -3,6 +3,7 @@
 #include "device_function.h"
 #include "pack/packer.h"
 #include "random_inputs.h"
+#include "spectra/uplift_table.h"
 #include "stage.h"
 
 #include <gtest/gtest.h>
@@ -65,12 +66,11 @@ TEST(Color, OfATexelIsThatOfTheTable) {
     colors.insert(colors.end(), {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}, {0, 1, 1}, {1e-6f, 0, 2e-6f}, {.3f, .3f, .3f}, {3, 2, 0}, {-.2f, .6f, .1f}, {.5f, -3, -1}, {-1, -2, -3}});
     const DeviceScene onDevice(testContext(), tables.packed);
     const auto values = function.with(onDevice, colors, std::vector<Four>(colors.size(), Four{420, 500, 580, 660}));
-    const UpliftTable table(UPLIFT_CELLS);
     for (size_t i = 0; i < colors.size(); ++i) {
         const glm::dvec3 c = glm::max(glm::dvec3(colors[i].x, colors[i].y, colors[i].z), 0.0);  // colours of wider spaces stop at the end of sRGB
         const double largest = std::max({c.x, c.y, c.z}), scale = largest > 1 ? 2 * largest : 1;
         const bool grey = c.x == c.y && c.y == c.z;
-        const auto expected = [&](double lambda) { return grey ? c.x : scale * table(c / scale)(lambda); };
+        const auto expected = [&](double lambda) { return grey ? c.x : scale * tabulatedReflectance(c / scale)(lambda); };
         EXPECT_NEAR(values[i].r, expected(420), 2e-4) << c.x << " " << c.y << " " << c.z;
         EXPECT_NEAR(values[i].x, expected(660), 2e-4) << c.x << " " << c.y << " " << c.z;
     }

@@ -3,6 +3,7 @@
 #include "spectra/sensor.h"
 #include "spectra/spectrum.h"
 #include "spectra/uplift.h"
+#include "spectra/uplift_table.h"
 #include "eikonal/scene.h"
 
 #include <gmock/gmock.h>
@@ -159,22 +160,27 @@ glm::dvec3 colorOf(const SmoothReflectance& smooth) {
     return rgbFromXyz(ColorSpace::srgb) * integrateXyz(reflected) / integrateXyz(white).y;
 }
 
+// The program carries the table that is fitted.
+TEST(UpliftTable, IsTheOneThatIsFitted) {
+    const std::vector<float> fitted = fitUpliftTable();
+    EXPECT_THAT(fitted, testing::ElementsAreArray(upliftTable()));
+}
+
 // What an image's texels go through. Colours between the table's nodes; worst where all but one channel vanish.
 TEST(UpliftTable, GivesACurveOfTheColor) {
-    const UpliftTable table(UPLIFT_CELLS);
     double sum = 0, count = 0;
     for (double r = 0.03; r < 1; r += 0.12)
         for (double g = 0.02; g < 1; g += 0.11)
             for (double b = 0.04; b < 1; b += 0.13) {
-                const glm::dvec3 color(r, g, b), error = colorOf(table(color)) - color;
+                const glm::dvec3 color(r, g, b), error = colorOf(tabulatedReflectance(color)) - color;
                 const double worst = std::max({std::abs(error.x), std::abs(error.y), std::abs(error.z)});
                 EXPECT_LT(worst, 0.008) << r << " " << g << " " << b;
                 sum += worst;
                 ++count;
             }
     EXPECT_LT(sum / count, 0.0015);
-    expectNear(colorOf(table(glm::dvec3(.3))), glm::dvec3(.3), 1e-9);
-    expectNear(colorOf(table({0, 0, 0})), glm::dvec3(0), 1e-3);
+    expectNear(colorOf(tabulatedReflectance(glm::dvec3(.3))), glm::dvec3(.3), 1e-9);
+    expectNear(colorOf(tabulatedReflectance({0, 0, 0})), glm::dvec3(0), 1e-3);
 }
 
 // Daylight is white to the plain film; balanced to its own colour, to any; a sensor of a camera that is balanced to it sees it as white, too.
