@@ -66,7 +66,8 @@ private:
 bool isMeasured(MeasuredInputs& inputs, const Material& m) {
     for (const auto& [name, input] : m.inputs)
         if (!isIndexOfMetal(m, name) && inputs.has(input)) return true;
-    return (m.interior && isMeasured(*m.interior)) || (m.diffusion && m.diffusion->texture != none && isMeasured(m.diffusion->length));
+    const auto isMeasuredBody = [&](const DiffusionProfile& body) { return inputs.has({body.albedo, body.albedoTexture}) || inputs.has({body.length, body.pathTexture}); };
+    return (m.interior && isMeasured(*m.interior)) || (m.diffusion && m.diffusion->isTextured() && isMeasuredBody(*m.diffusion));
 }
 
 bool isMeasured(const AreaLight& light) { return isMeasured(light.L); }

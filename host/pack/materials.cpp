@@ -44,13 +44,14 @@ static uint packProfile(Packer& packer, InputWriter& in, const Material& descrip
     in.number(slot_emergence::eta, eta);
     in.number(slot_emergence::passing, boundaryTransmittance(eta));
     surface.input_count = static_cast<uint>(tables.material_inputs.size()) - surface.first_input;
-    uint texture = NONE;
-    if (description.diffusion->texture != none) {
+    const auto textureOf = [&](int texture, TextureUse use) {
+        if (texture == none) return NONE;
         for (Feature feature : {Feature::TEXTURED, Feature::BODY_TEXTURES}) packer.packed.require(feature, in.why());
-        texture = packTexture(packer, description.diffusion->texture, TextureUse::reflectance);
-    }
-    tables.profiles.push_back({albedo, packCoefficient(packer, description.diffusion->length, packer.space.scale), texture,
-                               static_cast<float>(std::max(eta * eta - 1, 0.0)), static_cast<uint>(tables.materials.size())});
+        return packTexture(packer, texture, use);
+    };
+    const DiffusionProfile& profile = *description.diffusion;
+    tables.profiles.push_back({albedo, packCoefficient(packer, profile.length, packer.space.scale), textureOf(profile.albedoTexture, TextureUse::reflectance),
+                               textureOf(profile.pathTexture, TextureUse::asItIs), static_cast<float>(std::max(eta * eta - 1, 0.0)), static_cast<uint>(tables.materials.size())});
     tables.materials.push_back(surface);
     return place->second;
 }
@@ -60,7 +61,7 @@ static Material coatOver(Packer& packer, const Material& body) {
     packer.diagnostics.unsupported("subsurface in trees", body.where, "integrator \"whitted\" follows no light inside of bodies of material \"subsurface\"; a coated diffuse surface of the same albedo stands in for it");
     Material coat = body;
     coat.kind = MaterialKind::coatedDiffuse;
-    coat.inputs["reflectance"] = {body.diffusion->albedo, body.diffusion->texture, body.where};
+    coat.inputs["reflectance"] = {body.diffusion->albedo, body.diffusion->albedoTexture, body.where};
     for (const auto& [name, value] : {std::pair("thickness", 0.01), std::pair("g", 0.0), std::pair("albedo", 0.0), std::pair("maxdepth", 10.0), std::pair("nsamples", 1.0)})
         coat.inputs[name].value = Spectrum::constant(value);
     return coat;
@@ -82,7 +83,7 @@ static void packMaterial(Packer& packer, const Material& description, material& 
     const bool walks = description.method == SubsurfaceMethod::randomWalk && description.interior;
     if (description.kind == MaterialKind::subsurface && !walks) {
         if (description.method == SubsurfaceMethod::randomWalk)
-            packer.diagnostics.unsupported("textured walk", description.where, "where the \"reflectance\" of material \"subsurface\" is a texture, no walk knows what is inside; light is diffused instead");
+            packer.diagnostics.unsupported("textured walk", description.where, "where the \"reflectance\" or the \"mfp\" of material \"subsurface\" is a texture, no walk knows what is inside; light is diffused instead");
         m.profile = packProfile(packer, inputs, description);
     }
     if (description.kind == MaterialKind::subsurface && walks) {

@@ -24,8 +24,10 @@ constexpr std::pair<const char*, SubsurfaceMethod> subsurfaceMethodNames[] = {{"
 /// How much light leaves a body how far from where it has entered, by normalised diffusion (kernels/diffusion.clh).
 struct DiffusionProfile {
     Spectrum albedo;    ///< share of the light that enters, in [0, 1]
-    Spectrum length;    ///< d, world units; with a texture: the mean free path, scattering reduced
-    int texture = none; ///< in Scene::textures: the albedo where light enters
+    Spectrum length;    ///< d, world units; with a texture: the mean free path, scattering reduced, or what pathTexture is multiplied by
+    int albedoTexture = none;   ///< in Scene::textures: the albedo where light enters
+    int pathTexture = none;     ///< the mean free path there
+    bool isTextured() const { return albedoTexture != none || pathTexture != none; }
 };
 
 /// A material. `inputs` has every parameter of its kind under pbrt-v4's name, defaults filled in by the reader:

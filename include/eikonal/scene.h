@@ -31,8 +31,9 @@ typedef struct {
 /* A body that light is diffused in: how much comes out where (kernels/diffusion.clh). */
 typedef struct {
     color albedo;        /* share of the light that has entered that leaves again, in [0, 1] */
-    color length;        /* d of the profile, scene units, > 0; with a texture: the mean free path */
-    uint texture;        /* with BODY_TEXTURES: in `programs`: the albedo where light enters; NONE: `albedo` everywhere */
+    color length;        /* d of the profile, scene units, > 0; with a texture: the mean free path, or what path_texture is multiplied by */
+    uint albedo_texture; /* with BODY_TEXTURES: in `programs`: the albedo where light enters; NONE: `albedo` everywhere */
+    uint path_texture;   /* the same of the mean free path */
     float stretch;       /* how much wider the boundary makes a profile, at most: eta^2 - 1, at least 0 */
     uint emergence;      /* in `materials`: how its surface lets light out */
 } diffusion_profile;

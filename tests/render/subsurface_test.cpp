@@ -74,17 +74,21 @@ TEST(Subsurface, TheReflectanceMayBeATexture) {
     expectRadiance(look(whiteSky + slab(board + " \"float udelta\" 1", far)), F + (1 - F) * other, 0.02);
 }
 
-// Beside a lit spot all light comes from below: how much, is a matter of the profile's width, which follows from the texture.
+// Beside a lit spot all light comes from below: how much, is a matter of the profile's width, which follows from the textures.
 TEST(Subsurface, ATextureSaysHowFarLightSpreads) {
-    const auto beside = [](const std::string& reflectance) {
+    const auto beside = [](const std::string& parameters) {
         View view;
         view.maxDepth = 1;
         view.samples = 4096;   // of which few find the way to the light
         return render(sceneText(view, "LightSource \"spot\" \"point3 from\" [.5 0 -3] \"point3 to\" [.5 0 0] \"float coneangle\" 4 \"float conedeltaangle\" .1 \"rgb I\" [50 50 50]\n"
             "Texture \"t\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [.8 .5 .3] \"rgb tex2\" [.8 .5 .3]\n"
-            "Material \"subsurface\" \"float roughness\" .2 \"rgb mfp\" [.12 .08 .1] " + reflectance + " Shape \"bilinearmesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 -50 0  50 50 0]\n"), media());
+            "Texture \"path\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [.12 .08 .1] \"rgb tex2\" [.12 .08 .1]\n"
+            "Material \"subsurface\" \"float roughness\" .2 " + parameters + " Shape \"bilinearmesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 -50 0  50 50 0]\n"), media());
     };
-    expectEqualMeans(beside("\"texture reflectance\" \"t\""), beside("\"rgb reflectance\" [.8 .5 .3]"), 0.05);
+    const auto plain = beside("\"rgb reflectance\" [.8 .5 .3] \"rgb mfp\" [.12 .08 .1]");
+    expectEqualMeans(beside("\"texture reflectance\" \"t\" \"rgb mfp\" [.12 .08 .1]"), plain, 0.05);
+    expectEqualMeans(beside("\"rgb reflectance\" [.8 .5 .3] \"texture mfp\" \"path\""), plain, 0.05);
+    expectEqualMeans(beside("\"texture reflectance\" \"t\" \"texture mfp\" \"path\""), plain, 0.05);
 }
 
 // A body that nothing happens in keeps out what is around it: of the 9 from the camera to the wall, light goes 7 through the haze, whether the camera says

@@ -125,17 +125,31 @@ TEST_F(Subsurface, TakesItsReflectanceFromATexture) {
     const auto read = [&](const std::string& parameters) { return world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"float eta\" 1 " + parameters).materials.at(0); };
     const Material body = read("\"texture reflectance\" \"t\" \"rgb mfp\" [.3 .2 .1] \"float scale\" 2");
     EXPECT_EQ(body.kind, MaterialKind::subsurface);
-    EXPECT_NE(body.diffusion->texture, none);
+    EXPECT_NE(body.diffusion->albedoTexture, none);
+    EXPECT_EQ(body.diffusion->pathTexture, none);
     expectNear(body.diffusion->length.albedo(), {.6, .4, .2});
     EXPECT_FALSE(body.interior);
     EXPECT_TRUE(warnings_.empty());
     const Material other = read("\"texture reflectance\" \"t\" \"string name\" \"Skin1\"");
-    EXPECT_EQ(other.diffusion->texture, none);
+    EXPECT_FALSE(other.diffusion->isTextured());
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"reflectance\" is ignored")));
 }
 
-TEST_F(Subsurface, IsReplacedWhereItsFreePathsAreTextured) {
-    const Material material = world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"texture mfp\" \"t\" \"rgb reflectance\" [.3 .4 .5]").materials.at(0);
+TEST_F(Subsurface, TakesItsFreePathsFromATexture) {
+    const auto read = [&](const std::string& parameters) { return world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"texture mfp\" \"t\" " + parameters).materials.at(0); };
+    const Material body = read("\"rgb reflectance\" [.3 .4 .5] \"float scale\" 2");
+    EXPECT_EQ(body.diffusion->albedoTexture, none);
+    EXPECT_NE(body.diffusion->pathTexture, none);
+    expectNear(body.diffusion->albedo.albedo(), {.3, .4, .5});
+    EXPECT_NEAR(body.diffusion->length.value(), 2, 1e-6);
+    EXPECT_FALSE(body.interior);
+    EXPECT_TRUE(warnings_.empty());
+    EXPECT_FALSE(read("").diffusion->isTextured());
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"mfp\" is ignored")));
+}
+
+TEST_F(Subsurface, IsReplacedWhereItsCoefficientsAreTextured) {
+    const Material material = world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"texture sigma_a\" \"t\" \"rgb sigma_s\" [1 1 1] \"rgb reflectance\" [.3 .4 .5]").materials.at(0);
     EXPECT_EQ(material.kind, MaterialKind::coatedDiffuse);
     expectNear(material.inputs.at("reflectance").value.albedo(), {.3, .4, .5});
     EXPECT_EQ(material.inputs.at("thickness").value.value(), .01);

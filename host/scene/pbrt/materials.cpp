@@ -154,12 +154,10 @@ void MaterialBook::readInputs(const Arguments& arguments, Material& material) {
 
 void MaterialBook::readSubsurface(const Arguments& arguments, Material& material) {
     const auto isTexture = [&](const char* name) { return arguments.has(name) && arguments.given(name)->type == ParameterType::texture; };
-    const bool isReflected = arguments.text("name").empty() && !arguments.has("sigma_a") && !arguments.has("sigma_s") && arguments.has("reflectance");
-    for (const char* name : {"sigma_a", "sigma_s", "mfp"}) {
-        if (!isTexture(name)) continue;
-        /* What is inside has no surface coordinates */
+    for (const char* name : {"sigma_a", "sigma_s"}) {
+        if (!isTexture(name) || !arguments.text("name").empty()) continue;
         reading_.unsupported("textured subsurface", arguments.whereOf(name),
-                             "a texture for the free paths inside of material \"subsurface\" is not rendered yet; a coated diffuse surface stands in for it");
+                             "a texture for the coefficients inside of material \"subsurface\" is not rendered yet; a coated diffuse surface stands in for it");
         material.kind = MaterialKind::coatedDiffuse;
         material.inputs["reflectance"] = arguments.has("reflectance") ? textures_.input(arguments, "reflectance") : Input{Spectrum::constant(0.5)};
         for (const Kind& kind : materialKinds().kinds())
@@ -168,7 +166,7 @@ void MaterialBook::readSubsurface(const Arguments& arguments, Material& material
                     if (rule.as != "-" && !rule.fallback.empty()) material.inputs.try_emplace(rule.as, Input{defaultSpectrum(rule)});
         return;
     }
-    readInterior(reading_, arguments, material, isReflected && isTexture("reflectance") ? textures_.input(arguments, "reflectance").texture : none);
+    readInterior(reading_, arguments, material, textures_);
 }
 
 void MaterialBook::readMix(const Arguments& arguments, Material& material) {

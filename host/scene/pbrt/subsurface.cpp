@@ -49,16 +49,21 @@ DiffusionProfile profileOf(const Medium& medium, std::optional<Spectrum> albedo,
     return {*albedo, combine(*albedo, reduced, [&](double A, double sigma) { return profileLength(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), eta); })};
 }
 
-/// Of a body whose albedo is a texture. Scattering that is not reduced counts as that of an albedo of 0.5.
-DiffusionProfile texturedProfile(const Arguments& arguments, int texture, double eta) {
+/// Of a body of which a texture says the albedo or the free paths. Scattering that is not reduced counts as that of an albedo of 0.5.
+DiffusionProfile texturedProfile(const Arguments& arguments, const Input& albedo, const Input& path, double eta) {
     const double g = std::clamp(arguments.number("g"), -0.99, 0.99), scale = arguments.number("scale");
     const double reduced = 1 - g * DiffuseAlbedoTable(g, eta).singleScattering(0.5);
-    return {Spectrum::constant(1), arguments.spectrum("mfp", Spectrum::constant(1)) * (scale / reduced), texture};
+    return {albedo.texture == none ? albedo.value : Spectrum::constant(1), (path.texture == none ? path.value : Spectrum::constant(1)) * (scale / reduced), albedo.texture, path.texture};
+}
+
+/// Whether a "reflectance" says what is inside, and nothing that comes before it.
+bool saysReflectance(const Arguments& arguments) {
+    return arguments.text("name").empty() && !arguments.has("sigma_a") && !arguments.has("sigma_s") && arguments.has("reflectance");
 }
 
 }  // namespace
 
-void readInterior(Reading& reading, const Arguments& arguments, Material& material, int texture) {
+void readInterior(Reading& reading, const Arguments& arguments, Material& material, TextureBook& textures) {
     const double eta = material.inputs.at("eta").value.value();
     const std::string method = arguments.text("method");
     const auto* known = std::ranges::find(subsurfaceMethodNames, method, &std::pair<const char*, SubsurfaceMethod>::first);
@@ -66,9 +71,12 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         throw SceneError(arguments.whereOf("method"), "there is no method \"" + method + "\"; it can be \"diffusion\" or \"randomwalk\"");
     material.method = known->second;
 
-    if (texture != none) {
-        material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(arguments, texture, eta));
-        return;
+    if (saysReflectance(arguments)) {
+        const Input albedo = textures.input(arguments, "reflectance"), path = arguments.has("mfp") ? textures.input(arguments, "mfp") : Input{Spectrum::constant(1)};
+        if (albedo.texture != none || path.texture != none) {
+            material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(arguments, albedo, path, eta));
+            return;
+        }
     }
     std::optional<Spectrum> albedo;
     auto medium = std::make_shared<Medium>();
