@@ -149,7 +149,7 @@ struct Parser {
         /* The program's own: see commands/kernel_workers.h */
         auto* compile = add("compile-kernels", Command::compileKernels, "Compile a part of the kernels")->group("");
         compile->add_option("FEATURES", options.compile.features);
-        compile->add_option("ENVIRONMENTS", options.compile.environments);
+        compile->add_option("CONSTANTS", options.compile.constants);
         compile->add_option("PART", options.compile.part);
         compile->add_option("PARTS", options.compile.parts)->check(CLI::PositiveNumber);
         compile->add_option("PARENT", options.compile.parent);

@@ -74,7 +74,7 @@ struct OutputOptions {
 
 /// What a worker of commands/kernel_workers.h compiles: every `parts`-th stage from the `part`-th on, of scenes with these features.
 /// `parent`: the process that it ends with; 0: none.
-struct CompileRequest { std::string features; int environments = 0; unsigned part = 0, parts = 1; int parent = 0; };
+struct CompileRequest { std::string features, constants; unsigned part = 0, parts = 1; int parent = 0; };
 
 struct Options {
     Command command = Command::print;

@@ -57,7 +57,7 @@ bool endWith(pid_t parent) {
 PackedScene emptyScene(const CompileRequest& request) {
     PackedScene scene;
     scene.features = featuresOf(request.features);
-    scene.environments = request.environments;
+    scene.constants = SceneConstants::fromText(request.constants);
     constexpr size_t elements = std::max(1024, 2 * FILTER_CELLS);
 #define FILL_WITH_ZEROS(type, name) scene.tables.name.resize(elements);
     SCENE_TABLES(FILL_WITH_ZEROS)
@@ -73,7 +73,7 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
     if (workers < 2) return;
     std::vector<pid_t> processes;
     for (int i = 0; i < workers; ++i) {
-        std::vector<std::string> arguments{"eikonal", "compile-kernels", bitsOf(scene.features), std::to_string(scene.environments), std::to_string(i), std::to_string(workers),
+        std::vector<std::string> arguments{"eikonal", "compile-kernels", bitsOf(scene.features), scene.constants.text(), std::to_string(i), std::to_string(workers),
                                            std::to_string(::getpid()), "--contraction", o.contraction ? "on" : "off", "--nthreads", "1"};
         if (!o.buildOptions.empty()) arguments.push_back("--build-options=" + o.buildOptions);
         if (!o.device.empty()) arguments.insert(arguments.end(), {"--device", o.device});

@@ -6,9 +6,13 @@
 #include "scene/read_bytes.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace eikonal {
 namespace {
+
+/// How many halves to take until two neighbours are left of so many ascending numbers.
+int searchSteps(size_t count) { return static_cast<int>(std::bit_width(std::max<size_t>(count, 2) - 2)); }
 
 class Writer {
 public:
@@ -79,6 +83,18 @@ private:
     std::vector<float>& values_;
 };
 
+void raise(int& most, size_t count) { most = std::max(most, searchSteps(count)); }
+
+/// What kernels that look this file up are built with.
+void noteSizes(PackedScene& scene, const MeasuredBsdf& bsdf, const std::string& why) {
+    if (bsdf.phi.size() > 1) scene.require(Feature::GRAIN, why);
+    SceneConstants& constants = scene.constants;
+    constants.measuredFiles = static_cast<int>(scene.tables.measured_files.size());
+    raise(constants.measuredAngleSteps, std::max(bsdf.phi.size(), bsdf.theta.size()));
+    raise(constants.measuredFacetSteps, std::max(bsdf.visible.width, bsdf.visible.height));
+    raise(constants.measuredBrightnessSteps, std::max(bsdf.brightness.width, bsdf.brightness.height));
+}
+
 }  // namespace
 
 uint packMeasured(Packer& packer, const std::string& path, const SourceLocation& where) {
@@ -105,6 +121,7 @@ uint packMeasured(Packer& packer, const std::string& path, const SourceLocation&
     m.brightness = writer.warp(bsdf->brightness);
     m.color = writer.color(*bsdf);
     tables.measured_files.push_back(m);
+    noteSizes(packer.packed, *bsdf, "measured BSDF \"" + path + "\"");
     return found->second = static_cast<uint>(tables.measured_files.size() - 1);
 }
 

@@ -78,7 +78,7 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     frame.world_scale = static_cast<float>(packed.worldScale);
     /* At wavelengths, samples are what the film makes of light; in RGB they are light, which is exposed in the end */
     frame.max_component_value = static_cast<float>(scene.film.maxComponentValue / (packer.spectral ? 1 : scene.film.exposureTime * scene.film.iso / 100));
-    packed.environments = static_cast<int>(packed.tables.environments.size());
+    packed.constants.environments = static_cast<int>(packed.tables.environments.size());
     packed.samples = scene.sampler.pixelSamples;
     if (scene.sampler.kind != SamplerKind::independent) packed.require(Feature::SOBOL, scene.sampler.where.toString());
 

@@ -3,6 +3,7 @@
 
 #include "eikonal/scene.h"
 #include "feature_set.h"
+#include "pack/scene_constants.h"
 
 #include <glm/glm.hpp>
 
@@ -48,7 +49,7 @@ struct PackedScene {
     SceneTables tables;
     Features features;
     std::map<Feature, std::string> reasons;  ///< the first thing that asked for each feature: "scene.pbrt:12:1: material \"glass\""
-    int environments = 0;                    ///< how many lights surround the scene
+    SceneConstants constants;
     PixelRect pixels;                        ///< what is to be rendered of width x height (settings)
     int samples = 16;                        ///< for each pixel
     double worldScale = 1;                   ///< world units in one unit of scene space

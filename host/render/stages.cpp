@@ -38,7 +38,7 @@ static std::vector<StageRequest> requiredStages(const PackedScene& scene) {
     constexpr Feature ALWAYS = Feature::count;
     const auto required = [&](Feature f) { return f == ALWAYS || scene.features.has(f); };
     using enum Feature;
-#define ADD_STAGE(name, reads, writes, FEATURE) add(#name, required(FEATURE) && (std::string(#name) != "shade_misses" || scene.environments > 0));
+#define ADD_STAGE(name, reads, writes, FEATURE) add(#name, required(FEATURE) && (std::string(#name) != "shade_misses" || scene.constants.environments > 0));
     STAGES(ADD_STAGE)
 #undef ADD_STAGE
     return list;
@@ -49,7 +49,7 @@ BuildSettings completeSettings(BuildSettings settings, const PackedScene& scene,
     settings.constants["LOCAL_SIZE"] = static_cast<int>(shape.localSize);
     settings.constants["RUN"] = static_cast<int>(shape.run);
     settings.constants["WIDENS_GROUPS"] = shape.widensGroups;
-    settings.constants["ENVIRONMENTS"] = scene.environments;
+    scene.constants.forEach([&](const char* name, int number) { settings.constants[name] = number; });
     return settings;
 }
 

@@ -28,7 +28,7 @@ std::vector<PlannedQueue> queuesFor(const Features& features, bool hasMisses, co
 
 size_t plannedWaveBytes(const PackedScene& scene, const StageShape& shape) {
     size_t bytes = 0;
-    for (const PlannedQueue& q : queuesFor(scene.features, scene.environments > 0, WaveSize(shape, Branching::of(scene))))
+    for (const PlannedQueue& q : queuesFor(scene.features, scene.constants.environments > 0, WaveSize(shape, Branching::of(scene))))
         bytes += q.items * static_cast<size_t>(q.layout.words) * sizeof(cl_uint);
     return bytes;
 }

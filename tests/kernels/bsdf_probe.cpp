@@ -80,9 +80,30 @@ void BsdfInputs::add(const std::vector<uint>& b, vec3 w, vec3 elsewhere, Random&
     given.push_back(elsewhere);
 }
 
+/// A scene with one measured surface: GGX facets that reflect 0.7 of the light, without a grain but measured as if there were one.
+static PackedScene packMeasured(ColorMode color) {
+    const std::filesystem::path file = std::filesystem::temp_directory_path() / ("eikonal-measured-" + std::to_string(getpid()) + ".bsdf");
+    MeasuredFile measured;
+    measured.isotropic = false;
+    measured.reflectance = [](double) { return 0.7; };
+    measured.write(file.string());
+    PackedScene scene = packText("WorldBegin\nMaterial \"measured\" \"string filename\" \"" + file.string() + "\"\nShape \"sphere\"\n", color);
+    std::filesystem::remove(file);
+    return scene;
+}
+static const PackedScene& measuredScene(bool spectral) {
+    static const PackedScene inRgb = packMeasured(ColorMode::rgb), atWavelengths = packMeasured(ColorMode::spectral);
+    return spectral ? atWavelengths : inRgb;
+}
+static const DeviceScene& measuredTables(bool spectral) {
+    static const DeviceScene inRgb(testContext(), measuredScene(false)), atWavelengths(testContext(), measuredScene(true));
+    return spectral ? atWavelengths : inRgb;
+}
+
 static FunctionText probeText(const BsdfKind& kind) {
     const std::string& name = kind.name;
     FunctionText text;
+    text.constants = measuredScene(kind.spectral).constants;
     text.features = kind.spectral ? Features::allSpectral() : Features::all();
     text.include = fmt::format("bsdf/{}.clh", name);
     text.type = "bsdf_result";
@@ -129,24 +150,8 @@ FN float split_{0}({0}_bound b, vec3 wo) {{ return 0.0f; }}
     return text;
 }
 
-/// A scene with one measured surface: GGX facets that reflect 0.7 of the light, without a grain but measured as if there were one.
-static PackedScene packMeasured(ColorMode color) {
-    const std::filesystem::path file = std::filesystem::temp_directory_path() / ("eikonal-measured-" + std::to_string(getpid()) + ".bsdf");
-    MeasuredFile measured;
-    measured.isotropic = false;
-    measured.reflectance = [](double) { return 0.7; };
-    measured.write(file.string());
-    PackedScene scene = packText("WorldBegin\nMaterial \"measured\" \"string filename\" \"" + file.string() + "\"\nShape \"sphere\"\n", color);
-    std::filesystem::remove(file);
-    return scene;
-}
-static const DeviceScene& measuredScene(bool spectral) {
-    static const DeviceScene inRgb(testContext(), packMeasured(ColorMode::rgb)), atWavelengths(testContext(), packMeasured(ColorMode::spectral));
-    return spectral ? atWavelengths : inRgb;
-}
-
 std::vector<BsdfResult> BsdfProbe::operator()(const BsdfInputs& in) const {
-    return function_.with(measuredScene(spectral_), in.parameters, in.wo, in.lobe, in.u, in.given);
+    return function_.with(measuredTables(spectral_), in.parameters, in.wo, in.lobe, in.u, in.given);
 }
 
 BsdfProbe::BsdfProbe(const BsdfKind& kind) : function_(probeText(kind)), spectral_(kind.spectral) {}

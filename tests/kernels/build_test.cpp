@@ -16,8 +16,7 @@ void expectBuilds(const std::string& stage, Features features, const std::string
 #undef REQUIRE_STAGE
     for (int environments : {0, 2}) {
         if (kernel == "shade_misses" && environments == 0) continue;
-        BuildSettings settings = shippedSettings(features);
-        settings.constants["ENVIRONMENTS"] = environments;
+        const BuildSettings settings = shippedSettings(features, {.environments = environments});
         try { testCompiler().build(text, kernel, settings); }
         catch (const std::exception& error) { ADD_FAILURE() << stage << " with " << what << " and " << environments << " environments: " << std::string(error.what()).substr(0, 1500); }
         if (what != "all features") break;

@@ -24,7 +24,7 @@ static std::string kernelText(const FunctionText& text) {
 }
 
 DeviceFunctionBase::DeviceFunctionBase(FunctionText text) : text_(std::move(text)) {
-    BuildSettings settings = shippedSettings(text_.features);
+    BuildSettings settings = shippedSettings(text_.features, text_.constants);
     kernel_ = Kernel(testCompiler().build(kernelText(text_), "device_function", settings));
 }
 

@@ -25,6 +25,7 @@ struct FunctionText {
     std::string declarations = {};        ///< structs and functions before the kernel
     std::string tables = {};              ///< "LIGHT_TABLES(TABLE)": scene tables, and other arguments, as a stage lists them (kernels/stage.clh)
     Features features = Features::all();
+    SceneConstants constants = {.environments = 1};
 };
 
 /// Arrays of 32-bit words to and from the kernel; elements are structs of such words.

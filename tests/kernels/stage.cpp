@@ -86,9 +86,8 @@ void StageBench::resetCounters() {
 
 void StageBench::run(const std::string& stage, unsigned count, unsigned first) {
     if (!kernels_.count(stage)) {
-        BuildSettings settings = shippedSettings(scene_.features);
+        BuildSettings settings = shippedSettings(scene_.features, scene_.constants);
         settings.poison = poisonItems_;
-        settings.constants["ENVIRONMENTS"] = scene_.environments;
         const auto [kernel, text] = stageText(stage);
         kernels_[stage] = Kernel(testCompiler().build(text, kernel, settings));
     }

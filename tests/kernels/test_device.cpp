@@ -37,10 +37,11 @@ Compiler& testCompiler() {
     return compiler;
 }
 
-BuildSettings shippedSettings(const Features& features) {
+BuildSettings shippedSettings(const Features& features, const SceneConstants& constants) {
     BuildSettings settings;
     settings.features = features;
-    settings.constants = {{"LOCAL_SIZE", static_cast<int>(testLocalSize)}, {"RUN", static_cast<int>(testRun)}, {"WIDENS_GROUPS", testContext().device().widensGroups}, {"ENVIRONMENTS", 1}};
+    settings.constants = {{"LOCAL_SIZE", static_cast<int>(testLocalSize)}, {"RUN", static_cast<int>(testRun)}, {"WIDENS_GROUPS", testContext().device().widensGroups}};
+    constants.forEach([&](const char* name, int number) { settings.constants[name] = number; });
     settings.warningsAreErrors = true;
     return settings;
 }

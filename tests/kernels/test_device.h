@@ -2,6 +2,7 @@
 // The device, compiler and program cache that all kernel tests of a process share.
 
 #include "device/kernel.h"
+#include "pack/scene_constants.h"
 
 namespace eikonal {
 
@@ -15,8 +16,8 @@ Compiler& testCompiler();
 /// The folder of that cache.
 const std::string& testCacheFolder();
 
-/// The settings that kernels ship with, for these features and the shape of stages that tests use; warnings are errors.
-BuildSettings shippedSettings(const Features& features);
+/// The settings that kernels ship with, for these features and constants and the shape of stages that tests use; warnings are errors.
+BuildSettings shippedSettings(const Features& features, const SceneConstants& constants = {.environments = 1});
 
 /// Work-items in a group, and slots in a run of a tracing stage, in all kernel tests.
 constexpr unsigned testLocalSize = 4, testRun = 16, testGroup = testLocalSize * testRun;

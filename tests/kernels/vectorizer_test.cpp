@@ -3,6 +3,7 @@
 // operation belongs to the loop over the last few slots, and has a twin of eight lanes. (Remarks alone do not do: a loop that calls
 // nothing of PoCL's library is widened by the front end, which makes none.)
 
+#include "measured_file.h"
 #include "stage.h"
 
 #include <gtest/gtest.h>
@@ -39,6 +40,10 @@ const std::string imageLights = "LightSource \"infinite\" " + sky + "LightSource
 
 std::string sphereOf(const std::string& material) { return std::string(lamp) + "Material " + material + "\nShape \"sphere\"\n"; }
 
+/// A measured surface, of a file that the child writes.
+fs::path measuredFile(bool isotropic) { return fs::temp_directory_path() / (isotropic ? "isotropic.bsdf" : "grain.bsdf"); }
+std::string measuredSphere(bool isotropic) { return sphereOf("\"measured\" \"string filename\" \"" + measuredFile(isotropic).string() + "\""); }
+
 std::vector<VectorCase> cases() {
     std::vector<VectorCase> list = {{"generate_rays", "generate_rays", lamp},
             {"generate_rays_spherical", "generate_rays", lamp, "Camera \"spherical\"\n"},
@@ -59,7 +64,9 @@ std::vector<VectorCase> cases() {
             {"shade_hits_coated_diffuse", "shade_hits coated_diffuse", sphereOf("\"coateddiffuse\"")},
             {"shade_hits_coated_conductor", "shade_hits coated_conductor", sphereOf("\"coatedconductor\"")},
             {"shade_hits_with_a_layer_medium", "shade_hits coated_diffuse", sphereOf("\"coateddiffuse\" \"rgb albedo\" [.8 .4 .2]")},
-            {"shade_hits_hair", "shade_hits hair", sphereOf("\"hair\"")}};
+            {"shade_hits_hair", "shade_hits hair", sphereOf("\"hair\"")},
+            {"shade_hits_measured", "shade_hits measured", measuredSphere(true)},
+            {"shade_hits_measured_with_a_grain", "shade_hits measured", measuredSphere(false)}};
     /* The same at wavelengths */
     for (VectorCase c : std::vector<VectorCase>(list)) {
         c.name += "_spectral";
@@ -87,6 +94,11 @@ TEST(VectorizerChild, DISABLED_BuildsOneStage) {
     all.push_back(aLoopingStage());
     for (const VectorCase& c : all) {
         if (c.name != wanted) continue;
+        for (bool isotropic : {true, false}) {
+            MeasuredFile file;
+            file.isotropic = isotropic;
+            file.write(measuredFile(isotropic));
+        }
         PackedScene scene = packText(c.head + "Sampler \"sobol\"\nWorldBegin\n" + c.world, c.color);
         /* A hit queue with room for its parameters */
         if (c.stage == "shade_hits principled") scene.require(Feature::BSDF_PRINCIPLED, "the test");

@@ -204,7 +204,7 @@ TEST_F(Pack, PathsFindAnEvenSkyByThemselves) {
     for (const char* integrator : {"\"path\"", "\"volpath\"", "\"volpath\" \"string lightsampler\" \"bvh\"", "\"volpath\" \"string lightsampler\" \"uniform\"", "\"direct\"", "\"simplepath\""}) {
         const PackedScene alone = packScene(read("Integrator " + std::string(integrator) + sky + "Shape \"sphere\""), diagnostics);
         EXPECT_FALSE(alone.features.has(Feature::LIGHTS)) << integrator;
-        EXPECT_EQ(alone.environments, 1) << integrator;
+        EXPECT_EQ(alone.constants.environments, 1) << integrator;
         const PackedScene both = packScene(read("Integrator " + std::string(integrator) + sky + lamp), diagnostics);
         ASSERT_EQ(both.tables.lights.size(), 2u) << integrator;
         for (const light& l : both.tables.lights) EXPECT_EQ(l.pmf, l.kind == kind_point_light ? 1 : 0) << integrator;
@@ -238,7 +238,7 @@ TEST_F(Pack, AmbientOcclusionNeedsNoMaterialsAndNoLights) {
     const PackedScene scene = packScene(read("Integrator \"ambientocclusion\"\nWorldBegin\nLightSource \"infinite\" LightSource \"point\"\n"
                                              "AreaLightSource \"diffuse\" Material \"conductor\" Shape \"sphere\""), diagnostics);
     EXPECT_TRUE(scene.tables.lights.empty() && scene.tables.material_inputs.empty());
-    EXPECT_EQ(scene.environments, 0);
+    EXPECT_EQ(scene.constants.environments, 0);
     for (const Feature f : {Feature::LIGHTS, Feature::EMITTERS, Feature::BSDF_CONDUCTOR, Feature::LIGHT_POINT}) EXPECT_FALSE(scene.features.has(f)) << featureName(f);
 }
 
@@ -259,6 +259,27 @@ TEST_F(Pack, MeasuredSpectraBecomeColors) {
     EXPECT_GT(red.x, 0.3);   // the file has a value every 47 nm: a ramp from 595 nm to 642 nm
     EXPECT_LT(red.y, 0.1);
     EXPECT_LT(red.z, 0.1);
+}
+
+// Kernels search the longest of all files' lists: 31 intervals between 32 facets take five halves, four of brightness two, eight of azimuths or six
+// of polar angles three. Only files with more than one azimuth have a grain.
+TEST_F(Pack, MeasuredFilesSetTheStepsOfSearches) {
+    MeasuredFile file;
+    file.write(path("smooth.bsdf"));
+    file.isotropic = false;
+    file.write(path("brushed.bsdf"));
+    const auto use = [](const std::string& name) { return "Material \"measured\" \"string filename\" \"" + name + ".bsdf\" Shape \"sphere\"\n"; };
+    const PackedScene one = pack(use("smooth") + use("smooth")), both = pack(use("brushed") + use("smooth"));
+    EXPECT_EQ(one.constants.measuredFiles, 1);
+    EXPECT_EQ(both.constants.measuredFiles, 2);
+    EXPECT_FALSE(one.features.has(Feature::GRAIN));
+    EXPECT_TRUE(both.features.has(Feature::GRAIN));
+    for (const SceneConstants& c : {one.constants, both.constants}) {
+        EXPECT_EQ(c.measuredAngleSteps, 3);
+        EXPECT_EQ(c.measuredFacetSteps, 5);
+        EXPECT_EQ(c.measuredBrightnessSteps, 2);
+        EXPECT_EQ(SceneConstants::fromText(c.text()).text(), c.text());
+    }
 }
 
 TEST_F(Pack, ABrokenMeasuredFileIsNamed) {
