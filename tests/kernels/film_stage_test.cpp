@@ -114,7 +114,7 @@ struct Four { float r, g, b, x; };
 /// Each of a sample's four wavelengths adds its radiance, times the sample's weight, to the bucket that it lies in, and to no other; those beside the range add
 /// to none. A second wave adds up, and a sample that is brighter than it may be is scaled down in all buckets alike.
 TEST(ResolveFilm, FillsBuckets) {
-    const PackedScene scene = packText("Film \"spectral\" \"integer xresolution\" 16 \"integer yresolution\" 16 \"integer nbuckets\" 7 \"float lambdamin\" 450 \"float lambdamax\" 700 \"float maxcomponentvalue\" 1e6\n"
+    const PackedScene scene = packText("Film \"spectral\" \"integer xresolution\" 16 \"integer yresolution\" 16 \"integer nbuckets\" 7 \"float lambdamin\" 450 \"float lambdamax\" 700 \"float maxcomponentvalue\" 1e8\n"
                                        "Sampler \"sobol\"\nWorldBegin\nLightSource \"infinite\"\nShape \"sphere\"");
     static const DeviceFunction<Four> wavelengths({.include = "color.clh", .type = "spectrum", .body = R"(
         color_tables set = BIND_COLORS;
@@ -148,11 +148,11 @@ TEST(ResolveFilm, FillsBuckets) {
         if (pixel == 3) continue;
         for (int b = 0; b < 7; ++b) ASSERT_NEAR(bucket(pixel, b), expected[pixel * 7 + static_cast<size_t>(b)], 1e-6 * std::abs(expected[pixel * 7 + static_cast<size_t>(b)])) << pixel << " " << b;
     }
-    /* Four samples, each of 1e6 in its brightest channel at most: light of so many billions would be a thousand times that */
+    /* Four samples, each of 1e8 in its brightest channel at most, while their light would be some 1e14 */
     const spectrum sum = film.get<spectrum>("sum", 3);
-    EXPECT_GT(std::max({sum.r, sum.g, sum.b}), 0.5e6f);
-    EXPECT_LE(std::max({sum.r, sum.g, sum.b}), 2 * 2 * 4 * 1.00001e6f);
-    for (int b = 0; b < 7; ++b) EXPECT_LT(bucket(3, b), 1e8);
+    EXPECT_GT(std::max({sum.r, sum.g, sum.b}), 0.5e8f);
+    EXPECT_LE(std::max({sum.r, sum.g, sum.b}), 2 * 2 * 4 * 1.00001e8f);
+    for (int b = 0; b < 7; ++b) EXPECT_LT(bucket(3, b), 1e10);
 }
 
 }  // namespace
