@@ -30,8 +30,10 @@ public:
     Features without(Feature f) const { Features fewer = *this; fewer.bits_.reset(static_cast<size_t>(f)); return fewer; }
     /// Every feature of rendering in RGB.
     static Features all() { return allSpectral().without(Feature::SPECTRAL).without(Feature::DISPERSION); }
-    /// Every feature of rendering at wavelengths.
-    static Features allSpectral() { Features f; f.bits_.set(); return f; }
+    /// Every feature of rendering at wavelengths that are sampled where the eye is sensitive.
+    static Features allSpectral() { return everything().without(Feature::SPECTRAL_FILM); }
+    /// Every feature there is: allSpectral() with wavelengths that are sampled evenly.
+    static Features everything() { Features f; f.bits_.set(); return f; }
 
 private:
     std::bitset<featureCount> bits_;

@@ -2,17 +2,11 @@
 #include "color.clh"
 #include "queue.clh"
 #include "stage.clh"
+#include "film/buckets.clh"
+#include "film/compensated.clh"
 #include "film/pixel.clh"
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
-
-/* sum += x, with what rounding loses kept apart (Kahan 1965). */
-typedef struct { float sum, compensation; } compensated;
-FN compensated add_compensated(float sum, float compensation, float x) {
-    float y = x - compensation, t = clamp1(sum + y, -MOST_SUM, MOST_SUM);
-    compensated c = {t, (t - sum) - y};
-    return c;
-}
 
 /* One more vote: the candidate that is left in the end is the one that has a majority, if any has (Boyer and Moore 1991). */
 typedef struct { uint id, lead; } candidate;
@@ -38,11 +32,21 @@ FN film_item add_luminance(film_item f, float y, float square_weight) {
     return f;
 }
 
-FN film_item add_sample(film_item f, path_item p, palette colors, __global const settings *frame) {
-    rgb L = color_seen(colors, frame->sensor_curves, HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L);
-    float max_component_value = frame->max_component_value;
-    float brightest = max_component(L);
-    if (max_component_value > 0.0f && brightest > max_component_value) L = mul(L, max_component_value / brightest);
+/* What the film receives of a sample, and what its sensor makes of that; both scaled down if the latter is brighter than it may be. */
+typedef struct { spectrum light; rgb color; } exposure;
+FN exposure expose(path_item p, palette colors, __global const settings *frame) {
+    exposure e;
+    e.light = HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L;
+    e.color = color_seen(colors, frame->sensor_curves, e.light);
+    float most = frame->max_component_value, brightest = max_component(e.color);
+    if (most > 0.0f && brightest > most) {
+        e.light = mul(e.light, most / brightest);
+        e.color = mul(e.color, most / brightest);
+    }
+    return e;
+}
+
+FN film_item add_sample(film_item f, path_item p, rgb L, palette colors, __global const settings *frame) {
     rgb x = mul(L, p.weight);
     compensated r = add_compensated(f.sum.r, f.compensation.r, x.r);
     compensated g = add_compensated(f.sum.g, f.compensation.g, x.g);
@@ -95,7 +99,10 @@ TRACING_STAGE(resolve_film, RESOLVE_FILM) {
             path_item p = gather_path(frame, path, path_capacity, first_path + (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u)));
             if (p.weight == 0.0f && is_black(p.L)) continue;
             if (!is_finite(p.L) || max_component(p.L) > MOST_RADIANCE) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
-            f = add_sample(f, p, path_palette(color_set, p.seed, p.sample), frame);
+            palette colors = path_palette(color_set, p.seed, p.sample);
+            exposure e = expose(p, colors, frame);
+            f = add_sample(f, p, e.color, colors, frame);
+            if (HAS_SPECTRAL_FILM) add_to_buckets(film, film_words, count, pixel, frame, colors, mul(e.light, p.weight));
         }
         store_film(film, count, pixel, f);
     }

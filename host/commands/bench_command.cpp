@@ -19,7 +19,7 @@ struct Repeat { double seconds; std::map<std::string, StageProfile> stages; std:
 
 Repeat renderOnce(const Session& session, Tracer& tracer, Profile& profile) {
     const PackedScene& packed = session.packed();
-    Film film(static_cast<int>(packed.frame().width), static_cast<int>(packed.frame().height), packed.pixels, packed.features);
+    Film film(packed);
     RenderControl control;
     control.endSample = static_cast<unsigned>(packed.samples);
     profile.reset();

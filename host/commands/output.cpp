@@ -17,13 +17,22 @@ std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& 
     return files;
 }
 
+/// Whether some file has channels besides the colour; a warning if none has.
+static bool canHold(const char* what, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
+    if (std::ranges::any_of(files, holdsChannels)) return true;
+    diagnostics.warn(film.where, fmt::format("{} are left out: only an EXR has such, and {} is none", what, fmt::join(files, ", ")));
+    return false;
+}
+
 Aovs aovsOf(const OutputOptions& options, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
     Aovs aovs = options.aovs;
-    if (film.gbuffer == GBuffer::none) return aovs;
-    if (std::ranges::none_of(files, holdsChannels))
-        diagnostics.warn(film.where, fmt::format("the further channels of film \"gbuffer\" are left out: only an EXR has such, and {} is none", fmt::join(files, ", ")));
-    else for (const AovName& each : aovNames) aovs.*each.asked = true;
+    if (film.gbuffer != GBuffer::none && canHold("the further channels of film \"gbuffer\"", film, files, diagnostics))
+        for (const AovName& each : aovNames) aovs.*each.asked = true;
     return aovs;
+}
+
+bool keepsSpectrum(const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
+    return film.spectrum && canHold("the channels of film \"spectral\"", film, files, diagnostics);
 }
 
 void selectAovs(FilmImage& image, const Aovs& aovs) {

@@ -84,11 +84,13 @@ void writeAll(const std::vector<std::string>& files, const FilmImage& image, con
 }
 
 /// Throws an error if the film, and then the image beside it, would not fit: a program that is killed for memory loses what it has rendered.
-void checkMemory(const PackedScene& packed, const MemoryPlan& plan) {
+void checkMemory(const FilmDescription& film, const PackedScene& packed, const MemoryPlan& plan) {
     const size_t needed = plan.tables + plan.queues + plan.film + plan.image, available = availableMemory();
     if (needed <= available) return;
-    throw Error(ExitCode::scene, fmt::format("{} x {} pixels take {} of memory, and {} are available; --pixelbounds renders parts, which join exactly", packed.pixels.width(),
-                                             packed.pixels.height(), readableBytes(static_cast<double>(needed)), readableBytes(static_cast<double>(available))));
+    const std::string buckets = film.spectrum ? fmt::format(" with spectra of {} buckets", film.spectrum->buckets) : "";
+    throw SceneError(film.spectrum ? film.where : SourceLocation{},
+                     fmt::format("{} x {} pixels{} take {} of memory, and {} are available; --pixelbounds renders parts, which join exactly", packed.pixels.width(), packed.pixels.height(), buckets,
+                                 readableBytes(static_cast<double>(needed)), readableBytes(static_cast<double>(available))));
 }
 
 }  // namespace
@@ -101,9 +103,9 @@ int renderCommand(const Options& o) {
     session.load();
     const std::vector<std::string> files = outputFiles(o.output, session.scene());
     const Aovs aovs = aovsOf(o.output, session.scene().film, files, diagnostics);
-    session.pack(aovs);
+    session.pack(aovs, keepsSpectrum(session.scene().film, files, diagnostics));
     const PackedScene& packed = session.packed();
-    checkMemory(packed, session.plan());
+    checkMemory(session.scene().film, packed, session.plan());
     for (const std::string& file : files) checkWritable(file, session.plan().film / 2);
     diagnostics.info("memory to be taken: " + describe(session.plan()));
     auto hash = std::async(std::launch::async, [&] { return sceneHash(packed); });
@@ -111,7 +113,7 @@ int renderCommand(const Options& o) {
 
     const Interrupt interrupt;
     diagnostics.info(fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), packed.samples));
-    std::optional<Film> film(std::in_place, static_cast<int>(packed.frame().width), static_cast<int>(packed.frame().height), packed.pixels, packed.features);
+    std::optional<Film> film(std::in_place, packed);
     const Stopwatch renderTime;
     const RenderResult result = renderFilm(o, session, *film);
     const double renderSeconds = renderTime.seconds();

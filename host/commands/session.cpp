@@ -84,8 +84,13 @@ void Session::load(bool withDevice) {
     if (context_) shape_ = shapeFor(context_->device(), options_.device);
 }
 
-void Session::pack(const Aovs& aovs) {
+void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     const Stopwatch time;
+    if (scene_.film.spectrum && !keepsSpectrum) {
+        /* It forces wavelengths all the same */
+        scene_.film.spectrum.reset();
+        if (scene_.colorMode == ColorMode::automatic) scene_.colorMode = ColorMode::spectral;
+    }
     packed_ = packScene(scene_, diagnostics_);
     warnOfDarkness(scene_, packed_, diagnostics_);
     scene_.shapes.clear();
@@ -98,8 +103,8 @@ void Session::pack(const Aovs& aovs) {
 
 MemoryPlan Session::plan() const {
     const size_t pixels = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height());
-    const size_t film = pixels * static_cast<size_t>(filmLayout(packed_.features).words) * sizeof(uint);
-    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape_), film, pixels * Film::developedBytes(packed_.features)};
+    const size_t onDevice = std::min<size_t>(pixels, shape_.wavePaths);
+    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape_), (pixels + onDevice) * Film::bytes(packed_), pixels * Film::developedBytes(packed_)};
 }
 
 void Session::prepare() {

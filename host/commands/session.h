@@ -39,7 +39,7 @@ struct SessionTimes {
 struct MemoryPlan {
     size_t tables = 0;      ///< the scene, on the host and on the device
     size_t queues = 0;      ///< a wave of paths, on the device
-    size_t film = 0;        ///< on the host
+    size_t film = 0;        ///< on the host, and the part of it that is on the device at a time
     size_t image = 0;       ///< beside it, once it is developed
 };
 
@@ -55,8 +55,9 @@ public:
 
     /// Reads the scene, while the device opens. Without a device, plan() supposes a processor.
     void load(bool withDevice = true);
-    /// Fills its tables, and forgets the scene's meshes; the film keeps what `aovs` take.
-    void pack(const Aovs& aovs);
+    /// Fills its tables, and forgets the scene's meshes; the film keeps what `aovs` take, and a spectrum
+    /// if the scene asks for it and keepsSpectrum.
+    void pack(const Aovs& aovs, bool keepsSpectrum = true);
     /// What prepare() is going to allocate.
     MemoryPlan plan() const;
     /// Uploads the tables and compiles the kernels.

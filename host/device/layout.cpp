@@ -37,9 +37,10 @@ std::vector<QueueLayout> queueLayouts(const Features& features) {
     return layouts;
 }
 
-QueueLayout filmLayout(const Features& features) {
+QueueLayout filmLayout(const Features& features, uint buckets) {
     LayoutBuilder builder("film");
     FILM_FIELDS(ADD_FIELD, film)
+    if (buckets > 0) builder.add("buckets", "bucket", static_cast<int>(buckets) * BUCKET_WORDS, true);
     return builder.take();
 }
 

@@ -30,8 +30,8 @@ struct QueueLayout {
 std::vector<QueueLayout> queueLayouts(const Features& features);
 /// Of the one called `name`.
 QueueLayout queueLayout(const std::string& name, const Features& features);
-/// Of a pixel of the film.
-QueueLayout filmLayout(const Features& features);
+/// Of a pixel of the film. If it keeps a spectrum, its last field is "buckets", of BUCKET_WORDS for each.
+QueueLayout filmLayout(const Features& features, uint buckets = 0);
 /// The most words that the parameters of any BSDF take.
 int bsdfWords(const Features& features);
 

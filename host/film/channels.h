@@ -2,6 +2,7 @@
 // The channels of a multi-channel file, and which numbers of a FilmImage they are.
 
 #include "film/film_image.h"
+#include "film/spectral_layout.h"
 
 #include <string>
 #include <type_traits>
@@ -48,6 +49,8 @@ template <class Float, class Image> std::vector<ChannelView<Float>> channelsOf(I
     add1(image.material, "materialId");
     add1(image.variance, "variance");
     add1(image.sampleCount, "sampleCount");
+    const auto& wavelengths = image.spectrum.wavelengths;
+    for (std::size_t b = 0; b < wavelengths.size(); ++b) channels.push_back({bucketChannel(wavelengths[b]), &image.spectrum.radiance[b], wavelengths.size()});
     return channels;
 }
 

@@ -13,6 +13,12 @@
 
 namespace eikonal {
 
+/// The spectrum of each pixel, in buckets of equal width.
+struct PixelSpectra {
+    std::vector<double> wavelengths;   ///< nm, ascending: the middles of the buckets
+    std::vector<float> radiance;       ///< its mean over bucket b in pixel i: [i * wavelengths.size() + b]; a light whose spectrum is 1 everywhere has 1. Not exposed: what comes before sensor and iso
+};
+
 /// Pixels of linear sRGB light. `bounds` are those of the whole image that are present: all of them, or a crop. Every non-empty vector has
 /// one entry for each pixel in bounds, row by row from the top.
 struct FilmImage {
@@ -32,6 +38,7 @@ struct FilmImage {
     std::vector<float> material;       ///< which material most samples saw: 1, 2, 3 ...; 0: none
     std::vector<float> variance;       ///< of the pixel's mean luminance: its standard error squared
     std::vector<float> sampleCount;    ///< samples taken in the pixel
+    PixelSpectra spectrum;             ///< of a film that keeps one, otherwise empty
 
     FilmImage() = default;
     /// A black image, or the part of it within bounds.

@@ -11,7 +11,7 @@ namespace eikonal {
 
 /// Writes an image in the format that the extension names:
 /// - exr: 32-bit floats, linear. The image is the display window, what is present the data window. Channels R G B and, where the
-///   image has them, albedo.R albedo.G albedo.B, N.X N.Y N.Z, Z, variance, sampleCount: layers as Blender and Nuke list them, and
+///   image has them, albedo.R albedo.G albedo.B, N.X N.Y N.Z, Z, variance, sampleCount, S0.400,000nm (film/spectral_layout.h): layers as Blender and Nuke list them, and
 ///   what OIDN wants as its guides; Z is 1e10 where there is no surface, as in Blender. Attributes: chromaticities and the metadata.
 /// - hdr, pfm: linear, colour only, only what is present.
 /// - png jpg jpeg tga bmp webp (8 bits) and tif tiff (16 bits): what is present, tone-mapped, encoded as sRGB.

@@ -90,6 +90,10 @@ FilmFile readImage(const std::string& path) {
     if (has("Z")) image.depth.resize(image.pixelCount());
     if (has("variance")) image.variance.resize(image.pixelCount());
     if (has("sampleCount")) image.sampleCount.resize(image.pixelCount());
+    for (const std::string& name : spec.channelnames)
+        if (const auto wavelength = wavelengthOfChannel(name)) image.spectrum.wavelengths.push_back(*wavelength);
+    std::ranges::sort(image.spectrum.wavelengths);
+    image.spectrum.radiance.resize(image.spectrum.wavelengths.size() * image.pixelCount());
 
     for (const auto& channel : channelsOf<float>(image)) {
         const bool isColor = channel.name == "R" || channel.name == "G" || channel.name == "B";

@@ -65,11 +65,12 @@ const Format& formatOf(const std::string& path) {
 /// Channel after channel of each pixel, as OpenImageIO wants them.
 std::vector<float> interleave(const std::vector<ChannelView<const float>>& channels, std::size_t pixels) {
     std::vector<float> values(pixels * channels.size());
-    for (std::size_t c = 0; c < channels.size(); ++c)
-        for (std::size_t i = 0; i < pixels; ++i) {
+    tbb::parallel_for(std::size_t(0), pixels, [&](std::size_t i) {
+        for (std::size_t c = 0; c < channels.size(); ++c) {
             const float value = channels[c][i];
             values[i * channels.size() + c] = channels[c].isDepth && !std::isfinite(value) ? noDepth : value;
         }
+    });
     return values;
 }
 
@@ -110,6 +111,8 @@ OIIO::ImageSpec specOf(const Format& format, const FilmImage& image, const std::
         spec.full_height = image.height;
         spec.attribute("compression", "zip");
         spec.attribute("chromaticities", TypeDesc(TypeDesc::FLOAT, 8), srgbPrimaries.data());
+        if (!image.spectrum.wavelengths.empty())
+            for (const auto& [attribute, text] : spectralAttributes) spec.attribute(attribute, text);
     } else if (format.content != Content::linear) {
         // Not for TIFF: OpenImageIO 2.4 would add an EXIF directory, and in memory that damages the file.
         const std::string name = format.name;

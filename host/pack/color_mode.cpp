@@ -85,6 +85,7 @@ template <class Thing> std::string firstMeasured(MeasuredInputs& inputs, const s
 }  // namespace
 
 std::string needOfWavelengths(const Scene& scene) {
+    if (scene.film.spectrum) return scene.film.where.toString() + ": film \"spectral\"";
     if (scene.film.sensor != "cie1931") return scene.film.where.toString() + ": sensor \"" + scene.film.sensor + "\"";
     MeasuredInputs inputs(scene);
     for (const std::string& need : {firstMeasured(inputs, scene.materials, "a material"), firstMeasured(inputs, scene.lights, "a light"),

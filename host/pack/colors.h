@@ -43,6 +43,8 @@ void packUplift(Packer&);
 float greatestSum(const Packer&, const color* a, const color* b);
 /// What film and auxiliary channels make of wavelengths, after the curve that is 1. Comes first, and only for spectral rendering.
 void packSensor(Packer&);
+/// The wavelengths that the film keeps a spectrum of, if it does.
+void packSpectrumKept(Packer&);
 
 /// Luminance of emitted light, times `factor`, as it was rounded for the device: what light samplers go by.
 double luminanceOf(const Spectrum& light, double factor = 1);

@@ -58,7 +58,9 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     if (packer.spectral) {
         packed.require(Feature::SPECTRAL, need);
         packSensor(packer);
-    }
+        packSpectrumKept(packer);
+    } else if (scene.film.spectrum)
+        throw SceneError(scene.film.where, "film \"spectral\" keeps light wavelength by wavelength, and --color rgb has no wavelengths; --color spectral and --color auto have them");
     packIntegrator(packer, wouldUseMedia && !packer.hasMedia);
     packCamera(packer);
     packMedia(packer);

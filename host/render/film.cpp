@@ -10,11 +10,11 @@
 
 namespace eikonal {
 
-Film::Film(int width, int height, PixelRect pixels, const Features& features)
-    : width_(width), height_(height), pixels_(pixels), layout_(filmLayout(features)) {
+Film::Film(const PackedScene& scene, const Features& features)
+    : width_(static_cast<int>(scene.frame().width)), height_(static_cast<int>(scene.frame().height)), pixels_(scene.pixels), layout_(filmLayout(features, scene.frame().bucket_count)) {
     const size_t words = plane() * static_cast<size_t>(layout_.words);
     data_.reset(static_cast<uint*>(std::calloc(words, sizeof(uint))));
-    if (!data_) throw Error(ExitCode::scene, "not enough memory for an image of " + std::to_string(pixels.width()) + " x " + std::to_string(pixels.height()) + " pixels");
+    if (!data_) throw Error(ExitCode::scene, "not enough memory for an image of " + std::to_string(pixels_.width()) + " x " + std::to_string(pixels_.height()) + " pixels");
 }
 
 /// The part of a block that is in the film, as the rectangle of rows and planes that OpenCL copies.
@@ -124,9 +124,11 @@ void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
     }
 }
 
-size_t Film::developedBytes(const Features& features) {
+size_t Film::bytes(const PackedScene& scene) { return static_cast<size_t>(filmLayout(scene.features, scene.frame().bucket_count).words) * sizeof(uint); }
+
+size_t Film::developedBytes(const PackedScene& scene) {
     const size_t always = sizeof(glm::vec3) + 2 * sizeof(float), ofSurfaces = 4 * sizeof(glm::vec3) + 3 * sizeof(glm::vec2) + 3 * sizeof(float);
-    return always + (features.has(Feature::AOVS) ? ofSurfaces : 0);
+    return always + (scene.features.has(Feature::AOVS) ? ofSurfaces : 0) + scene.frame().bucket_count * sizeof(float);
 }
 
 FilmImage Film::develop(const PackedScene& scene) const {
@@ -141,6 +143,7 @@ FilmImage Film::develop(const PackedScene& scene) const {
         image.variance[i] = planes.variance(i, image.color[i]);
     }
     if (layout_.field("albedo").words > 0) developAovs(image, scene);
+    if (scene.frame().bucket_count > 0) developSpectrum(image, scene);
     return image;
 }
 

@@ -13,8 +13,9 @@ namespace eikonal {
 
 class Film {
 public:
-    /// Of the pixels in `pixels` of an image of width x height. Memory is only taken where something is written.
-    Film(int width, int height, PixelRect pixels, const Features& features);
+    /// Of the pixels that are rendered of a scene, by kernels with these features. Memory is only taken where something is written.
+    Film(const PackedScene& scene, const Features& features);
+    explicit Film(const PackedScene& scene) : Film(scene, scene.features) {}
 
     const PixelRect& pixels() const { return pixels_; }
     int words() const { return layout_.words; }
@@ -23,8 +24,9 @@ public:
     void upload(const Context& context, const Buffer& buffer, const Batch& batch) const;
     void download(const Context& context, const Buffer& buffer, const Batch& batch);
 
-    /// Bytes a pixel of what develop returns.
-    static size_t developedBytes(const Features& features);
+    /// Bytes a pixel of the film of a scene, and of what develop returns.
+    static size_t bytes(const PackedScene& scene);
+    static size_t developedBytes(const PackedScene& scene);
     /// The image so far: sums divided by weights. Distances and positions in the world of `scene`.
     FilmImage develop(const PackedScene& scene) const;
 
@@ -41,6 +43,7 @@ public:
 private:
     struct Free { void operator()(void* p) const { std::free(p); } };
     void developAovs(FilmImage& image, const PackedScene& scene) const;
+    void developSpectrum(FilmImage& image, const PackedScene& scene) const;
     size_t plane() const { return static_cast<size_t>(pixels_.width()) * static_cast<size_t>(pixels_.height()); }
     struct Planes;
     const float* floats(const char* field) const;

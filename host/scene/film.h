@@ -16,6 +16,12 @@ struct PixelBounds { int x0 = 0, x1 = 0, y0 = 0, y1 = 0; };  ///< x0 <= x < x1
 /// Whether the scene asks for further channels (pbrt-v4's film "gbuffer"), and the space of their positions and normals.
 enum class GBuffer { none, cameraSpace, worldSpace };
 
+/// What pbrt-v4 calls a film.
+enum class FilmKind { rgb, gbuffer, spectral };
+
+/// The spectrum that a film keeps of each pixel: buckets of equal width from `first` to `last`, nm, which lie in [360, 830], at least 1 apart.
+struct SpectrumKept { int buckets = 16; double first = 360, last = 830; };
+
 struct FilmDescription {
     int width = 1280, height = 720;
     std::optional<std::array<double, 4>> cropWindow;     ///< x0 x1 y0 y1 in [0, 1]
@@ -27,6 +33,7 @@ struct FilmDescription {
     ColorSpace colorSpace = ColorSpace::srgb;            ///< of the image
     double maxComponentValue = 0;                        ///< > 0: samples are scaled down to it
     GBuffer gbuffer = GBuffer::none;
+    std::optional<SpectrumKept> spectrum;                ///< pbrt-v4's film "spectral"
     SourceLocation where;
 };
 

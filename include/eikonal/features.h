@@ -12,6 +12,7 @@
 
 #define GENERAL_FEATURES(F) \
     F(SPECTRAL,         "rendering at wavelengths instead of in RGB") \
+    F(SPECTRAL_FILM,    "a film that keeps a spectrum of each pixel") \
     F(DISPERSION,       "an index of refraction that depends on the wavelength") \
     F(MEDIA,            "a participating medium") \
     F(SUBSURFACE,       "a body that light enters, wanders in and leaves") \

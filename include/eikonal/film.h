@@ -30,6 +30,10 @@ CONTRACT_BEGIN
     F(q, uint,     material,     AOVS) \
     F(q, uint,     material_lead, AOVS)
 
+/* With SPECTRAL_FILM the buckets of the pixel's spectrum follow, `bucket_count` of them (settings), of two words each: the sum of weight * L at those
+   wavelengths of its samples that lie in the bucket, and what that sum has too much by rounding. */
+#define BUCKET_WORDS 2
+
 /* The brightest sample that is believed: a million of them still add up to a float. The sun is 1e9. */
 #define MOST_RADIANCE 1e31f
 /* Where sums stop. */

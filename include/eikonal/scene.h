@@ -107,10 +107,20 @@ typedef struct {
     T(focus,          foci)                  /* MOST_FOCI at most */ \
     T(blackbody_color, blackbodies)          /* BLACKBODY_STEPS + 1, or none */
 
+/* The wavelengths that a film keeps a spectrum of, and how they are sampled: `share` of the samples evenly within the range, the others evenly in
+   what the eye sees beside it. nm. */
+typedef struct {
+    float first, extent;          /* from 360 on, and not beyond 830 */
+    float share;                  /* in (0, 1]; 1 if there is nothing beside the range */
+    float inverse_pdf;            /* one over the density of a sample's wavelength: within the range ... */
+    float inverse_pdf_beside;     /* ... and beside it */
+} wavelength_range;
+
 /* What reading colours takes (kernels/color.clh). */
 #define COLOR_TABLES(T) \
     T(float,          curves)                /* CURVE_WORDS values each, at 360, 361 ... 830 nm; the first is 1 everywhere */ \
-    T(float,          uplift)                /* coefficients of smooth spectra by colour: UPLIFT_CELLS (kernels/color.clh) */
+    T(float,          uplift)                /* coefficients of smooth spectra by colour: UPLIFT_CELLS (kernels/color.clh) */ \
+    T(wavelength_range, wavelengths)         /* SPECTRAL_FILM: one */
 
 /* Only with SPECTRAL is there anything in these tables. */
 #define SHORTEST_WAVELENGTH 360
@@ -163,6 +173,7 @@ typedef struct {
     float world_scale;     /* world units in one unit of scene space */
     uint sensor_curves;    /* with SPECTRAL, in `curves`: three, linear sRGB of the image for light of each wavelength */
     uint albedo_curves;    /* with SPECTRAL, in `curves`: three, linear sRGB of a reflectance in daylight */
+    uint bucket_count;     /* SPECTRAL_FILM: buckets of equal width that the range of `wavelengths` is cut into; 0 without */
     float max_component_value; /* brighter samples are scaled down to it; 0: none are */
 } settings;
 

@@ -29,6 +29,7 @@ TEST_P(Builds, WithNothingAndWithEverything) {
     expectBuilds(GetParam(), Features(), "no feature");
     expectBuilds(GetParam(), Features::all(), "all features");
     expectBuilds(GetParam(), Features::allSpectral(), "all features at wavelengths");
+    expectBuilds(GetParam(), Features::everything(), "all features with a film that keeps a spectrum");
 }
 
 class SlowBuilds : public testing::TestWithParam<std::string> {};

@@ -102,5 +102,43 @@ TEST(Color, ComesBackFromItsWavelengths) {
     }
 }
 
+/// Where a film's wavelengths are: as many within its range as it says, evenly; and one over the density of each is such that their sum is the width of
+/// whatever they are counted in, within the range and beside it. Four wavelengths of 4096 stratified samples: an end of an interval is off by one of 4096 of
+/// each of the four at most.
+TEST(Color, WavelengthsOfAFilmAreEven) {
+    struct Sampled { Four lambda, inverse_pdf; };
+    static const DeviceFunction<Sampled> function({.include = "color.clh", .type = "sampled", .body = R"(
+        color_tables set = BIND_COLORS;
+        palette p = path_palette(set, 77u, sample);
+        result.lambda = p.lambda;
+        result.inverse_pdf = MAP_SPECTRUM(INVERSE_PDF_OF, p.lambda);)", .inputs = {"uint sample"}, .declarations = "typedef struct { spectrum lambda, inverse_pdf; } sampled;",
+        .tables = "COLOR_TABLES(TABLE)", .features = Features::everything()});
+    constexpr uint samples = 4096;
+    std::vector<uint> numbers(samples);
+    for (uint i = 0; i < samples; ++i) numbers[i] = i;
+    struct Case { double first, last, share; };
+    for (const Case& c : {Case{360, 830, 1}, {400, 700, .75}, {500, 501, .75}, {360, 800, 440 / 470.}, {829, 830, .75}}) {
+        Colors tables;
+        tables.scene.film.spectrum = SpectrumKept{16, c.first, c.last};
+        packSpectrumKept(tables.packer);
+        const DeviceScene onDevice(testContext(), tables.packed);
+        double within = 0, widthWithin = 0, widthBefore = 0, widthAfter = 0, lowerHalf = 0;
+        for (const Sampled& s : function.with(onDevice, numbers))
+            for (int channel = 0; channel < 4; ++channel) {
+                const double lambda = (&s.lambda.r)[channel], width = (&s.inverse_pdf.r)[channel] / (4.0 * samples);
+                ASSERT_TRUE(lambda >= 360 && lambda <= 830) << lambda;
+                const bool is = lambda >= c.first && lambda <= c.last;
+                within += is / (4.0 * samples);
+                (is ? widthWithin : lambda < c.first ? widthBefore : widthAfter) += width;
+                if (is && lambda < (c.first + c.last) / 2) lowerHalf += width;
+            }
+        EXPECT_NEAR(within, c.share, 8.0 / samples) << c.first;
+        EXPECT_NEAR(widthWithin, c.last - c.first, .01 * (c.last - c.first)) << c.first;
+        EXPECT_NEAR(lowerHalf, (c.last - c.first) / 2, .01 * (c.last - c.first)) << c.first;
+        EXPECT_NEAR(widthBefore, c.first - 360, 2) << c.first;
+        EXPECT_NEAR(widthAfter, 830 - c.last, 2) << c.first;
+    }
+}
+
 }  // namespace
 }  // namespace eikonal

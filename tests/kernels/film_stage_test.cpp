@@ -1,10 +1,13 @@
 // The stage that sums up samples, alone: a path's state in, the film out.
 
+#include "device_function.h"
 #include "stage_fixture.h"
 
 #include "eikonal/film.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace eikonal {
@@ -104,6 +107,52 @@ TEST_F(StageTest, ResolveFilmKnowsTheSpreadOfNearlyEqualSamples) {
         EXPECT_NEAR(film.get<float>("mean", pixel), mean, 0.05 * std::sqrt(spread / weight)) << pixel;
         EXPECT_NEAR(film.get<float>("spread", pixel) / (spread * waves), 1, 0.01) << pixel;
     }
+}
+
+struct Four { float r, g, b, x; };
+
+/// Each of a sample's four wavelengths adds its radiance, times the sample's weight, to the bucket that it lies in, and to no other; those beside the range add
+/// to none. A second wave adds up, and a sample that is brighter than it may be is scaled down in all buckets alike.
+TEST(ResolveFilm, FillsBuckets) {
+    const PackedScene scene = packText("Film \"spectral\" \"integer xresolution\" 16 \"integer yresolution\" 16 \"integer nbuckets\" 7 \"float lambdamin\" 450 \"float lambdamax\" 700 \"float maxcomponentvalue\" 1e8\n"
+                                       "Sampler \"sobol\"\nWorldBegin\nLightSource \"infinite\"\nShape \"sphere\"");
+    static const DeviceFunction<Four> wavelengths({.include = "color.clh", .type = "spectrum", .body = R"(
+        color_tables set = BIND_COLORS;
+        result = path_palette(set, seed, sample).lambda;)", .inputs = {"uint seed", "uint sample"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::everything()});
+    StageBench bench(scene, paths, true, side * side);
+    bench.set(wholeImage, side, side);
+    bench.run("generate_rays", paths);
+    QueueWords states = bench.read("path");
+    std::vector<uint> seeds, samples_;
+    std::vector<double> expected(side * side * 7);
+    for (size_t i = 0; i < paths; ++i) { seeds.push_back(states.get<uint>("seed", i)); samples_.push_back(states.get<uint>("sample", i)); }
+    const std::vector<Four> lambda = wavelengths.with(DeviceScene(testContext(), scene), seeds, samples_);
+    for (size_t i = 0; i < paths; ++i) {
+        const size_t pixel = i % (side * side);
+        const float value = static_cast<float>(i + 1), bright = pixel == 3 ? 1e9f : 1, weight = pixel == 5 ? -0.5f : 2.0f;
+        states.set("L", i, Four{value * bright, 2 * value * bright, 3 * value * bright, 4 * value * bright});
+        states.set("weight", i, weight);
+        for (int channel = 0; channel < 4; ++channel) {
+            const double place = ((&lambda[i].r)[channel] - 450.0) / 250 * 7;
+            if (place >= 0 && place < 7) expected[pixel * 7 + static_cast<size_t>(place)] += 2 * weight * value * (channel + 1);
+        }
+    }
+    bench.write("path", states);
+    bench.run("resolve_film", side * side);
+    bench.run("resolve_film", side * side);
+    const QueueWords film = bench.read("film");
+    const int first = film.layout().field("buckets").slot;
+    ASSERT_EQ(film.layout().field("buckets").words, 14);
+    const auto bucket = [&](size_t pixel, int b) { const uint word = film.word(first + BUCKET_WORDS * b, pixel); float x; std::memcpy(&x, &word, sizeof x); return static_cast<double>(x); };
+    for (size_t pixel = 0; pixel < side * side; ++pixel) {
+        if (pixel == 3) continue;
+        for (int b = 0; b < 7; ++b) ASSERT_NEAR(bucket(pixel, b), expected[pixel * 7 + static_cast<size_t>(b)], 1e-6 * std::abs(expected[pixel * 7 + static_cast<size_t>(b)])) << pixel << " " << b;
+    }
+    /* Four samples, each of 1e8 in its brightest channel at most, while their light would be some 1e14 */
+    const spectrum sum = film.get<spectrum>("sum", 3);
+    EXPECT_GT(std::max({sum.r, sum.g, sum.b}), 0.5e8f);
+    EXPECT_LE(std::max({sum.r, sum.g, sum.b}), 2 * 2 * 4 * 1.00001e8f);
+    for (int b = 0; b < 7; ++b) EXPECT_LT(bucket(3, b), 1e10);
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ namespace {
     M(material, hop) M(material, first_input) M(material, input_count) M(material, displacement) M(material, normal_map) M(material, mix_a) M(material, mix_b) \
     M(material, mix_amount) M(material, disperses) M(material, regular) M(material_input, texture) M(material_input, slot) M(material_input, kind) M(material_input, count) M(material_input, value) M(color, c0) M(color, c1) M(color, c2) M(color, scale) M(color, curve) \
     M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) M(settings, sequence_sample_bits) M(settings, sequence_tile_bits) M(settings, max_depth) M(settings, light_count) \
-    M(settings, first_infinite) M(settings, infinite_count) M(settings, lights_in_tree) M(settings, world_scale) M(settings, sensor_curves) M(settings, albedo_curves) M(settings, max_component_value) \
+    M(settings, first_infinite) M(settings, infinite_count) M(settings, lights_in_tree) M(settings, world_scale) M(settings, sensor_curves) M(settings, albedo_curves) M(settings, bucket_count) M(settings, max_component_value) \
+    M(wavelength_range, first) M(wavelength_range, extent) M(wavelength_range, share) M(wavelength_range, inverse_pdf) M(wavelength_range, inverse_pdf_beside) \
     M(camera, kind) M(camera, scene_from_camera) M(camera, screen_x) M(camera, screen_y) M(camera, step_x) M(camera, step_y) M(camera, lens_radius) \
     M(camera, focal_distance) M(camera, moving) M(camera, times) M(camera, equal_area) M(camera, element_count) M(camera, rear_z) M(camera, film_radius) \
     M(camera, aperture_width) M(camera, aperture_height) M(camera, medium) M(filter, radius_x) M(filter, radius_y) \

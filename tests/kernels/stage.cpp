@@ -47,7 +47,7 @@ StageBench::StageBench(const PackedScene& scene, unsigned paths, bool poisonItem
         layouts_[layout.name] = {layout, capacity_};
         if (layout.name == "ray") layouts_["next_ray"] = {layout, capacity_};
     }
-    layouts_["film"] = {filmLayout(scene.features), filmPixels ? filmPixels : paths};
+    layouts_["film"] = {filmLayout(scene.features, scene.frame().bucket_count), filmPixels ? filmPixels : paths};
     for (const auto& [name, layout] : layouts_) {
         buffers_[name] = Buffer(testContext(), static_cast<size_t>(layout.first.words) * layout.second * sizeof(uint), "queue " + name);
         bindings_.set(name, buffers_[name]);

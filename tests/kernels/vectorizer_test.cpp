@@ -73,6 +73,10 @@ std::vector<VectorCase> cases() {
         c.color = ColorMode::spectral;
         list.push_back(c);
     }
+    /* Of a film that keeps a spectrum */
+    const std::string film = "Film \"spectral\"\n";
+    list.push_back({"shade_misses_for_spectra", "shade_misses", "LightSource \"infinite\" \"rgb L\" [ 1 1 1 ]\nShape \"sphere\"\n", film});
+    list.push_back({"shade_hits_diffuse_for_spectra", "shade_hits diffuse", sphereOf("\"diffuse\""), film});
     /* Of other integrators */
     const std::string tree = "Integrator \"whitted\"\n";
     list.push_back({"shade_occlusions", "shade_occlusions", sphereOf("\"diffuse\""), "Integrator \"ambientocclusion\"\n"});

@@ -98,6 +98,37 @@ TEST_F(Cli, AFilmMayAskForAovs) {
     EXPECT_THAT(run.error, HasSubstr("only an EXR has such"));
 }
 
+// pbrt-v4's film "spectral": an EXR has the spectra, beside the channels that are asked for; another file has the colours, and that is said.
+TEST_F(Cli, AFilmMayKeepSpectra) {
+    std::string scene = tinyScene();
+    scene.replace(scene.find("\"rgb\""), 5, "\"spectral\" \"integer nbuckets\" 5 \"float lambdamin\" 450 \"float lambdamax\" 700");
+    write("spectral.pbrt", scene);
+    ASSERT_EQ(run({"render", "spectral.pbrt", "-o", "a.exr", "--aov", "depth", "--spp", "16"}).status, 0);
+    const FilmImage seen = image("a.exr");
+    EXPECT_EQ(seen.spectrum.wavelengths, (std::vector<double>{475, 525, 575, 625, 675}));
+    EXPECT_FALSE(seen.depth.empty());
+    EXPECT_GT(seen.spectrum.radiance[seen.index(8, 6) * 5 + 2], 0.01f) << "the square is lit";
+    EXPECT_EQ(seen.spectrum.radiance[2], 0) << "nothing is in the corner";
+    ASSERT_EQ(run({"render", "spectral.pbrt", "-o", "crop.exr", "--pixelbounds", "4,12,0,6", "--spp", "16", "--wave-paths", "100"}).status, 0);
+    const FilmImage crop = image("crop.exr");
+    for (size_t b = 0; b < 5; ++b) EXPECT_EQ(crop.spectrum.radiance[crop.index(8, 5) * 5 + b], seen.spectrum.radiance[seen.index(8, 5) * 5 + b]);
+
+    const Outcome png = run({"render", "spectral.pbrt", "-o", "a.png"});
+    EXPECT_EQ(png.status, 0);
+    EXPECT_THAT(png.error, HasSubstr("only an EXR has such"));
+    const Outcome inRgb = run({"render", "spectral.pbrt", "-o", "b.exr", "--color", "rgb"});
+    EXPECT_EQ(inRgb.status, 1);
+    EXPECT_THAT(inRgb.error, testing::ContainsRegex("spectral.pbrt:[0-9]+:[0-9]+: film \"spectral\""));
+    EXPECT_FALSE(exists("b.exr"));
+
+    /* A film that is larger than memory is refused before it is begun */
+    scene.replace(scene.find("\"integer nbuckets\" 5"), 20, "\"integer nbuckets\" 512");
+    write("large.pbrt", scene);
+    const Outcome large = run({"render", "large.pbrt", "-o", "b.exr", "--resolution", "60000x60000"});
+    EXPECT_EQ(large.status, 1);
+    EXPECT_THAT(large.error, testing::ContainsRegex("large.pbrt:[0-9]+:[0-9]+: 60000 x 60000 pixels with spectra of 512 buckets take .*; --pixelbounds renders parts"));
+}
+
 TEST_F(Cli, AovsNeedAnExr) {
     write("named.pbrt", "Film \"rgb\" \"string filename\" \"a.jpg\"\nWorldBegin\nShape \"sphere\"\n");
     for (const std::vector<std::string>& arguments : {std::vector<std::string>{"tiny.pbrt", "-o", "a.png", "-o", "a.jpg"}, {"named.pbrt"}}) {

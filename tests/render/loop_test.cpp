@@ -24,7 +24,7 @@ FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {
     const DeviceScene onDevice(device(), scene);
     Profile profile;
     PathLoop loop(device(), compiler(), onDevice, scene, setup.shape, settings, profile);
-    Film film(static_cast<int>(scene.frame().width), static_cast<int>(scene.frame().height), scene.pixels, scene.features);
+    Film film(scene);
     RenderControl control;
     control.endSample = static_cast<unsigned>(scene.samples);
     control.targetError = setup.targetError;

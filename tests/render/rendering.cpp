@@ -49,7 +49,7 @@ PackedScene packScene(const std::string& text, ColorMode color) {
 
 Features surfaceFeatures() {
     using enum Feature;
-    const Features others = Features().require(SHAPE_CURVE).require(SHAPE_IMPLICIT).require(SPECTRAL).require(DISPERSION).require(MEDIA).require(AOVS).require(MOTION_VECTORS).require(SOBOL).require(AMBIENT_OCCLUSION).require(TREE).require(UNIFORM_DIRECTIONS).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
+    const Features others = Features().require(SHAPE_CURVE).require(SHAPE_IMPLICIT).require(SPECTRAL).require(SPECTRAL_FILM).require(DISPERSION).require(MEDIA).require(AOVS).require(MOTION_VECTORS).require(SOBOL).require(AMBIENT_OCCLUSION).require(TREE).require(UNIFORM_DIRECTIONS).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
         .require(CAMERA_ORTHOGRAPHIC).require(CAMERA_SPHERICAL).require(CAMERA_REALISTIC).require(APERTURE).require(CAMERA_MOTION).require(MOTION)
         .require(LIGHT_IMAGE_ENVIRONMENT).require(TEXTURE_IMAGEMAP).require(TEXTURE_FBM).require(TEXTURE_WRINKLED).require(TEXTURE_WINDY).require(TEXTURE_MARBLE)
         .require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID).require(MEDIUM_RGBGRID).require(MEDIUM_CLOUD).require(MEDIUM_NANOVDB);
@@ -94,7 +94,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     wave.warmUp();
     stages.keep(compiler());
 
-    Film film(static_cast<int>(scene.frame().width), static_cast<int>(scene.frame().height), scene.pixels, built);
+    Film film(scene, built);
     std::vector<unsigned> ends = setup.splits;
     ends.push_back(static_cast<unsigned>(scene.samples));
     RenderControl control;
@@ -163,6 +163,9 @@ void expectSameBits(const FilmImage& a, const FilmImage& b, const std::string& w
         for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];
     for (const auto& [x, y] : {std::pair(&a.depth, &b.depth), {&a.object, &b.object}, {&a.material, &b.material}})
         for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];
+    for (size_t i = 0; a.pixelCount() == b.pixelCount() && i < std::min(a.spectrum.radiance.size(), b.spectrum.radiance.size()); ++i)
+        otherChannels += std::bit_cast<std::uint32_t>(a.spectrum.radiance[i]) != std::bit_cast<std::uint32_t>(b.spectrum.radiance[i]);
+    EXPECT_EQ(a.spectrum.wavelengths, b.spectrum.wavelengths) << what;
     EXPECT_EQ(otherChannels, 0u) << what << ": values of other channels";
     EXPECT_GT(compared, 0u) << what;
     EXPECT_EQ(different, 0u) << what << ": of " << compared << " pixels; the first is " << first;

@@ -1,6 +1,7 @@
 // Images on disk: the same pixels, their place in the whole image, how they were made; and what is said when that cannot be.
 
 #include "film/image_file.h"
+#include "film/spectral_layout.h"
 #include "film/tone_map.h"
 #include "film/transfer.h"
 #include "unit/temporary_folder.h"
@@ -116,6 +117,40 @@ TEST_F(Film, exrKeepsTheAuxiliaryChannels) {
     const auto depth =
         std::find(input->spec().channelnames.begin(), input->spec().channelnames.end(), "Z") - input->spec().channelnames.begin();
     EXPECT_EQ(raw[2 * 16 + static_cast<std::size_t>(depth)], 1e10f);
+}
+
+// The layout of Fichet et al. 2021, with pbrt-v4's names.
+TEST_F(Film, exrKeepsSpectra) {
+    FilmImage image = numbered(3, 2);
+    image.spectrum.wavelengths = {374.6875, 404.0625, 1000};
+    for (int i = 0; i < 18; ++i) image.spectrum.radiance.push_back(i / 7.f);
+    writeImage(path("a.exr"), image, metadata);
+    auto input = OIIO::ImageInput::open(path("a.exr"));
+    EXPECT_THAT(input->spec().channelnames, testing::UnorderedElementsAre("R", "G", "B", "S0.374,688nm", "S0.404,062nm", "S0.1000,000nm"));
+    EXPECT_EQ(input->spec().get_string_attribute("spectralLayoutVersion"), "1.0");
+    EXPECT_EQ(input->spec().get_string_attribute("emissiveUnits"), "W.m^-2.sr^-1");
+    const FilmImage back = readImage(path("a.exr")).image;
+    EXPECT_EQ(back.spectrum.wavelengths, (std::vector<double>{374.688, 404.062, 1000}));
+    EXPECT_EQ(back.spectrum.radiance, image.spectrum.radiance);
+    EXPECT_EQ(back.color, image.color);
+
+    writeImage(path("b.exr"), numbered(3, 2), metadata);
+    EXPECT_EQ(OIIO::ImageInput::open(path("b.exr"))->spec().get_string_attribute("spectralLayoutVersion"), "");
+    writeImage(path("a.pfm"), image, metadata);
+    EXPECT_TRUE(readImage(path("a.pfm")).image.spectrum.wavelengths.empty());
+    for (const char* other : {"S0.nm", "S0.4,0,0nm", "S0.400nm ", "S1.400,000nm", "T.400,000nm", "S0.400,000", "S0.xnm"}) EXPECT_FALSE(wavelengthOfChannel(other)) << other;
+}
+
+/// As many channels as there can be at all.
+TEST_F(Film, exrKeepsManyBuckets) {
+    FilmImage image = numbered(2, 1);
+    for (int b = 0; b < 512; ++b) image.spectrum.wavelengths.push_back(500 + b / 8.0);
+    image.spectrum.radiance.assign(1024, .5f);
+    image.spectrum.radiance[512 + 300] = 3;
+    for (auto* v : {&image.albedo, &image.normal, &image.geometricNormal, &image.position}) v->resize(2);
+    for (auto* v : {&image.variance, &image.depth, &image.sampleCount}) v->resize(2);
+    writeImage(path("a.exr"), image, metadata);
+    EXPECT_EQ(readImage(path("a.exr")).image.spectrum.radiance, image.spectrum.radiance);
 }
 
 TEST_F(Film, aCropIsADataWindowInExr) {

@@ -53,6 +53,22 @@ TEST_F(Pack, SpectraAskForWavelengths) {
     EXPECT_TRUE(isSpectral(fire + "\"float temperature\" [2000]" + inside));
 }
 
+// A film that keeps a spectrum asks for them as well, whatever the scene; where the command line has forbidden them, that is said.
+TEST_F(Pack, AFilmMayAskForWavelengths) {
+    Diagnostics diagnostics(LogLevel::silent, true);
+    Scene scene = read("Film \"spectral\" \"integer nbuckets\" 30 \"float lambdamin\" 400 \"float lambdamax\" 700\nWorldBegin\nShape \"sphere\"");
+    const PackedScene packed = packScene(scene, diagnostics);
+    EXPECT_TRUE(packed.features.has(Feature::SPECTRAL) && packed.features.has(Feature::SPECTRAL_FILM));
+    EXPECT_THAT(packed.reasons.at(Feature::SPECTRAL), HasSubstr("test.pbrt:1:1: film \"spectral\""));
+    EXPECT_EQ(packed.frame().bucket_count, 30u);
+    const wavelength_range& range = packed.tables.wavelengths.at(0);
+    EXPECT_FLOAT_EQ(range.extent / range.inverse_pdf, range.share) << "the density within the range holds its share";
+    EXPECT_FLOAT_EQ((1 - range.share) * range.inverse_pdf_beside, 470 - 300) << "and that beside it the rest";
+    scene.colorMode = ColorMode::rgb;
+    EXPECT_THAT([&] { packScene(scene, diagnostics); }, testing::ThrowsMessage<SceneError>(AllOf(HasSubstr("test.pbrt:1:1: film \"spectral\""), HasSubstr("--color spectral"))));
+    EXPECT_TRUE(pack("Shape \"sphere\"").tables.wavelengths.empty());
+}
+
 // 2^40 steps: nobody waits for them, neither to find out what is in them nor to write them down.
 TEST_F(Pack, TexturesOfTexturesEnd) {
     std::string tower = "Texture \"t0\" \"spectrum\" \"constant\" \"rgb value\" [.1 .8 .2]\n";

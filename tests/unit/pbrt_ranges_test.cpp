@@ -31,7 +31,13 @@ INSTANTIATE_TEST_SUITE_P(Pbrt, BadSettings, testing::Values(
     BadNumber{"PixelFilter \"sinc\" \"float tau\" -1", "20: "},
     BadNumber{"PixelFilter \"box\" \"float yradius\" 0", "19: pixel filter \"box\": \"float yradius\" is 0; it must be in (0, inf)"},
     BadNumber{"Film \"rgb\" \"float iso\" 0", "12: film \"rgb\": \"float iso\" is 0; it must be in (0, inf)"},
-    BadNumber{"Film \"rgb\" \"float maxcomponentvalue\" -1", "12: "}));
+    BadNumber{"Film \"rgb\" \"float maxcomponentvalue\" -1", "12: "},
+    BadNumber{"Film \"spectral\" \"integer nbuckets\" 0", "17: film \"spectral\": \"integer nbuckets\" is 0; it must be in [1, 512]"},
+    BadNumber{"Film \"spectral\" \"integer nbuckets\" 100000", "17: film \"spectral\": \"integer nbuckets\" is 100000; it must be in [1, 512]"},
+    BadNumber{"Film \"spectral\" \"float lambdamin\" 300", "17: film \"spectral\": \"float lambdamin\" is 300; it must be in [360, 830]"},
+    BadNumber{"Film \"spectral\" \"float lambdamax\" 900", "17: film \"spectral\": \"float lambdamax\" is 900; it must be in [360, 830]"},
+    BadNumber{"Film \"spectral\" \"float lambdamin\" 830", "17: film \"spectral\": its wavelengths are from 830 to 830 nm; \"float lambdamax\" must be greater"},
+    BadNumber{"Film \"spectral\" \"float lambdamin\" 600 \"float lambdamax\" 500", "39: film \"spectral\": its wavelengths are from 600 to 500 nm; \"float lambdamax\" must be greater than \"float lambdamin\", by 1 nm at least"}));
 
 INSTANTIATE_TEST_SUITE_P(Pbrt, BadWorlds, testing::Values(
     BadNumber{"Material \"dielectric\" \"float eta\" -1", "23: material \"dielectric\": \"float eta\" is -1; it must be in [0, inf)"},

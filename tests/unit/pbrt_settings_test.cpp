@@ -78,6 +78,23 @@ TEST_F(PbrtSettings, films) {
     EXPECT_THAT(errorOfSettings("Film \"rgb\" \"integer xresolution\" 0"), HasSubstr("it needs one at least"));
 }
 
+TEST_F(PbrtSettings, aFilmMayKeepASpectrum) {
+    EXPECT_FALSE(settings("Film \"rgb\"").film.spectrum.has_value());
+    const FilmDescription plain = settings("Film \"spectral\"").film;
+    ASSERT_TRUE(plain.spectrum.has_value());
+    EXPECT_EQ(plain.spectrum->buckets, 16);
+    EXPECT_EQ(plain.spectrum->first, 360);
+    EXPECT_EQ(plain.spectrum->last, 830);
+    const FilmDescription film = settings("Film \"spectral\" \"integer nbuckets\" 31 \"float lambdamin\" 400 \"float lambdamax\" 710 \"float iso\" 200 \"float maxcomponentvalue\" 9").film;
+    EXPECT_EQ(film.spectrum->buckets, 31);
+    EXPECT_EQ(film.spectrum->first, 400);
+    EXPECT_EQ(film.spectrum->last, 710);
+    EXPECT_EQ(film.iso, 200);
+    EXPECT_EQ(film.maxComponentValue, 9);
+    EXPECT_EQ(film.gbuffer, GBuffer::none);
+    EXPECT_THAT(warnings_, IsEmpty());
+}
+
 TEST_F(PbrtSettings, cropsAreSortedAndClamped) {
     const FilmDescription film = settings("Film \"rgb\" \"float cropwindow\" [.75 -1 .25 .5]").film;
     EXPECT_EQ(film.cropWindow, (std::array<double, 4>{0, .75, .25, .5}));

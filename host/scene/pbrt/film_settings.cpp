@@ -9,6 +9,24 @@
 
 namespace eikonal::pbrt {
 
+/// The space of a gbuffer's positions and normals.
+static GBuffer gbufferOf(const Arguments& arguments) {
+    const std::string space = arguments.text("coordinatesystem");
+    if (space != "camera" && space != "world")
+        throw SceneError(arguments.whereOf("coordinatesystem"), "there is no coordinate system \"" + space + "\"; a film has \"camera\" and \"world\"");
+    return space == "world" ? GBuffer::worldSpace : GBuffer::cameraSpace;
+}
+
+static SpectrumKept spectrumOf(const Arguments& arguments) {
+    const SpectrumKept kept{arguments.integer("nbuckets"), arguments.number("lambdamin"), arguments.number("lambdamax")};
+    constexpr double narrowest = 1;
+    if (!(kept.last - kept.first >= narrowest))
+        throw SceneError(arguments.whereOf(arguments.has("lambdamax") ? "lambdamax" : "lambdamin"),
+                         fmt::format("{}: its wavelengths are from {:g} to {:g} nm; \"float lambdamax\" must be greater than \"float lambdamin\", by {:g} nm at least",
+                                     arguments.kind().title(), kept.first, kept.last, narrowest));
+    return kept;
+}
+
 void Settings::applyFilm(const Arguments& arguments) {
     FilmDescription& film = reading_.scene.film;
     film.where = arguments.where();
@@ -31,13 +49,9 @@ void Settings::applyFilm(const Arguments& arguments) {
         throw SceneError(arguments.whereOf("sensor"), "there is no sensor \"" + film.sensor + "\"; " +
                                                           (near.empty() ? fmt::format("it can be {}", fmt::join(names, ", ")) : "did you mean \"" + near + "\"?"));
     }
-    film.gbuffer = static_cast<GBuffer>(arguments.kind().value);
-    if (film.gbuffer != GBuffer::none) {
-        const std::string space = arguments.text("coordinatesystem");
-        if (space != "camera" && space != "world")
-            throw SceneError(arguments.whereOf("coordinatesystem"), "there is no coordinate system \"" + space + "\"; a film has \"camera\" and \"world\"");
-        if (space == "world") film.gbuffer = GBuffer::worldSpace;
-    }
+    const auto kind = static_cast<FilmKind>(arguments.kind().value);
+    if (kind == FilmKind::gbuffer) film.gbuffer = gbufferOf(arguments);
+    if (kind == FilmKind::spectral) film.spectrum = spectrumOf(arguments);
     if (arguments.has("pixelbounds")) {
         const std::vector<int> bounds = arguments.integers("pixelbounds");
         expectCount(arguments, "pixelbounds", bounds, 4);

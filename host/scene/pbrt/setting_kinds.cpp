@@ -25,9 +25,9 @@ const KindTable& cameraKinds() {
 
 const KindTable& filmKinds() {
     static const KindTable table("film", filmParameters, {
-        {"rgb", int(GBuffer::none), ""},
-        {"gbuffer", int(GBuffer::cameraSpace), "string coordinatesystem = camera"},
-        {"spectral", int(GBuffer::none), "integer nbuckets = 16; float lambdamin = 360; float lambdamax = 830", "\"rgb\" takes its place"},
+        {"rgb", int(FilmKind::rgb), ""},
+        {"gbuffer", int(FilmKind::gbuffer), "string coordinatesystem = camera"},
+        {"spectral", int(FilmKind::spectral), "integer nbuckets = 16 in [1, 512]; float lambdamin = 360 in [360, 830]; float lambdamax = 830 in [360, 830]"},
     });
     return table;
 }
