@@ -9,7 +9,7 @@ enum camera_dimension {
     dimension_pixel,           /* 2D: where in the pixel's filter */
     dimension_lens,            /* 2D: where on the lens */
     dimension_time,            /* 1D: when in the shutter's interval */
-    dimension_wavelength,      /* 1D: which wavelengths */
+    dimension_wavelength,      /* 1D: which wavelengths; with SPECTRAL_FILM 2D */
     camera_dimensions = 8
 };
 

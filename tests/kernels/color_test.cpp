@@ -103,8 +103,8 @@ TEST(Color, ComesBackFromItsWavelengths) {
 }
 
 /// Where a film's wavelengths are: as many within its range as it says, evenly; and one over the density of each is such that their sum is the width of
-/// whatever they are counted in, within the range and beside it. Four wavelengths of 4096 stratified samples: an end of an interval is off by one of 4096 of
-/// each of the four at most.
+/// whatever they are counted in, within the range and beside it. The four wavelengths of n Sobol' samples lie one in each of 4n cells of the distribution, so an interval
+/// has their expected number but for less than one at each end.
 TEST(Color, WavelengthsOfAFilmAreEven) {
     struct Sampled { Four lambda, inverse_pdf; };
     static const DeviceFunction<Sampled> function({.include = "color.clh", .type = "sampled", .body = R"(
@@ -113,30 +113,34 @@ TEST(Color, WavelengthsOfAFilmAreEven) {
         result.lambda = p.lambda;
         result.inverse_pdf = MAP_SPECTRUM(INVERSE_PDF_OF, p.lambda);)", .inputs = {"uint sample"}, .declarations = "typedef struct { spectrum lambda, inverse_pdf; } sampled;",
         .tables = "COLOR_TABLES(TABLE)", .features = Features::everything()});
-    constexpr uint samples = 4096;
-    std::vector<uint> numbers(samples);
-    for (uint i = 0; i < samples; ++i) numbers[i] = i;
-    struct Case { double first, last, share; };
-    for (const Case& c : {Case{360, 830, 1}, {400, 700, .75}, {500, 501, .75}, {360, 800, 440 / 470.}, {829, 830, .75}}) {
+    struct Case { double first, last, share; uint samples = 4096; };
+    for (const Case& c : {Case{360, 830, 1}, {400, 700, .75}, {500, 501, .75}, {360, 800, 440 / 470.}, {829, 830, .75}, {360, 830, 1, 16}, {400, 700, .75, 32}, {400, 700, .75, 64}}) {
+        const uint samples = c.samples;
+        std::vector<uint> numbers(samples);
+        for (uint i = 0; i < samples; ++i) numbers[i] = i;
         Colors tables;
         tables.scene.film.spectrum = SpectrumKept{16, c.first, c.last};
         packSpectrumKept(tables.packer);
         const DeviceScene onDevice(testContext(), tables.packed);
-        double within = 0, widthWithin = 0, widthBefore = 0, widthAfter = 0, lowerHalf = 0;
-        for (const Sampled& s : function.with(onDevice, numbers))
+        constexpr int buckets = 31;
+        double count[buckets] = {}, widthWithin = 0, widthBefore = 0, widthAfter = 0, firstBelow = 0;
+        for (const Sampled& s : function.with(onDevice, numbers)) {
+            firstBelow += s.lambda.r >= c.first && s.lambda.r < (c.first + c.last) / 2;
             for (int channel = 0; channel < 4; ++channel) {
                 const double lambda = (&s.lambda.r)[channel], width = (&s.inverse_pdf.r)[channel] / (4.0 * samples);
                 ASSERT_TRUE(lambda >= 360 && lambda <= 830) << lambda;
                 const bool is = lambda >= c.first && lambda <= c.last;
-                within += is / (4.0 * samples);
                 (is ? widthWithin : lambda < c.first ? widthBefore : widthAfter) += width;
-                if (is && lambda < (c.first + c.last) / 2) lowerHalf += width;
+                if (is) ++count[std::min(static_cast<int>((lambda - c.first) / (c.last - c.first) * buckets), buckets - 1)];
             }
-        EXPECT_NEAR(within, c.share, 8.0 / samples) << c.first;
-        EXPECT_NEAR(widthWithin, c.last - c.first, .01 * (c.last - c.first)) << c.first;
-        EXPECT_NEAR(lowerHalf, (c.last - c.first) / 2, .01 * (c.last - c.first)) << c.first;
-        EXPECT_NEAR(widthBefore, c.first - 360, 2) << c.first;
-        EXPECT_NEAR(widthAfter, 830 - c.last, 2) << c.first;
+        }
+        /* What rounding of wavelengths moves over an end: a part in 30 of a bucket of 1/31 nm */
+        for (double n : count) EXPECT_LT(std::abs(n - c.share / buckets * 4 * samples), 2 + .03 * (c.last - c.first < 2) * n) << c.first << ", " << samples;
+        EXPECT_NEAR(firstBelow, c.share / 2 * samples, 2.1) << c.first << ", " << samples;
+        const double cell = 1 / (4.0 * samples);
+        EXPECT_NEAR(widthWithin, c.last - c.first, 2 * cell * (c.last - c.first) / c.share + 1e-4) << c.first;
+        EXPECT_NEAR(widthBefore + widthAfter, 470 - (c.last - c.first), 2 * cell * 470 / (1.0001 - c.share) + 1e-4) << c.first;
+        EXPECT_NEAR(widthBefore, c.first - 360, 2 * cell * 470 / (1.0001 - c.share) + 1e-4) << c.first;
     }
 }
 

@@ -22,8 +22,8 @@ View view(const Range& range, const std::string& more = "", const std::string& f
     View v;
     v.width = v.height = 64;
     v.samples = 64;
-    v.more = fmt::format("Film \"spectral\" \"integer xresolution\" 64 \"integer yresolution\" 64 \"integer nbuckets\" {} \"float lambdamin\" {} \"float lambdamax\" {} {}\n{}", range.buckets, range.first,
-                         range.last, film, more);
+    v.more = fmt::format("Film \"spectral\" \"integer xresolution\" 64 \"integer yresolution\" 64 \"integer nbuckets\" {} \"float lambdamin\" {} \"float lambdamax\" {} {}\n{}",
+                         range.buckets, range.first, range.last, film, more);
     return v;
 }
 
