@@ -1,5 +1,6 @@
 // Every stage on Oclgrind, an OpenCL device that watches each access to memory.
 
+#include "measured_file.h"
 #include "run_program.h"
 
 #include <gtest/gtest.h>
@@ -53,6 +54,7 @@ AttributeBegin Translate -.8 .5 0 ObjectInstance "ball" AttributeEnd
 AttributeBegin Translate -.8 -.6 0 Material "dielectric" Shape "sphere" "float radius" .4 AttributeEnd
 AttributeBegin Translate 0 .5 0 Material "dielectric" "float roughness" .3 Shape "sphere" "float radius" .3 AttributeEnd
 AttributeBegin Translate .5 -.6 0 Material "coateddiffuse" Shape "sphere" "float radius" .4 AttributeEnd
+AttributeBegin Translate .6 .5 .3 Material "measured" "string filename" "brushed.bsdf" Shape "sphere" "float radius" .4 AttributeEnd
 Texture "check" "spectrum" "checkerboard" "float uscale" 4 "float vscale" 4
 Texture "holes" "float" "checkerboard" "float uscale" 8 "float vscale" 8 "float tex1" 0
 MakeNamedMaterial "paint" "string type" "diffuse" "texture reflectance" "check"
@@ -64,6 +66,7 @@ Shape "trianglemesh" "point3 P" [-2 -2 1  2 -2 1  2 2 1  -2 2 1] "integer indice
 TEST_F(Oclgrind, FindsNothing) {
     if (std::system("oclgrind --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "oclgrind is not installed (Debian package oclgrind)";
     write("everything.pbrt", everything);
+    MeasuredFile{.isotropic = false}.write(path("brushed.bsdf"));
     /* Functions are called, not inlined: inlining leaves an intrinsic behind that Oclgrind 21.10 does not know */
     const std::string command = "cd '" + path("") + "' && oclgrind --build-options -disable-llvm-passes --data-races --uninitialized --check-api --max-errors 100000 --log log.txt '" EIKONAL_BINARY
         "' render everything.pbrt -o image.exr --device Oclgrind --no-cache --wave-paths 64 --local-size 16 > out.txt 2>&1";
