@@ -1,5 +1,6 @@
 // Every stage on Oclgrind, an OpenCL device that watches each access to memory.
 
+#include "measured_file.h"
 #include "run_program.h"
 
 #include <gtest/gtest.h>
@@ -65,6 +66,7 @@ AttributeBegin Translate -.8 .5 0 ObjectInstance "ball" AttributeEnd
 AttributeBegin Translate -.8 -.6 0 Material "dielectric" Shape "sphere" "float radius" .4 AttributeEnd
 AttributeBegin Translate 0 .5 0 Material "dielectric" "float roughness" .3 Shape "sphere" "float radius" .3 AttributeEnd
 AttributeBegin Translate .5 -.6 0 Material "coateddiffuse" Shape "sphere" "float radius" .4 AttributeEnd
+AttributeBegin Translate .6 .5 .3 Material "measured" "string filename" "brushed.bsdf" Shape "sphere" "float radius" .4 AttributeEnd
 Texture "check" "spectrum" "checkerboard" "float uscale" 4 "float vscale" 4
 Texture "holes" "float" "checkerboard" "float uscale" 8 "float vscale" 8 "float tex1" 0
 MakeNamedMaterial "paint" "string type" "diffuse" "texture reflectance" "check"
@@ -73,7 +75,10 @@ Material "mix" "string materials" ["paint" "foil"]
 Shape "trianglemesh" "point3 P" [-2 -2 1  2 -2 1  2 2 1  -2 2 1] "integer indices" [0 1 2 0 2 3] "point2 uv" [0 0 1 0 1 1 0 1] "texture alpha" "holes"
 )";
 
-TEST_F(Oclgrind, FindsNothing) { expectNothingIn(everything); }
+TEST_F(Oclgrind, FindsNothing) {
+    MeasuredFile{.isotropic = false}.write(path("brushed.bsdf"));
+    expectNothingIn(everything);
+}
 
 /// A film that keeps a spectrum, of a range that some wavelengths are beside of.
 TEST_F(Oclgrind, FindsNothingInSpectra) {
