@@ -3,8 +3,6 @@
 
 #include "rendering.h"
 
-#include "render/path_loop.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -256,16 +254,7 @@ TEST_F(SlowTrees, AreTheSameInALoop) {
         scene.require(Feature::AOVS, "the test");
         RenderSetup setup;
         setup.contraction = false;
-        BuildSettings settings;
-        settings.contraction = false;
-        const DeviceScene onDevice(device(), scene);
-        Profile profile;
-        PathLoop loop(device(), compiler(), onDevice, scene, setup.shape, settings, profile);
-        Film film(scene);
-        RenderControl control;
-        control.endSample = static_cast<unsigned>(scene.samples);
-        render(device(), loop, film, profile, control);
-        expectSameBits(render(scene, setup).image, film.develop(scene), integrator);
+        expectSameBits(render(scene, setup).image, renderInLoop(scene, setup), integrator);
     }
 }
 

@@ -2,8 +2,6 @@
 
 #include "rendering.h"
 
-#include "render/path_loop.h"
-
 #include <gtest/gtest.h>
 
 namespace eikonal {
@@ -16,20 +14,6 @@ View view() {
     v.width = 24; v.height = 20;
     v.samples = 8;
     return v;
-}
-
-FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {
-    BuildSettings settings;
-    settings.contraction = setup.contraction;
-    const DeviceScene onDevice(device(), scene);
-    Profile profile;
-    PathLoop loop(device(), compiler(), onDevice, scene, setup.shape, settings, profile);
-    Film film(scene);
-    RenderControl control;
-    control.endSample = static_cast<unsigned>(scene.samples);
-    control.targetError = setup.targetError;
-    render(device(), loop, film, profile, control);
-    return film.develop(scene);
 }
 
 const char* const worlds[] = {

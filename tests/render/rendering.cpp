@@ -1,6 +1,7 @@
 #include "rendering.h"
 
 #include "device/cache.h"
+#include "render/path_loop.h"
 #include "render/wave.h"
 #include "scene/pbrt/read_pbrt.h"
 
@@ -107,6 +108,20 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
         control.firstSample = result.samples;
     }
     return {film.develop(scene), film.invalid(), result};
+}
+
+FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {
+    BuildSettings settings;
+    settings.contraction = setup.contraction;
+    const DeviceScene onDevice(device(), scene);
+    Profile profile;
+    PathLoop loop(device(), compiler(), onDevice, scene, setup.shape, settings, profile);
+    Film film(scene);
+    RenderControl control;
+    control.endSample = static_cast<unsigned>(scene.samples);
+    control.targetError = setup.targetError;
+    render(device(), loop, film, profile, control);
+    return film.develop(scene);
 }
 
 Estimate estimate(const FilmImage& image) {

@@ -56,6 +56,8 @@ PackedScene packScene(const std::string& text, ColorMode color = ColorMode::auto
 /// Renders on the tests' device (device(), below).
 Rendered render(PackedScene scene, const RenderSetup& setup = {});
 inline Rendered render(const std::string& text, const RenderSetup& setup = {}) { return render(packScene(text), setup); }
+/// The same samples, each path followed by one kernel that loops (kernels/loop.cl): the reference for the stages. Heeds contraction, shape and targetError alone.
+FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup);
 
 /// Mean over all pixels and its standard error, by channel, from how the pixels differ: they are independent estimates.
 struct Estimate { glm::dvec3 mean{0}, error{0}; };

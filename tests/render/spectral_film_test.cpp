@@ -2,7 +2,6 @@
 
 #include "rendering.h"
 
-#include "render/path_loop.h"
 #include "scene/pbrt/read_pbrt.h"
 #include "spectra/observer.h"
 
@@ -226,16 +225,7 @@ TEST(SpectralFilm, TheLoopGivesTheSameBits) {
     const PackedScene scene = smallRoom();
     RenderSetup setup;
     setup.contraction = false;
-    BuildSettings settings;
-    settings.contraction = false;
-    const DeviceScene onDevice(device(), scene);
-    Profile profile;
-    PathLoop loop(device(), compiler(), onDevice, scene, setup.shape, settings, profile);
-    Film film(scene);
-    RenderControl control;
-    control.endSample = static_cast<unsigned>(scene.samples);
-    render(device(), loop, film, profile, control);
-    expectSameBits(render(scene, setup).image, film.develop(scene), "loop");
+    expectSameBits(render(scene, setup).image, renderInLoop(scene, setup), "loop");
 }
 
 }  // namespace
