@@ -126,7 +126,7 @@ void packTexels(Packer& packer, const std::vector<glm::vec3>& texels) {
 }
 
 void packUplift(Packer& packer) {
-    packer.packed.tables.uplift.assign(upliftTable().begin(), upliftTable().end());
+    if (packer.packed.tables.uplift.empty()) packer.packed.tables.uplift.assign(upliftTable().begin(), upliftTable().end());
 }
 
 void packSensor(Packer& packer) {
