@@ -50,15 +50,9 @@ DiffusionProfile profileOf(const Medium& medium, std::optional<Spectrum> albedo,
 }
 
 /// Of a body of which a texture says the albedo or the free paths. Scattering that is not reduced counts as that of an albedo of 0.5.
-DiffusionProfile texturedProfile(const Arguments& arguments, const Input& albedo, const Input& path, double eta) {
-    const double g = std::clamp(arguments.number("g"), -0.99, 0.99), scale = arguments.number("scale");
-    const double reduced = 1 - g * DiffuseAlbedoTable(g, eta).singleScattering(0.5);
+DiffusionProfile texturedProfile(const Input& albedo, const Input& path, const DiffuseAlbedoTable& table, double g, double scale) {
+    const double reduced = 1 - g * table.singleScattering(0.5);
     return {albedo.texture == none ? albedo.value : Spectrum::constant(1), (path.texture == none ? path.value : Spectrum::constant(1)) * (scale / reduced), albedo.texture, path.texture};
-}
-
-/// Whether a "reflectance" says what is inside, and nothing that comes before it.
-bool saysReflectance(const Arguments& arguments) {
-    return arguments.text("name").empty() && !arguments.has("sigma_a") && !arguments.has("sigma_s") && arguments.has("reflectance");
 }
 
 }  // namespace
@@ -71,13 +65,6 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         throw SceneError(arguments.whereOf("method"), "there is no method \"" + method + "\"; it can be \"diffusion\" or \"randomwalk\"");
     material.method = known->second;
 
-    if (saysReflectance(arguments)) {
-        const Input albedo = textures.input(arguments, "reflectance"), path = arguments.has("mfp") ? textures.input(arguments, "mfp") : Input{Spectrum::constant(1)};
-        if (albedo.texture != none || path.texture != none) {
-            material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(arguments, albedo, path, eta));
-            return;
-        }
-    }
     std::optional<Spectrum> albedo;
     auto medium = std::make_shared<Medium>();
     medium->where = arguments.where();
@@ -102,13 +89,17 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         medium->sigmaA = arguments.spectrum("sigma_a") * scale;
         medium->sigmaS = arguments.spectrum("sigma_s") * scale;
     } else if (arguments.has("reflectance")) {
-        /* rho of 1 / mfp scatters, the rest absorbs */
+        const Input reflectance = textures.input(arguments, "reflectance"), mfp = textures.input(arguments, "mfp", Spectrum::constant(1));
         const DiffuseAlbedoTable table(medium->g, eta);
-        const Spectrum mfp = arguments.spectrum("mfp", Spectrum::constant(1));
+        if (reflectance.texture != none || mfp.texture != none) {
+            material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(reflectance, mfp, table, medium->g, scale));
+            return;
+        }
+        /* rho of 1 / mfp scatters, the rest absorbs */
         const auto all = [&](double length) { return 1 / std::max(length * scale, 1e-9); };
-        albedo = arguments.spectrum("reflectance");
-        medium->sigmaA = combine(*albedo, mfp, [&](double A, double length) { return (1 - table.singleScattering(A)) * all(length); });
-        medium->sigmaS = combine(*albedo, mfp, [&](double A, double length) { return table.singleScattering(A) * all(length); });
+        albedo = reflectance.value;
+        medium->sigmaA = combine(*albedo, mfp.value, [&](double A, double length) { return (1 - table.singleScattering(A)) * all(length); });
+        medium->sigmaS = combine(*albedo, mfp.value, [&](double A, double length) { return table.singleScattering(A) * all(length); });
     } else {
         warnOfIgnored(reading, arguments, {"mfp"}, "no \"reflectance\"");
         medium->sigmaA = Spectrum::rgb({0.0011, 0.0024, 0.014}) * scale;   // pbrt-v4's default: whole milk
