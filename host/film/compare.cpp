@@ -1,6 +1,7 @@
 #include "film/compare.h"
 
 #include "error.h"
+#include "film/luminance.h"
 
 #include <fmt/format.h>
 
@@ -35,8 +36,8 @@ struct Sums {
     /// Of the mean difference, from the variance: a channel's noise is to the luminance's as the channel is to the luminance.
     glm::dvec3 knownError() const {
         const glm::dvec3 both = image + reference;
-        const double luminance = glm::dot(both, glm::dvec3(0.2126, 0.7152, 0.0722));
-        return luminance > 0 ? std::sqrt(variance) / count * glm::abs(both) / luminance : glm::dvec3(0);
+        const double brightness = luminance(both);
+        return brightness > 0 ? std::sqrt(variance) / count * glm::abs(both) / brightness : glm::dvec3(0);
     }
     /// Of the mean difference: the differences' standard deviation over the root of their number.
     glm::dvec3 scatterError() const {

@@ -1,10 +1,10 @@
 #include "film/exposure.h"
 
+#include "film/luminance.h"
 #include "spectra/sensor.h"
 
 namespace eikonal {
 
-static double luminance(const glm::dvec3& color) { return glm::dot(color, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 
 void expose(FilmImage& image, const FilmDescription& film) {
     const SensorDescription sensor{film.sensor, film.whiteBalance, film.exposureTime * film.iso / 100, film.colorSpace};

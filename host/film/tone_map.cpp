@@ -1,6 +1,7 @@
 #include "film/tone_map.h"
 
 #include "error.h"
+#include "film/luminance.h"
 #include "film/transfer.h"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ constexpr std::array<std::pair<const char*, ToneCurve>, 3> curves{
 glm::dvec3 bend(glm::dvec3 x, ToneCurve curve) {
     switch (curve) {
         case ToneCurve::clamp: return x;
-        case ToneCurve::reinhard: return x / (1 + std::max(0., glm::dot(x, glm::dvec3(0.2126, 0.7152, 0.0722))));
+        case ToneCurve::reinhard: return x / (1 + std::max(0., luminance(x)));
         case ToneCurve::filmic: return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
     }
     return x;

@@ -1,5 +1,6 @@
 #include "pack/colors.h"
 
+#include "film/luminance.h"
 #include "film/transfer.h"
 #include "pack/packer.h"
 #include "spectra/sensor.h"
@@ -141,8 +142,7 @@ void packSensor(Packer& packer) {
 }
 
 double luminanceOf(const Spectrum& light, double factor) {
-    const glm::vec3 rgb(light.illuminant() * factor);
-    return 0.2126 * rgb.x + 0.7152 * rgb.y + 0.0722 * rgb.z;
+    return luminance(glm::vec3(light.illuminant() * factor));
 }
 
 std::vector<float> srgbLevels() {

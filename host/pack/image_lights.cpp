@@ -1,5 +1,6 @@
 #include "pack/image_lights.h"
 
+#include "film/luminance.h"
 #include "pack/colors.h"
 #include "pack/portal.h"
 #include "scene/equal_area.h"
@@ -9,7 +10,6 @@
 
 namespace eikonal {
 
-double luminanceOfTexel(glm::dvec3 s) { return glm::dot(s, glm::dvec3(0.2126, 0.7152, 0.0722)); }
 static double greyOf(glm::dvec3 s) { return (s.x + s.y + s.z) / 3; }
 
 const ImageData& sphereImage(const Packer& packer, const Light& d, int index) {
@@ -35,7 +35,7 @@ double upwardIlluminance(const ImageData& image) {
     for (int y = 0; y < n; ++y)
         for (int x = 0; x < n; ++x) {
             const double z = directionFromSquare({(x + 0.5) / n, (y + 0.5) / n}).z;
-            if (z > 0) sum += luminanceOfTexel(texelOf(image, x, y)) * z;
+            if (z > 0) sum += luminance(texelOf(image, x, y)) * z;
         }
     return std::max(sum * 2 * M_PI / (static_cast<double>(n) * n), 1e-30);
 }
@@ -91,7 +91,7 @@ PackedLight packImageLight(Packer& packer, const Light& d, const ProjectionLight
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) {
             const double u = (2 * (x + 0.5) / image.width - 1) * halfWidth, v = (2 * (y + 0.5) / image.height - 1) * halfHeight;
-            flux += luminanceOfTexel(texelOf(image, x, y)) * std::pow(1 + u * u + v * v, -1.5);
+            flux += luminance(texelOf(image, x, y)) * std::pow(1 + u * u + v * v, -1.5);
         }
     flux *= 4 * halfWidth * halfHeight / (static_cast<double>(image.width) * image.height);
     const double watts = d.power ? *d.power / std::max(flux, 1e-30) : 1, I = d.scale * watts * packer.space.scale * packer.space.scale;

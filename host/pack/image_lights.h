@@ -13,8 +13,6 @@ light newLight(light_kind kind, const color& L);
 const ImageData& sphereImage(const Packer&, const Light&, int image);
 /// The texel of column x and row y; nothing is negative.
 glm::dvec3 texelOf(const ImageData&, int x, int y);
-/// Luminance of linear sRGB.
-double luminanceOfTexel(glm::dvec3 texel);
 /// The number of the texel that packTexels adds next to `environment_texels`.
 uint nextTexel(const Packer&);
 /// Illuminance of a surface that faces +z of an image over the sphere of directions, as pbrt-v4 measures it: it takes the square for the

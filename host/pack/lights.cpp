@@ -1,6 +1,7 @@
 // Lights without a shape; then the light sampler.
 
 #include "pack/alias_table.h"
+#include "film/luminance.h"
 #include "pack/image_lights.h"
 #include "pack/light_sampler.h"
 
@@ -127,7 +128,7 @@ private:
                 glm::vec3& t = texels[static_cast<size_t>(y) * n + x];
                 t = {static_cast<float>(t.r * scale), static_cast<float>(t.g * scale), static_cast<float>(t.b * scale)};
                 row.push_back((t.r + t.g + t.b) / 3);
-                sum += luminanceOfTexel(t);
+                sum += luminance(t);
             }
             double total = 0;
             for (double w : row) total += w;

@@ -1,5 +1,7 @@
 #include "pack/portal.h"
 
+#include "film/luminance.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -24,7 +26,7 @@ PortalImage makePortalImage(int resolution, const std::function<glm::dvec3(glm::
             const glm::dvec3 L = glm::max(radiance(w), glm::dvec3(0));
             image.texels[y * n + x] = L;
             weights[y * n + x] = (L.x + L.y + L.z) / 3 * stretch;
-            luminances[y * n + x] = glm::dot(L, glm::dvec3(0.2126, 0.7152, 0.0722)) * stretch;
+            luminances[y * n + x] = luminance(L) * stretch;
         }
     });
 

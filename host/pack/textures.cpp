@@ -2,6 +2,7 @@
 
 #include "pack/packer.h"
 
+#include "film/luminance.h"
 #include "overloaded.h"
 #include "pack/colors.h"
 
@@ -239,7 +240,7 @@ double meanLuminance(Packer& packer, int index) {
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)
             for (int c = 0; c < 3; ++c) sum[c] += std::max(image.at(x, y, image.channels == 1 ? 0 : c), 0.0f);
-    return found->second = glm::dot(sum, glm::dvec3(0.2126, 0.7152, 0.0722)) / (static_cast<double>(image.width) * image.height);
+    return found->second = luminance(sum) / (static_cast<double>(image.width) * image.height);
 }
 
 uint packEmissionImage(Packer& packer, const AreaLight& light) {

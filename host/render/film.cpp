@@ -1,5 +1,6 @@
 #include "render/film.h"
 
+#include "film/luminance.h"
 #include "render/projection.h"
 
 #include <algorithm>
@@ -33,20 +34,21 @@ static Region regionOf(const PixelRect& film, const Batch& batch, size_t block, 
             n(film.width()) * word, n(film.width()) * n(film.height()) * word, n(batch.size.width()) * word, batch.pixels() * word};
 }
 
-void Film::upload(const Context& context, const Buffer& buffer, const Batch& batch) const {
+/// Copies the pixels of a batch's blocks by clEnqueueWriteBufferRect or clEnqueueReadBufferRect.
+template <class Enqueue, class Data>
+static void copyBlocks(Enqueue enqueue, const Context& context, const Buffer& buffer, const PixelRect& film, int words, const Batch& batch, Data* data, const char* what) {
     for (size_t block = 0; block < batch.blocks.size(); ++block) {
-        const Region r = regionOf(pixels_, batch, block, layout_.words);
-        check(clEnqueueWriteBufferRect(context.queue(), buffer.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice, r.hostRow,
-                                       r.hostSlice, data_.get(), 0, nullptr, nullptr), "copying pixels of the film to the device");
+        const Region r = regionOf(film, batch, block, words);
+        check(enqueue(context.queue(), buffer.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice, r.hostRow, r.hostSlice, data, 0, nullptr, nullptr), what);
     }
 }
 
+void Film::upload(const Context& context, const Buffer& buffer, const Batch& batch) const {
+    copyBlocks(clEnqueueWriteBufferRect, context, buffer, pixels_, layout_.words, batch, data_.get(), "copying pixels of the film to the device");
+}
+
 void Film::download(const Context& context, const Buffer& buffer, const Batch& batch) {
-    for (size_t block = 0; block < batch.blocks.size(); ++block) {
-        const Region r = regionOf(pixels_, batch, block, layout_.words);
-        check(clEnqueueReadBufferRect(context.queue(), buffer.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice, r.hostRow,
-                                      r.hostSlice, data_.get(), 0, nullptr, nullptr), "copying pixels of the film from the device");
-    }
+    copyBlocks(clEnqueueReadBufferRect, context, buffer, pixels_, layout_.words, batch, data_.get(), "copying pixels of the film from the device");
 }
 
 const uint* Film::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
@@ -63,8 +65,6 @@ struct Film::Planes {
           count(f.numbers("count")) {}
 
     glm::vec3 color(size_t i) const { return glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0); }
-
-    static double luminance(glm::vec3 color) { return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b; }
 
     /// Of the mean of a pixel's luminance, estimated from the spread of its samples; zero if there are too few.
     /* The mean is a ratio of two sums, sum(w L) / sum(w): its variance is that of sum(w (L - mean)), over the square of sum(w). */
@@ -84,8 +84,8 @@ double Film::relativeVariance(const PixelRect& part) const {
         for (int x = part.x0; x < part.x1; ++x) {
             const size_t i = static_cast<size_t>(y - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(x - pixels_.x0);
             const glm::vec3 color = planes.color(i);
-            const double luminance = Planes::luminance(color);
-            sum += planes.variance(i, color) / (luminance * luminance + 0.01);
+            const double brightness = luminance(color);
+            sum += planes.variance(i, color) / (brightness * brightness + 0.01);
         }
     return sum;
 }
