@@ -4,6 +4,7 @@
 #include "commands/scene_loading.h"
 #include "commands/wait_notice.h"
 #include "pack/packer.h"
+#include "render/displacement.h"
 #include "render/path_loop.h"
 #include "render/wave_queues.h"
 
@@ -73,15 +74,24 @@ void Session::load(bool withDevice) {
         scene_ = loadScene(options_.scene, diagnostics_);
         times_.load = time.seconds();
     });
-    if (withDevice) {
-        const Stopwatch time;
-        context_ = std::make_unique<Context>(chooseDevice(options_.device.device), profiling_);
-        if (options_.device.cache) reportCacheFolder(diagnostics_);
-        compiler_ = std::make_unique<Compiler>(*context_, findKernelFolders(), cacheFolderFor(options_.device));
-        times_.device = time.seconds();
-    }
+    if (withDevice) openDevice();
     loaded.get();
-    if (context_) shape_ = shapeFor(context_->device(), options_.device);
+}
+
+void Session::openDevice() {
+    const Stopwatch time;
+    context_ = std::make_unique<Context>(chooseDevice(options_.device.device), profiling_);
+    if (options_.device.cache) reportCacheFolder(diagnostics_);
+    compiler_ = std::make_unique<Compiler>(*context_, findKernelFolders(), cacheFolderFor(options_.device));
+    shape_ = shapeFor(context_->device(), options_.device);
+    times_.device = time.seconds();
+}
+
+void Session::displace() {
+    if (!hasDisplacedMeshes(scene_)) return;
+    if (!context_) openDevice();
+    const WaitNotice notice("displacing meshes", options_.log < LogLevel::warning);
+    displaceMeshes(scene_, *context_, *compiler_, shape_, buildSettingsFor(options_.device), diagnostics_);
 }
 
 void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
@@ -91,10 +101,12 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
         scene_.film.spectrum.reset();
         if (scene_.colorMode == ColorMode::automatic) scene_.colorMode = ColorMode::spectral;
     }
+    displace();
     packed_ = packScene(scene_, diagnostics_);
     warnOfDarkness(scene_, packed_, diagnostics_);
     scene_.shapes.clear();
     scene_.objects.clear();
+    scene_.images.clear();
     if (aovs.ofSurfaces()) packed_.require(Feature::AOVS, "--aov, or a film \"gbuffer\"");
     if (aovs.motion && packed_.features.has(Feature::MOTION)) packed_.require(Feature::MOTION_VECTORS, "--aov, or a film \"gbuffer\"");
     times_.pack = time.seconds();

@@ -55,7 +55,7 @@ public:
 
     /// Reads the scene, while the device opens. Without a device, plan() supposes a processor.
     void load(bool withDevice = true);
-    /// Fills its tables, and forgets the scene's meshes; the film keeps what `aovs` take, and a spectrum
+    /// Fills its tables, and forgets the scene's meshes and images; the film keeps what `aovs` take, and a spectrum
     /// if the scene asks for it and keepsSpectrum.
     void pack(const Aovs& aovs, bool keepsSpectrum = true);
     /// What prepare() is going to allocate.
@@ -77,6 +77,10 @@ public:
     int compiledStages() const { return missing_; }   ///< how many were not in the cache before
 
 private:
+    void openDevice();
+    /// Moves the vertices of meshes that a texture displaces: a device looks it up.
+    void displace();
+
     const Options& options_;
     Diagnostics& diagnostics_;
     const bool profiling_;

@@ -41,6 +41,15 @@ static Box worldBounds(const Scene& scene) {
     return box;
 }
 
+PackedTextures packTextures(const Scene& scene, std::span<const int> textures, Diagnostics& diagnostics) {
+    PackedTextures result;
+    Packer packer{scene, diagnostics, result.scene, {}, {}};
+    packer.images = loadImages(scene.images);
+    result.scene.tables.frame.emplace_back();
+    for (const int texture : textures) result.programs.push_back(packTexture(packer, texture));
+    return result;
+}
+
 PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     const auto start = std::chrono::steady_clock::now();
     PackedScene packed;

@@ -5,6 +5,7 @@
 #include "pack/implicit.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace eikonal {
 
@@ -24,7 +25,7 @@ public:
         packed.material = materialIndex;
         packed.id = id;
         packed.first_element = static_cast<uint>(tables_.element_shapes.size());
-        packed.first_normal = packed.first_uv = packed.quadric = packed.first_light = packed.alpha = packed.emission = NONE;
+        packed.first_normal = packed.first_tangent = packed.first_uv = packed.quadric = packed.first_light = packed.alpha = packed.emission = NONE;
         packed.inside = packed.outside = NONE;
         if (isInterface) packed.flags |= shape_is_interface;
         if (packer_.hasMedia && s.interface) {
@@ -38,7 +39,10 @@ public:
         }
         const glm::dmat4 groupFromObject = group.space.sceneFromWorld() * worldFromObject;
         const size_t elements = std::visit(Overloaded{
-            [&](const TriangleMesh& m) { return addTriangles(group, packed, s, *m.mesh, groupFromObject); },
+            [&](const TriangleMesh& m) {
+                if (s.displacement) throw std::logic_error("a mesh is to be displaced before it is packed (render/displacement.h)");
+                return addTriangles(group, packed, s, *m.mesh, groupFromObject);
+            },
             [&](const BilinearMesh& m) { return addPatches(group, packed, s, *m.mesh, groupFromObject); },
             [&](const Sphere& q) { return addSphere(group, packed, s, q, groupFromObject, instanceSwaps); },
             [&](const Disk& q) { return addDisk(group, packed, s, q, groupFromObject, instanceSwaps); },
@@ -62,6 +66,11 @@ private:
         if (!mesh.normals.empty()) {
             packed.first_normal = static_cast<uint>(tables_.normals.size());
             for (const glm::vec3& n : mesh.normals) tables_.normals.push_back(toVec3(transformNormal(m, n) * (s.reverseOrientation ? -1.0 : 1.0)));
+        }
+        if (!mesh.tangents.empty()) {
+            packed.first_tangent = static_cast<uint>(tables_.tangents.size());
+            for (const glm::vec3& t : mesh.tangents) tables_.tangents.push_back(toVec3(transformVector(m, t)));
+            packer_.packed.require(Feature::TANGENTS, s.where.toString());
         }
         if (!mesh.uvs.empty()) {
             packed.first_uv = static_cast<uint>(tables_.uvs.size());

@@ -125,6 +125,15 @@ PlyMesh parse(std::span<const char> bytes) {
 
 }  // namespace
 
+std::shared_ptr<const Mesh> trianglesOf(const PlyMesh& ply) {
+    if (!ply.quads) return ply.triangles;
+    auto mesh = std::make_shared<Mesh>(*ply.quads);
+    mesh->indices = ply.triangles ? ply.triangles->indices : std::vector<std::uint32_t>();
+    const std::vector<std::uint32_t>& q = ply.quads->indices;
+    for (std::size_t i = 0; i < q.size(); i += 4) mesh->indices.insert(mesh->indices.end(), {q[i], q[i + 1], q[i + 3], q[i], q[i + 3], q[i + 2]});
+    return mesh;
+}
+
 PlyMesh loadPly(const std::string& path, const SourceLocation& where) {
     try {
         return parse(readBytes(path));

@@ -16,6 +16,9 @@ struct PlyMesh {
     std::size_t droppedFaces = 0;     ///< faces with fewer than three corners, which are left out
 };
 
+/// All faces as triangles, patches cut in two from corner 0 to corner 3 (of a bilinear patch: to (1, 1)), as pbrt-v4 does for displacement.
+std::shared_ptr<const Mesh> trianglesOf(const PlyMesh& ply);
+
 /// Reads a PLY file of format ascii, binary_little_endian or binary_big_endian, gzip-compressed or not.
 /// Of element "vertex": x y z, and where present nx ny nz and one of (u v) (s t) (texture_u texture_v) (texture_s texture_t).
 /// Of element "face": the list vertex_indices (or vertex_index). Anything else is skipped. Vertices keep their order and numbers.

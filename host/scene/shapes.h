@@ -21,6 +21,7 @@ struct Expression;  // scene/expression.h
 struct Mesh {
     std::vector<glm::vec3> positions;
     std::vector<glm::vec3> normals;      ///< one a position, or empty
+    std::vector<glm::vec3> tangents;     ///< of triangles: where u grows, as shading sees it; one a position, or empty: the texture coordinates say
     std::vector<glm::vec2> uvs;          ///< one a position, or empty
     std::vector<std::uint32_t> indices;
 };
@@ -50,8 +51,17 @@ struct ImplicitSurface { std::shared_ptr<const Expression> F; glm::dvec3 low, hi
 
 struct MediumInterface { int inside = none, outside = none; };  ///< in Scene::media; none: vacuum
 
+/// How a texture moves the vertices of a mesh of triangles along their normals, in object space: done before the scene is packed
+/// (render/displacement.h).
+struct Displacement {
+    int texture = none;      ///< in Scene::textures, of numbers
+    double edgeLength = 1;   ///< > 0: longer edges are cut before, world space
+    SourceLocation where;
+};
+
 struct Shape {
     std::variant<TriangleMesh, BilinearMesh, Sphere, Disk, Cylinder, CurveShape, ImplicitSurface> kind;
+    std::optional<Displacement> displacement;     ///< of a TriangleMesh
     Transform worldFromObject{1};
     std::optional<Transform> worldFromObjectAtEnd;  ///< set: it moves, and is there at Scene::motionEnd
     bool reverseOrientation = false;

@@ -29,6 +29,7 @@
     F(TEXTURED,         "a material parameter that varies over its surface") \
     F(TRANSMISSION,     "a material that transmits") \
     F(ANISOTROPY,       "a material whose look depends on the direction along the surface") \
+    F(TANGENTS,         "a mesh that says which way its tangents run") \
     F(GRAIN,            "a measured surface that was measured from all around") \
     F(BUMP,             "a displacement texture") \
     F(NORMAL_MAP,       "a normal map") \

@@ -74,7 +74,8 @@ typedef struct {
     T(float,               float_texels)     /* texels of floating-point images */ \
     T(float,               srgb_levels)      /* linear light of each of the 256 values of an 8-bit sRGB channel, if an image has them */ \
     T(vec3,                normals) \
-    T(vec2,                uvs)
+    T(vec2,                uvs) \
+    T(vec3,                tangents)
 
 /* What routing reads besides geometry and textures. */
 #define MATERIAL_TABLES(T) \

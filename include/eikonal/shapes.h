@@ -34,6 +34,7 @@ typedef struct {
     uint first_index;    /* meshes: its vertex indices start here in `indices`; 3 or 4 for an element; curves: its segments in `curve_segments`; its place in `implicits` */
     uint first_vertex;   /* meshes: added to every index */
     uint first_normal;   /* meshes: its normals start here in `normals`, one a vertex; NONE: it has none */
+    uint first_tangent;  /* meshes: its tangents in `tangents`, one a vertex; NONE: they follow the texture coordinates; only with TANGENTS */
     uint first_uv;       /* meshes: its texture coordinates in `uvs`, one a vertex; NONE: the element's own (u, v) */
     uint quadric;        /* in `quadrics`; NONE for meshes; implicit surfaces: only the maps count; curves: only the maps count, and NONE means that there is no need for them */
     uint splits;         /* curves: each segment is 2^splits elements, one after the other */

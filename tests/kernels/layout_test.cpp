@@ -26,7 +26,7 @@ namespace {
     M(alias_entry, keep) M(alias_entry, other) M(alias_entry, pmf) \
     M(light_node, x) M(light_node, y) M(light_node, z) M(light_node, radius) M(light_node, axis_x) M(light_node, axis_y) M(light_node, axis_z) \
     M(light_node, cos_normals) M(light_node, cos_emission) M(light_node, intensity) M(light_node, two_sided) M(light_node, child) M(light_node, parent) \
-    M(shape, kind) M(shape, flags) M(shape, first_element) M(shape, first_index) M(shape, first_vertex) M(shape, first_normal) M(shape, first_uv) \
+    M(shape, kind) M(shape, flags) M(shape, first_element) M(shape, first_index) M(shape, first_vertex) M(shape, first_normal) M(shape, first_tangent) M(shape, first_uv) \
     M(shape, quadric) M(shape, splits) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, emission) M(shape, id) M(shape, inside) M(shape, outside) \
     M(quadric, object_from_scene) M(quadric, scene_from_object) M(quadric, radius) M(quadric, inner_radius) M(quadric, z_min) M(quadric, z_max) M(quadric, phi_max) \
     M(curve, p) M(curve, width) M(curve, type) M(curve, normal_angle) M(curve, n) \

@@ -19,7 +19,7 @@ const std::string kindNames[] = {SHAPES(SHAPE_NAME)};
 /// Every shape and instances; no textures, which would take minutes to compile and cut nothing out here.
 Features shapeFeatures() {
     Features features;
-    features.require(Feature::INSTANCES);
+    features.require(Feature::INSTANCES).require(Feature::TANGENTS);
 #define REQUIRE_SHAPE(name, FEATURE) features.require(Feature::FEATURE);
     SHAPES(REQUIRE_SHAPE)
 #undef REQUIRE_SHAPE
@@ -168,6 +168,33 @@ TEST_P(Shapes, DerivativesFollowTheSurface) {
             ASSERT_LT(glm::length(n - turned - glm::dot(n - turned, toGlm(a.ns)) * toGlm(a.ns)), 0.25 * glm::length(turned) + 2e-3) << "ray " << i << "\n" << text;
         }
         EXPECT_GT(compared, 50u) << text;
+    }
+}
+
+/// A mesh's tangents are interpolated, go with it through its transforms, and are brought into the plane across the shading normal.
+TEST(Tangents, TurnTheFrame) {
+    const std::string mesh = "Shape \"trianglemesh\" \"point3 P\" [ -1 -1 0  1 -1 0  0 1 0 ] \"vector3 S\" [ 1 0 0  1 2 3  -1 1 0 ] ";
+    const std::string turned = "Rotate 90 0 0 1 Scale 2 1 1 ", normals = "\"normal N\" [ 0 .6 .8  0 .6 .8  0 .6 .8 ] ";
+    const std::vector<vec3> o{{0, -0.2f, 3}}, d{{0, 0, -1}}, w{{0, 0, 1}};
+    const auto meet = [&](const std::string& text) { return probe(packText("WorldBegin " + text), o, d, w, {1}).front(); };
+    const auto expectTangent = [&](const Probe& at, glm::dvec3 expected) {
+        const glm::dvec3 ns = toGlm(at.ns), across = expected - glm::dot(expected, ns) * ns;
+        EXPECT_LT(glm::length(glm::normalize(toGlm(at.dpdu)) - glm::normalize(across)), 1e-5);
+        EXPECT_LT(glm::length(glm::normalize(toGlm(at.dpdv)) - glm::normalize(glm::cross(ns, across))), 1e-5);
+        EXPECT_LT(glm::length(toGlm(at.dndu)) + glm::length(toGlm(at.dndv)), 1e-5);
+    };
+    const auto blend = [](const Probe& at, glm::dmat3 m) {
+        return m * ((1 - static_cast<double>(at.u + at.v)) * glm::dvec3(1, 0, 0) + static_cast<double>(at.u) * glm::dvec3(1, 2, 3) + static_cast<double>(at.v) * glm::dvec3(-1, 1, 0));
+    };
+    const glm::dmat3 turn(glm::dvec3(0, 2, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1));   // columns
+    for (const std::string& more : {std::string(), normals}) {
+        const Probe still = meet(mesh + more), moved = meet(turned + mesh + more), instance = meet("ObjectBegin \"o\" " + mesh + more + "ObjectEnd ObjectInstance \"o\" Translate 0 0 -1 " + turned + "ObjectInstance \"o\"");
+        ASSERT_GE(still.t, 0);
+        expectTangent(still, blend(still, glm::dmat3(1)));
+        expectTangent(moved, blend(moved, turn));
+        expectTangent(instance, blend(instance, glm::dmat3(1)));
+        const Probe plain = meet("Shape \"trianglemesh\" \"point3 P\" [ -1 -1 0  1 -1 0  0 1 0 ] \"vector3 S\" [ 0 0 0  0 0 0  0 0 0 ] " + more);
+        EXPECT_NEAR(glm::normalize(toGlm(plain.dpdu)).x, 1, 1e-5) << "no tangent: that of the texture coordinates";
     }
 }
 

@@ -112,7 +112,32 @@ TEST_F(PbrtShapes, plyFilesAreReadOnce) {
     EXPECT_EQ(std::get<TriangleMesh>(scene.shapes[0].kind).mesh, std::get<TriangleMesh>(scene.shapes[2].kind).mesh);
     EXPECT_TRUE(std::holds_alternative<BilinearMesh>(scene.shapes[3].kind));
     expectNear(apply(scene.shapes[3].worldFromObject, {0, 0, 0}), {1, 0, 0});
+    EXPECT_FALSE(scene.shapes.at(0).displacement);
     EXPECT_THAT(errorOfWorld("Shape \"plymesh\""), HasSubstr("needs a \"string filename\""));
+}
+
+/// All faces as triangles: pbrt-v4 cuts quadrilaterals from their first corner to their third.
+TEST_F(PbrtShapes, displacedMeshes) {
+    write("m.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+                   "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n4 0 1 2 3\n");
+    const std::string waves = "Texture \"waves\" \"float\" \"windy\" ", mesh = "Shape \"plymesh\" \"string filename\" \"m.ply\" ";
+    const Scene scene = world(waves + mesh + "\"texture displacement\" \"waves\" \"float edgelength\" .25");
+    EXPECT_THAT(warnings_, IsEmpty());
+    ASSERT_EQ(scene.shapes.size(), 1u);
+    EXPECT_THAT(std::get<TriangleMesh>(scene.shapes[0].kind).mesh->indices, ElementsAre(0, 1, 2, 0, 1, 2, 0, 2, 3));
+    EXPECT_EQ(scene.shapes[0].displacement->edgeLength, .25);
+    EXPECT_EQ(scene.textures[static_cast<size_t>(scene.shapes[0].displacement->texture)].name, "waves");
+    EXPECT_EQ(read("Option \"displacementedgescale\" 4\nWorldBegin " + waves + mesh + "\"texture displacement\" \"waves\"").shapes[0].displacement->edgeLength, 4);
+    EXPECT_THAT(errorOf("Option \"displacementedgescale\" 0\nWorldBegin"), HasSubstr("test.pbrt:1:32: \"0\" found where a number above 0 is expected"));
+    EXPECT_THAT(errorOfWorld(waves + mesh + "\"texture displacement\" \"waves\" \"float edgelength\" 0"), HasSubstr("\"float edgelength\" is 0; it must be in (0, inf)"));
+    EXPECT_THAT(errorOfWorld(mesh + "\"texture displacement\" \"waves\""), HasSubstr("there is no float texture \"waves\""));
+}
+
+TEST_F(PbrtShapes, tangents) {
+    EXPECT_THAT(kind<TriangleMesh>(triangle + "\"vector3 S\" [1 0 0  0 1 0  0 0 1]").mesh->tangents, ElementsAre(glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)));
+    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_THAT(kind<TriangleMesh>(triangle + "\"vector3 S\" [1 0 0]").mesh->tangents, IsEmpty());
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"S\" is ignored: it has 1 vertices, and \"P\" has 3")));
 }
 
 TEST_F(PbrtShapes, alpha) {

@@ -41,6 +41,7 @@ std::shared_ptr<Mesh> readMesh(Reading& reading, const Arguments& arguments, int
         return decltype(values)();
     };
     if (arguments.kind().rule("N")) mesh->normals = perVertex(arguments.vectors3("N"), "N");
+    if (arguments.kind().rule("S")) mesh->tangents = perVertex(arguments.vectors3("S"), "S");
     if (arguments.kind().rule("uv")) mesh->uvs = perVertex(arguments.vectors2("uv"), "uv");
     return mesh;
 }

@@ -22,6 +22,7 @@ struct Reading {
     std::string folder;      ///< of the scene's own file: where relative names start
     Problems problems;
     Scene scene;
+    double displacementEdgeScale = 1;   ///< of all that the scene says of edges of displaced meshes
 
     /// The path of a file that the scene names: as it is, or from the scene's folder, from the folder of the file that names it,
     /// or from the current one. If there is none the problem is noted, and nothing returned.

@@ -39,16 +39,22 @@ void Settings::set(Sort sort, const std::string& kindName, const GraphicsState& 
 void Settings::setOption(const std::string& name, const std::string& value, const SourceLocation& where, const SourceLocation& valueWhere) {
     // Those that change no pixel are only known; those that would are not rendered yet.
     const std::vector<std::string> harmless = {"disablewavelengthjitter", "disabletexturefiltering", "msereferenceimage", "msereferenceout",
-                                               "pixelstats", "rendercoordsys", "wavefront", "displacementedgescale"};
+                                               "pixelstats", "rendercoordsys", "wavefront"};
     const std::vector<std::string> missing = {"disablepixeljitter", "forcediffuse"};
     const std::string option = plain(name);
+    const auto read = [&](auto& number) {
+        const auto [stop, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+        return error == std::errc() && stop == value.data() + value.size();
+    };
     if (option == "seed") {
-        const auto [stop, error] = std::from_chars(value.data(), value.data() + value.size(), seed_);
-        if (error != std::errc() || stop != value.data() + value.size()) throw SceneError(valueWhere, "\"" + value + "\" found where an integer is expected");
+        if (!read(seed_)) throw SceneError(valueWhere, "\"" + value + "\" found where an integer is expected");
+    } else if (option == "displacementedgescale") {
+        double& scale = reading_.displacementEdgeScale;
+        if (!read(scale) || !(scale > 0 && std::isfinite(scale))) throw SceneError(valueWhere, "\"" + value + "\" found where a number above 0 is expected");
     } else if (std::ranges::count(missing, option)) {
         if (value != "false") reading_.unsupported("option " + option, where, "option \"" + name + "\" has no effect yet");
     } else if (!std::ranges::count(harmless, option)) {
-        std::vector<std::string> all = {"seed"};
+        std::vector<std::string> all = {"seed", "displacementedgescale"};
         all.insert(all.end(), harmless.begin(), harmless.end());
         all.insert(all.end(), missing.begin(), missing.end());
         const std::string near = nearestWord(option, all);

@@ -52,7 +52,7 @@ const KindTable& shapeKinds() {
         {"cylinder", cylinderKind, "float radius = 1; float zmin = -1; float zmax = 1; float phimax = 360"},
         {"trianglemesh", triangleMeshKind, "integers indices; point3s P; normals N; vector3s S; point2s uv; integers faceIndices"},
         {"bilinearmesh", bilinearMeshKind, "integers indices; point3s P; normals N; point2s uv; integers faceIndices; file emissionfilename"},
-        {"plymesh", plyMeshKind, "file filename; floattexture displacement; float edgelength = 1"},
+        {"plymesh", plyMeshKind, "file filename; floattexture displacement; float edgelength = 1 in (0, inf)"},
         {"curve", curveKind,
          "point3s P; integer degree = 3; string basis = bezier; string type = flat; normals N; float width = 1; float width0; float width1;"
          "integer splitdepth = 3"},
@@ -110,11 +110,7 @@ bool ShapeBook::readKind(const Arguments& arguments, Pending& pending) {
         case sphereKind: return quadric(readSphere(arguments));
         case diskKind: return quadric(readDisk(arguments));
         case cylinderKind: return quadric(readCylinder(arguments));
-        case triangleMeshKind:
-            pending.shape.kind = TriangleMesh{readMesh(reading_, arguments, 3)};
-            if (arguments.has("S"))
-                reading_.unsupported("tangents", arguments.whereOf("S"), "tangents of meshes are not used yet; they follow the texture coordinates");
-            break;
+        case triangleMeshKind: pending.shape.kind = TriangleMesh{readMesh(reading_, arguments, 3)}; break;
         case loopSubdivKind: pending.shape.kind = TriangleMesh{readSubdividedMesh(reading_, arguments)}; break;
         case curveKind: pending.shape.kind = CurveShape{readCurve(reading_, arguments)}; break;
         case implicitKind: pending.shape.kind = readImplicit(arguments); break;
@@ -128,8 +124,10 @@ bool ShapeBook::readKind(const Arguments& arguments, Pending& pending) {
             const std::optional<std::string> path = arguments.file("filename");
             if (!path) return false;
             pending.plyFile = plyFiles_.add(*path, arguments.whereOf("filename"));
-            if (arguments.has("displacement"))
-                reading_.unsupported("displaced mesh", arguments.whereOf("displacement"), "displaced meshes are not rendered yet; the mesh stays as it is");
+            if (const Parameter* displacement = arguments.given("displacement")) {
+                pending.displacement = *displacement;
+                pending.shape.displacement = {none, arguments.number("edgelength") * reading_.displacementEdgeScale, displacement->where};
+            }
             break;
         }
     }
@@ -210,6 +208,12 @@ void ShapeBook::place(Pending pending) {
         return;
     }
     const PlyMesh& ply = plyFiles_.mesh(pending.plyFile);
+    if (pending.displacement) {
+        shape.displacement->texture = textures_.textureOf(*pending.displacement, true);
+        shape.kind = TriangleMesh{trianglesOf(ply)};
+        shapes.push_back(std::move(shape));
+        return;
+    }
     if (ply.triangles) {
         shape.kind = TriangleMesh{ply.triangles};
         shapes.push_back(shape);

@@ -44,7 +44,7 @@ private:
         int plyFile = none;               ///< its kind is in this file
         int object = none;                ///< in Scene::objects; none: seen as it is
         int material, inside, outside;    ///< numbers of the books
-        std::optional<Parameter> alpha;
+        std::optional<Parameter> alpha, displacement;
     };
 
     bool readKind(const Arguments& arguments, Pending& pending);

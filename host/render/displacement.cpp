@@ -1,0 +1,130 @@
+#include "render/displacement.h"
+
+#include "pack/pack.h"
+#include "pack/space.h"
+#include "render/device_scene.h"
+#include "scene/displacement.h"
+#include "scene/image.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace eikonal {
+namespace {
+
+/// Vertices that are looked up at a time.
+constexpr size_t verticesAtATime = size_t(1) << 20;
+
+template <class F> void forEachShape(Scene& scene, const F& f) {
+    for (Shape& s : scene.shapes) f(s);
+    for (Object& o : scene.objects)
+        for (Shape& s : o.shapes) f(s);
+}
+
+/// A mesh on its way from what its shape says to what is rendered.
+struct DisplacedMesh {
+    Shape* shape;
+    Mesh mesh;
+    uint program;            ///< of the texture
+    std::vector<float> heights;
+};
+
+Mesh splitMesh(const Shape& s) {
+    const Mesh& whole = *std::get<TriangleMesh>(s.kind).mesh;
+    Mesh mesh = whole;
+    if (!splitLongEdges(mesh, s.worldFromObject, s.displacement->edgeLength))
+        throw SceneError(s.displacement->where, fmt::format("edges shorter than {:g} make more than {} triangles of this mesh, which are the most; \"float edgelength\" {:.2g} would work",
+                                                            s.displacement->edgeLength, mostDisplacedTriangles, shortestEdgeLength(whole, s.worldFromObject)));
+    return mesh;
+}
+
+class HeightLookup {
+public:
+    HeightLookup(const PackedScene& textures, const Context& context, Compiler& compiler, const StageShape& shape, const BuildSettings& settings)
+        : context_(context), compiler_(compiler), shape_(shape), scene_(context, textures),
+          kernel_(compiler.build("#include \"displace_vertices.cl\"\n", "displace_vertices", completeSettings(settings, textures, shape))) {}
+    ~HeightLookup() { compiler_.keep(kernel_.program()); }
+
+    void run(DisplacedMesh& displaced) {
+        displaced.heights.resize(displaced.mesh.positions.size());
+        for (size_t first = 0; first < displaced.heights.size(); first += verticesAtATime)
+            run(displaced, first, std::min(verticesAtATime, displaced.heights.size() - first));
+    }
+
+private:
+    void run(DisplacedMesh& displaced, size_t first, size_t count) {
+        const Mesh& mesh = displaced.mesh;
+        const Transform& m = displaced.shape->worldFromObject;
+        std::vector<vec3> points, normals;
+        std::vector<vec2> uvs;
+        for (size_t i = first; i < first + count; ++i) {
+            points.push_back(toVec3(transformPoint(m, mesh.positions[i])));
+            normals.push_back(toVec3(transformNormal(m, mesh.normals[i])));
+            uvs.push_back(mesh.uvs.empty() ? vec2{0, 0} : vec2{mesh.uvs[i].x, mesh.uvs[i].y});
+        }
+        const Buffer pointBuffer = Buffer::of<vec3>(context_, points, "points of meshes"), normalBuffer = Buffer::of<vec3>(context_, normals, "normals of meshes"),
+                     uvBuffer = Buffer::of<vec2>(context_, uvs, "texture coordinates of meshes"), heights(context_, count * sizeof(float), "heights of meshes");
+        Bindings bindings;
+        bindings.set("vertex_points", pointBuffer);
+        bindings.set("vertex_normals", normalBuffer);
+        bindings.set("vertex_uvs", uvBuffer);
+        bindings.set("heights", heights);
+        bindings.set("program", displaced.program);
+        bindings.set("count", static_cast<uint>(count));
+        for (const char* name : {"capacity", "path_capacity"}) bindings.set(name, 0u);
+        kernel_.launch(context_, {&scene_.bindings(), &bindings}, count, shape_.group());
+        heights.read(context_, displaced.heights.data() + first, count * sizeof(float));
+    }
+
+    const Context& context_;
+    Compiler& compiler_;
+    StageShape shape_;
+    DeviceScene scene_;
+    Kernel kernel_;
+};
+
+void finish(DisplacedMesh& displaced) {
+    Shape& s = *displaced.shape;
+    displaceVertices(displaced.mesh, displaced.heights);
+    for (const glm::vec3& p : displaced.mesh.positions)
+        if (!std::isfinite(p.x + p.y + p.z)) throw SceneError(s.displacement->where, "this texture moves a vertex to where no finite number reaches");
+    s.kind = TriangleMesh{std::make_shared<Mesh>(std::move(displaced.mesh))};
+    s.displacement.reset();
+}
+
+}  // namespace
+
+bool hasDisplacedMeshes(const Scene& scene) {
+    const auto isDisplaced = [](const Shape& s) { return s.displacement.has_value(); };
+    return std::ranges::any_of(scene.shapes, isDisplaced) || std::ranges::any_of(scene.objects, [&](const Object& o) { return std::ranges::any_of(o.shapes, isDisplaced); });
+}
+
+void displaceMeshes(Scene& scene, const Context& context, Compiler& compiler, const StageShape& shape, const BuildSettings& settings, Diagnostics& diagnostics) {
+    std::vector<DisplacedMesh> meshes;
+    std::vector<int> textures;
+    forEachShape(scene, [&](Shape& s) {
+        if (!s.displacement) return;
+        meshes.push_back({&s, {}, 0, {}});
+        textures.push_back(s.displacement->texture);
+        if (std::get<TriangleMesh>(s.kind).mesh->uvs.empty())
+            diagnostics.warn(s.displacement->where, "this mesh has no texture coordinates: the texture that displaces it is looked up at (0, 0)");
+    });
+
+    const auto images = loadImages(scene.images);
+    for (size_t i = 0; i < images.size(); ++i) scene.images[i].pixels = images[i];
+    const PackedTextures packed = packTextures(scene, textures, diagnostics);
+    tbb::parallel_for(size_t(0), meshes.size(), [&](size_t i) {
+        meshes[i].mesh = splitMesh(*meshes[i].shape);
+        meshes[i].program = packed.programs[i];
+    });
+    HeightLookup lookup(packed.scene, context, compiler, shape, settings);
+    for (DisplacedMesh& m : meshes) lookup.run(m);
+    tbb::parallel_for(size_t(0), meshes.size(), [&](size_t i) { finish(meshes[i]); });
+}
+
+}  // namespace eikonal

@@ -1,0 +1,126 @@
+#include "scene/displacement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <vector>
+
+namespace eikonal {
+namespace {
+
+using Corners = glm::uvec3;
+
+Corners cornersOf(const Mesh& mesh, std::size_t triangle) {
+    const std::uint32_t* corner = mesh.indices.data() + 3 * triangle;
+    return {corner[0], corner[1], corner[2]};
+}
+
+glm::vec3 unitOrZero(glm::vec3 v) { return glm::dot(v, v) > 0 ? glm::normalize(v) : v; }
+
+/// The mean of the normals of each vertex's faces, all of which count alike.
+void averageNormals(Mesh& mesh) {
+    mesh.normals.assign(mesh.positions.size(), glm::vec3(0));
+    for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
+        const Corners c = cornersOf(mesh, t);
+        const glm::vec3 a = mesh.positions[c.x], b = mesh.positions[c.y];
+        const glm::vec3 n = unitOrZero(glm::cross(b - a, mesh.positions[c.z] - b));
+        for (int k = 0; k < 3; ++k) mesh.normals[c[k]] += n;
+    }
+    for (glm::vec3& n : mesh.normals) n = unitOrZero(n);
+}
+
+double areaOf(const Mesh& mesh, const Transform& worldFromObject) {
+    const auto place = [&](std::uint32_t vertex) { return glm::dvec3(worldFromObject * glm::dvec4(mesh.positions[vertex], 1)); };
+    double area = 0;
+    for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
+        const Corners c = cornersOf(mesh, t);
+        const glm::dvec3 a = place(c.x);
+        area += 0.5 * glm::length(glm::cross(place(c.y) - a, place(c.z) - a));
+    }
+    return area;
+}
+
+struct HashEdge {
+    std::size_t operator()(std::uint64_t edge) const { edge *= 0x9e3779b97f4a7c15u; return edge ^ edge >> 32; }
+};
+
+class EdgeSplitter {
+public:
+    EdgeSplitter(Mesh& mesh, const Transform& worldFromObject, double edgeLength)
+        : mesh_(mesh), worldFromObject_(worldFromObject), limit_(edgeLength * edgeLength) {
+        for (const glm::vec3& p : mesh.positions) places_.push_back(worldFromObject * glm::dvec4(p, 1));
+    }
+
+    bool split() {
+        std::vector<std::uint32_t> whole;
+        std::vector<Corners> open;
+        for (std::size_t t = 0; t < mesh_.indices.size() / 3; ++t) {
+            open.push_back(cornersOf(mesh_, t));
+            while (!open.empty()) {
+                const Corners given = open.back(), c = longestEdgeFirst(given);
+                open.pop_back();
+                if (lengthSquared(c.x, c.y) < limit_) {
+                    whole.insert(whole.end(), {given.x, given.y, given.z});
+                    continue;
+                }
+                if (whole.size() / 3 + open.size() >= mostDisplacedTriangles) return false;
+                const std::uint32_t middle = middleOf(c.x, c.y);
+                open.push_back({middle, c.y, c.z});
+                open.push_back({c.x, middle, c.z});
+            }
+        }
+        mesh_.indices = std::move(whole);
+        return true;
+    }
+
+private:
+    double lengthSquared(std::uint32_t a, std::uint32_t b) const {
+        const glm::dvec3 d = places_[a] - places_[b];
+        return glm::dot(d, d);
+    }
+
+    /// The same triangle, its longest edge from x to y.
+    Corners longestEdgeFirst(Corners c) const {
+        const double xy = lengthSquared(c.x, c.y), yz = lengthSquared(c.y, c.z), zx = lengthSquared(c.z, c.x);
+        if (xy > yz && xy > zx) return c;
+        if (xy <= yz && yz > zx) return {c.y, c.z, c.x};
+        return {c.z, c.x, c.y};
+    }
+
+    std::uint32_t middleOf(std::uint32_t a, std::uint32_t b) {
+        const auto [found, isNew] = middles_.try_emplace(std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), static_cast<std::uint32_t>(mesh_.positions.size()));
+        if (!isNew) return found->second;
+        mesh_.positions.push_back(0.5f * (mesh_.positions[a] + mesh_.positions[b]));
+        mesh_.normals.push_back(unitOrZero(mesh_.normals[a] + mesh_.normals[b]));
+        if (!mesh_.uvs.empty()) mesh_.uvs.push_back(0.5f * (mesh_.uvs[a] + mesh_.uvs[b]));
+        places_.push_back(worldFromObject_ * glm::dvec4(mesh_.positions.back(), 1));
+        return found->second;
+    }
+
+    Mesh& mesh_;
+    const Transform& worldFromObject_;
+    double limit_;                        ///< square of the length that no edge may have
+    std::vector<glm::dvec3> places_;      ///< of all vertices, world space
+    std::unordered_map<std::uint64_t, std::uint32_t, HashEdge> middles_;   ///< (smaller end, larger end) -> vertex
+};
+
+}  // namespace
+
+bool splitLongEdges(Mesh& mesh, const Transform& worldFromObject, double edgeLength) {
+    /* The largest triangle whose edges are short is equilateral */
+    if (areaOf(mesh, worldFromObject) > std::sqrt(3.0) / 4 * edgeLength * edgeLength * static_cast<double>(mostDisplacedTriangles)) return false;
+    if (mesh.normals.empty()) averageNormals(mesh);
+    return EdgeSplitter(mesh, worldFromObject, edgeLength).split();
+}
+
+double shortestEdgeLength(const Mesh& mesh, const Transform& worldFromObject) {
+    /* Halves of halves of a triangle that is not too narrow have a sixteenth of the square of that length, or more */
+    return 4 * std::sqrt(areaOf(mesh, worldFromObject) / static_cast<double>(mostDisplacedTriangles));
+}
+
+void displaceVertices(Mesh& mesh, std::span<const float> heights) {
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) mesh.positions[i] += heights[i] * mesh.normals[i];
+    averageNormals(mesh);
+}
+
+}  // namespace eikonal

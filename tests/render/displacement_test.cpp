@@ -1,0 +1,99 @@
+// Displaced meshes from a file to the image.
+
+#include "cli.h"
+#include "rendering.h"
+
+#include "render/displacement.h"
+#include "scene/pbrt/read_pbrt.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace eikonal {
+namespace {
+
+using testing::HasSubstr;
+
+class Displaced : public Cli {
+protected:
+    /// A square from (-1, -1, 0) to (1, 1, 0), its texture coordinates from (0, 0) to (1, 1), as two triangles.
+    Displaced() {
+        write("square.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty float u\nproperty float v\n"
+                            "element face 2\nproperty list uchar int vertex_indices\nend_header\n-1 -1 0 0 0\n1 -1 0 1 0\n1 1 0 1 1\n-1 1 0 0 1\n3 0 1 2\n3 0 2 3\n");
+    }
+
+    /// The mesh of the first shape, displaced.
+    Mesh meshOf(const std::string& world) {
+        Diagnostics diagnostics(LogLevel::silent, true);
+        Scene scene = readPbrtText("WorldBegin " + world, path("test.pbrt"), path(""), diagnostics);
+        EXPECT_TRUE(hasDisplacedMeshes(scene));
+        displaceMeshes(scene, device(), compiler(), {}, {}, diagnostics);
+        EXPECT_FALSE(hasDisplacedMeshes(scene));
+        return *std::get<TriangleMesh>((scene.shapes.empty() ? scene.objects.at(0).shapes : scene.shapes).at(0).kind).mesh;
+    }
+
+    const std::string square = "Shape \"plymesh\" \"string filename\" \"square.ply\" \"texture displacement\" \"height\" ";
+};
+
+/// Heights are in object space, at texture coordinates: a slope of 3 u stays flat, whatever its edges.
+TEST_F(Displaced, BySlopesStaysFlat) {
+    const std::string slope = "Texture \"height\" \"float\" \"bilerp\" \"float v00\" 0 \"float v01\" 0 \"float v10\" 3 \"float v11\" 3 ";
+    for (const std::string& more : {std::string(), std::string("Scale 1 1 20 ")}) {
+        const Mesh mesh = meshOf(slope + more + square + "\"float edgelength\" .1");
+        EXPECT_GT(mesh.positions.size(), 400u);
+        for (size_t i = 0; i < mesh.positions.size(); ++i) {
+            ASSERT_NEAR(mesh.positions[i].z, 3 * mesh.uvs[i].x, 1e-5);
+            ASSERT_LT(glm::length(mesh.normals[i] - glm::normalize(glm::vec3(-1.5f, 0, 1))), 1e-4f);
+        }
+    }
+}
+
+/// Solid textures are looked up in world space: with two checks along x, what is beyond x = 5.03 in the world is high.
+TEST_F(Displaced, BySolidTexturesInTheWorld) {
+    const std::string checks = "Translate 5.03 -1e4 -1e4 Scale 1000 1e9 1e9 Texture \"height\" \"float\" \"checkerboard\" \"integer dimension\" 3 \"float tex1\" 1 \"float tex2\" 0 Identity ";
+    const std::string placed = "Translate 4.75 .1 .1 " + square + "\"float edgelength\" .125 ";
+    for (const std::string& text : {checks + placed, checks + "ObjectBegin \"o\" " + placed + "ObjectEnd ObjectInstance \"o\" Translate 9 9 9 ObjectInstance \"o\""}) {
+        const Mesh mesh = meshOf(text);
+        size_t high = 0;
+        for (size_t i = 0; i < mesh.positions.size(); ++i) {
+            const bool isHigh = mesh.positions[i].z > 0.5f;
+            ASSERT_EQ(isHigh, mesh.positions[i].x + 4.75f > 5.03f) << mesh.positions[i].x;
+            high += isHigh;
+        }
+        EXPECT_GT(high, mesh.positions.size() / 4);
+    }
+}
+
+TEST_F(Displaced, RenderLikeTheMeshThatTheyBecome) {
+    const std::string head = "LookAt 0 0 -4  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 50 Film \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 16\n"
+                             "Sampler \"independent\" \"integer pixelsamples\" 16 WorldBegin LightSource \"infinite\" LightSource \"point\" \"rgb I\" [9 8 7] \"point3 from\" [1 2 -3]\n";
+    write("displaced.pbrt", head + "Texture \"height\" \"float\" \"constant\" \"float value\" -.5 " + square + "\"float edgelength\" 9");
+    write("moved.pbrt", head + "Translate 0 0 -.5 Shape \"plymesh\" \"string filename\" \"square.ply\"");
+    for (const std::string name : {"displaced", "moved"}) {
+        const Outcome outcome = run({"render", name + ".pbrt", "-o", name + ".exr"});
+        ASSERT_EQ(outcome.status, 0) << outcome.error;
+        EXPECT_THAT(outcome.error, testing::Not(HasSubstr("warning")));
+    }
+    const FilmImage displaced = image("displaced.exr"), moved = image("moved.exr");
+    for (size_t i = 0; i < moved.color.size(); ++i)
+        for (int c = 0; c < 3; ++c) ASSERT_NEAR(displaced.color[i][c], moved.color[i][c], 1e-3f * moved.color[i][c] + 1e-5f);
+}
+
+TEST_F(Displaced, SaysWhatIsWrong) {
+    const std::string constant = "WorldBegin Texture \"height\" \"float\" \"constant\" \"float value\" 1e39 ";
+    write("counted.pbrt", "WorldBegin Texture \"height\" \"float\" \"windy\" " + square + "\"float edgelength\" .1");
+    EXPECT_THAT(run({"info", "counted.pbrt"}).out, testing::ContainsRegex("holds +[0-9]{3,} triangles"));
+    write("fine.pbrt", "WorldBegin\nTexture \"height\" \"float\" \"windy\"\n" + square + "\"float edgelength\" 1e-5");
+    const Outcome fine = run({"render", "fine.pbrt"});
+    EXPECT_EQ(fine.status, static_cast<int>(ExitCode::scene));
+    EXPECT_THAT(fine.error, HasSubstr("fine.pbrt:3:48: edges shorter than 1e-05 make more than 33554432 triangles of this mesh, which are the most; \"float edgelength\" 0.0014 would work"));
+    write("far.pbrt", constant + square);
+    EXPECT_THAT(run({"render", "far.pbrt"}).error, HasSubstr("moves a vertex to where no finite number reaches"));
+    write("bare.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n");
+    write("bare.pbrt", "WorldBegin Texture \"height\" \"float\" \"windy\" Shape \"plymesh\" \"string filename\" \"bare.ply\" \"texture displacement\" \"height\"");
+    EXPECT_THAT(run({"info", "bare.pbrt"}).error, HasSubstr("this mesh has no texture coordinates: the texture that displaces it is looked up at (0, 0)"));
+}
+
+}  // namespace
+}  // namespace eikonal

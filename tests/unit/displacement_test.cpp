@@ -1,0 +1,94 @@
+// Cutting meshes for displacement: no edge stays long, no crack opens, and nothing of the surface is lost.
+
+#include "scene/displacement.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+
+namespace eikonal {
+namespace {
+
+Mesh octahedron() {
+    Mesh mesh;
+    mesh.positions = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    mesh.uvs = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {0, 0}, {0, 0}};
+    mesh.indices = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    return mesh;
+}
+
+const Transform stretched = glm::rotate(glm::scale(glm::translate(Transform(1), glm::dvec3(5, 6, 7)), glm::dvec3(3, 0.5, 1)), 0.7, glm::dvec3(1, 2, 3));
+
+glm::dvec3 place(const Mesh& mesh, const Transform& m, size_t index) { return m * glm::dvec4(mesh.positions[mesh.indices[index]], 1); }
+
+double areaOf(const Mesh& mesh, const Transform& m) {
+    double area = 0;
+    for (size_t i = 0; i < mesh.indices.size(); i += 3) area += 0.5 * glm::length(glm::cross(place(mesh, m, i + 1) - place(mesh, m, i), place(mesh, m, i + 2) - place(mesh, m, i)));
+    return area;
+}
+
+TEST(Displacement, CutsEveryLongEdgeAndOpensNoCrack) {
+    for (const double length : {10.0, 1.0, 0.3, 0.07}) {
+        const double area = areaOf(octahedron(), stretched);
+        Mesh mesh = octahedron();
+        ASSERT_TRUE(splitLongEdges(mesh, stretched, length));
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+        for (size_t i = 0; i < mesh.indices.size(); ++i) {
+            const size_t next = i % 3 == 2 ? i - 2 : i + 1;
+            ++edges[{mesh.indices[i], mesh.indices[next]}];
+            ASSERT_LT(glm::length(place(mesh, stretched, i) - place(mesh, stretched, next)), length);
+        }
+        /* A closed surface still: each edge once in each direction, and Euler's formula */
+        for (const auto& [edge, count] : edges) {
+            ASSERT_EQ(count, 1);
+            ASSERT_EQ(edges.count({edge.second, edge.first}), 1u);
+        }
+        const size_t triangles = mesh.indices.size() / 3;
+        EXPECT_EQ(mesh.positions.size() + triangles, edges.size() / 2 + 2);
+        EXPECT_NEAR(areaOf(mesh, stretched), area, 1e-5 * area);
+        EXPECT_LE(static_cast<double>(triangles), 16 * area / (length * length) + 8) << "what the shortest possible edge length rests on";
+        ASSERT_EQ(mesh.normals.size(), mesh.positions.size());
+        ASSERT_EQ(mesh.uvs.size(), mesh.positions.size());
+        for (size_t i = 0; i < mesh.positions.size(); ++i) {
+            const glm::vec3 p = mesh.positions[i];
+            ASSERT_NEAR(std::abs(p.x) + std::abs(p.y) + std::abs(p.z), 1, 1e-6) << "on the octahedron";
+            ASSERT_EQ(mesh.uvs[i], glm::vec2(p)) << "texture coordinates are cut as positions are";
+            ASSERT_GT(glm::dot(mesh.normals[i], p), 0.5);
+        }
+    }
+}
+
+TEST(Displacement, LeavesShortEdgesAlone) {
+    Mesh mesh = octahedron();
+    mesh.normals.assign(6, {0, 0, 1});
+    ASSERT_TRUE(splitLongEdges(mesh, Transform(1), 1.5));
+    EXPECT_EQ(mesh.indices, octahedron().indices);
+    EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, 1)) << "normals that the mesh has are kept";
+}
+
+TEST(Displacement, RefusesWhatWouldNotFit) {
+    const double area = areaOf(octahedron(), Transform(1));
+    for (const double length : {1e-300, 1e-9, 0.9 * std::sqrt(area / (std::sqrt(3) / 4 * mostDisplacedTriangles))}) {
+        Mesh mesh = octahedron();
+        EXPECT_FALSE(splitLongEdges(mesh, Transform(1), length)) << length;
+    }
+    EXPECT_NEAR(shortestEdgeLength(octahedron(), Transform(1)), 4 * std::sqrt(area / mostDisplacedTriangles), 1e-9);
+}
+
+TEST(Displacement, MovesVerticesAlongTheirNormals) {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
+    mesh.normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}, {1, 0, 0}};
+    mesh.indices = {0, 1, 2};
+    const float heights[] = {1, 2, 1, 3};
+    displaceVertices(mesh, heights);
+    EXPECT_EQ(mesh.positions, (std::vector<glm::vec3>{{0, 0, 1}, {1, 0, 2}, {0, 1, 1}, {8, 5, 5}}));
+    const glm::vec3 expected = glm::normalize(glm::vec3(-1, 0, 1));
+    for (int i = 0; i < 3; ++i) EXPECT_LT(glm::length(mesh.normals[static_cast<size_t>(i)] - expected), 1e-6f);
+    EXPECT_EQ(mesh.normals[3], glm::vec3(0)) << "a vertex without faces has no normal";
+}
+
+}  // namespace
+}  // namespace eikonal
