@@ -159,6 +159,7 @@ struct Parser {
         compare->add_option("IMAGE", options.image, "An image file")->type_name("");
         compare->add_option("REFERENCE", options.reference, "What it should be")->type_name("");
         compare->add_flag("--json", options.json, "Print JSON");
+        compare->add_flag("--scatter", options.scatter, "Standard errors from how the differences of a block's pixels scatter, not from the image's variance");
     }
 };
 

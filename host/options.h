@@ -92,6 +92,7 @@ struct Options {
     bool clearCache = false, warmCache = false;       ///< cache
     std::vector<std::string> scenes;                  ///< cache --warm
     std::string image, reference;                     ///< compare
+    bool scatter = false;                             ///< compare: what an image says of its variance does not count
     CompileRequest compile;
 };
 

@@ -15,7 +15,9 @@ constexpr double relative = 0.05, sigmas = 4;
 static nlohmann::ordered_json asJson(glm::dvec3 v) { return {v.x, v.y, v.z}; }
 
 int compareCommand(const Options& o) {
-    const Comparison c = compare(readImage(o.image).image, readImage(o.reference).image);
+    FilmImage image = readImage(o.image).image;
+    if (o.scatter) image.variance.clear();
+    const Comparison c = compare(image, readImage(o.reference).image);
     const BlockDifference& worst = c.worstBlock(relative, sigmas);
     long off = 0;
     for (const BlockDifference& block : c.blocks) off += block.distance(relative, sigmas) > 1;
