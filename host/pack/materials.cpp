@@ -51,7 +51,7 @@ static uint packProfile(Packer& packer, InputWriter& in, const Material& descrip
     };
     const DiffusionProfile& profile = *description.diffusion;
     tables.profiles.push_back({albedo, packCoefficient(packer, profile.length, packer.space.scale), textureOf(profile.albedoTexture, TextureUse::reflectance),
-                               textureOf(profile.pathTexture, TextureUse::asItIs), static_cast<float>(std::max(eta * eta - 1, 0.0)), static_cast<uint>(tables.materials.size())});
+                               textureOf(profile.pathTexture, TextureUse::coefficient), static_cast<float>(std::max(eta * eta - 1, 0.0)), static_cast<uint>(tables.materials.size())});
     tables.materials.push_back(surface);
     return place->second;
 }
@@ -83,7 +83,7 @@ static void packMaterial(Packer& packer, const Material& description, material& 
     const bool walks = description.method == SubsurfaceMethod::randomWalk && description.interior;
     if (description.kind == MaterialKind::subsurface && !walks) {
         if (description.method == SubsurfaceMethod::randomWalk)
-            packer.diagnostics.unsupported("textured walk", description.where, "where the \"reflectance\" or the \"mfp\" of material \"subsurface\" is a texture, no walk knows what is inside; light is diffused instead");
+            packer.diagnostics.unsupported("textured walk", description.where, "where a texture says what is inside of material \"subsurface\", no walk knows it; light is diffused instead");
         m.profile = packProfile(packer, inputs, description);
     }
     if (description.kind == MaterialKind::subsurface && walks) {

@@ -1,9 +1,11 @@
 // Material "subsurface": what is inside of it, and the albedo of deep bodies.
 
 #include "scene/diffuse_albedo.h"
+#include "scene/image.h"
 #include "unit/pbrt_reading.h"
 
 #include <cmath>
+#include <variant>
 
 namespace eikonal {
 namespace {
@@ -148,12 +150,35 @@ TEST_F(Subsurface, TakesItsFreePathsFromATexture) {
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"mfp\" is ignored")));
 }
 
-TEST_F(Subsurface, IsReplacedWhereItsCoefficientsAreTextured) {
-    const Material material = world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"texture sigma_a\" \"t\" \"rgb sigma_s\" [1 1 1] \"rgb reflectance\" [.3 .4 .5]").materials.at(0);
-    EXPECT_EQ(material.kind, MaterialKind::coatedDiffuse);
-    expectNear(material.inputs.at("reflectance").value.albedo(), {.3, .4, .5});
-    EXPECT_EQ(material.inputs.at("thickness").value.value(), .01);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a coated diffuse surface stands in for it")));
+// From both coefficients, either of which may be a constant, come an albedo and a free path; what is a number is multiplied by the scale at once.
+TEST_F(Subsurface, TakesItsCoefficientsFromTextures) {
+    Scene scene;
+    const auto read = [&](const std::string& parameters) {
+        scene = world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"float g\" .5 \"float eta\" 1.4 " + parameters);
+        return scene.materials.at(0);
+    };
+    const Material body = read("\"texture sigma_a\" \"t\" \"rgb sigma_s\" [4 5 6] \"float scale\" 2");
+    EXPECT_EQ(body.kind, MaterialKind::subsurface);
+    EXPECT_FALSE(body.interior);
+    EXPECT_EQ(body.diffusion->length.value(), 1);
+    const auto& albedo = std::get<DiffuseAlbedoTexture>(scene.textures.at(body.diffusion->albedoTexture).kind);
+    const auto& path = std::get<FreePathTexture>(scene.textures.at(body.diffusion->pathTexture).kind);
+    EXPECT_EQ(albedo.g, .5);
+    EXPECT_EQ(path.g, .5);
+    EXPECT_EQ(albedo.sigmaA.texture, path.sigmaA.texture);
+    EXPECT_EQ(std::get<ScaleTexture>(scene.textures.at(albedo.sigmaA.texture).kind).scale.value.value(), 2);
+    expectNear(albedo.sigmaS.value.albedo(), {8, 10, 12});
+    expectNear(path.sigmaS.value.albedo(), {8, 10, 12});
+    const ImageData& row = *scene.images.at(albedo.albedos).pixels;
+    EXPECT_EQ(row.height, 1);
+    EXPECT_NEAR(row.floats.at(row.floats.size() / 2), diffuseAlbedo(.75 / (1 - .5 * .25), .5, 1.4), 1e-6);   // s = 1/2
+    EXPECT_THAT(warnings_, IsEmpty());
+
+    const Material both = read("\"texture sigma_a\" \"t\" \"texture sigma_s\" \"t\" \"rgb reflectance\" [.3 .4 .5]");
+    EXPECT_NE(std::get<FreePathTexture>(scene.textures.at(both.diffusion->pathTexture).kind).sigmaS.texture, none);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"reflectance\" is ignored")));
+    EXPECT_FALSE(read("\"string name\" \"Skin1\" \"texture sigma_a\" \"t\"").diffusion->isTextured());
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"texture sigma_a\" \"t\""), HasSubstr("\"sigma_a\" needs a \"sigma_s\""));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "scene/pbrt/subsurface.h"
 
 #include "scene/diffuse_albedo.h"
+#include "scene/image.h"
 #include "scene/pbrt/medium_presets.h"
 
 #include <algorithm>
@@ -55,6 +56,18 @@ DiffusionProfile texturedProfile(const Input& albedo, const Input& path, const D
     return {albedo.texture == none ? albedo.value : Spectrum::constant(1), (path.texture == none ? path.value : Spectrum::constant(1)) * (scale / reduced), albedo.texture, path.texture};
 }
 
+/// Of a body of which textures say the coefficients.
+DiffusionProfile texturedProfile(TextureBook& textures, const Input& sigmaA, const Input& sigmaS, double g, double eta) {
+    const DiffuseAlbedoTable table(g, eta);
+    auto row = std::make_shared<ImageData>();
+    row->width = static_cast<int>(table.albedos().size());
+    row->height = 1;
+    row->floats.assign(table.albedos().begin(), table.albedos().end());
+    const SourceLocation& where = (sigmaA.texture == none ? sigmaS : sigmaA).where;
+    const Input albedo = textures.derive(DiffuseAlbedoTexture{sigmaA, sigmaS, g, textures.image({.path = {}, .pixels = row, .where = where})}, where);
+    return {Spectrum::constant(1), Spectrum::constant(1), albedo.texture, textures.derive(FreePathTexture{sigmaA, sigmaS, g}, where).texture};
+}
+
 }  // namespace
 
 void readInterior(Reading& reading, const Arguments& arguments, Material& material, TextureBook& textures) {
@@ -86,8 +99,13 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         if (!hasA || !hasS)
             throw SceneError(arguments.whereOf(hasA ? "sigma_a" : "sigma_s"), std::string("\"") + (hasA ? "sigma_a" : "sigma_s") + "\" needs a \"" + (hasA ? "sigma_s" : "sigma_a") + "\" as well");
         warnOfIgnored(reading, arguments, {"reflectance", "mfp"}, "a \"sigma_a\"");
-        medium->sigmaA = arguments.spectrum("sigma_a") * scale;
-        medium->sigmaS = arguments.spectrum("sigma_s") * scale;
+        const Input sigmaA = textures.scaled(textures.input(arguments, "sigma_a"), scale), sigmaS = textures.scaled(textures.input(arguments, "sigma_s"), scale);
+        if (sigmaA.texture != none || sigmaS.texture != none) {
+            material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(textures, sigmaA, sigmaS, medium->g, eta));
+            return;
+        }
+        medium->sigmaA = sigmaA.value;
+        medium->sigmaS = sigmaS.value;
     } else if (arguments.has("reflectance")) {
         const Input reflectance = textures.input(arguments, "reflectance"), mfp = textures.input(arguments, "mfp", Spectrum::constant(1));
         const DiffuseAlbedoTable table(medium->g, eta);
