@@ -115,7 +115,7 @@ double distance(const FilmImage& a, const FilmImage& b) {
     return difference / sum;
 }
 
-// Textures that say the same everywhere make the paths that numbers make, to rounding: in RGB, and at wavelengths where the coefficients are spectra. Each of both may be a number.
+// Textures that say the same everywhere make the paths that numbers make, to rounding: in RGB, and at wavelengths from spectra and from colours. Each of both may be a number.
 TEST(Subsurface, CoefficientsMayBeTextures) {
     const auto compare = [](ColorMode color, const std::string& type, const std::string& a, const std::string& s) {
         const auto given = [&](const std::string& name, const std::string& value) { return "\"" + type + " " + name + "\" " + value + " "; };
@@ -126,6 +126,7 @@ TEST(Subsurface, CoefficientsMayBeTextures) {
             EXPECT_LT(distance(besideASpot(body, color, textures).image, plain.image), 1e-3) << body;
     };
     compare(ColorMode::rgb, "rgb", "[.1 .3 1.5]", "[6 4 2]");
+    compare(ColorMode::spectral, "rgb", "[.1 .3 1.5]", "[6 4 2]");
     compare(ColorMode::spectral, "spectrum", "[400 1.5 550 .3 700 .1]", "[400 2 550 4 700 6]");
 }
 

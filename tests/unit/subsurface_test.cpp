@@ -122,6 +122,20 @@ TEST_F(Subsurface, IsDiffusedUnlessItIsToWalk) {
     EXPECT_THAT(errorOfWorld("Material \"subsurface\" \"string method\" \"dipole\""), HasSubstr("\"dipole\"; it can be \"diffusion\" or \"randomwalk\""));
 }
 
+// At wavelengths colours are spectra before an albedo is made of them. Greys, spectra and what is given by a reflectance are the same there.
+TEST_F(Subsurface, CoefficientsAreSpectraBeforeTheyAreAnAlbedo) {
+    const auto read = [&](const std::string& parameters) { return world("Material \"subsurface\" \"float eta\" 1.33 " + parameters).materials.at(0); };
+    const Material body = read("\"rgb sigma_a\" [.1 .3 1.5] \"rgb sigma_s\" [6 4 2]");
+    ASSERT_TRUE(body.diffusion->atWavelengths);
+    const DiffuseAlbedoTable table(0, 1.33);
+    const DenseCurve a = body.interior->sigmaA.dense(), s = body.interior->sigmaS.dense(), albedo = body.diffusion->atWavelengths->albedo.dense();
+    for (const size_t i : {50, 190, 300}) EXPECT_NEAR(albedo[i], table.diffuse(s[i] / (a[i] + s[i])), 1e-6);
+    EXPECT_EQ(body.diffusion->albedo.kind(), Spectrum::Kind::rgb);
+    EXPECT_NEAR(body.diffusion->albedo.albedo().b, table.diffuse(2 / 3.5), 1e-6);
+    for (const char* parameters : {"\"rgb sigma_a\" [1 1 1] \"rgb sigma_s\" [6 6 6]", "\"spectrum sigma_a\" [400 1 700 2] \"rgb sigma_s\" [6 4 2]", "\"rgb reflectance\" [.8 .5 .3]"})
+        EXPECT_FALSE(read(parameters).diffusion->atWavelengths) << parameters;
+}
+
 // A texture is looked up where light enters; what is inside has no such place.
 TEST_F(Subsurface, TakesItsReflectanceFromATexture) {
     const auto read = [&](const std::string& parameters) { return world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"float eta\" 1 " + parameters).materials.at(0); };
