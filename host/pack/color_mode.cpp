@@ -42,6 +42,8 @@ std::vector<Input> inputsOf(const Texture& texture) {
         [](const DirectionMixTexture& t) { return Inputs{t.a, t.b}; },
         [](const NoiseTexture&) { return Inputs{}; },
         [](const AbsorptionTexture& t) { return Inputs{t.color}; },
+        [](const DiffuseAlbedoTexture& t) { return Inputs{t.sigmaA, t.sigmaS}; },
+        [](const FreePathTexture& t) { return Inputs{t.sigmaA, t.sigmaS}; },
     }, texture.kind);
 }
 

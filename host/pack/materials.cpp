@@ -29,13 +29,18 @@ static void warnOfPoints(Packer& packer) {
                                         "light from a point or of one direction does not get below the smooth surface of material \"subsurface\"; with a \"roughness\" it does");
 }
 
+static const DiffusionProfile& profileIn(const Packer& packer, const Material& body) {
+    return packer.spectral && body.diffusion->atWavelengths ? *body.diffusion->atWavelengths : *body.diffusion;
+}
+
 /// How light spreads below a surface, and what lets it out.
 static uint packProfile(Packer& packer, InputWriter& in, const Material& description) {
     SceneTables& tables = packer.packed.tables;
     const auto [place, isNew] = packer.profiles.try_emplace(description.diffusion.get(), static_cast<uint>(tables.profiles.size()));
     if (!isNew) return place->second;
     for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, Feature::PASSAGES, Feature::BSDF_EMERGENCE}) packer.packed.require(feature, in.why());
-    const color albedo = packReflectance(packer, description.diffusion->albedo);
+    const DiffusionProfile& profile = profileIn(packer, description);
+    const color albedo = packReflectance(packer, profile.albedo);
     material surface = blank;
     surface.hop = hop_emergence;
     surface.first_input = static_cast<uint>(tables.material_inputs.size());
@@ -49,9 +54,8 @@ static uint packProfile(Packer& packer, InputWriter& in, const Material& descrip
         for (Feature feature : {Feature::TEXTURED, Feature::BODY_TEXTURES}) packer.packed.require(feature, in.why());
         return packTexture(packer, texture, use);
     };
-    const DiffusionProfile& profile = *description.diffusion;
     tables.profiles.push_back({albedo, packCoefficient(packer, profile.length, packer.space.scale), textureOf(profile.albedoTexture, TextureUse::reflectance),
-                               textureOf(profile.pathTexture, TextureUse::asItIs), static_cast<float>(std::max(eta * eta - 1, 0.0)), static_cast<uint>(tables.materials.size())});
+                               textureOf(profile.pathTexture, TextureUse::coefficient), static_cast<float>(std::max(eta * eta - 1, 0.0)), static_cast<uint>(tables.materials.size())});
     tables.materials.push_back(surface);
     return place->second;
 }
@@ -61,7 +65,8 @@ static Material coatOver(Packer& packer, const Material& body) {
     packer.diagnostics.unsupported("subsurface in trees", body.where, "integrator \"whitted\" follows no light inside of bodies of material \"subsurface\"; a coated diffuse surface of the same albedo stands in for it");
     Material coat = body;
     coat.kind = MaterialKind::coatedDiffuse;
-    coat.inputs["reflectance"] = {body.diffusion->albedo, body.diffusion->albedoTexture, body.where};
+    const DiffusionProfile& profile = profileIn(packer, body);
+    coat.inputs["reflectance"] = {profile.albedo, profile.albedoTexture, body.where};
     for (const auto& [name, value] : {std::pair("thickness", 0.01), std::pair("g", 0.0), std::pair("albedo", 0.0), std::pair("maxdepth", 10.0), std::pair("nsamples", 1.0)})
         coat.inputs[name].value = Spectrum::constant(value);
     return coat;
@@ -83,7 +88,7 @@ static void packMaterial(Packer& packer, const Material& description, material& 
     const bool walks = description.method == SubsurfaceMethod::randomWalk && description.interior;
     if (description.kind == MaterialKind::subsurface && !walks) {
         if (description.method == SubsurfaceMethod::randomWalk)
-            packer.diagnostics.unsupported("textured walk", description.where, "where the \"reflectance\" or the \"mfp\" of material \"subsurface\" is a texture, no walk knows what is inside; light is diffused instead");
+            packer.diagnostics.unsupported("textured walk", description.where, "where a texture says what is inside of material \"subsurface\", no walk knows it; light is diffused instead");
         m.profile = packProfile(packer, inputs, description);
     }
     if (description.kind == MaterialKind::subsurface && walks) {

@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 namespace eikonal {
 
@@ -57,7 +58,7 @@ public:
         if (in.texture != none) { texture(in.texture); return; }
         texture_instruction i = instruction(kind_constant_texture, Feature::TEXTURE_CONSTANT, in.where);
         const bool isNumber = isFloat_ || in.value.isConstant();
-        i.value = isNumber ? packConstant(packer_, in.value.value()) : packReflectance(packer_, in.value);
+        i.value = isNumber ? packConstant(packer_, in.value.value()) : unbounded_ ? packCoefficient(packer_, in.value) : packReflectance(packer_, in.value);
         i.flags = isNumber ? static_cast<uint>(texture_number) : 0u;
         push(i);
         const glm::dvec3 value = isNumber ? glm::dvec3(in.value.value()) : in.value.albedo();
@@ -78,6 +79,12 @@ public:
             [&](const MixTexture& k) { input(k.a); input(k.b); input(k.amount); pop(instruction(kind_mix_texture, Feature::TEXTURE_MIX, t.where), 3); },
             [&](const CheckerboardTexture& k) { checkerboard(k, t); },
             [&](const AbsorptionTexture& k) { input(k.color); input(k.betaN); pop(instruction(kind_absorption_texture, Feature::TEXTURE_ABSORPTION, t.where), 2); },
+            [&](const DiffuseAlbedoTexture& k) {
+                texture_instruction i = instruction(kind_diffusealbedo_texture, Feature::TEXTURE_DIFFUSEALBEDO, t.where);
+                i.image = packImage(packer_, k.albedos, false);
+                ofCoefficients(k, i);
+            },
+            [&](const FreePathTexture& k) { ofCoefficients(k, instruction(kind_freepath_texture, Feature::TEXTURE_FREEPATH, t.where)); },
             [&](const BilerpTexture& k) { bilerp(k, t); },
             [&](const DotsTexture& k) { dots(k, t); },
             [&](const DirectionMixTexture& k) { directionMix(k, t); },
@@ -85,11 +92,8 @@ public:
         isFloat_ = outer;
     }
 
-    /// An image of relative radiance.
-    void radiance(const Texture& image) {
-        texture(image);
-        code_.back().flags |= texture_radiance;
-    }
+    /// Colours of what follows are no reflectances: they may be larger than 1, and are made spectra as such. Returns whether they were before.
+    bool setUnbounded(bool unbounded) { return std::exchange(unbounded_, unbounded); }
 
     void use(TextureUse use) {
         if (use == TextureUse::reflectance && leavesUnit_) pop(instruction(kind_clamp_texture, Feature::TEXTURE_CLAMP, {}), 1);
@@ -153,12 +157,23 @@ private:
         }
     }
 
+    /// Coefficients, and an instruction that makes something else of them: their range is not that of the result.
+    template <class Kind> void ofCoefficients(const Kind& k, texture_instruction i) {
+        const bool unbounded = setUnbounded(true), leavesUnit = leavesUnit_;
+        input(k.sigmaA);
+        input(k.sigmaS);
+        i.value = packNumber(k.g);
+        pop(i, 2);
+        leavesUnit_ = leavesUnit;
+        setUnbounded(unbounded);
+    }
+
     void imagemap(const ImagemapTexture& k, const Texture& t) {
         texture_instruction i = instruction(kind_imagemap_texture, Feature::TEXTURE_IMAGEMAP, t.where);
         i.image = packImage(packer_, k.image, t.isFloat);
         if (packer_.spectral && !t.isFloat) packUplift(packer_);
         i.value = packNumber(k.scale);
-        i.flags = (k.invert ? static_cast<uint>(texture_invert) : 0u) | (t.isFloat ? static_cast<uint>(texture_number) : 0u);
+        i.flags = (k.invert ? static_cast<uint>(texture_invert) : 0u) | (t.isFloat ? static_cast<uint>(texture_number) : unbounded_ ? static_cast<uint>(texture_unbounded) : 0u);
         map(i, k.mapping);
         push(i);
         if (k.scale < 0 || k.scale > 1 || packer_.packed.tables.images[i.image].format == format_float) leavesUnit_ = true;
@@ -218,6 +233,7 @@ private:
     Packer& packer_;
     bool isFloat_;
     bool leavesUnit_ = false;   ///< whether some value may lie outside of [0, 1]
+    bool unbounded_ = false;    ///< setUnbounded
     std::vector<texture_instruction> code_;
     int depth_ = 0, deepest_ = 0;
 };
@@ -227,6 +243,7 @@ uint packTexture(Packer& packer, int texture, TextureUse use) {
     if (!isNew) return found->second;
     const Texture& t = packer.scene.textures[static_cast<size_t>(texture)];
     ProgramWriter writer(packer, t.isFloat);
+    writer.setUnbounded(use == TextureUse::coefficient);
     writer.texture(texture);
     writer.use(use);
     return found->second = writer.finish(t.where);
@@ -249,7 +266,8 @@ uint packEmissionImage(Packer& packer, const AreaLight& light) {
     t.kind = ImagemapTexture{light.image, light.imageMapping, mean > 0 ? 1 / mean : 1};
     t.where = light.where;
     ProgramWriter writer(packer, false);
-    writer.radiance(t);
+    writer.setUnbounded(true);
+    writer.texture(t);
     return writer.finish(t.where);
 }
 

@@ -22,10 +22,12 @@ public:
     double singleScattering(double diffuse) const;
     /// The diffuse albedo for a single-scattering albedo in [0, 1].
     double diffuse(double singleScattering) const;
+    /// What `diffuse` interpolates: over van de Hulst's similarity parameter, sqrt((1 - rho) / (1 - g rho)) = 1 - i / (size - 1).
+    const std::vector<double>& albedos() const { return albedos_; }
 
 private:
     double g_;
-    std::vector<double> albedos_;   ///< over van de Hulst's similarity parameter, sqrt((1 - rho) / (1 - g rho)) = 1 - i / (size - 1)
+    std::vector<double> albedos_;
 };
 
 }  // namespace eikonal

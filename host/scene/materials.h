@@ -27,6 +27,7 @@ struct DiffusionProfile {
     Spectrum length;    ///< d, world units; with a texture: the mean free path, scattering reduced, or what pathTexture is multiplied by
     int albedoTexture = none;   ///< in Scene::textures: the albedo where light enters
     int pathTexture = none;     ///< the mean free path there
+    std::shared_ptr<const DiffusionProfile> atWavelengths{};   ///< what counts there instead; null: this
     bool isTextured() const { return albedoTexture != none || pathTexture != none; }
 };
 

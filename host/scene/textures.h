@@ -69,12 +69,17 @@ struct NoiseTexture {
 
 /// Hair's color to its absorption, by its azimuthal roughness: made by the material "hair".
 struct AbsorptionTexture { Input color, betaN; };
+/// Coefficients, per world unit, to the diffuse albedo of a deep body of them. g: mean cosine of its phase function. albedos: in Scene::images, for its g and eta
+/// (diffuse_albedo.h), one row. Made by the material "subsurface", as are free paths.
+struct DiffuseAlbedoTexture { Input sigmaA, sigmaS; double g = 0; int albedos = none; };
+/// Coefficients to the mean free path of reduced scattering, 1 / (sigma_a + (1 - g) sigma_s).
+struct FreePathTexture { Input sigmaA, sigmaS; double g = 0; };
 
 struct Texture {
     std::string name;
     bool isFloat = false;       ///< declared "float", not "spectrum"
     std::variant<ConstantTexture, ImagemapTexture, ScaleTexture, MixTexture, CheckerboardTexture, BilerpTexture, DotsTexture, DirectionMixTexture,
-                 NoiseTexture, AbsorptionTexture> kind;
+                 NoiseTexture, AbsorptionTexture, DiffuseAlbedoTexture, FreePathTexture> kind;
     SourceLocation where;
 };
 

@@ -17,7 +17,7 @@
     F(MEDIA,            "a participating medium") \
     F(SUBSURFACE,       "a body that light enters, wanders in and leaves") \
     F(DIFFUSION,        "such a body, whose light leaves by a diffusion profile") \
-    F(BODY_TEXTURES,    "such a body, whose reflectance or mfp is a texture") \
+    F(BODY_TEXTURES,    "such a body, of which a texture says what is inside") \
     F(FOCI,             "a light that is a point, and a homogeneous medium that scatters") \
     F(INTERFACE,        "a surface of material \"interface\"") \
     F(PASSAGES,         "a surface of material \"interface\", or a body whose light leaves by a diffusion profile") \

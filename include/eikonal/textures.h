@@ -24,7 +24,9 @@ CONTRACT_BEGIN
     T(sqrt_texture,         TEXTURE_SQRT)         /* 1: its square root: a roughness to a microfacet width */ \
     T(regular_texture,      TEXTURE_REGULAR)      /* 1: a microfacet width to that which regularization gives it */ \
     T(absorption_texture,   TEXTURE_ABSORPTION)   /* 2: hair's colour, beta_n: its absorption */ \
-    T(metal_texture,        TEXTURE_METAL)        /* 1: a metal's reflectance r to its k for eta = 1: 2 sqrt(r / (1 - r)) */
+    T(metal_texture,        TEXTURE_METAL)        /* 1: a metal's reflectance r to its k for eta = 1: 2 sqrt(r / (1 - r)) */ \
+    T(diffusealbedo_texture, TEXTURE_DIFFUSEALBEDO) /* 2: sigma_a, sigma_s: the diffuse albedo of a deep body of these, from the table in `image`; g in value.scale */ \
+    T(freepath_texture,     TEXTURE_FREEPATH)     /* 2: sigma_a, sigma_s: the mean free path of reduced scattering; g in value.scale */
 
 #define TEXTURE_KIND(name, FEATURE) kind_##name,
 enum texture_kind { TEXTURES(TEXTURE_KIND) texture_kinds };
@@ -36,13 +38,13 @@ enum texture_kind { TEXTURES(TEXTURE_KIND) texture_kinds };
 
 enum texture_mapping { mapping_uv, mapping_spherical, mapping_cylindrical, mapping_planar, mapping_point };
 enum texture_flag { texture_invert = 1, texture_number = 2 /* not a colour: value.scale, or the texels as they are */,
-                    texture_radiance = 4 /* of an area light, relative */ };
+                    texture_unbounded = 4 /* colours that are no reflectances: coefficients, an area light's relative radiance */ };
 
 typedef struct {
     uint kind;           /* enum texture_kind */
     uint mapping;        /* enum texture_mapping */
     uint flags;          /* enum texture_flag */
-    uint image;          /* in `images` */
+    uint image;          /* in `images`; diffusealbedo: a row of floats over 1 - s, s the similarity parameter (kernels/texture/subsurface.clh) */
     uint octaves;        /* of noise, 0 to MOST_OCTAVES */
     float roughness;     /* of noise: an octave's height over that of the one before */
     float variation;     /* marble: how far noise bends its layers, texture space */

@@ -2,8 +2,12 @@
 // more than one event: what happens inside is not counted.
 
 #include "rendering.h"
+#include "scene/diffuse_albedo.h"
 
 #include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
 
 namespace eikonal {
 namespace {
@@ -89,6 +93,58 @@ TEST(Subsurface, ATextureSaysHowFarLightSpreads) {
     expectEqualMeans(beside("\"texture reflectance\" \"t\" \"rgb mfp\" [.12 .08 .1]"), plain, 0.05);
     expectEqualMeans(beside("\"rgb reflectance\" [.8 .5 .3] \"texture mfp\" \"path\""), plain, 0.05);
     expectEqualMeans(beside("\"texture reflectance\" \"t\" \"texture mfp\" \"path\""), plain, 0.05);
+}
+
+/// A body of given coefficients beside a lit spot, where all light comes from below, by diffusion.
+Rendered besideASpot(const std::string& parameters, ColorMode color, const std::string& textures = "") {
+    View view;
+    view.maxDepth = 1;
+    view.samples = 1024;
+    return render(packScene(sceneText(view, "LightSource \"spot\" \"point3 from\" [.5 0 -3] \"point3 to\" [.5 0 0] \"float coneangle\" 9 \"float conedeltaangle\" .1 \"rgb I\" [50 50 50]\n" +
+        textures + " Material \"subsurface\" \"float roughness\" .2 \"float g\" .4 \"float scale\" 2 " + parameters + " Shape \"bilinearmesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 -50 0  50 50 0]\n"), color),
+        color == ColorMode::rgb ? media() : RenderSetup{});
+}
+/// The mean distance of pixels, in their mean.
+double distance(const FilmImage& a, const FilmImage& b) {
+    double difference = 0, sum = 0;
+    for (size_t i = 0; i < a.color.size(); ++i)
+        for (const auto& [x, y] : {std::pair(a.color[i].r, b.color[i].r), std::pair(a.color[i].g, b.color[i].g), std::pair(a.color[i].b, b.color[i].b)}) {
+            difference += std::abs(x - y);
+            sum += y;
+        }
+    return difference / sum;
+}
+
+// Textures that say the same everywhere make the paths that numbers make, to rounding: in RGB, and at wavelengths from spectra and from colours. Each of both may be a number.
+TEST(Subsurface, CoefficientsMayBeTextures) {
+    const auto compare = [](ColorMode color, const std::string& type, const std::string& a, const std::string& s) {
+        const auto given = [&](const std::string& name, const std::string& value) { return "\"" + type + " " + name + "\" " + value + " "; };
+        const std::string textures = "Texture \"a\" \"spectrum\" \"constant\" " + given("value", a) + "Texture \"s\" \"spectrum\" \"constant\" " + given("value", s);
+        const Rendered plain = besideASpot(given("sigma_a", a) + given("sigma_s", s), color);
+        EXPECT_GT(estimate(plain.image).mean.g, 0.01);
+        for (const std::string& body : {std::string("\"texture sigma_a\" \"a\" \"texture sigma_s\" \"s\""), "\"texture sigma_a\" \"a\" " + given("sigma_s", s), given("sigma_a", a) + "\"texture sigma_s\" \"s\""})
+            EXPECT_LT(distance(besideASpot(body, color, textures).image, plain.image), 1e-3) << body;
+    };
+    compare(ColorMode::rgb, "rgb", "[.1 .3 1.5]", "[6 4 2]");
+    compare(ColorMode::spectral, "rgb", "[.1 .3 1.5]", "[6 4 2]");
+    compare(ColorMode::spectral, "spectrum", "[400 1.5 550 .3 700 .1]", "[400 2 550 4 700 6]");
+}
+
+// Of a board of two bodies, whose squares are far larger than what is seen, each is a slab by itself.
+TEST(Subsurface, ABoardHasTheAlbedosOfItsCoefficients) {
+    const auto slab = [](const std::string& more) {
+        return "Texture \"board\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [.9 .5 .3] \"rgb tex2\" [.1 .4 .8] " + more + " Texture \"s\" \"spectrum\" \"scale\" \"texture tex\" \"board\" \"float scale\" 50\n"
+            "Material \"subsurface\" \"rgb sigma_a\" [1 2 3] \"texture sigma_s\" \"s\" \"float g\" .3\n"
+            "Shape \"trianglemesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 50 0  50 -50 0] \"integer indices\" [0 1 2 0 2 3] \"point2 uv\" [0 0 0 1e-4 1e-4 1e-4 1e-4 0]\n";
+    };
+    const double F = 0.33 * 0.33 / (2.33 * 2.33);
+    const auto expected = [&](glm::dvec3 sigmaS) {
+        glm::dvec3 A(0);
+        for (int c = 0; c < 3; ++c) A[c] = diffuseAlbedo(sigmaS[c] / (sigmaS[c] + 1 + c), .3, 1.33);
+        return F + (1 - F) * A;
+    };
+    expectRadiance(look(whiteSky + slab("")), expected({45, 25, 15}), 0.02);
+    expectRadiance(look(whiteSky + slab("\"float udelta\" 1")), expected({5, 20, 40}), 0.02);
 }
 
 // A body that nothing happens in keeps out what is around it: of the 9 from the camera to the wall, light goes 7 through the haze, whether the camera says

@@ -35,6 +35,25 @@ TEST_F(Pack, DisplacementsAreScaledWithTheScene) {
     EXPECT_EQ(reliefOf(4, 0.5) * pack("Shape \"sphere\" \"float radius\" 4").worldScale, 0.5);
 }
 
+// Textures of coefficients are kept as they are, numbers above 1 included, for which nothing else is built; a walk that they would lead is diffused.
+TEST_F(Pack, CoefficientsOfBodiesMayBeTextures) {
+    Diagnostics diagnostics(LogLevel::silent, false);
+    const std::string body = "Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [3 2 .5] Material \"subsurface\" \"string method\" \"randomwalk\" ";
+    const PackedScene textured = packScene(world(body + "\"texture sigma_a\" \"t\" \"rgb sigma_s\" [4 5 6]\nShape \"sphere\""), diagnostics);
+    EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("light is diffused instead")));
+    const SceneTables& tables = textured.tables;
+    for (const uint index : {tables.profiles.at(0).albedo_texture, tables.profiles.at(0).path_texture}) {
+        const texture_program program = tables.programs.at(index);
+        ASSERT_EQ(program.count, 3u);
+        EXPECT_EQ(tables.instructions[program.first].value.c0, 3);
+        EXPECT_EQ(tables.instructions[program.first + 1].value.c2, 6);
+    }
+    EXPECT_TRUE(textured.features.has(Feature::TEXTURE_DIFFUSEALBEDO));
+    EXPECT_TRUE(textured.features.has(Feature::TEXTURE_FREEPATH));
+    const PackedScene plain = pack("Material \"subsurface\" \"rgb sigma_a\" [3 2 .5] \"rgb sigma_s\" [4 5 6]\nShape \"sphere\"");
+    for (const Feature feature : {Feature::TEXTURE_DIFFUSEALBEDO, Feature::TEXTURE_FREEPATH, Feature::BODY_TEXTURES, Feature::TEXTURED}) EXPECT_FALSE(plain.features.has(feature));
+}
+
 // What is given as a spectrum or by its temperature, wherever it is, asks for wavelengths; metals do not, and what is not used does not.
 TEST_F(Pack, SpectraAskForWavelengths) {
     const auto isSpectral = [&](const std::string& text) { return pack(text + "\nShape \"sphere\"").features.has(Feature::SPECTRAL); };
@@ -45,6 +64,7 @@ TEST_F(Pack, SpectraAskForWavelengths) {
     EXPECT_TRUE(isSpectral(green + use + "\"green\""));
     EXPECT_TRUE(isSpectral(green + "Texture \"mixed\" \"spectrum\" \"mix\" \"texture tex1\" \"green\" \"rgb tex2\" [0 0 1]\n" + use + "\"mixed\""));
     EXPECT_TRUE(isSpectral("Material \"diffuse\" \"spectrum reflectance\" [400 .1 550 .8 700 .2]"));
+    EXPECT_TRUE(isSpectral(green + "Material \"subsurface\" \"rgb sigma_a\" [1 1 1] \"texture sigma_s\" \"green\""));
     EXPECT_TRUE(isSpectral("Material \"dielectric\" \"spectrum eta\" \"glass-BK7\""));
     EXPECT_TRUE(isSpectral("LightSource \"point\" \"blackbody I\" 3000"));
     EXPECT_TRUE(isSpectral("AreaLightSource \"diffuse\" \"spectrum L\" \"stdillum-F11\""));

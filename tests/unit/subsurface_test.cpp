@@ -1,9 +1,11 @@
 // Material "subsurface": what is inside of it, and the albedo of deep bodies.
 
 #include "scene/diffuse_albedo.h"
+#include "scene/image.h"
 #include "unit/pbrt_reading.h"
 
 #include <cmath>
+#include <variant>
 
 namespace eikonal {
 namespace {
@@ -120,6 +122,20 @@ TEST_F(Subsurface, IsDiffusedUnlessItIsToWalk) {
     EXPECT_THAT(errorOfWorld("Material \"subsurface\" \"string method\" \"dipole\""), HasSubstr("\"dipole\"; it can be \"diffusion\" or \"randomwalk\""));
 }
 
+// At wavelengths colours are spectra before an albedo is made of them. Greys, spectra and what is given by a reflectance are the same there.
+TEST_F(Subsurface, CoefficientsAreSpectraBeforeTheyAreAnAlbedo) {
+    const auto read = [&](const std::string& parameters) { return world("Material \"subsurface\" \"float eta\" 1.33 " + parameters).materials.at(0); };
+    const Material body = read("\"rgb sigma_a\" [.1 .3 1.5] \"rgb sigma_s\" [6 4 2]");
+    ASSERT_TRUE(body.diffusion->atWavelengths);
+    const DiffuseAlbedoTable table(0, 1.33);
+    const DenseCurve a = body.interior->sigmaA.dense(), s = body.interior->sigmaS.dense(), albedo = body.diffusion->atWavelengths->albedo.dense();
+    for (const size_t i : {50, 190, 300}) EXPECT_NEAR(albedo[i], table.diffuse(s[i] / (a[i] + s[i])), 1e-6);
+    EXPECT_EQ(body.diffusion->albedo.kind(), Spectrum::Kind::rgb);
+    EXPECT_NEAR(body.diffusion->albedo.albedo().b, table.diffuse(2 / 3.5), 1e-6);
+    for (const char* parameters : {"\"rgb sigma_a\" [1 1 1] \"rgb sigma_s\" [6 6 6]", "\"spectrum sigma_a\" [400 1 700 2] \"rgb sigma_s\" [6 4 2]", "\"rgb reflectance\" [.8 .5 .3]"})
+        EXPECT_FALSE(read(parameters).diffusion->atWavelengths) << parameters;
+}
+
 // A texture is looked up where light enters; what is inside has no such place.
 TEST_F(Subsurface, TakesItsReflectanceFromATexture) {
     const auto read = [&](const std::string& parameters) { return world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"float eta\" 1 " + parameters).materials.at(0); };
@@ -148,12 +164,35 @@ TEST_F(Subsurface, TakesItsFreePathsFromATexture) {
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"mfp\" is ignored")));
 }
 
-TEST_F(Subsurface, IsReplacedWhereItsCoefficientsAreTextured) {
-    const Material material = world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"texture sigma_a\" \"t\" \"rgb sigma_s\" [1 1 1] \"rgb reflectance\" [.3 .4 .5]").materials.at(0);
-    EXPECT_EQ(material.kind, MaterialKind::coatedDiffuse);
-    expectNear(material.inputs.at("reflectance").value.albedo(), {.3, .4, .5});
-    EXPECT_EQ(material.inputs.at("thickness").value.value(), .01);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a coated diffuse surface stands in for it")));
+// From both coefficients, either of which may be a constant, come an albedo and a free path; what is a number is multiplied by the scale at once.
+TEST_F(Subsurface, TakesItsCoefficientsFromTextures) {
+    Scene scene;
+    const auto read = [&](const std::string& parameters) {
+        scene = world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"float g\" .5 \"float eta\" 1.4 " + parameters);
+        return scene.materials.at(0);
+    };
+    const Material body = read("\"texture sigma_a\" \"t\" \"rgb sigma_s\" [4 5 6] \"float scale\" 2");
+    EXPECT_EQ(body.kind, MaterialKind::subsurface);
+    EXPECT_FALSE(body.interior);
+    EXPECT_EQ(body.diffusion->length.value(), 1);
+    const auto& albedo = std::get<DiffuseAlbedoTexture>(scene.textures.at(body.diffusion->albedoTexture).kind);
+    const auto& path = std::get<FreePathTexture>(scene.textures.at(body.diffusion->pathTexture).kind);
+    EXPECT_EQ(albedo.g, .5);
+    EXPECT_EQ(path.g, .5);
+    EXPECT_EQ(albedo.sigmaA.texture, path.sigmaA.texture);
+    EXPECT_EQ(std::get<ScaleTexture>(scene.textures.at(albedo.sigmaA.texture).kind).scale.value.value(), 2);
+    expectNear(albedo.sigmaS.value.albedo(), {8, 10, 12});
+    expectNear(path.sigmaS.value.albedo(), {8, 10, 12});
+    const ImageData& row = *scene.images.at(albedo.albedos).pixels;
+    EXPECT_EQ(row.height, 1);
+    EXPECT_NEAR(row.floats.at(row.floats.size() / 2), diffuseAlbedo(.75 / (1 - .5 * .25), .5, 1.4), 1e-6);   // s = 1/2
+    EXPECT_THAT(warnings_, IsEmpty());
+
+    const Material both = read("\"texture sigma_a\" \"t\" \"texture sigma_s\" \"t\" \"rgb reflectance\" [.3 .4 .5]");
+    EXPECT_NE(std::get<FreePathTexture>(scene.textures.at(both.diffusion->pathTexture).kind).sigmaS.texture, none);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"reflectance\" is ignored")));
+    EXPECT_FALSE(read("\"string name\" \"Skin1\" \"texture sigma_a\" \"t\"").diffusion->isTextured());
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"texture sigma_a\" \"t\""), HasSubstr("\"sigma_a\" needs a \"sigma_s\""));
 }
 
 }  // namespace

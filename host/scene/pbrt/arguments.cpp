@@ -181,6 +181,12 @@ std::vector<glm::vec3> Arguments::colors(const std::string& name) const {
     return result;
 }
 
+/// The spectrum that a rule falls back to.
+static Spectrum defaultSpectrum(const Rule& rule) {
+    if (auto curve = namedSpectrum(rule.fallback)) return Spectrum::sampled(curve);
+    return Spectrum::constant(std::stod(rule.fallback));
+}
+
 Spectrum Arguments::spectrum(const std::string& name, const Spectrum& fallback) const {
     const Rule& r = rule(name);
     if (const Parameter* parameter = given(name)) {
@@ -199,12 +205,6 @@ Spectrum Arguments::spectrum(const std::string& name, const Spectrum& fallback) 
 std::optional<std::string> Arguments::file(const std::string& name) const {
     const std::string path = text(name);
     return path.empty() ? std::nullopt : reading_->findFile(path, whereOf(name));
-}
-
-Spectrum defaultSpectrum(const Rule& rule) {
-    if (rule.fallback.empty()) return Spectrum();
-    if (auto curve = namedSpectrum(rule.fallback)) return Spectrum::sampled(curve);
-    return Spectrum::constant(std::stod(rule.fallback));
 }
 
 std::string typeOf(const ParameterList& parameters, const char* directive, const SourceLocation& where) {

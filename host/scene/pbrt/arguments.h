@@ -72,9 +72,6 @@ template <class T> void expectCount(const Arguments& arguments, const std::strin
                                                       " values; " + std::to_string(count) + " are expected");
 }
 
-/// The spectrum that a rule falls back to; zero if it has no default.
-Spectrum defaultSpectrum(const Rule& rule);
-
 /// The "string type" that MakeNamedMaterial and MakeNamedMedium have. Throws SceneError if it is not given.
 std::string typeOf(const ParameterList& parameters, const char* directive, const SourceLocation& where);
 

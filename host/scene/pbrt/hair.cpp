@@ -10,12 +10,7 @@ namespace {
 const glm::dvec3 eumelaninAbsorption(0.419, 0.697, 1.37), pheomelaninAbsorption(0.187, 0.4, 1.05);
 constexpr double brown = 1.3;  // of eumelanin
 
-Input addTexture(Reading& reading, decltype(Texture::kind) kind, const SourceLocation& where) {
-    reading.scene.textures.push_back({.name = {}, .isFloat = false, .kind = std::move(kind), .where = where});
-    return {Spectrum(), static_cast<int>(reading.scene.textures.size()) - 1, where};
-}
-
-Input melanins(Reading& reading, TextureBook& textures, const Arguments& arguments) {
+Input melanins(TextureBook& textures, const Arguments& arguments) {
     const Input dark = textures.input(arguments, "eumelanin"), red = textures.input(arguments, "pheomelanin");
     const SourceLocation& where = dark.where.file ? dark.where : red.where;
     const auto amount = [](const Input& input) { return std::max(input.value.value(), 0.); };
@@ -24,15 +19,15 @@ Input melanins(Reading& reading, TextureBook& textures, const Arguments& argumen
     // The sum is half of each, doubled; colors of textures are at most 1, so that their scale comes as a number.
     const auto part = [&](const Input& concentration, const glm::dvec3& absorption) {
         const double most = std::max({absorption.x, absorption.y, absorption.z});
-        const Input color = addTexture(reading, ScaleTexture{concentration, {Spectrum::rgb(absorption / most)}}, where);
-        return addTexture(reading, ScaleTexture{color, {Spectrum::constant(2 * most)}}, where);
+        const Input color = textures.derive(ScaleTexture{concentration, {Spectrum::rgb(absorption / most)}}, where);
+        return textures.derive(ScaleTexture{color, {Spectrum::constant(2 * most)}}, where);
     };
-    return addTexture(reading, MixTexture{part(dark, eumelaninAbsorption), part(red, pheomelaninAbsorption), {Spectrum::constant(0.5)}}, where);
+    return textures.derive(MixTexture{part(dark, eumelaninAbsorption), part(red, pheomelaninAbsorption), {Spectrum::constant(0.5)}}, where);
 }
 
 /// Chiang et al. 2016, equation 9: the absorption that makes hair look like a color.
-Input absorptionOfColor(Reading& reading, const Input& color, const Input& betaN) {
-    if (color.texture != none || betaN.texture != none) return addTexture(reading, AbsorptionTexture{color, betaN}, color.where);
+Input absorptionOfColor(TextureBook& textures, const Input& color, const Input& betaN) {
+    if (color.texture != none || betaN.texture != none) return textures.derive(AbsorptionTexture{color, betaN}, color.where);
     const double n = std::clamp(betaN.value.value(), 0.01, 1.);
     const double scale = 5.969 + n * (-0.215 + n * (2.532 + n * (-10.73 + n * (5.574 + n * 0.245))));
     const glm::dvec3 c = glm::clamp(color.value.albedo(), 1e-6, 1.), root = glm::log(c) / scale;
@@ -50,13 +45,13 @@ void readHair(Reading& reading, TextureBook& textures, const Arguments& argument
             reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored, since there is a \"" + used + "\" as well");
     }
     const Input& betaN = material.inputs.at("beta_n");
-    if (hasMelanin && std::string(used) == "melanin") material.inputs["sigma_a"] = melanins(reading, textures, arguments);
-    else if (std::string(used) == "reflectance") material.inputs["sigma_a"] = absorptionOfColor(reading, textures.input(arguments, "reflectance"), betaN);
+    if (hasMelanin && std::string(used) == "melanin") material.inputs["sigma_a"] = melanins(textures, arguments);
+    else if (std::string(used) == "reflectance") material.inputs["sigma_a"] = absorptionOfColor(textures, textures.input(arguments, "reflectance"), betaN);
     else if (!*used) material.inputs["sigma_a"] = {Spectrum::rgb(brown * eumelaninAbsorption)};
 
     // From edge to edge of a curve, v goes from 0 to 1 and h from -1 to 1.
     const Input left{Spectrum::constant(-1)}, right{Spectrum::constant(1)};
-    material.inputs["h"] = addTexture(reading, BilerpTexture{left, right, left, right, Mapping{}}, arguments.where());
+    material.inputs["h"] = textures.derive(BilerpTexture{left, right, left, right, Mapping{}}, arguments.where());
 }
 
 }  // namespace eikonal::pbrt

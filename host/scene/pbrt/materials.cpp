@@ -125,7 +125,7 @@ void MaterialBook::build(Entry& entry, Material& material) {
     if (material.kind == MaterialKind::conductor) preferReflectance(arguments, material, {"eta", "k"});
     if (material.kind == MaterialKind::coatedConductor) preferReflectance(arguments, material, {"metal_eta", "metal_k"});
     if (material.kind == MaterialKind::measured) readMeasured(arguments, material);
-    if (material.kind == MaterialKind::subsurface) readSubsurface(arguments, material);
+    if (material.kind == MaterialKind::subsurface) readInterior(reading_, arguments, material, textures_);
     if (material.kind == MaterialKind::hair) readHair(reading_, textures_, arguments, material);
 }
 
@@ -150,23 +150,6 @@ void MaterialBook::readInputs(const Arguments& arguments, Material& material) {
         }
         material.inputs[rule.as] = std::move(input);
     }
-}
-
-void MaterialBook::readSubsurface(const Arguments& arguments, Material& material) {
-    const auto isTexture = [&](const char* name) { return arguments.has(name) && arguments.given(name)->type == ParameterType::texture; };
-    for (const char* name : {"sigma_a", "sigma_s"}) {
-        if (!isTexture(name) || !arguments.text("name").empty()) continue;
-        reading_.unsupported("textured subsurface", arguments.whereOf(name),
-                             "a texture for the coefficients inside of material \"subsurface\" is not rendered yet; a coated diffuse surface stands in for it");
-        material.kind = MaterialKind::coatedDiffuse;
-        material.inputs["reflectance"] = arguments.has("reflectance") ? textures_.input(arguments, "reflectance") : Input{Spectrum::constant(0.5)};
-        for (const Kind& kind : materialKinds().kinds())
-            if (kind.value == kindOf(MaterialKind::coatedDiffuse))
-                for (const Rule& rule : kind.rules)
-                    if (rule.as != "-" && !rule.fallback.empty()) material.inputs.try_emplace(rule.as, Input{defaultSpectrum(rule)});
-        return;
-    }
-    readInterior(reading_, arguments, material, textures_);
 }
 
 void MaterialBook::readMix(const Arguments& arguments, Material& material) {

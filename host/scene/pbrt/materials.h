@@ -46,8 +46,6 @@ private:
     /// A metal is given by what it reflects or by its indices. Throws SceneError if it is by both.
     void preferReflectance(const Arguments& arguments, Material& material, const std::array<std::string, 2>& indices);
     void readMeasured(const Arguments& arguments, Material& material);
-    /// What is inside. A material that is textured is replaced by what stands in for it.
-    void readSubsurface(const Arguments& arguments, Material& material);
     void readMix(const Arguments& arguments, Material& material);
     int normalMap(const Arguments& arguments);
 

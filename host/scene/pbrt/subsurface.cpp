@@ -1,6 +1,7 @@
 #include "scene/pbrt/subsurface.h"
 
 #include "scene/diffuse_albedo.h"
+#include "scene/image.h"
 #include "scene/pbrt/medium_presets.h"
 
 #include <algorithm>
@@ -16,19 +17,25 @@ void warnOfIgnored(Reading& reading, const Arguments& arguments, std::initialize
         if (arguments.has(name)) reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored, since there is " + since);
 }
 
+Spectrum spectrumOf(const DenseCurve& values) {
+    SampledCurve curve;
+    for (size_t i = 0; i < values.size(); ++i) {
+        curve.wavelengths.push_back(shortestWavelength + static_cast<double>(i));
+        curve.values.push_back(values[i]);
+    }
+    return Spectrum::sampled(std::move(curve));
+}
+
 /// f of the values of two spectra, at each wavelength; colours by their channels.
 template <class F> Spectrum combine(const Spectrum& a, const Spectrum& b, const F& f) {
     if (a.kind() == Spectrum::Kind::rgb && b.kind() == Spectrum::Kind::rgb) {
         const glm::dvec3 x = a.albedo(), y = b.albedo();
         return Spectrum::rgb({f(x.r, y.r), f(x.g, y.g), f(x.b, y.b)});
     }
-    const DenseCurve x = a.dense(), y = b.dense();
-    SampledCurve curve;
-    for (size_t i = 0; i < x.size(); ++i) {
-        curve.wavelengths.push_back(shortestWavelength + static_cast<double>(i));
-        curve.values.push_back(f(x[i], y[i]));
-    }
-    return Spectrum::sampled(std::move(curve));
+    DenseCurve x = a.dense();
+    const DenseCurve y = b.dense();
+    for (size_t i = 0; i < x.size(); ++i) x[i] = f(x[i], y[i]);
+    return spectrumOf(x);
 }
 
 /// d of the profile for a mean free path, scattering reduced, a diffuse albedo A and an index: of the path, one over 1.85 - A + 7 |A - 0.8|^3 (Christensen and Burley
@@ -39,20 +46,41 @@ double profileLength(double path, double A, double eta) {
     return path * stretch / (1.85 - A + 7 * std::pow(std::abs(A - 0.8), 3));
 }
 
-/// albedo: what is known of it.
-DiffusionProfile profileOf(const Medium& medium, std::optional<Spectrum> albedo, double eta) {
-    if (!albedo) {
-        const DiffuseAlbedoTable table(medium.g, eta);
-        albedo = combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return table.diffuse(s / std::max(s + a, 1e-30)); });
-    }
+DiffusionProfile profileOf(const Spectrum& albedo, const Medium& medium, double eta) {
     const Spectrum reduced = combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return a + s * (1 - medium.g); });
-    return {*albedo, combine(*albedo, reduced, [&](double A, double sigma) { return profileLength(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), eta); })};
+    return {albedo, combine(albedo, reduced, [&](double A, double sigma) { return profileLength(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), eta); })};
+}
+
+/// Of a body of which the coefficients are known. At wavelengths colours are made spectra of first, as in pbrt-v4: what they make of light is far from linear.
+DiffusionProfile profileOf(Medium medium, double eta) {
+    const DiffuseAlbedoTable table(medium.g, eta);
+    const auto profile = [&] {
+        return profileOf(combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return table.diffuse(s / std::max(s + a, 1e-30)); }), medium, eta);
+    };
+    DiffusionProfile result = profile();
+    if (medium.sigmaA.kind() != Spectrum::Kind::rgb || medium.sigmaS.kind() != Spectrum::Kind::rgb || (medium.sigmaA.isFlat() && medium.sigmaS.isFlat())) return result;
+    medium.sigmaA = spectrumOf(medium.sigmaA.dense());
+    medium.sigmaS = spectrumOf(medium.sigmaS.dense());
+    result.atWavelengths = std::make_shared<DiffusionProfile>(profile());
+    return result;
 }
 
 /// Of a body of which a texture says the albedo or the free paths. Scattering that is not reduced counts as that of an albedo of 0.5.
 DiffusionProfile texturedProfile(const Input& albedo, const Input& path, const DiffuseAlbedoTable& table, double g, double scale) {
     const double reduced = 1 - g * table.singleScattering(0.5);
     return {albedo.texture == none ? albedo.value : Spectrum::constant(1), (path.texture == none ? path.value : Spectrum::constant(1)) * (scale / reduced), albedo.texture, path.texture};
+}
+
+/// Of a body of which textures say the coefficients.
+DiffusionProfile texturedProfile(TextureBook& textures, const Input& sigmaA, const Input& sigmaS, double g, double eta) {
+    const DiffuseAlbedoTable table(g, eta);
+    auto row = std::make_shared<ImageData>();
+    row->width = static_cast<int>(table.albedos().size());
+    row->height = 1;
+    row->floats.assign(table.albedos().begin(), table.albedos().end());
+    const SourceLocation& where = (sigmaA.texture == none ? sigmaS : sigmaA).where;
+    const Input albedo = textures.derive(DiffuseAlbedoTexture{sigmaA, sigmaS, g, textures.image({.path = {}, .pixels = row, .where = where})}, where);
+    return {Spectrum::constant(1), Spectrum::constant(1), albedo.texture, textures.derive(FreePathTexture{sigmaA, sigmaS, g}, where).texture};
 }
 
 }  // namespace
@@ -86,8 +114,13 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         if (!hasA || !hasS)
             throw SceneError(arguments.whereOf(hasA ? "sigma_a" : "sigma_s"), std::string("\"") + (hasA ? "sigma_a" : "sigma_s") + "\" needs a \"" + (hasA ? "sigma_s" : "sigma_a") + "\" as well");
         warnOfIgnored(reading, arguments, {"reflectance", "mfp"}, "a \"sigma_a\"");
-        medium->sigmaA = arguments.spectrum("sigma_a") * scale;
-        medium->sigmaS = arguments.spectrum("sigma_s") * scale;
+        const Input sigmaA = textures.scaled(textures.input(arguments, "sigma_a"), scale), sigmaS = textures.scaled(textures.input(arguments, "sigma_s"), scale);
+        if (sigmaA.texture != none || sigmaS.texture != none) {
+            material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(textures, sigmaA, sigmaS, medium->g, eta));
+            return;
+        }
+        medium->sigmaA = sigmaA.value;
+        medium->sigmaS = sigmaS.value;
     } else if (arguments.has("reflectance")) {
         const Input reflectance = textures.input(arguments, "reflectance"), mfp = textures.input(arguments, "mfp", Spectrum::constant(1));
         const DiffuseAlbedoTable table(medium->g, eta);
@@ -106,7 +139,7 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         medium->sigmaS = Spectrum::rgb({2.55, 3.21, 3.77}) * scale;
     }
     material.interior = medium;
-    material.diffusion = std::make_shared<DiffusionProfile>(profileOf(*medium, albedo, eta));
+    material.diffusion = std::make_shared<DiffusionProfile>(albedo ? profileOf(*albedo, *medium, eta) : profileOf(*medium, eta));
 }
 
 }  // namespace eikonal::pbrt

@@ -183,11 +183,12 @@ int TextureBook::image(const ImageFile& file) {
 Input TextureBook::scaled(const Input& input, double factor) {
     if (input.texture == none) return {input.value * factor, none, input.where};
     if (factor == 1) return input;
-    Texture texture;
-    texture.kind = ScaleTexture{input, {Spectrum::constant(factor)}};
-    texture.where = input.where;
-    reading_.scene.textures.push_back(std::move(texture));
-    return {Spectrum(), static_cast<int>(reading_.scene.textures.size()) - 1, input.where};
+    return derive(ScaleTexture{input, {Spectrum::constant(factor)}}, input.where);
+}
+
+Input TextureBook::derive(decltype(Texture::kind) kind, const SourceLocation& where) {
+    reading_.scene.textures.push_back({.name = {}, .isFloat = false, .kind = std::move(kind), .where = where});
+    return {Spectrum(), static_cast<int>(reading_.scene.textures.size()) - 1, where};
 }
 
 void TextureBook::finish() {

@@ -38,6 +38,8 @@ public:
     /// The index in Scene::images of an image file, which is added if it is not there.
     int image(const ImageFile& file);
 
+    /// A texture that the program makes for itself, of spectra.
+    Input derive(decltype(Texture::kind) kind, const SourceLocation& where);
     /// The input times a factor.
     Input scaled(const Input& input, double factor);
 
