@@ -105,6 +105,19 @@ TEST_F(Cli, CompareFindsAnImageEqualToItself) {
     EXPECT_EQ(json.at("blocksOff"), 0);
 }
 
+/// --scatter takes an image as if it had no variance.
+TEST_F(Cli, ComparesByScatter) {
+    for (const std::string seed : {"1", "2"}) ASSERT_EQ(run({"render", "tiny.pbrt", "--seed", seed, "--aov", "variance", "-o", seed + ".exr"}).status, 0);
+    ASSERT_EQ(run({"render", "tiny.pbrt", "--seed", "1", "-o", "bare.exr"}).status, 0);
+    const auto worst = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"compare", "--json"});
+        return nlohmann::json::parse(run(arguments).out).at("worstBlock").at("distance").get<double>();
+    };
+    const double scatter = worst({"--scatter", "1.exr", "2.exr"});
+    EXPECT_EQ(scatter, worst({"bare.exr", "2.exr"}));
+    EXPECT_NE(scatter, worst({"1.exr", "2.exr"}));
+}
+
 TEST_F(Cli, DevicesAreListed) {
     for (const char* spelling : {"list-devices", "--list-devices"}) {
         const Outcome run = this->run({spelling});
