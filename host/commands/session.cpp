@@ -91,7 +91,9 @@ void Session::displace() {
     if (!hasDisplacedMeshes(scene_)) return;
     if (!context_) openDevice();
     const WaitNotice notice("displacing meshes", options_.log < LogLevel::warning);
+    const Stopwatch time;
     displaceMeshes(scene_, *context_, *compiler_, shape_, buildSettingsFor(options_.device), diagnostics_);
+    times_.displace = time.seconds();
 }
 
 void Session::pack(const Aovs& aovs, bool keepsSpectrum) {

@@ -27,6 +27,7 @@ struct SessionTimes {
     double device = 0;      ///< to find and open the device
     double load = 0;        ///< to read the scene's files
     double pack = 0;        ///< to load its images and fill its tables
+    double displace = 0;    ///< of that: meshes that a texture displaces
     double build = 0;       ///< of that: the acceleration structure
     double upload = 0;      ///< tables to the device
     double compile = 0;     ///< kernels: built and launched once

@@ -29,7 +29,7 @@ std::string describeRun(const Session& session, const Profile& profile, const Fi
     line("start the program", t.start, "mostly OpenImageIO's libraries");
     line("open the device", t.device, "while the scene is read");
     line("read the scene", t.load);
-    line("fill the tables", t.pack, fmt::format("of it {:.3f} s for the acceleration structure", t.build));
+    line("fill the tables", t.pack, fmt::format("of it {:.3f} s for the acceleration structure{}", t.build, t.displace > 0 ? fmt::format(", {:.3f} s for displaced meshes", t.displace) : ""));
     line("upload the tables", t.upload);
     line("compile the kernels", t.compile, fmt::format("{} compiled, {} from the cache", session.compiledStages(), static_cast<int>(session.stages().all().size()) - session.compiledStages()));
     if (session.compiledStages() > 0) line("  in worker processes", t.workers);

@@ -40,7 +40,7 @@ protected:
     }
 };
 
-/// All stages and most of what they do: a medium behind an interface, a sky, a lamp, every family of BSDFs, an instance, a cut-out, a texture, a bump.
+/// All stages and most of what they do: a medium behind an interface, a sky, a lamp, every family of BSDFs, an instance, a cut-out, a texture, tangents, a displaced mesh.
 /// (Not Sobol': Oclgrind 21.10 cannot reverse bits.)
 constexpr const char* everything = R"(LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 40 "float lensradius" .01 "float focaldistance" 4
@@ -73,14 +73,19 @@ MakeNamedMaterial "paint" "string type" "diffuse" "texture reflectance" "check"
 MakeNamedMaterial "foil" "string type" "diffusetransmission"
 Material "mix" "string materials" ["paint" "foil"]
 Shape "trianglemesh" "point3 P" [-2 -2 1  2 -2 1  2 2 1  -2 2 1] "integer indices" [0 1 2 0 2 3] "point2 uv" [0 0 1 0 1 1 0 1] "texture alpha" "holes"
+    "vector3 S" [1 0 0  1 1 0  0 1 0  -1 1 0]
+Texture "waves" "float" "fbm"
+Translate 0 -1 0 Shape "plymesh" "string filename" "ground.ply" "texture displacement" "waves" "float edgelength" .7
 )";
 
 TEST_F(Oclgrind, FindsNothing) {
     MeasuredFile{.isotropic = false}.write(path("brushed.bsdf"));
+    write("ground.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty float u\nproperty float v\n"
+                        "element face 1\nproperty list uchar int vertex_indices\nend_header\n-1 0 -1 0 0\n1 0 -1 1 0\n1 0 1 1 1\n-1 0 1 0 1\n4 0 1 2 3\n");
     expectNothingIn(everything);
 }
 
-/// A film that keeps a spectrum, of a range that some wavelengths are beside of.
+/// A film that keeps a spectrum, of a range that some wavelengths are beside of; a body that a texture says the inside of.
 TEST_F(Oclgrind, FindsNothingInSpectra) {
     expectNothingIn(R"(LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 40
@@ -91,6 +96,8 @@ WorldBegin
 LightSource "infinite" "blackbody L" 4000
 Material "dielectric" "spectrum eta" "glass-F11" Shape "sphere" "float radius" .7
 Material "diffuse" "rgb reflectance" [.8 .3 .1] Shape "bilinearmesh" "point3 P" [-2 -2 1  2 -2 1  -2 2 1  2 2 1]
+Texture "veins" "spectrum" "checkerboard" "rgb tex1" [.2 .3 .4] "rgb tex2" [.9 .1 .1]
+Translate .9 .9 0 Material "subsurface" "texture sigma_a" "veins" "rgb sigma_s" [7 8 9] Shape "sphere" "float radius" .5
 )");
 }
 
