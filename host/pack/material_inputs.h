@@ -44,7 +44,7 @@ public:
     /// One that may be larger than 1.
     void coefficient(uint slot, const char* name) {
         const Input& in = get(name);
-        add(slot, input_spectrum, packCoefficient(packer_, in.value), in.texture == none ? NONE : texture(in.texture));
+        add(slot, input_spectrum, packCoefficient(packer_, in.value), in.texture == none ? NONE : texture(in.texture, TextureUse::coefficient));
     }
     void spectrum(uint slot, glm::dvec3 value) { add(slot, input_spectrum, packRgb(value), NONE); }
     void color(uint slot, const eikonal::color& value) { add(slot, input_spectrum, value, NONE); }

@@ -77,7 +77,7 @@ private:
         bindings.set("program", displaced.program);
         bindings.set("count", static_cast<uint>(count));
         for (const char* name : {"capacity", "path_capacity"}) bindings.set(name, 0u);
-        kernel_.launch(context_, {&scene_.bindings(), &bindings}, count, shape_.group());
+        const Owned<cl_event, clReleaseEvent> launched(kernel_.launch(context_, {&scene_.bindings(), &bindings}, count, shape_.group()));
         heights.read(context_, displaced.heights.data() + first, count * sizeof(float));
     }
 

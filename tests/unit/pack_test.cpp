@@ -54,6 +54,17 @@ TEST_F(Pack, CoefficientsOfBodiesMayBeTextures) {
     for (const Feature feature : {Feature::TEXTURE_DIFFUSEALBEDO, Feature::TEXTURE_FREEPATH, Feature::BODY_TEXTURES, Feature::TEXTURED}) EXPECT_FALSE(plain.features.has(feature));
 }
 
+// Nor are metals' indices and what a hair absorbs reflectances: at wavelengths, a colour of theirs is a spectrum in [0, 1] times twice its largest channel.
+TEST_F(Pack, TexturedCoefficientsAreNoReflectances) {
+    for (const std::string material : {"\"conductor\" \"texture k\"", "\"conductor\" \"texture eta\"", "\"hair\" \"texture sigma_a\""}) {
+        Diagnostics diagnostics(LogLevel::silent, true);
+        Scene scene = world("Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [3 2 .5] Material " + material + " \"t\" Shape \"sphere\"");
+        scene.colorMode = ColorMode::spectral;
+        const std::vector<texture_instruction> instructions = packScene(scene, diagnostics).tables.instructions;
+        EXPECT_EQ(std::ranges::count_if(instructions, [](const texture_instruction& i) { return i.value.scale == 6; }), 1) << material;
+    }
+}
+
 // What is given as a spectrum or by its temperature, wherever it is, asks for wavelengths; metals do not, and what is not used does not.
 TEST_F(Pack, SpectraAskForWavelengths) {
     const auto isSpectral = [&](const std::string& text) { return pack(text + "\nShape \"sphere\"").features.has(Feature::SPECTRAL); };
