@@ -5,7 +5,6 @@
 
 namespace eikonal {
 
-
 void expose(FilmImage& image, const FilmDescription& film) {
     const SensorDescription sensor{film.sensor, film.whiteBalance, film.exposureTime * film.iso / 100, film.colorSpace};
     const bool isPlain = sensor.name == "cie1931" && sensor.whiteBalance == 0 && sensor.imagingRatio == 1;

@@ -1,7 +1,7 @@
 // Lights without a shape; then the light sampler.
 
-#include "pack/alias_table.h"
 #include "film/luminance.h"
+#include "pack/alias_table.h"
 #include "pack/image_lights.h"
 #include "pack/light_sampler.h"
 

@@ -9,6 +9,18 @@
 
 namespace eikonal {
 
+/// A mesh's tangents where `m` takes them, the longest of unit length: their squares are finite then, and means of theirs stay what they are.
+static std::vector<glm::dvec3> tangentsInReach(const Mesh& mesh, const glm::dmat4& m) {
+    std::vector<glm::dvec3> tangents;
+    double longest = 0;
+    for (const glm::vec3& t : mesh.tangents) {
+        tangents.push_back(transformVector(m, t));
+        longest = std::max(longest, glm::length(tangents.back()));
+    }
+    for (glm::dvec3& t : tangents) t *= longest > 0 ? 1 / longest : 0;
+    return tangents;
+}
+
 class ShapePacker {
 public:
     explicit ShapePacker(Packer& packer) : packer_(packer), tables_(packer.packed.tables) {}
@@ -69,7 +81,7 @@ private:
         }
         if (!mesh.tangents.empty()) {
             packed.first_tangent = static_cast<uint>(tables_.tangents.size());
-            for (const glm::vec3& t : mesh.tangents) tables_.tangents.push_back(toVec3(transformVector(m, t)));
+            for (const glm::dvec3& t : tangentsInReach(mesh, m)) tables_.tangents.push_back(toVec3(t));
             packer_.packed.require(Feature::TANGENTS, s.where.toString());
         }
         if (!mesh.uvs.empty()) {

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
+#include <string>
 
 namespace eikonal {
 namespace {
@@ -30,16 +30,37 @@ template <class F> void forEachShape(Scene& scene, const F& f) {
 struct DisplacedMesh {
     Shape* shape;
     Mesh mesh;
-    uint program;            ///< of the texture
     std::vector<float> heights;
 };
 
+/// Throws the errors of all, in their order.
+template <class F> void forEachInParallel(std::vector<DisplacedMesh>& meshes, const F& f) {
+    std::vector<std::string> errors(meshes.size());
+    tbb::parallel_for(size_t(0), meshes.size(), [&](size_t i) {
+        try {
+            f(meshes[i]);
+        } catch (const SceneError& error) { errors[i] = error.what(); }
+    });
+    std::erase(errors, std::string());
+    if (!errors.empty()) throw Error(ExitCode::scene, fmt::format("{}", fmt::join(errors, "\n")));
+}
+
+bool isFinite(const glm::vec3& v) { return std::isfinite(v.x + v.y + v.z); }
+
 Mesh splitMesh(const Shape& s) {
     const Mesh& whole = *std::get<TriangleMesh>(s.kind).mesh;
+    const Displacement& d = *s.displacement;
+    for (const std::uint32_t corner : whole.indices)
+        if (!whole.normals.empty() && !isFinite(whole.normals[corner])) throw SceneError(d.where, "a mesh is displaced along its normals, and one of this one's is not a finite number");
     Mesh mesh = whole;
-    if (!splitLongEdges(mesh, s.worldFromObject, s.displacement->edgeLength))
-        throw SceneError(s.displacement->where, fmt::format("edges shorter than {:g} make more than {} triangles of this mesh, which are the most; \"float edgelength\" {:.2g} would work",
-                                                            s.displacement->edgeLength, mostDisplacedTriangles, shortestEdgeLength(whole, s.worldFromObject)));
+    const Split split = splitLongEdges(mesh, s.worldFromObject, d.edgeLength);
+    if (split == Split::tooFine)
+        throw SceneError(d.where, fmt::format("edges of this mesh cannot be cut until all are shorter than {:g}: that far from the origin of its file, no number lies between their ends", d.edgeLength));
+    if (split == Split::tooMany) {
+        const double possible = shortestEdgeLength(whole, s.worldFromObject);
+        throw SceneError(d.where, fmt::format("edges shorter than {:g} make more than {} triangles of this mesh, which are the most{}", d.edgeLength, mostDisplacedTriangles,
+                                              possible > d.edgeLength ? fmt::format("; \"float edgelength\" {:.2g} would work", possible) : ""));
+    }
     return mesh;
 }
 
@@ -48,16 +69,18 @@ public:
     HeightLookup(const PackedScene& textures, const Context& context, Compiler& compiler, const StageShape& shape, const BuildSettings& settings)
         : context_(context), compiler_(compiler), shape_(shape), scene_(context, textures),
           kernel_(compiler.build("#include \"displace_vertices.cl\"\n", "displace_vertices", completeSettings(settings, textures, shape))) {}
-    ~HeightLookup() { compiler_.keep(kernel_.program()); }
+    /// Keeps the kernel for later starts, once it has run.
+    void keep() const { compiler_.keep(kernel_.program()); }
 
-    void run(DisplacedMesh& displaced) {
+    /// Fills in the heights by a program of the textures.
+    void run(DisplacedMesh& displaced, uint program) {
         displaced.heights.resize(displaced.mesh.positions.size());
         for (size_t first = 0; first < displaced.heights.size(); first += verticesAtATime)
-            run(displaced, first, std::min(verticesAtATime, displaced.heights.size() - first));
+            run(displaced, program, first, std::min(verticesAtATime, displaced.heights.size() - first));
     }
 
 private:
-    void run(DisplacedMesh& displaced, size_t first, size_t count) {
+    void run(DisplacedMesh& displaced, uint program, size_t first, size_t count) {
         const Mesh& mesh = displaced.mesh;
         const Transform& m = displaced.shape->worldFromObject;
         std::vector<vec3> points, normals;
@@ -74,7 +97,7 @@ private:
         bindings.set("vertex_normals", normalBuffer);
         bindings.set("vertex_uvs", uvBuffer);
         bindings.set("heights", heights);
-        bindings.set("program", displaced.program);
+        bindings.set("program", program);
         bindings.set("count", static_cast<uint>(count));
         for (const char* name : {"capacity", "path_capacity"}) bindings.set(name, 0u);
         const Owned<cl_event, clReleaseEvent> launched(kernel_.launch(context_, {&scene_.bindings(), &bindings}, count, shape_.group()));
@@ -91,8 +114,8 @@ private:
 void finish(DisplacedMesh& displaced) {
     Shape& s = *displaced.shape;
     displaceVertices(displaced.mesh, displaced.heights);
-    for (const glm::vec3& p : displaced.mesh.positions)
-        if (!std::isfinite(p.x + p.y + p.z)) throw SceneError(s.displacement->where, "this texture moves a vertex to where no finite number reaches");
+    for (const std::uint32_t corner : displaced.mesh.indices)
+        if (!isFinite(displaced.mesh.positions[corner])) throw SceneError(s.displacement->where, "this texture moves a vertex to where no finite number reaches");
     s.kind = TriangleMesh{std::make_shared<Mesh>(std::move(displaced.mesh))};
     s.displacement.reset();
 }
@@ -109,7 +132,7 @@ void displaceMeshes(Scene& scene, const Context& context, Compiler& compiler, co
     std::vector<int> textures;
     forEachShape(scene, [&](Shape& s) {
         if (!s.displacement) return;
-        meshes.push_back({&s, {}, 0, {}});
+        meshes.push_back({&s, {}, {}});
         textures.push_back(s.displacement->texture);
         if (std::get<TriangleMesh>(s.kind).mesh->uvs.empty())
             diagnostics.warn(s.displacement->where, "this mesh has no texture coordinates: the texture that displaces it is looked up at (0, 0)");
@@ -118,13 +141,11 @@ void displaceMeshes(Scene& scene, const Context& context, Compiler& compiler, co
     const auto images = loadImages(scene.images);
     for (size_t i = 0; i < images.size(); ++i) scene.images[i].pixels = images[i];
     const PackedTextures packed = packTextures(scene, textures, diagnostics);
-    tbb::parallel_for(size_t(0), meshes.size(), [&](size_t i) {
-        meshes[i].mesh = splitMesh(*meshes[i].shape);
-        meshes[i].program = packed.programs[i];
-    });
+    forEachInParallel(meshes, [](DisplacedMesh& m) { m.mesh = splitMesh(*m.shape); });
     HeightLookup lookup(packed.scene, context, compiler, shape, settings);
-    for (DisplacedMesh& m : meshes) lookup.run(m);
-    tbb::parallel_for(size_t(0), meshes.size(), [&](size_t i) { finish(meshes[i]); });
+    for (size_t i = 0; i < meshes.size(); ++i) lookup.run(meshes[i], packed.programs[i]);
+    lookup.keep();
+    forEachInParallel(meshes, finish);
 }
 
 }  // namespace eikonal

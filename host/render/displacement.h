@@ -12,8 +12,8 @@ namespace eikonal {
 bool hasDisplacedMeshes(const Scene& scene);
 
 /// Cuts their long edges, looks up the texture at each vertex (its place in world space when the motion starts, its texture coordinates), and moves
-/// it; no shape has a displacement any more. The scene keeps the images that were loaded. Throws SceneError: an edge length that makes too many triangles, a height that is not finite;
-/// warns of a mesh without texture coordinates, which are (0, 0) then.
+/// it; no shape has a displacement any more. The scene keeps the images that were loaded. Throws an Error that lists all meshes that cannot be cut
+/// so short, or have normals or heights that are not finite; warns of a mesh without texture coordinates, which are (0, 0) then.
 void displaceMeshes(Scene& scene, const Context& context, Compiler& compiler, const StageShape& shape, const BuildSettings& settings, Diagnostics& diagnostics);
 
 }  // namespace eikonal

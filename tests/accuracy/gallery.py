@@ -53,6 +53,14 @@ def compare(program, image, reference, *options):
     return json.loads(done.stdout) if done.returncode == 0 else None
 
 
+def compare_better(program, image, name):
+    """With pbrt-v4's better image; nothing if there is none."""
+    if name not in BETTER:
+        return None
+    reference = BETTER_REFERENCES / (name + ".exr")
+    return compare(program, image, reference, *["--scatter"] * (name in NOISY_REFERENCES)) or sys.exit(f"gallery.py: {reference} cannot be compared with {image}")
+
+
 def ratio(value, reference):
     return value / reference if reference else 1.0 if value == 0 else float("inf")
 
@@ -153,8 +161,7 @@ def main():
         image, log = o.renders / (scene.stem + ".exr"), o.renders / (scene.stem + ".log")
         rendered = (o.keep and image.exists() and log.exists()) or render(o.program, scene, image, o.spp, o.color)
         numbers = compare(o.program, image, o.gallery / "reference" / (scene.stem + ".exr")) if rendered else None
-        options = ["--scatter"] if scene.stem in NOISY_REFERENCES else []
-        better = compare(o.program, image, BETTER_REFERENCES / (scene.stem + ".exr"), *options) if rendered and scene.stem in BETTER else None
+        better = compare_better(o.program, image, scene.stem) if rendered else None
         rows.append(judge(scene.stem, log.read_text(), numbers, better, limit))
         print("  ".join(cell for cell in rows[-1][1:] if cell), file=sys.stderr, flush=True)
 

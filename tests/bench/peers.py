@@ -110,8 +110,8 @@ def measure(o, scene, add):
                 seconds[r.name].append(r.render(o.samples, repeat + 1, image))
                 errors[r.name].append(relative_error(o.program, image, folder / f"{r.color}.exr"))
 
-    ours = renderers[0].name
     for r in renderers:
+        ours = next(x.name for x in renderers if x.color == r.color)
         time, error = statistics.median(seconds[r.name]), statistics.median(errors[r.name])
         speed = statistics.median(theirs / mine for theirs, mine in zip(seconds[r.name], seconds[ours]))
         add(f"{scene.parent.name}/{scene.name}", r.name, info["width"] * info["height"] * o.samples / time * 1e-6, error, speed, speed * error / statistics.median(errors[ours]))

@@ -44,7 +44,7 @@ std::vector<std::string> scenesOf(const std::string& kind) {
             "WorldBegin ObjectBegin \"o\" " + shape + "ObjectEnd ObjectInstance \"o\" Translate 1.5 .5 0 " + stretched + "ObjectInstance \"o\""};
 }
 
-struct Probe { float t; uint element, instance; float u, v; vec3 p, error, ng, ns, dpdu, dpdv, dndu, dndv; vec2 uv; float again; };
+struct Probe { float t; uint element, instance; float u, v; vec3 p, error, ng, ns, dpdu, dpdv, dndu, dndv, tangent; vec2 uv; float again; };
 
 /// What a ray meets, and how far a ray from there gets, on the side of the normal for side > 0 and on the other one for side < 0, before it meets
 /// the same element again (-1: never).
@@ -61,7 +61,7 @@ std::vector<Probe> probe(const PackedScene& scene, const std::vector<vec3>& o, c
         if (best.element != NONE) {
             surface at = eval_surface(g, tables, best.element, best.instance, o, d, 0.0f, hit);
             result.p = at.p; result.error = at.error; result.ng = at.ng; result.ns = at.ns; result.uv = at.uv;
-            result.dpdu = at.dpdu; result.dpdv = at.dpdv; result.dndu = at.dndu; result.dndv = at.dndv;
+            result.dpdu = at.dpdu; result.dpdv = at.dpdv; result.dndu = at.dndu; result.dndv = at.dndv; result.tangent = surface_tangent(at);
             vec3 leaving = mul(w, dot3(w, at.ng) * side < 0.0f ? -1.0f : 1.0f);
             nearest_hit next;
             next.t_max = FAR_AWAY;
@@ -69,7 +69,7 @@ std::vector<Probe> probe(const PackedScene& scene, const std::vector<vec3>& o, c
             if (next.element == best.element && next.instance == best.instance) result.again = next.t_max;
         })",
         .inputs = {"vec3 o", "vec3 d", "vec3 w", "float side"},
-        .declarations = "typedef struct { float t; uint element, instance; float u, v; vec3 p, error, ng, ns, dpdu, dpdv, dndu, dndv; vec2 uv; float again; } probe;",
+        .declarations = "typedef struct { float t; uint element, instance; float u, v; vec3 p, error, ng, ns, dpdu, dpdv, dndu, dndv, tangent; vec2 uv; float again; } probe;",
         .tables = "GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE)", .features = shapeFeatures()});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, o, d, w, side);
@@ -171,30 +171,35 @@ TEST_P(Shapes, DerivativesFollowTheSurface) {
     }
 }
 
-/// A mesh's tangents are interpolated, go with it through its transforms, and are brought into the plane across the shading normal.
+/// A mesh's tangents are interpolated, go with it through its transforms, and turn what depends on the direction along the surface, which stays as it is otherwise.
 TEST(Tangents, TurnTheFrame) {
-    const std::string mesh = "Shape \"trianglemesh\" \"point3 P\" [ -1 -1 0  1 -1 0  0 1 0 ] \"vector3 S\" [ 1 0 0  1 2 3  -1 1 0 ] ";
+    const std::string corners = "Shape \"trianglemesh\" \"point3 P\" [ -1 -1 0  1 -1 0  0 1 0 ] ", mesh = corners + "\"vector3 S\" [ 1 0 0  1 2 3  -1 1 0 ] ";
     const std::string turned = "Rotate 90 0 0 1 Scale 2 1 1 ", normals = "\"normal N\" [ 0 .6 .8  0 .6 .8  0 .6 .8 ] ";
     const std::vector<vec3> o{{0, -0.2f, 3}}, d{{0, 0, -1}}, w{{0, 0, 1}};
     const auto meet = [&](const std::string& text) { return probe(packText("WorldBegin " + text), o, d, w, {1}).front(); };
-    const auto expectTangent = [&](const Probe& at, glm::dvec3 expected) {
-        const glm::dvec3 ns = toGlm(at.ns), across = expected - glm::dot(expected, ns) * ns;
-        EXPECT_LT(glm::length(glm::normalize(toGlm(at.dpdu)) - glm::normalize(across)), 1e-5);
-        EXPECT_LT(glm::length(glm::normalize(toGlm(at.dpdv)) - glm::normalize(glm::cross(ns, across))), 1e-5);
-        EXPECT_LT(glm::length(toGlm(at.dndu)) + glm::length(toGlm(at.dndv)), 1e-5);
-    };
-    const auto blend = [](const Probe& at, glm::dmat3 m) {
-        return m * ((1 - static_cast<double>(at.u + at.v)) * glm::dvec3(1, 0, 0) + static_cast<double>(at.u) * glm::dvec3(1, 2, 3) + static_cast<double>(at.v) * glm::dvec3(-1, 1, 0));
+    const auto expectTangent = [&](const Probe& at, glm::dmat3 m) {
+        const double u = static_cast<double>(at.u), v = static_cast<double>(at.v);
+        const glm::dvec3 t = m * ((1 - u - v) * glm::dvec3(1, 0, 0) + u * glm::dvec3(1, 2, 3) + v * glm::dvec3(-1, 1, 0)), ns = toGlm(at.ns);
+        ASSERT_GE(at.t, 0);
+        EXPECT_LT(glm::length(toGlm(at.tangent) - glm::normalize(t - glm::dot(t, ns) * ns)), 1e-5);
     };
     const glm::dmat3 turn(glm::dvec3(0, 2, 0), glm::dvec3(-1, 0, 0), glm::dvec3(0, 0, 1));   // columns
-    for (const std::string& more : {std::string(), normals}) {
-        const Probe still = meet(mesh + more), moved = meet(turned + mesh + more), instance = meet("ObjectBegin \"o\" " + mesh + more + "ObjectEnd ObjectInstance \"o\" Translate 0 0 -1 " + turned + "ObjectInstance \"o\"");
-        ASSERT_GE(still.t, 0);
-        expectTangent(still, blend(still, glm::dmat3(1)));
-        expectTangent(moved, blend(moved, turn));
-        expectTangent(instance, blend(instance, glm::dmat3(1)));
-        const Probe plain = meet("Shape \"trianglemesh\" \"point3 P\" [ -1 -1 0  1 -1 0  0 1 0 ] \"vector3 S\" [ 0 0 0  0 0 0  0 0 0 ] " + more);
-        EXPECT_NEAR(glm::normalize(toGlm(plain.dpdu)).x, 1, 1e-5) << "no tangent: that of the texture coordinates";
+    for (const std::string& more : {std::string(), normals, "ReverseOrientation " + normals}) {
+        const auto with = [&](const std::string& before, const std::string& shape) {
+            return more.starts_with("R") ? before + "ReverseOrientation " + shape + normals : before + shape + more;
+        };
+        expectTangent(meet(with("", mesh)), glm::dmat3(1));
+        expectTangent(meet(with(turned, mesh)), turn);
+        /* An object that is used once is part of the world, one that is used twice is not */
+        const std::string once = with("ObjectBegin \"o\" ", mesh) + "ObjectEnd " + turned + "ObjectInstance \"o\" ";
+        expectTangent(meet(once), turn);
+        expectTangent(meet(once + "Translate 0 0 -1 ObjectInstance \"o\""), turn);
+        const Probe plain = meet(with("", corners)), zero = meet(with("", corners + "\"vector3 S\" [ 0 0 0  0 0 0  0 0 0 ] ")), still = meet(with("", mesh));
+        EXPECT_EQ(toGlm(zero.tangent), toGlm(plain.tangent)) << "no tangent: that of the texture coordinates";
+        EXPECT_EQ(toGlm(still.dpdu), toGlm(plain.dpdu)) << "textures stay where they are";
+        EXPECT_EQ(toGlm(still.dpdv), toGlm(plain.dpdv));
+        const Probe huge = meet(with("", corners + "\"vector3 S\" [ 1e30 1e30 0  1e30 1e30 0  1e30 1e30 0 ] ")), small = meet(with("", corners + "\"vector3 S\" [ 1e-30 1e-30 0  1e-30 1e-30 0  1e-30 1e-30 0 ] "));
+        EXPECT_LT(glm::length(toGlm(huge.tangent) - toGlm(small.tangent)), 1e-6);
     }
 }
 

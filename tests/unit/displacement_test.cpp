@@ -33,7 +33,7 @@ TEST(Displacement, CutsEveryLongEdgeAndOpensNoCrack) {
     for (const double length : {10.0, 1.0, 0.3, 0.07}) {
         const double area = areaOf(octahedron(), stretched);
         Mesh mesh = octahedron();
-        ASSERT_TRUE(splitLongEdges(mesh, stretched, length));
+        ASSERT_EQ(splitLongEdges(mesh, stretched, length), Split::done);
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
         for (size_t i = 0; i < mesh.indices.size(); ++i) {
             const size_t next = i % 3 == 2 ? i - 2 : i + 1;
@@ -63,7 +63,7 @@ TEST(Displacement, CutsEveryLongEdgeAndOpensNoCrack) {
 TEST(Displacement, LeavesShortEdgesAlone) {
     Mesh mesh = octahedron();
     mesh.normals.assign(6, {0, 0, 1});
-    ASSERT_TRUE(splitLongEdges(mesh, Transform(1), 1.5));
+    ASSERT_EQ(splitLongEdges(mesh, Transform(1), 1.5), Split::done);
     EXPECT_EQ(mesh.indices, octahedron().indices);
     EXPECT_EQ(mesh.normals[0], glm::vec3(0, 0, 1)) << "normals that the mesh has are kept";
 }
@@ -72,9 +72,30 @@ TEST(Displacement, RefusesWhatWouldNotFit) {
     const double area = areaOf(octahedron(), Transform(1));
     for (const double length : {1e-300, 1e-9, 0.9 * std::sqrt(area / (std::sqrt(3) / 4 * mostDisplacedTriangles))}) {
         Mesh mesh = octahedron();
-        EXPECT_FALSE(splitLongEdges(mesh, Transform(1), length)) << length;
+        EXPECT_EQ(splitLongEdges(mesh, Transform(1), length), Split::tooMany) << length;
     }
+    const auto triangle = [](glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+        Mesh mesh;
+        mesh.positions = {a, b, c};
+        mesh.indices = {0, 1, 2};
+        return mesh;
+    };
+    Mesh sliver = triangle({0, 0, 0}, {1e6f, 0, 0}, {1e6f, 1e-9f, 0}), far = triangle({1e8f, 0, 0}, {1e8f + 8, 0, 0}, {1e8f, 8, 0}), point = triangle({1, 2, 3}, {1, 2, 3}, {1, 2, 3});
+    EXPECT_EQ(splitLongEdges(sliver, Transform(1), 0.01), Split::tooMany) << "by the length of its edges";
+    EXPECT_GT(shortestEdgeLength(sliver, Transform(1)), 0.01);
+    EXPECT_EQ(splitLongEdges(far, Transform(1), 0.5), Split::tooFine) << "no number lies between 1e8 and 1e8 + 8";
+    EXPECT_LT(far.positions.size(), 1000u) << "found out before long";
+    EXPECT_EQ(splitLongEdges(point, Transform(1), 1e-300), Split::done);
     EXPECT_NEAR(shortestEdgeLength(octahedron(), Transform(1)), 4 * std::sqrt(area / mostDisplacedTriangles), 1e-9);
+}
+
+TEST(Displacement, FindsNormalsAtAnyScale) {
+    for (const float size : {0x1p-60f, 1.f, 0x1p60f}) {
+        Mesh mesh = octahedron();
+        for (glm::vec3& p : mesh.positions) p *= size;
+        ASSERT_EQ(splitLongEdges(mesh, Transform(1), 2e18), Split::done);
+        EXPECT_EQ(mesh.normals[2], glm::vec3(0, 1, 0)) << size;
+    }
 }
 
 TEST(Displacement, MovesVerticesAlongTheirNormals) {

@@ -11,9 +11,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace eikonal::pbrt {
+
+struct AlbedoTable;   // subsurface.cpp
 
 struct Reading {
     Reading(Diagnostics& diagnosticsToUse, std::string sceneFolder) : diagnostics(diagnosticsToUse), folder(std::move(sceneFolder)) {}
@@ -22,6 +25,7 @@ struct Reading {
     std::string folder;      ///< of the scene's own file: where relative names start
     Problems problems;
     Scene scene;
+    std::map<std::pair<double, double>, std::shared_ptr<const AlbedoTable>> albedoTables;   ///< of bodies, by g and eta: made once (subsurface.cpp)
     double displacementEdgeScale = 1;   ///< of all that the scene says of edges of displaced meshes
 
     /// The path of a file that the scene names: as it is, or from the scene's folder, from the folder of the file that names it,

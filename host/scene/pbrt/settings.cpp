@@ -43,8 +43,9 @@ void Settings::setOption(const std::string& name, const std::string& value, cons
     const std::vector<std::string> missing = {"disablepixeljitter", "forcediffuse"};
     const std::string option = plain(name);
     const auto read = [&](auto& number) {
-        const auto [stop, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-        return error == std::errc() && stop == value.data() + value.size();
+        const char* const end = value.data() + value.size();
+        const auto [stop, error] = std::from_chars(value.data() + value.starts_with('+'), end, number);
+        return error == std::errc() && stop == end;
     };
     if (option == "seed") {
         if (!read(seed_)) throw SceneError(valueWhere, "\"" + value + "\" found where an integer is expected");

@@ -10,7 +10,26 @@
 #include <optional>
 
 namespace eikonal::pbrt {
+
+/// Diffuse albedos for a phase function and an index, and the same as an image of one row.
+struct AlbedoTable {
+    DiffuseAlbedoTable table;
+    std::shared_ptr<const ImageData> row;
+};
+
 namespace {
+
+const AlbedoTable& albedoTable(Reading& reading, double g, double eta) {
+    std::shared_ptr<const AlbedoTable>& kept = reading.albedoTables[{g, eta}];
+    if (kept) return *kept;
+    const DiffuseAlbedoTable table(g, eta);
+    auto row = std::make_shared<ImageData>();
+    row->width = static_cast<int>(table.albedos().size());
+    row->height = 1;
+    row->floats.assign(table.albedos().begin(), table.albedos().end());
+    kept = std::make_shared<AlbedoTable>(AlbedoTable{table, row});
+    return *kept;
+}
 
 void warnOfIgnored(Reading& reading, const Arguments& arguments, std::initializer_list<const char*> names, const std::string& since) {
     for (const char* name : names)
@@ -52,8 +71,7 @@ DiffusionProfile profileOf(const Spectrum& albedo, const Medium& medium, double 
 }
 
 /// Of a body of which the coefficients are known. At wavelengths colours are made spectra of first, as in pbrt-v4: what they make of light is far from linear.
-DiffusionProfile profileOf(Medium medium, double eta) {
-    const DiffuseAlbedoTable table(medium.g, eta);
+DiffusionProfile profileOf(Medium medium, const DiffuseAlbedoTable& table, double eta) {
     const auto profile = [&] {
         return profileOf(combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return table.diffuse(s / std::max(s + a, 1e-30)); }), medium, eta);
     };
@@ -72,14 +90,9 @@ DiffusionProfile texturedProfile(const Input& albedo, const Input& path, const D
 }
 
 /// Of a body of which textures say the coefficients.
-DiffusionProfile texturedProfile(TextureBook& textures, const Input& sigmaA, const Input& sigmaS, double g, double eta) {
-    const DiffuseAlbedoTable table(g, eta);
-    auto row = std::make_shared<ImageData>();
-    row->width = static_cast<int>(table.albedos().size());
-    row->height = 1;
-    row->floats.assign(table.albedos().begin(), table.albedos().end());
+DiffusionProfile texturedProfile(TextureBook& textures, const Input& sigmaA, const Input& sigmaS, const AlbedoTable& albedos, double g) {
     const SourceLocation& where = (sigmaA.texture == none ? sigmaS : sigmaA).where;
-    const Input albedo = textures.derive(DiffuseAlbedoTexture{sigmaA, sigmaS, g, textures.image({.path = {}, .pixels = row, .where = where})}, where);
+    const Input albedo = textures.derive(DiffuseAlbedoTexture{sigmaA, sigmaS, g, textures.image({.path = {}, .pixels = albedos.row, .where = where})}, where);
     return {Spectrum::constant(1), Spectrum::constant(1), albedo.texture, textures.derive(FreePathTexture{sigmaA, sigmaS, g}, where).texture};
 }
 
@@ -116,14 +129,14 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         warnOfIgnored(reading, arguments, {"reflectance", "mfp"}, "a \"sigma_a\"");
         const Input sigmaA = textures.scaled(textures.input(arguments, "sigma_a"), scale), sigmaS = textures.scaled(textures.input(arguments, "sigma_s"), scale);
         if (sigmaA.texture != none || sigmaS.texture != none) {
-            material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(textures, sigmaA, sigmaS, medium->g, eta));
+            material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(textures, sigmaA, sigmaS, albedoTable(reading, medium->g, eta), medium->g));
             return;
         }
         medium->sigmaA = sigmaA.value;
         medium->sigmaS = sigmaS.value;
     } else if (arguments.has("reflectance")) {
         const Input reflectance = textures.input(arguments, "reflectance"), mfp = textures.input(arguments, "mfp", Spectrum::constant(1));
-        const DiffuseAlbedoTable table(medium->g, eta);
+        const DiffuseAlbedoTable& table = albedoTable(reading, medium->g, eta).table;
         if (reflectance.texture != none || mfp.texture != none) {
             material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(reflectance, mfp, table, medium->g, scale));
             return;
@@ -139,7 +152,7 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         medium->sigmaS = Spectrum::rgb({2.55, 3.21, 3.77}) * scale;
     }
     material.interior = medium;
-    material.diffusion = std::make_shared<DiffusionProfile>(albedo ? profileOf(*albedo, *medium, eta) : profileOf(*medium, eta));
+    material.diffusion = std::make_shared<DiffusionProfile>(albedo ? profileOf(*albedo, *medium, eta) : profileOf(*medium, albedoTable(reading, medium->g, eta).table, eta));
 }
 
 }  // namespace eikonal::pbrt
