@@ -5,6 +5,7 @@
     ./dev accuracy --only film               the scenes with "film" in their name, printed instead of written
     ./dev accuracy --renders DIR --keep      compare the images that are in DIR already
     ./dev accuracy --wavelengths             all of them at four wavelengths a path: the second table
+    ./dev accuracy FOLDER --print --scatter  other scenes, whose references are noisy
 
 A scene agrees if each channel's mean is within 1 % (at wavelengths 0.5 %) of the reference's and no block of 8 x 8 pixels is further off than 5 % and four
 standard errors; or if it does so with a better image that pbrt-v4 made (references/README.md), which its row says. Exits with 1 if a scene differs for no reason that REASONS knows, or further than that reason explains, or cannot be rendered.
@@ -146,6 +147,8 @@ def main():
     options.add_argument("--only", metavar="WORD", default="", help="scenes with this in their name; prints the table, writes nothing")
     options.add_argument("--renders", type=pathlib.Path, default=ROOT / "build" / "accuracy", help="where images and logs go (build/accuracy)")
     options.add_argument("--wavelengths", action="store_true", help="rendered as spectra; asks for means within 0.5 %%")
+    options.add_argument("--print", action="store_true", help="prints the table, writes nothing")
+    options.add_argument("--scatter", action="store_true", help="standard errors from how pixels scatter about the reference's")
     options.add_argument("--keep", action="store_true", help="do not render what is there already")
     o = options.parse_args()
 
@@ -160,13 +163,13 @@ def main():
     for scene in scenes:
         image, log = o.renders / (scene.stem + ".exr"), o.renders / (scene.stem + ".log")
         rendered = (o.keep and image.exists() and log.exists()) or render(o.program, scene, image, o.spp, o.color)
-        numbers = compare(o.program, image, o.gallery / "reference" / (scene.stem + ".exr")) if rendered else None
+        numbers = compare(o.program, image, o.gallery / "reference" / (scene.stem + ".exr"), *["--scatter"] * o.scatter) if rendered else None
         better = compare_better(o.program, image, scene.stem) if rendered else None
         rows.append(judge(scene.stem, log.read_text(), numbers, better, limit))
         print("  ".join(cell for cell in rows[-1][1:] if cell), file=sys.stderr, flush=True)
 
     text = table(rows, o.spp)
-    if o.only:
+    if o.only or o.print:
         print(text, end="")
     else:
         page = PAGE.read_text()
