@@ -3,7 +3,7 @@
 
     tests/bench/peers.py SCENE.pbrt ... [--pbrt PBRT] [--mitsuba-python VENV/bin/python]
 
-PBRT is pbrt-v4's program, which renders the same file, by paths and by its own wavefront; at wavelengths, as it always does, and so we do that, too. VENV has the
+PBRT is pbrt-v4's program, which renders the same file; at wavelengths, as it always does, so its rows are beside ours at wavelengths. VENV has the
 package `mitsuba` from PyPI; mode llvm_ad_rgb needs an LLVM that its drjit accepts (Debian's libllvm19; --llvm says where). It renders
 SCENE.xml, the same scene for Mitsuba, where there is one. Seconds are of rendering alone: no loading, no compiling; every renderer renders
 once before it is timed. relMSE is taken against a render of ours with --reference-samples a pixel, in RGB or at wavelengths as the renderer.
@@ -79,8 +79,8 @@ def eikonal(program, scene, color):
     return Program(name, color, [program, "render", scene, "--stats", "--color", color], "-o", r"^  render +([0-9.]+) s")
 
 
-def pbrt(program, scene, *options):
-    return Program(" ".join(["pbrt-v4", *options]), "spectral", [program, scene, *options], "--outfile", r"\(([0-9.]+)s\)")
+def pbrt(program, scene):
+    return Program("pbrt-v4", "spectral", [program, scene], "--outfile", r"\(([0-9.]+)s\)")
 
 
 def relative_error(program, image, reference):
@@ -93,7 +93,7 @@ def measure(o, scene, add):
     info = json.loads(subprocess.run([str(o.program), "info", "--json", str(scene)], capture_output=True, text=True, check=True).stdout)
     renderers = [eikonal(o.program, scene, "rgb")]
     if o.pbrt:
-        renderers += [eikonal(o.program, scene, "spectral"), pbrt(o.pbrt, scene), pbrt(o.pbrt, scene, "--wavefront")]
+        renderers += [eikonal(o.program, scene, "spectral"), pbrt(o.pbrt, scene)]
     if o.mitsuba_python and scene.with_suffix(".xml").exists():
         renderers += [Mitsuba(o.mitsuba_python, v, str(scene.with_suffix(".xml")), o.llvm) for v in o.variants]
     with tempfile.TemporaryDirectory() as name:
