@@ -16,7 +16,7 @@ struct PlyMesh {
     std::size_t droppedFaces = 0;     ///< faces with fewer than three corners, which are left out
 };
 
-/// All faces as triangles, patches cut in two from corner 0 to corner 3 (of a bilinear patch: to (1, 1)), as pbrt-v4 does for displacement.
+/// All faces as triangles, patches cut in two from corner 0 to corner 3 (of a bilinear patch: to (1, 1)), as pbrt-v4 does for displacement. Null if there are none.
 std::shared_ptr<const Mesh> trianglesOf(const PlyMesh& ply);
 
 /// Reads a PLY file of format ascii, binary_little_endian or binary_big_endian, gzip-compressed or not.

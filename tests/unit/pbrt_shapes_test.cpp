@@ -130,6 +130,10 @@ TEST_F(PbrtShapes, displacedMeshes) {
     EXPECT_EQ(read("Option \"displacementedgescale\" 4\nWorldBegin " + waves + mesh + "\"texture displacement\" \"waves\"").shapes[0].displacement->edgeLength, 4);
     EXPECT_THAT(errorOf("Option \"displacementedgescale\" 0\nWorldBegin"), HasSubstr("test.pbrt:1:32: \"0\" found where a number above 0 is expected"));
     EXPECT_THAT(errorOfWorld(waves + mesh + "\"texture displacement\" \"waves\" \"float edgelength\" 0"), HasSubstr("\"float edgelength\" is 0; it must be in (0, inf)"));
+    write("edge.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                      "0 0 0\n1 0 0\n2 0 1\n");
+    EXPECT_THAT(world(waves + "Shape \"plymesh\" \"string filename\" \"edge.ply\" \"texture displacement\" \"waves\"").shapes, IsEmpty());
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 faces with fewer than three corners, which are left out")));
     EXPECT_THAT(errorOfWorld(mesh + "\"texture displacement\" \"waves\""), HasSubstr("there is no float texture \"waves\""));
 }
 

@@ -210,7 +210,9 @@ void ShapeBook::place(Pending pending) {
     const PlyMesh& ply = plyFiles_.mesh(pending.plyFile);
     if (pending.displacement) {
         shape.displacement->texture = textures_.textureOf(*pending.displacement, true);
-        shape.kind = TriangleMesh{trianglesOf(ply)};
+        const std::shared_ptr<const Mesh> mesh = trianglesOf(ply);
+        if (!mesh) return;
+        shape.kind = TriangleMesh{mesh};
         shapes.push_back(std::move(shape));
         return;
     }
