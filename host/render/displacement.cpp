@@ -2,17 +2,17 @@
 
 #include "pack/pack.h"
 #include "pack/space.h"
+#include "parallel_errors.h"
 #include "render/device_scene.h"
 #include "scene/displacement.h"
 #include "scene/image.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <string>
+#include <vector>
 
 namespace eikonal {
 namespace {
@@ -32,18 +32,6 @@ struct DisplacedMesh {
     Mesh mesh;
     std::vector<float> heights;
 };
-
-/// Throws the errors of all, in their order.
-template <class F> void forEachInParallel(std::vector<DisplacedMesh>& meshes, const F& f) {
-    std::vector<std::string> errors(meshes.size());
-    tbb::parallel_for(size_t(0), meshes.size(), [&](size_t i) {
-        try {
-            f(meshes[i]);
-        } catch (const SceneError& error) { errors[i] = error.what(); }
-    });
-    std::erase(errors, std::string());
-    if (!errors.empty()) throw Error(ExitCode::scene, fmt::format("{}", fmt::join(errors, "\n")));
-}
 
 bool isFinite(const glm::vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
@@ -141,11 +129,11 @@ void displaceMeshes(Scene& scene, const Context& context, Compiler& compiler, co
     const auto images = loadImages(scene.images);
     for (size_t i = 0; i < images.size(); ++i) scene.images[i].pixels = images[i];
     const PackedTextures packed = packTextures(scene, textures, diagnostics);
-    forEachInParallel(meshes, [](DisplacedMesh& m) { m.mesh = splitMesh(*m.shape); });
+    forEachInParallel(meshes.size(), [&](size_t i) { meshes[i].mesh = splitMesh(*meshes[i].shape); });
     HeightLookup lookup(packed.scene, context, compiler, shape, settings);
     for (size_t i = 0; i < meshes.size(); ++i) lookup.run(meshes[i], packed.programs[i]);
     lookup.keep();
-    forEachInParallel(meshes, finish);
+    forEachInParallel(meshes.size(), [&](size_t i) { finish(meshes[i]); });
 }
 
 }  // namespace eikonal

@@ -2,10 +2,10 @@
 
 #include "film/primaries.h"
 #include "film/transfer.h"
+#include "parallel_errors.h"
 
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -196,18 +196,7 @@ std::shared_ptr<const ImageData> loadImage(const ImageFile& file) {
 
 std::vector<std::shared_ptr<const ImageData>> loadImages(std::span<const ImageFile> files) {
     std::vector<std::shared_ptr<const ImageData>> images(files.size());
-    std::vector<std::string> errors(files.size());
-    tbb::parallel_for(std::size_t(0), files.size(), [&](std::size_t i) {
-        try {
-            images[i] = loadImage(files[i]);
-        } catch (const Error& error) {
-            errors[i] = error.what();
-        }
-    });
-    std::string all;
-    for (const std::string& error : errors)
-        if (!error.empty()) all += (all.empty() ? "" : "\n") + error;
-    if (!all.empty()) throw Error(ExitCode::scene, all);
+    forEachInParallel(files.size(), [&](std::size_t i) { images[i] = loadImage(files[i]); });
     return images;
 }
 
