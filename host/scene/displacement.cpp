@@ -15,6 +15,8 @@ Corners cornersOf(const Mesh& mesh, std::size_t triangle) {
     return {corner[0], corner[1], corner[2]};
 }
 
+glm::dvec3 placeOf(const glm::vec3& p, const Transform& worldFromObject) { return worldFromObject * glm::dvec4(p, 1); }
+
 glm::vec3 unitOrZero(const glm::dvec3& v) {
     const double length = glm::length(v);
     return length > 0 ? v / length : glm::dvec3(0);
@@ -36,7 +38,7 @@ void averageNormals(Mesh& mesh) {
 struct Extent { double area = 0, length = 0; };
 
 Extent extentOf(const Mesh& mesh, const Transform& worldFromObject) {
-    const auto place = [&](std::uint32_t vertex) { return glm::dvec3(worldFromObject * glm::dvec4(mesh.positions[vertex], 1)); };
+    const auto place = [&](std::uint32_t vertex) { return placeOf(mesh.positions[vertex], worldFromObject); };
     Extent sum;
     for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
         const Corners c = cornersOf(mesh, t);
@@ -55,7 +57,7 @@ class EdgeSplitter {
 public:
     EdgeSplitter(Mesh& mesh, const Transform& worldFromObject, double edgeLength)
         : mesh_(mesh), worldFromObject_(worldFromObject), limit_(edgeLength) {
-        for (const glm::vec3& p : mesh.positions) places_.push_back(worldFromObject * glm::dvec4(p, 1));
+        for (const glm::vec3& p : mesh.positions) places_.push_back(placeOf(p, worldFromObject));
     }
 
     Split split() {
@@ -98,7 +100,7 @@ private:
         mesh_.positions.push_back(0.5f * (mesh_.positions[a] + mesh_.positions[b]));
         mesh_.normals.push_back(unitOrZero(glm::dvec3(mesh_.normals[a]) + glm::dvec3(mesh_.normals[b])));
         if (!mesh_.uvs.empty()) mesh_.uvs.push_back(0.5f * (mesh_.uvs[a] + mesh_.uvs[b]));
-        places_.push_back(worldFromObject_ * glm::dvec4(mesh_.positions.back(), 1));
+        places_.push_back(placeOf(mesh_.positions.back(), worldFromObject_));
         return found->second;
     }
 
