@@ -69,6 +69,7 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     value(app, "--subsurface", s.subsurface, "NAME", "How light passes through bodies of material \"subsurface\": diffusion or, slowly and exactly, randomwalk",
           oneOf<SubsurfaceMethod>({std::begin(subsurfaceMethodNames), std::end(subsurfaceMethodNames)}))->group(group);
     value(app, "--max-depth", s.maxDepth, "N", "Bounces; interfaces between media do not count", integer(0))->group(group);
+    value(app, "--roulette-depth", s.rouletteDepth, "N", "Bounces before Russian roulette ends paths of little throughput (default: 5; pbrt-v4: 1)", integer(0))->group(group);
     value(app, "--light-sampler", s.lightSampler, "NAME", "How the light is chosen that a point is lit by: bvh, power or uniform (default: power where lights are few, else bvh)",
           oneOf<LightSampler>({std::begin(lightSamplerNames), std::end(lightSamplerNames)}))->group(group);
     value(app, "--resolution", s.resolution, "WxH", "Pixels of the whole image", parseResolution)->group(group);

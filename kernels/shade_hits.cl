@@ -70,7 +70,7 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
     /* On along the BSDF */
     bsdf_sample s = HAS_UNIFORM_DIRECTIONS ? JOIN(scatter_uniformly_, BSDF)(b, wo, u) : SAMPLE_BSDF(b, wo, lobe, u);
     if (HAS_TREE) s.weight = mul(s.weight, way.weight);
-    out.ray = ray_from_surface(h, from_local(shading, s.wi), s, alive);
+    out.ray = ray_from_surface(frame, h, from_local(shading, s.wi), s, alive);
     if (HAS_TREE) out.ray = grow_branch(frame, out.ray, way);
     if (BSDF_IS_DELTA) out.ray.seen = h.seen;
     return out;
@@ -117,7 +117,7 @@ STAGE(shade_hits, SHADE_HITS) {
         layers between = layers_of(b);
         walked_surface seen = see_surface(h);
         walk_item walked = load_walk(walk, capacity, i);
-        store_ray(next_ray, capacity, to, finish_ray(&between, h, seen, walked, alive));
+        store_ray(next_ray, capacity, to, finish_ray(frame, &between, h, seen, walked, alive));
         if (HAS_LIGHTS) finish_light(shadow, capacity, i, &between, seen, walked);
 #else
         scattering out = JOIN(shade_, BSDF)(light_set, color_set, frame, h, b, turn, alive);

@@ -26,7 +26,7 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     vec2 u = sample_2d(s.seed, s.sample, bounce_dimension_of(s.depth, dimension_direction));
     vec3 wi = sample_phase(s.g, s.wo, u);
     float roll = sample_1d(s.seed, s.sample, bounce_dimension_of(s.depth, dimension_roulette));
-    roulette game = play_roulette(s.beta, s.r_u, HAS_TRANSMISSION ? s.eta_scale : 1.0f, s.depth, roll);
+    roulette game = play_roulette(frame, s.beta, s.r_u, HAS_TRANSMISSION ? s.eta_scale : 1.0f, s.depth, roll);
     ray_item r = new_ray(s);
     r.depth += 1;
     r.seen = 1u;

@@ -29,6 +29,7 @@ struct IntegratorDescription {
     IntegratorKind kind = IntegratorKind::volpath;
     std::string standsFor;                 ///< what the scene asks for, if this takes its place; otherwise empty
     int maxDepth = 5;                      ///< most scattering events on a path
+    int rouletteDepth = 5;                 ///< scattering events before Russian roulette, >= 0; pbrt-v4's rule is 1
     bool regularize = false;
     LightSampler lightSampler = LightSampler::automatic;
     bool sampleLights = true;              ///< simplePath: whether lights are sampled; if not, paths have to find them by themselves

@@ -161,6 +161,7 @@ typedef struct {
     uint sequence_sample_bits; /* SOBOL: where pixels share a sequence, the samples of each are numbered with so many bits */
     uint sequence_tile_bits;   /* and 2^bits x 2^bits pixels share it; at most 8; 0: each pixel has its own */
     uint max_depth;        /* most scattering events on a path */
+    uint roulette_depth;   /* scattering events before Russian roulette */
     color ambient;         /* AMBIENT_OCCLUSION: what arrives from where nothing is near */
     float ambient_distance; /* how near that is, scene units */
     uint ambient_cosine;   /* 1: directions follow the cosine; 0: they are uniform */
