@@ -87,7 +87,7 @@ TRACING_STAGE(loop, LOOP) {
                     if (f.hop == hop_passage) out.ray = make_probe(g, tables, material_set, r, f, flight_surface(g, tables, r, f));
                     else {
                         way_out e = make_way_out(material_set, color_set, r);
-                        e.hit = choose_hits_light(light_set, frame, e.hit);
+                        e.hit = choose_hits_light(light_set, frame, e.hit, 0);
                         store_way_out(hit, capacity, slot, tables, color_set, material_set, material_set.materials[f.material], e);
                         out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, e.hit, 0u);
                         if (HAS_AOVS && !e.hit.seen) {
@@ -111,7 +111,7 @@ TRACING_STAGE(loop, LOOP) {
                     } else if (f.hop < hop_miss) {
                         material m = material_set.materials[f.material];
                         s = relieve_surface(tables, m, s);
-                        hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m));
+                        hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m), (int)m.transmits);
                         if (HAS_DIFFUSION) h = place_probe(tables, material_set, color_set, m, h, s);
                         store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
                         out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h, 0u);

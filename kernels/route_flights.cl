@@ -68,7 +68,7 @@ TRACING_STAGE(route_flights, ROUTE_FLIGHTS) {
         }
         if (HAS_DIFFUSION && r.body != NONE && f.element == NONE) {
             way_out w = make_way_out(material_set, color_set, r);
-            w.hit = choose_hits_light(light_set, frame, w.hit);
+            w.hit = choose_hits_light(light_set, frame, w.hit, 0);
             store_way_out(hit, capacity, at[f.hop]++, tables, color_set, material_set, material_set.materials[f.material], w);
             continue;
         }
@@ -80,7 +80,7 @@ TRACING_STAGE(route_flights, ROUTE_FLIGHTS) {
             uint slot = at[f.hop]++;
             material m = material_set.materials[f.material];
             s = relieve_surface(tables, m, s);
-            hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m));
+            hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m), (int)m.transmits);
             if (HAS_DIFFUSION) h = place_probe(tables, material_set, color_set, m, h, s);
             store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
             if (HAS_AOVS && r.depth == 0) store_first_surface(g, frame, path, path_capacity, r, f, s);

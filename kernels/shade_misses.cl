@@ -15,7 +15,8 @@ FN spectrum shade_miss(light_tables lights, color_tables color_set, miss_item m)
         if (HAS_LIGHT_CONSTANT_ENVIRONMENT) {
             int is = l.kind == kind_constant_environment;
             Le = choose(is, eval_constant_environment(L), Le);
-            pdf = is ? pdf_constant_environment() : pdf;
+            float density = HAS_ENVIRONMENT_GUIDE ? pdf_guided_environment(lights, m.guide, m.d) : pdf_constant_environment();
+            pdf = is ? density : pdf;
         }
         if (HAS_LIGHT_IMAGE_ENVIRONMENT) {
             int is = l.kind == kind_image_environment;
@@ -45,6 +46,7 @@ STAGE(shade_misses, SHADE_MISSES) {
     color_tables color_set = BIND_COLORS;
     FOR_EACH_SLOT(i, count) {
         miss_item m = load_miss(miss, capacity, i);
+        m.guide = i < count ? m.guide : 0u;
         spectrum L = shade_miss(light_set, color_set, m);
         add_radiance(path, path_capacity, i < count ? m.path : NOBODYS_PATH(i), L);
     }

@@ -39,6 +39,7 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     r.pdf = HAS_SUBSURFACE && s.within ? 0.0f : pdf;
     r.traveled = 0.0f;
     r.passed = 0u;
+    r.guide = s.guide;
     r.n = make_vec3(0.0f, 0.0f, 0.0f);
     r.medium = s.medium;
     r.body = NONE;

@@ -17,13 +17,14 @@ namespace {
 
 struct Repeat { double seconds; std::map<std::string, StageProfile> stages; std::uint64_t rays, shadowRays, paths; };
 
-Repeat renderOnce(const Session& session, Tracer& tracer, Profile& profile) {
+Repeat renderOnce(Session& session, Tracer& tracer, Profile& profile) {
     const PackedScene& packed = session.packed();
     Film film(packed);
     RenderControl control;
     control.endSample = static_cast<unsigned>(packed.samples);
     profile.reset();
     const Stopwatch time;
+    session.survey();
     render(session.context(), tracer, film, profile, control);
     const double seconds = time.seconds();
     profile.collect();

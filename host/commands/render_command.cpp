@@ -115,6 +115,7 @@ int renderCommand(const Options& o) {
     diagnostics.info(fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), packed.samples));
     std::optional<Film> film(std::in_place, packed);
     const Stopwatch renderTime;
+    session.survey();
     const RenderResult result = renderFilm(o, session, *film);
     const double renderSeconds = renderTime.seconds();
     /* A signal counts if it cost samples, not if it comes while what is finished is written */

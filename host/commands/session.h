@@ -5,6 +5,7 @@
 #include "options.h"
 #include "pack/pack.h"
 #include "render/render.h"
+#include "render/survey.h"
 #include "render/wave.h"
 
 #include <tbb/global_control.h>
@@ -63,6 +64,8 @@ public:
     MemoryPlan plan() const;
     /// Uploads the tables and compiles the kernels.
     void prepare();
+    /// Learns what a first look at the scene can tell (render/survey.h). Part of rendering.
+    void survey() { surveyEnvironment(*context_, *deviceScene_, packed_, *stages_, shape_); }
 
     const Scene& scene() const { return scene_; }
     const PackedScene& packed() const { return packed_; }

@@ -2,6 +2,7 @@
 
 #include "film/luminance.h"
 #include "pack/alias_table.h"
+#include "pack/environment_guide.h"
 #include "pack/image_lights.h"
 #include "pack/light_sampler.h"
 
@@ -34,11 +35,12 @@ public:
                 std::visit([&](const auto& kind) { if (isInfinite(kind) == infinite) add(description, kind); }, description.kind);
         }
         packLightSampler(packer_, std::move(powers_), firstInfinite_);
+        packGuide();
     }
 
 private:
-    /// Whether the light sampler takes it for a light that is infinitely far away. A sky that is the same everywhere it leaves alone, if paths follow BSDFs: that is
-    /// the best way to sample it, and a light sample in any direction would only be missed elsewhere (as in pbrt-v4; Karlík et al. 2019, "MIS compensation").
+    /// Whether the light sampler takes it for a light that is infinitely far away. A sky that is the same everywhere it leaves alone where paths follow BSDFs, which
+    /// find it best in the open (Karlík et al. 2019, "MIS compensation"); where a scene is closed, the environment guide samples it.
     bool isInfinite(const ConstantInfiniteLight&) const { return !followsBsdfs(packer_.scene.integrator); }
     static bool isInfinite(const DistantLight&) { return true; }
     static bool isInfinite(const ImageInfiniteLight&) { return true; }
@@ -85,6 +87,19 @@ private:
         const light l = newLight(kind_constant_environment, packEmission(packer_, k.L, d.scale));
         tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
         push(d, l, isInfinite(k) ? 4 * M_PI * M_PI * sceneRadius() * sceneRadius() * luminanceOf(k.L, d.scale) : 0, Feature::LIGHT_CONSTANT_ENVIRONMENT);
+    }
+
+    /// Makes room for an environment guide, where one may pay.
+    void packGuide() {
+        const IntegratorDescription& integrator = packer_.scene.integrator;
+        const settings& frame = packer_.packed.frame();
+        const auto isConstant = [](const light& l) { return l.kind == kind_constant_environment; };
+        if (!followsBsdfs(integrator) || !samplesLights(integrator) || packer_.packed.features.has(Feature::LIGHT_TREE) || std::ranges::none_of(tables_.lights, isConstant)) return;
+        if (!GuideBudget::of(frame.width, frame.height, packer_.scene.sampler.pixelSamples).isEnough()) return;
+        packer_.packed.require(Feature::ENVIRONMENT_GUIDE, "an infinite light that is the same everywhere, and enough samples to learn where it is seen");
+        packer_.packed.require(Feature::LIGHTS, "the same");
+        packUnlearnedGuide(tables_);
+        if (tables_.light_aliases.empty()) tables_.light_aliases = makeAliasTable(std::vector<double>(tables_.lights.size(), 0.0));
     }
 
     template <class Kind> void addImageLight(const Light& d, const Kind& k, Feature feature) {

@@ -8,7 +8,7 @@ namespace eikonal {
 
 bool transmits(hop h) { return h == hop_dielectric || h == hop_specular_dielectric || h == hop_diffuse_transmission || h == hop_hair; }
 
-static constexpr material blank{hop_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0};
+static constexpr material blank{hop_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0, 0};
 
 /// Which features a hop's BSDF brings.
 static void requireBsdf(Packer& packer, hop h, const std::string& why) {
@@ -82,6 +82,7 @@ static void packMaterial(Packer& packer, const Material& description, material& 
     m.first_input = static_cast<uint>(tables.material_inputs.size());
     const hop h = packBsdf(inputs, description.kind);
     m.hop = h;
+    m.transmits = transmits(h) ? 1 : 0;
     m.disperses = inputs.disperses() ? 1 : 0;
     m.input_count = static_cast<uint>(tables.material_inputs.size()) - m.first_input;
     requireBsdf(packer, h, inputs.why());

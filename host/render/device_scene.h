@@ -21,6 +21,11 @@ class DeviceScene {
 public:
     DeviceScene(const Context& context, const PackedScene& scene);
     const Bindings& bindings() const { return bindings_; }
+    /// Gives a table other elements.
+    template <class T> void replace(const Context& context, const char* table, const std::vector<T>& elements) {
+        buffers_.push_back(Buffer::of<T>(context, elements, std::string("table ") + table));
+        bindings_.set(table, buffers_.back());
+    }
     size_t bytes() const { return bytes_; }
     Branching branching() const { return branching_; }
 

@@ -41,6 +41,7 @@ static std::vector<StageRequest> requiredStages(const PackedScene& scene) {
 #define ADD_STAGE(name, reads, writes, FEATURE) add(#name, required(FEATURE) && (std::string(#name) != "shade_misses" || scene.constants.environments > 0));
     STAGES(ADD_STAGE)
 #undef ADD_STAGE
+    for (const char* name : {"survey_vertices", "survey_environment"}) add(name, scene.features.has(Feature::ENVIRONMENT_GUIDE));
     return list;
 }
 

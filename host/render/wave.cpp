@@ -185,8 +185,9 @@ void Wave::resolve(const Batch& batch, const Buffer& film) {
 void Wave::warmUp() {
     const Buffer film(context_, 1024, "film");
     Bindings nothing = tables_.front().bindings();
-    for (const char* name : {"first", "count", "turn", "turn_slots", "begun", "first_path"}) nothing.set(name, 0u);
+    for (const char* name : {"first", "count", "turn", "turn_slots", "begun", "first_path", "representatives"}) nothing.set(name, 0u);
     nothing.set("film", film);
+    for (const char* name : {"survey_points", "survey_normals", "survey_weights"}) nothing.set(name, film);
     bindRays();
     counts_.clear(context_, 0, sizeof(Counts));
     cursors_.clear(context_, 0, sizeof(Counts));

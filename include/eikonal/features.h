@@ -37,6 +37,7 @@
     F(LIGHT_PATTERN,    "an area light with an image, or cut out by an alpha texture") \
     F(LIGHTS,           "a light that can be sampled") \
     F(LIGHT_TREE,       "many lights, or \"lightsampler\" \"bvh\"") \
+    F(ENVIRONMENT_GUIDE, "a constant infinite light, sampled where surfaces see it") \
     F(PORTALS,          "an infinite light with a portal") \
     F(LENS,             "a lens with an aperture") \
     F(APERTURE,         "an aperture that is not round") \

@@ -76,6 +76,18 @@ typedef struct {
     float pmf;           /* of this entry, to evaluate its density */
 } alias_entry;
 
+/* The environment guide: maps of how much light a surface receives from each direction, from an environment that is the same in all directions,
+   as far as the scene lets it through. Space is cut into GUIDE_INTERVALS^3 cells along the axes; each cell has GUIDE_FACES maps: for surfaces whose normal
+   is nearest to +x, -x, +y, -y, +z, -z, and for points that look into all directions. A map is a square of GUIDE_SIDE^2 bins in the equal-area mapping,
+   kept as alias tables: one entry a row, then the entries of each row. */
+#define GUIDE_INTERVALS 16
+#define GUIDE_FACES 7
+#define GUIDE_ALL_DIRECTIONS 6
+#define GUIDE_SIDE 16
+#define GUIDE_MAP_ENTRIES (GUIDE_SIDE + GUIDE_SIDE * GUIDE_SIDE)
+/* What it is learnt from: so many vertices of each path of the survey. */
+#define SURVEY_VERTICES 4
+
 /* A node of the light tree: what bounds the lights under each of its eight children, as in a `bvh_node` side by side.
    Conty Estevez and Kulla 2018, "Importance sampling of many lights with adaptive tree splitting". */
 #define LIGHT_TREE_WIDTH 8

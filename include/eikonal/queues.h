@@ -33,6 +33,7 @@
 #define LIGHT_CHOICE_FIELDS(F, q) \
     F(q, uint,     light,      LIGHT_TREE)   /* which */ \
     F(q, float,    light_pmf,  LIGHT_TREE)   /* probability of that; 0: none */ \
+    F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* the map of the environment guide for this point */ \
     F(q, vec3,     light_wi,   PORTALS)      /* if it has a portal: a direction through it, */ \
     F(q, float,    light_density, PORTALS)   /*   its density over solid angle (0: none), */ \
     F(q, uint,     light_texel, PORTALS)     /*   and the texel that is seen */
@@ -46,6 +47,7 @@
     F(q, float,    pdf,        ALWAYS)       /* density over solid angle with which d was sampled; 0: no light could sample it */ \
     F(q, float,    traveled,   INTERFACE)    /* from where d was sampled to o: interfaces passed on the way */ \
     F(q, uint,     passed,     PASSAGES)     /* how many surfaces it has passed since d was sampled */ \
+    F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* as in hit, of where d was sampled */ \
     F(q, vec3,     n,          LIGHT_TREE)   /* shading normal where d was sampled, on the side of wo; zero: not on a surface */ \
     F(q, spectrum, r_l,        MEDIA)        /* density of this path had a light been sampled instead, but for the light's own */ \
     F(q, uint,     medium,     MEDIA)        /* which fills the space at o, or NONE */ \
@@ -111,6 +113,7 @@
     F(q, spectrum, r_l,        MEDIA)        /* as in ray */ \
     F(q, vec3,     d,          ALWAYS) \
     F(q, float,    pdf,        ALWAYS)       /* as in ray */ \
+    F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* as in ray */ \
     F(q, vec3,     o,          PORTALS)      /* from where d was sampled */
 
 /* A hit on something that emits: filled by route_flights, drained by shade_emitters. Dense. */

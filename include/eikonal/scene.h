@@ -25,6 +25,7 @@ typedef struct {
     uint regular;        /* with REGULARIZE: in `materials`: the same, rougher, for paths that are blurred already; itself: nothing is to be roughened */
     uint interior;       /* with SUBSURFACE: in `media`: what is inside of it; NONE: nothing of its own */
     uint profile;        /* with DIFFUSION: in `profiles`: how light that has entered spreads; NONE: it goes on as a ray */
+    uint transmits;      /* 1: light goes through its surface, so that surfaces are lit from both sides */
     uint disperses;      /* 1: it has an input_hero, and paths that meet it go on with their first wavelength */
 } material;
 
@@ -91,7 +92,10 @@ typedef struct {
     T(float,          environment_texels)    /* TEXEL_WORDS for each texel */ \
     T(alias_entry,    environment_aliases) \
     T(uint,           portal_sums)           /* of the weights of texels above and left of each texel's corner; below 2^31 */ \
-    T(light_node,     light_nodes)           /* the light tree; its root comes first */
+    T(light_node,     light_nodes)           /* the light tree; its root comes first */ \
+    T(float,          guide_edges)           /* ENVIRONMENT_GUIDE: where its cells end along x, then y, then z: GUIDE_INTERVALS - 1 each, ascending */ \
+    T(uint,           guide_maps)            /* which map each face of each cell has: x fastest, then y, z, and the face before them */ \
+    T(alias_entry,    guide_aliases)         /* GUIDE_MAP_ENTRIES for each map */
 
 /* What shading reads of surfaces besides their parameters. */
 #define BSDF_TABLES(T) \

@@ -1,0 +1,80 @@
+#include "render/survey.h"
+
+#include "pack/alias_table.h"
+#include "pack/environment_guide.h"
+
+#include <algorithm>
+
+namespace eikonal {
+namespace {
+
+/// Where surfaces receive more than this share of an environment's light, paths find it well enough by themselves.
+constexpr double openShare = 0.3;
+
+Bindings withCount(size_t count) {
+    Bindings own;
+    own.set("count", static_cast<cl_uint>(count));
+    for (const char* name : {"capacity", "path_capacity"}) own.set(name, 0u);
+    return own;
+}
+
+void run(const Context& context, const DeviceScene& scene, const Stage* stage, const StageShape& shape, size_t items, const Bindings& own) {
+    const Owned<cl_event, clReleaseEvent> launched(stage->kernel.launch(context, {&scene.bindings(), &own}, items, shape.group()));
+}
+
+}  // namespace
+
+/// Has light sampling aim at constant environments: each as often as at all lamps together.
+static void sampleEnvironments(const Context& context, DeviceScene& scene, const PackedScene& packed) {
+    std::vector<light> lights = packed.tables.lights;
+    double lamps = 0;
+    for (const light& l : lights) lamps += l.pmf;
+    std::vector<double> weights;
+    for (const light& l : lights) weights.push_back(l.kind == kind_constant_environment ? (lamps > 0 ? lamps : 1) : l.pmf);
+    const std::vector<alias_entry> aliases = makeAliasTable(weights);
+    for (size_t i = 0; i < lights.size(); ++i) lights[i].pmf = aliases[i].pmf;
+    scene.replace(context, "lights", lights);
+    scene.replace(context, "light_aliases", aliases);
+}
+
+void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedScene& packed, const Stages& stages, const StageShape& shape) {
+    if (!packed.features.has(Feature::ENVIRONMENT_GUIDE)) return;
+    const GuideBudget budget = GuideBudget::of(packed.frame().width, packed.frame().height, packed.samples);
+
+    /* Where paths go */
+    std::vector<vec3> points(budget.paths * SURVEY_VERTICES), normals(budget.paths * SURVEY_VERTICES);
+    const size_t bytes = points.size() * sizeof(vec3);
+    const Buffer pointBuffer(context, bytes, "points of the survey"), normalBuffer(context, bytes, "normals of the survey");
+    Bindings own = withCount(budget.paths);
+    own.set("survey_points", pointBuffer);
+    own.set("survey_normals", normalBuffer);
+    run(context, scene, stages.find("survey_vertices"), shape, budget.paths, own);
+    pointBuffer.read(context, points.data(), bytes);
+    normalBuffer.read(context, normals.data(), bytes);
+
+    /* What is seen from there */
+    const auto weigh = [&](const GuideRepresentatives& from) {
+        std::vector<float> weights(from.maps * GUIDE_SIDE * GUIDE_SIDE);
+        const Buffer fromPoints = Buffer::of<vec3>(context, from.points, "points of the guide"), fromNormals = Buffer::of<vec3>(context, from.normals, "normals of the guide"),
+                     weightBuffer(context, weights.size() * sizeof(float), "weights of the guide");
+        Bindings bound = withCount(weights.size());
+        bound.set("survey_points", fromPoints);
+        bound.set("survey_normals", fromNormals);
+        bound.set("survey_weights", weightBuffer);
+        bound.set("representatives", static_cast<cl_uint>(from.perMap));
+        run(context, scene, stages.find("survey_environment"), shape, weights.size(), bound);
+        weightBuffer.read(context, weights.data(), weights.size() * sizeof(float));
+        return weights;
+    };
+    SceneTables guide;
+    const bool hasAllDirections = packed.features.has(Feature::MEDIA) || packed.features.has(Feature::TRANSMISSION);
+    const double share = learnGuide(guide, points, normals, budget.rays, hasAllDirections, weigh);
+    if (std::getenv("EK_SHARE")) fprintf(stderr, "share %g maps %zu\n", share, guide.guide_aliases.size()/GUIDE_MAP_ENTRIES);
+    if (std::getenv("EK_SHARE") ? share > atof(getenv("EK_SHARE")) : share > openShare) return;
+    scene.replace(context, "guide_edges", guide.guide_edges);
+    scene.replace(context, "guide_maps", guide.guide_maps);
+    scene.replace(context, "guide_aliases", guide.guide_aliases);
+    sampleEnvironments(context, scene, packed);
+}
+
+}  // namespace eikonal
