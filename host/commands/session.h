@@ -64,6 +64,9 @@ public:
     /// Uploads the tables and compiles the kernels.
     void prepare();
 
+    /// What is rendered from now on has this seed: other noise. After prepare().
+    void setSeed(int seed);
+
     const Scene& scene() const { return scene_; }
     const PackedScene& packed() const { return packed_; }
     const Context& context() const { return *context_; }
