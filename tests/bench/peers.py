@@ -5,7 +5,7 @@
 
 The harness says where the other renderers are (its README.md) and starts them. Scenes are those of peer_scenes.py; --list prints their names. All
 renderers take turns, with the same samples a pixel, a seed for each round and one round that does not count. relMSE is the variance between the rounds, as
-`eikonal bench --efficiency` takes it: no reference. Efficiency is 1 / (relMSE x seconds). Seconds are of rendering, without loading and compiling;
+`eikonal bench --efficiency` takes it, relative to the mean of all images of all renderers: no reference is rendered. Efficiency is 1 / (relMSE x seconds). Seconds are of rendering, without loading and compiling;
 "wall" is the whole process, "CPU" its processor time less that of a
 render of one sample, which other work on the machine hurts less. Ratios are medians over the rounds, with the least and the largest. "mean off" is how far the mean radiance is from ours, with the standard
 error that the rounds show: where models are equal it is noise. pbrt-v4 renders at wavelengths, so its rows compare it with Eikonal at wavelengths.
@@ -66,12 +66,10 @@ class Peers:
         return {"render": render or done["wall"], "wall": done["wall"], "cpu": done["cpu"]}, self.read(image)
 
 
-def relative_variance(images):
+def relative_variance(images, reference):
     """Of some renders with different seeds: host/film/seed_variance.h."""
     import numpy as np
-    stack = np.stack(images).astype(float)
-    mean = stack.mean(axis=0)
-    return float((stack.var(axis=0, ddof=1) / (mean**2 + 0.01 * mean.mean() ** 2)).mean())
+    return float((np.var(images, axis=0, ddof=1, dtype=float) / (reference**2 + 0.01 * reference.mean() ** 2)).mean())
 
 
 def difference(theirs, ours):
@@ -100,7 +98,8 @@ def measure(o, peers, scene, folder, add):
             times[r].append(seconds | {"cpu": seconds["cpu"] - idle[r]})
             images[r].append(np.nan_to_num(image, posinf=0, neginf=0))
 
-    error = {r: relative_variance(images[r]) for r in renderers}
+    reference = np.mean([image for r in renderers for image in images[r]], axis=0, dtype=float)
+    error = {r: relative_variance(images[r], reference) for r in renderers}
     mean = {r: np.mean(images[r], axis=(1, 2, 3), dtype=float) for r in renderers}   # of each round
     for r in renderers:
         ours = DEPENDENT.get(r, "eikonal")
