@@ -109,22 +109,17 @@ def lamps(count=10000):
 WORD = re.compile(r'#[^\n]*|"[^"]*"|[\[\]]|[^\s\[\]"#]+')
 
 
-class Words:
-    """Directives of a pbrt file, with what follows each: strings, numbers, and parameters by name."""
-
-    def __init__(self, text):
-        self.words = [w for w in WORD.findall(text) if not w.startswith("#")]
-
-    def directives(self):
-        name, values = None, []
-        for word in self.words:
-            if word[0].isalpha() and word not in ("true", "false"):
-                if name:
-                    yield name, values
-                name, values = word, []
-            elif word not in "[]":
-                values.append(word)
-        yield name, values
+def directives(text):
+    """The directives of a pbrt file, each with the strings and numbers that follow it."""
+    name, values = None, []
+    for word in WORD.findall(text):
+        if word[0].isalpha() and word not in ("true", "false"):
+            if name:
+                yield name, values
+            name, values = word, []
+        elif word[0] not in "#[]":
+            values.append(word)
+    yield name, values
 
 
 def parameters(values):
@@ -164,7 +159,7 @@ def clay(path, read_ply, own_lamps, without=()):
     """The meshes of a pbrt scene, all grey, seen by its own camera: under its own area lights made grey, or without those under a white sky. Leaves out the PLY
     files named in `without`: walls that keep out the sky. Knows the directives that Bitterli's scenes have."""
     state, stack, meshes, camera, fov = (np.eye(4), None), [], [], None, 90.0
-    for name, values in Words(pathlib.Path(path).read_text()).directives():
+    for name, values in directives(pathlib.Path(path).read_text()):
         transform, radiance = state
         p = parameters(values) if name in ("Camera", "AreaLightSource", "Shape") else {}
         if name == "Transform":
@@ -201,20 +196,17 @@ def grey(name, points, triangles, transform, radiance):
     return Mesh(name, points, triangles.astype(np.int32), Diffuse() if radiance is None else Lamp((radiance,) * 3))
 
 
-def make(name, read_ply):
-    """The scene of this name."""
+def generators(read_ply):
+    """What makes each scene, by its name. read_ply(path) returns points and triangles."""
     staircase, coffee, classroom = (SCENES / folder / "scene-v4.pbrt" for folder in ("staircase2", "coffee", "classroom"))
     return {
-        "cornell": lambda: cornell(),
+        "cornell": cornell,
         "cornell-glossy": lambda: cornell(tall=Metal()),
         "cornell-glass": lambda: cornell(short=Glass()),
-        "lamps-10000": lambda: lamps(),
-        "coffee-sky": lambda: clay(coffee, read_ply, False),
-        "staircase2-sky": lambda: clay(staircase, read_ply, False, without=["Mesh000"]),
-        "classroom-sky": lambda: clay(classroom, read_ply, False),
-        "coffee-lamps": lambda: clay(coffee, read_ply, True),
-        "staircase2-lamps": lambda: clay(staircase, read_ply, True),
-    }[name]()
-
-
-NAMES = ["cornell", "cornell-glossy", "cornell-glass", "lamps-10000", "coffee-sky", "staircase2-sky", "classroom-sky", "coffee-lamps", "staircase2-lamps"]
+        "lamps-10000": lamps,
+        "coffee-sky": lambda: clay(coffee, read_ply, own_lamps=False),
+        "staircase2-sky": lambda: clay(staircase, read_ply, own_lamps=False, without=["Mesh000"]),   # the outer walls
+        "classroom-sky": lambda: clay(classroom, read_ply, own_lamps=False),   # through its windows
+        "coffee-lamps": lambda: clay(coffee, read_ply, own_lamps=True),
+        "staircase2-lamps": lambda: clay(staircase, read_ply, own_lamps=True),
+    }

@@ -5,10 +5,10 @@
 
 The harness says where the other renderers are (its README.md) and starts them. Scenes are those of peer_scenes.py; --list prints their names. All
 renderers take turns, with the same samples a pixel, a seed for each round and one round that does not count. relMSE is the variance between the rounds, as
-`eikonal bench --efficiency` takes it, relative to the mean of all images of all renderers: no reference is rendered. Efficiency is 1 / (relMSE x seconds). Seconds are of rendering, without loading and compiling;
-"wall" is the whole process, "CPU" its processor time less that of a
-render of one sample, which other work on the machine hurts less. Ratios are medians over the rounds, with the least and the largest. "mean off" is how far the mean radiance is from ours, with the standard
-error that the rounds show: where models are equal it is noise. pbrt-v4 renders at wavelengths, so its rows compare it with Eikonal at wavelengths.
+`eikonal bench --efficiency` takes it, relative to the mean of all images of all renderers: no reference is rendered. Efficiency is 1 / (relMSE x seconds).
+Seconds are of rendering, without loading and compiling; "wall" is the whole process, "CPU" its processor time less that of a render of one sample, which other
+work on the machine hurts less. Ratios are medians over the rounds, with the least and the largest. "mean off" is how far the mean radiance is from ours, with
+the standard error that the rounds show: where models are equal it is noise. pbrt-v4 renders at wavelengths, so its rows compare it with Eikonal at wavelengths.
 """
 
 import argparse
@@ -126,16 +126,19 @@ def main():
     peers = Peers(o)
     import peer_formats
     import peer_scenes
-    if o.list:
-        print("\n".join(peer_scenes.NAMES))
-        return
     sys.path.insert(0, str(o.harness / "clay"))
-    read_ply = importlib.import_module("convert").read_ply
+    scenes = peer_scenes.generators(importlib.import_module("convert").read_ply)
+    if o.list:
+        print("\n".join(scenes))
+        return
+    unknown = [name for name in o.scenes if name not in scenes]
+    if unknown:
+        options.error(f"no scene {unknown[0]}; there are {', '.join(scenes)}")
     for absent in (r for r in o.renderers if not peers.has(r)):
         print(f"peers: {NAMES[absent]} is not here", file=sys.stderr)
     add = Report(o.json).table("efficiency", COLUMNS)
-    for scene in o.scenes or peer_scenes.NAMES:
-        peer_formats.write(peer_scenes.make(scene, read_ply), o.folder / scene, o.size)
+    for scene in o.scenes or scenes:
+        peer_formats.write(scenes[scene](), o.folder / scene, o.size)
         measure(o, peers, scene, o.folder / scene, add)
 
 
