@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include "film/seed_variance.h"
 #include "option_values.h"
 
 #include <CLI/CLI.hpp>
@@ -133,6 +134,7 @@ struct Parser {
         auto* bench = add("bench", Command::bench, "Measure a scene, stage by stage");
         addScene(bench, options);
         bench->add_flag("--loop", options.loop, "Measure one kernel that follows each path in a loop, too, by turns with the stages");
+        bench->add_flag("--efficiency", options.efficiency, "Measure error per second, too: each repeat has another seed, and their variance is the error");
         value(bench, "--repeats", options.repeats, "N", "Renders, of which the median counts (default: 5)", integer(1, 1000));
         bench->add_option("--json", options.jsonFile, "Write the figures into this file too")->type_name("FILE");
         addDevice(bench, options);
@@ -209,6 +211,8 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
         throw UsageError(fmt::format("cache has a use for scenes with --warm only: eikonal cache --warm {}\n{}", o.scenes.front(), getHelp));
     if (o.command == Command::cache && o.warmCache && !o.device.cache)
         throw UsageError(fmt::format("--warm keeps kernels and --no-cache keeps none; give one of them\n{}", getHelp));
+    if (o.efficiency && o.repeats < SeedVariance::leastSeeds)
+        throw UsageError(fmt::format("--efficiency takes the variance between repeats; --repeats must be at least {}, not {}", SeedVariance::leastSeeds, o.repeats));
     if (o.scene.cropWindow && o.scene.pixelBounds) throw UsageError("--cropwindow and --pixelbounds both select a part of the image; give one of them");
     if (o.scene.camera && o.scene.lookAt && *o.scene.camera == *o.scene.lookAt) throw UsageError("--camera and --look-at must differ");
     if (o.scene.up && *o.scene.up == glm::dvec3(0)) throw UsageError("--up must not be 0,0,0");

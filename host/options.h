@@ -89,6 +89,7 @@ struct Options {
     bool json = false;                                ///< info: print JSON
     std::string jsonFile;                             ///< bench: not empty, write JSON there
     bool loop = false;                                ///< bench
+    bool efficiency = false;                          ///< bench: each repeat has a seed of its own
     int repeats = 5;                                  ///< bench
     bool clearCache = false, warmCache = false;       ///< cache
     std::vector<std::string> scenes;                  ///< cache --warm

@@ -1,10 +1,12 @@
 #include "commands/clock.h"
 #include "commands/commands.h"
+#include "commands/efficiency.h"
 #include "commands/session.h"
 #include "commands/statistics.h"
 #include "commands/traffic.h"
 #include "eikonal/stages.h"
 #include "film/atomic_file.h"
+#include "median.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -17,7 +19,8 @@ namespace {
 
 struct Repeat { double seconds; std::map<std::string, StageProfile> stages; std::uint64_t rays, shadowRays, paths; };
 
-Repeat renderOnce(Session& session, Tracer& tracer, Profile& profile) {
+/// Adds the image to `images`, unless that is null.
+Repeat renderOnce(Session& session, Tracer& tracer, Profile& profile, SeedVariance* images = nullptr) {
     const PackedScene& packed = session.packed();
     Film film(packed);
     RenderControl control;
@@ -28,13 +31,8 @@ Repeat renderOnce(Session& session, Tracer& tracer, Profile& profile) {
     render(session.context(), tracer, film, profile, control);
     const double seconds = time.seconds();
     profile.collect();
+    if (images) images->add(film.develop(packed));
     return {seconds, profile.stages(), profile.rays, profile.shadowRays, profile.paths};
-}
-
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const size_t n = values.size();
-    return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
 template <class F> double medianOf(const std::vector<Repeat>& repeats, F&& f) {
@@ -103,11 +101,25 @@ nlohmann::ordered_json measure(const Options& o, const Session& session, const s
     return json;
 }
 
+void addEfficiency(nlohmann::ordered_json& json, const std::vector<Repeat>& repeats, const SeedVariance& images) {
+    std::vector<double> seconds;
+    for (const Repeat& r : repeats) seconds.push_back(r.seconds);
+    const Estimate variance = images.relativeVariance();
+    const Efficiency efficiency = efficiencyOf(variance, seconds);
+    json["relativeVariance"] = variance.value;
+    json["relativeVarianceStandardError"] = variance.standardError;
+    json["efficiency"] = efficiency.value;
+    json["efficiencyInterval"] = {efficiency.low, efficiency.high};
+}
+
 std::string asTable(const nlohmann::ordered_json& j) {
     std::string text = fmt::format("{} on {}\nmedian of {} renders of {} samples: {:.3f} s; {:.2f} M paths/s\n", j["scene"].get<std::string>(), j["device"].get<std::string>(),
                                    j["repeats"].get<int>(), j["samples"].get<int>(), j["renderSeconds"].get<double>(), j["pathsPerSecond"].get<double>() * 1e-6);
     text += fmt::format("rays {} ({:.2f} M/s), shadow rays {} ({:.2f} M/s); {} kernels compiled in {:.2f} s, apart\n", j["rays"].get<std::uint64_t>(), j["raysPerSecond"].get<double>() * 1e-6,
                         j["shadowRays"].get<std::uint64_t>(), j["shadowRaysPerSecond"].get<double>() * 1e-6, j["compiledKernels"].get<int>(), j["compileSeconds"].get<double>());
+    if (j.contains("efficiency"))
+        text += fmt::format("relative variance between seeds {:.4g} +- {:.2g}; efficiency 1 / (variance x seconds) {:.4g}, 95 % within {:.4g} to {:.4g}\n", j["relativeVariance"].get<double>(),
+                            j["relativeVarianceStandardError"].get<double>(), j["efficiency"].get<double>(), j["efficiencyInterval"][0].get<double>(), j["efficiencyInterval"][1].get<double>());
     text += fmt::format("{:<28}{:>9}{:>13}{:>10}{:>9}{:>11}{:>11}{:>8}{:>14}{:>12}\n", "stage", "launches", "slots", "seconds", "share", "ns a slot", "occupancy", "fill", "bytes a slot", "of copying");
     double all = 0;
     for (const auto& s : j["stages"]) all += s["seconds"].get<double>();
@@ -134,12 +146,15 @@ int benchCommand(const Options& o) {
     Profile loopProfile;
     const std::unique_ptr<Tracer> loop = o.loop ? session.makeLoop(loopProfile) : nullptr;
     if (loop) renderOnce(session, *loop, loopProfile);   // some implementations compile on the way
+    SeedVariance images;
     for (int i = 0; i < o.repeats; ++i) {
-        repeats.push_back(renderOnce(session, session.wave(), session.profile()));
+        if (o.efficiency) session.setSeed(session.scene().sampler.seed + i);
+        repeats.push_back(renderOnce(session, session.wave(), session.profile(), o.efficiency ? &images : nullptr));
         if (loop) loops.push_back(renderOnce(session, *loop, loopProfile));
     }
     Compiler compiler(session.context(), findKernelFolders(), cacheFolderFor(o.device));
-    const nlohmann::ordered_json json = measure(o, session, repeats, loops, queueCopyRate(session.context(), compiler, session.shape()));
+    nlohmann::ordered_json json = measure(o, session, repeats, loops, queueCopyRate(session.context(), compiler, session.shape()));
+    if (o.efficiency) addEfficiency(json, repeats, images);
     std::fputs(asTable(json).c_str(), stdout);
     if (!o.jsonFile.empty()) {
         const std::string text = json.dump(2) + "\n";

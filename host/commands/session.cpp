@@ -142,6 +142,11 @@ void Session::prepare() {
     times_.firstRay = secondsSinceStart();
 }
 
+void Session::setSeed(int seed) {
+    packed_.frame().seed = static_cast<uint>(seed);
+    deviceScene_->setFrame(*context_, packed_.frame());
+}
+
 std::unique_ptr<Tracer> Session::makeLoop(Profile& profile) {
     return std::make_unique<PathLoop>(*context_, *compiler_, *deviceScene_, packed_, shape_, buildSettingsFor(options_.device), profile);
 }

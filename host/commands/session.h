@@ -67,6 +67,9 @@ public:
     /// Learns what a first look at the scene can tell (render/survey.h). Part of rendering.
     void survey() { surveyEnvironment(*context_, *deviceScene_, packed_, *stages_, shape_); }
 
+    /// What is rendered from now on has this seed: other noise. After prepare().
+    void setSeed(int seed);
+
     const Scene& scene() const { return scene_; }
     const PackedScene& packed() const { return packed_; }
     const Context& context() const { return *context_; }

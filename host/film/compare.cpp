@@ -2,6 +2,7 @@
 
 #include "error.h"
 #include "film/luminance.h"
+#include "film/relative_error.h"
 
 #include <fmt/format.h>
 
@@ -47,6 +48,19 @@ struct Sums {
     }
 };
 
+/// Over the pixels of `part` that are finite in both, of which `mean` is the reference's mean.
+double relativeMse(const FilmImage& image, const FilmImage& reference, const PixelBounds& part, const glm::dvec3& mean) {
+    double sum = 0, count = 0;
+    for (int y = part.y0; y < part.y1; ++y)
+        for (int x = part.x0; x < part.x1; ++x) {
+            const glm::vec3 &p = image.color[image.index(x, y)], &q = reference.color[reference.index(x, y)];
+            if (!isFinite(p) || !isFinite(q)) continue;
+            for (int c = 0; c < 3; ++c) sum += relativeSquare(std::pow(double(p[c]) - q[c], 2), q[c], (mean.x + mean.y + mean.z) / 3);
+            ++count;
+        }
+    return sum / (3 * std::max(count, 1.));
+}
+
 }  // namespace
 
 double BlockDifference::distance(double relative, double sigmas) const {
@@ -83,7 +97,6 @@ Comparison compare(const FilmImage& image, const FilmImage& reference, int block
     const bool noiseKnown = !image.variance.empty();
     Comparison result;
     Sums whole;
-    double relativeSquares = 0;
     for (int y0 = both.y0; y0 < both.y1; y0 += blockSize)
         for (int x0 = both.x0; x0 < both.x1; x0 += blockSize) {
             Sums block;
@@ -94,7 +107,6 @@ Comparison compare(const FilmImage& image, const FilmImage& reference, int block
                     block.add(p, q);
                     if (noiseKnown) block.variance += varianceAt(image, reference, x, y);
                     whole.add(p, q);
-                    for (int c = 0; c < 3; ++c) relativeSquares += std::pow(double(p[c]) - q[c], 2) / (double(q[c]) * q[c] + 0.01);
                 }
             const double count = std::max(block.count, 1.);
             result.blocks.push_back({x0, y0, block.image / count, block.reference / count, noiseKnown ? block.knownError() : block.scatterError()});
@@ -102,7 +114,7 @@ Comparison compare(const FilmImage& image, const FilmImage& reference, int block
     const double count = std::max(whole.count, 1.);
     result.mean = whole.image / count;
     result.referenceMean = whole.reference / count;
-    result.relativeMse = relativeSquares / (3 * count);
+    result.relativeMse = relativeMse(image, reference, both, whole.reference / count);
     for (BlockDifference& block : result.blocks) block.negligible = 1e-4 * glm::abs(result.referenceMean);
     return result;
 }

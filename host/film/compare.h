@@ -23,7 +23,7 @@ struct BlockDifference {
 
 struct Comparison {
     glm::dvec3 mean{0}, referenceMean{0};   ///< of each channel, over the pixels that both have
-    double relativeMse = 0;  ///< mean of (image - reference)^2 / (reference^2 + 0.01), over pixels and channels: Rousselle et al. 2011
+    double relativeMse = 0;  ///< relMSE: mean of relativeSquare (film/relative_error.h) over pixels and channels
     std::vector<BlockDifference> blocks;    ///< row by row; those at the right and the bottom may be smaller
     long long invalid = 0;                  ///< pixels that are not finite in the image or in the reference; left out of everything
 

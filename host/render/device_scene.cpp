@@ -23,4 +23,6 @@ DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : bra
 #undef UPLOAD_TABLE
 }
 
+void DeviceScene::setFrame(const Context& context, const settings& frame) { buffers_.back().write(context, &frame, sizeof frame); }
+
 }  // namespace eikonal

@@ -27,10 +27,12 @@ public:
         bindings_.set(table, buffers_.back());
     }
     size_t bytes() const { return bytes_; }
+    /// From now on kernels see `frame` in place of the scene's settings. Waits until it is there.
+    void setFrame(const Context& context, const settings& frame);
     Branching branching() const { return branching_; }
 
 private:
-    std::list<Buffer> buffers_;
+    std::list<Buffer> buffers_;   ///< in the order of SCENE_TABLES: `frame` is the last
     Bindings bindings_;
     size_t bytes_ = 0;
     Branching branching_;

@@ -36,8 +36,8 @@ public:
     /// The fewest and the most samples that any pixel has, and those of all pixels.
     struct Samples { unsigned fewest = 0, most = 0; double mean = 0; };
     Samples samples() const;
-    /// The expected relative squared error of the pixels of `part`, added up: of each the variance of its mean luminance over that luminance squared + 0.01,
-    /// in terms of which `compare` measures errors, too. As samples vary that are independent: those of a Sobol' sequence have less.
+    /// The expected relative squared error of the pixels of `part`, added up: of each the variance of its mean luminance over that luminance squared + 0.01.
+    /// As samples vary that are independent: those of a Sobol' sequence have less.
     double relativeVariance(const PixelRect& part) const;
 
 private:

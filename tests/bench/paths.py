@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Whole paths a second, beside what Embree traces on the same machine at that moment.
+"""Whole paths a second, beside what Embree traces on the same machine at that moment, and error per second.
 
     tests/bench/paths.py SCENE[=WANTED] ... [--terrain WANTED]
 
 Absolute times vary by two here, so each scene is measured next to Embree's bounced rays on a million triangles (tests/bench/traversal_bench,
 built with -DEIKONAL_BENCH=ON), and WANTED (million paths a second) is what is asked of a machine on which Embree traces 6.0 million of them.
+Relative variance and efficiency are those of `eikonal bench --efficiency`: at --samples a pixel, over --repeats seeds.
 --terrain: also 1.5 million grey triangles under a white sky, made here. Prints a row for each scene.
 """
 
@@ -73,7 +74,7 @@ def main():
     options.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "eikonal")
     options.add_argument("--traversal-bench", type=pathlib.Path, default=ROOT / "build" / "tests" / "bench" / "traversal_bench")
     options.add_argument("--samples", type=int, default=8)
-    options.add_argument("--repeats", type=int, default=3)
+    options.add_argument("--repeats", type=int, default=5, help="at least 4")
     Report.add_to(options)
     o = options.parse_args()
     with tempfile.TemporaryDirectory() as name:
@@ -81,14 +82,16 @@ def main():
         wanted = [(pathlib.Path(path), float(rate) if rate else None) for path, _, rate in (scene.partition("=") for scene in o.scenes)]
         if o.terrain:
             wanted.append((write_terrain(folder), o.terrain))
-        add = Report(o.json).table("paths", {"scene": None, "M paths/s": ".2f", "Embree, M bounced rays/s": ".2f", "wanted at that rate": ".2f", "of it": ".2f"})
+        add = Report(o.json).table("paths", {"scene": None, "M paths/s": ".2f", "Embree, M bounced rays/s": ".2f", "wanted at that rate": ".2f", "of it": ".2f",
+                                              "relative variance": ".3g", "+-": ".1g", "efficiency": ".3g", "at least": ".3g", "at most": ".3g"})
         for scene, rate in wanted:
             before = embree_rate(o.traversal_bench)
-            figures = bench(o.program, scene, folder, "--spp", o.samples, "--repeats", o.repeats)
+            figures = bench(o.program, scene, folder, "--spp", o.samples, "--repeats", o.repeats, "--efficiency")
             embree = (before + embree_rate(o.traversal_bench)) / 2
             ours = figures["pathsPerSecond"] * 1e-6
             target = rate * embree / EMBREE_RATE if rate else None
-            add(f"{scene.parent.name if scene.parent != folder else 'generated'}/{scene.name}", ours, embree, target, ours / target if target else None)
+            add(f"{scene.parent.name if scene.parent != folder else 'generated'}/{scene.name}", ours, embree, target, ours / target if target else None,
+                figures["relativeVariance"], figures["relativeVarianceStandardError"], figures["efficiency"], *figures["efficiencyInterval"])
 
 
 if __name__ == "__main__":

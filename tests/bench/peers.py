@@ -1,138 +1,145 @@
 #!/usr/bin/env python3
-"""Eikonal against other renderers on the same scenes and machine, by turns: paths a second, and efficiency 1 / (relMSE x seconds).
+"""Eikonal against other renderers on the same scenes and machine: error per second.
 
-    tests/bench/peers.py SCENE.pbrt ... [--pbrt PBRT] [--mitsuba-python VENV/bin/python]
+    tests/bench/peers.py --harness ../shared/peers [SCENE ...] [--renderers mi-llvm,cycles] [--samples 64] [--rounds 3] [--json FILE]
 
-PBRT is pbrt-v4's program, which renders the same file; at wavelengths, as it always does, so its rows are beside ours at wavelengths. VENV has the
-package `mitsuba` from PyPI; mode llvm_ad_rgb needs an LLVM that its drjit accepts (Debian's libllvm19; --llvm says where). It renders
-SCENE.xml, the same scene for Mitsuba, where there is one. Seconds are of rendering alone: no loading, no compiling; every renderer renders
-once before it is timed. relMSE is taken against a render of ours with --reference-samples a pixel, in RGB or at wavelengths as the renderer.
-Prints medians of the repeats.
+The harness says where the other renderers are (its README.md) and starts them. Scenes are those of peer_scenes.py; --list prints their names. All
+renderers take turns, with the same samples a pixel, a seed for each round and one round that does not count. relMSE is the variance between the rounds, as
+`eikonal bench --efficiency` takes it, relative to the mean of all images of all renderers: no reference is rendered. Efficiency is 1 / (relMSE x seconds).
+Seconds are of rendering, without loading and compiling; "wall" is the whole process, "CPU" its processor time less that of a render of one sample, which other
+work on the machine hurts less. Ratios are medians over the rounds, with the least and the largest. "mean off" is how far the mean radiance is from ours, with
+the standard error that the rounds show: where models are equal it is noise. pbrt-v4 renders at wavelengths, so its rows compare it with Eikonal at wavelengths.
 """
 
 import argparse
-import json
+import importlib
+import math
+import os
 import pathlib
 import re
 import statistics
-import subprocess
 import sys
-import tempfile
+import types
 
 from report import Report
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+HERE = pathlib.Path(__file__).resolve().parent
 
-# Reads a line for each render that is wanted, "SAMPLES SEED FILE", and answers with its seconds.
-SERVER = """
-import os, sys, time
-import mitsuba
-mitsuba.set_variant(sys.argv[1])
-mitsuba.set_log_level(mitsuba.LogLevel.Error)
-import drjit
-scene = mitsuba.load_file(sys.argv[2])
-for line in sys.stdin:
-    samples, seed, file = line.split()
-    start = time.perf_counter()
-    image = mitsuba.render(scene, spp=int(samples), seed=int(seed))
-    drjit.eval(image); drjit.sync_thread()
-    seconds = time.perf_counter() - start
-    mitsuba.Bitmap(image).write(file)
-    print(seconds, flush=True)
-"""
+NAMES = {"eikonal": "Eikonal", "eikonal-spectral": "Eikonal, at wavelengths", "mi-llvm": "Mitsuba llvm_ad_rgb", "mi-scalar": "Mitsuba scalar_rgb", "cycles": "Cycles", "lux": "LuxCore PATHCPU",
+         "pbrt": "pbrt-v4", "pbrt-wf": "pbrt-v4 --wavefront"}
+COLOR = {"eikonal": "rgb", "eikonal-spectral": "spectral"}
+DEPENDENT = {"pbrt": "eikonal-spectral", "pbrt-wf": "eikonal-spectral"}
+CLOCKS = ("render", "wall", "cpu")
+COLUMNS = {"scene": None, "renderer": None, "samples": "d", "render, s": ".2f", "wall, s": ".2f", "CPU, s": ".2f", "relMSE": ".3g", "our efficiency / theirs": ".2f", "least": ".2f", "largest": ".2f",
+           "by wall": ".2f", "by CPU": ".2f", "mean off, %": "+.2f", "+-": ".2f"}
 
 
-class Mitsuba:
-    color = "rgb"
+class Peers:
+    """The renderers that the harness finds here."""
 
-    def __init__(self, python, variant, scene, llvm):
-        self.name = f"Mitsuba {variant}"
-        environment = {"DRJIT_LIBLLVM_PATH": llvm, "PATH": "/usr/bin:/bin", "HOME": tempfile.gettempdir()}
-        self.server = subprocess.Popen([python, "-c", SERVER, variant, scene], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment)
+    def __init__(self, o):
+        sys.path.insert(0, str(o.harness))
+        self.harness = importlib.import_module("run")   # starts this script again in the environment that has numpy and OpenEXR, if need be
+        self.read = importlib.import_module("exr").read
+        self.program, self.threads = str(o.program.resolve()), o.threads
+        self.options = types.SimpleNamespace(threads=o.threads, eikonal=self.program, eikonal_args="")
 
-    def render(self, samples, seed, image):
-        self.server.stdin.write(f"{samples} {seed} {image}\n")
-        self.server.stdin.flush()
-        answer = self.server.stdout.readline()
-        if not answer:
-            sys.exit(f"peers: {self.name} ended without an image")
-        return float(answer)
+    def has(self, renderer):
+        return self.harness.available(renderer.removesuffix("-spectral"), self.options)
 
-
-class Program:
-    """A renderer that is a command, whose output says how long it rendered: what `seconds` finds there last."""
-
-    def __init__(self, name, color, command, image_option, seconds):
-        self.name, self.color, self.command, self.image_option, self.seconds = name, color, command, image_option, seconds
-
-    def render(self, samples, seed, image):
-        command = [str(word) for word in [*self.command, "--spp", samples, "--seed", seed, self.image_option, image]]
-        done = subprocess.run(command, capture_output=True, text=True)
-        seconds = re.findall(self.seconds, done.stdout + done.stderr, re.MULTILINE)
-        if done.returncode or not seconds:
-            sys.exit(f"peers: {' '.join(command)} failed:\n{done.stderr}")
-        return float(seconds[-1])
-
-
-def eikonal(program, scene, color):
-    name = "Eikonal" if color == "rgb" else "Eikonal, at wavelengths"
-    return Program(name, color, [program, "render", scene, "--stats", "--color", color], "-o", r"^  render +([0-9.]+) s")
+    def render(self, renderer, folder, samples, seed, image):
+        """Seconds of rendering, of the whole process and of processor time, and the pixels."""
+        if renderer in COLOR:
+            command, environment = [self.program, "render", folder / "scene.pbrt", "--spp", samples, "--seed", seed, "--color", COLOR[renderer], "--stats", "--nthreads", self.threads, "-o", image], {}
+        elif renderer == "cycles":
+            command, environment = [self.harness.BPY, HERE / "peer_cycles.py", folder / "scene.json", samples, seed, image, self.threads], {}
+        else:
+            command, environment = self.harness.command(renderer, str(folder), samples, seed, str(image), self.options)
+        image.unlink(missing_ok=True)
+        done = self.harness.launch([str(word) for word in command], environment, 3600, b"Rendering:" if renderer.startswith("pbrt") else None)
+        text = done["text"]
+        if done["rc"] or not image.exists():
+            raise RuntimeError(text[-600:])
+        ours = re.findall(r"^  render +([0-9.]+) s", text, re.MULTILINE)
+        render = float(ours[-1]) if renderer in COLOR else self.harness.split(renderer, done, samples)["render"]
+        return {"render": render or done["wall"], "wall": done["wall"], "cpu": done["cpu"]}, self.read(image)
 
 
-def pbrt(program, scene):
-    return Program("pbrt-v4", "spectral", [program, scene], "--outfile", r"\(([0-9.]+)s\)")
+def relative_variance(images, reference):
+    """Of some renders with different seeds: host/film/seed_variance.h."""
+    import numpy as np
+    return float((np.var(images, axis=0, ddof=1, dtype=float) / (reference**2 + 0.01 * reference.mean() ** 2)).mean())
 
 
-def relative_error(program, image, reference):
-    done = subprocess.run([str(program), "compare", "--json", str(image), str(reference)], capture_output=True, text=True)
-    return json.loads(done.stdout)["relativeMse"]
+def difference(theirs, ours):
+    """Of the means of rounds: theirs off ours, and its standard error, in percent."""
+    ratio = theirs.mean() / ours.mean()
+    return 100 * (ratio - 1), 100 * ratio * math.sqrt(sum(m.var(ddof=1) / len(m) / m.mean() ** 2 for m in (theirs, ours)))
 
 
-def measure(o, scene, add):
+def measure(o, peers, scene, folder, add):
     """Renders a scene with all who can, and adds their rows."""
-    info = json.loads(subprocess.run([str(o.program), "info", "--json", str(scene)], capture_output=True, text=True, check=True).stdout)
-    renderers = [eikonal(o.program, scene, "rgb")]
-    if o.pbrt:
-        renderers += [eikonal(o.program, scene, "spectral"), pbrt(o.pbrt, scene)]
-    if o.mitsuba_python and scene.with_suffix(".xml").exists():
-        renderers += [Mitsuba(o.mitsuba_python, v, str(scene.with_suffix(".xml")), o.llvm) for v in o.variants]
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
-        for color in {r.color for r in renderers}:
-            eikonal(o.program, scene, color).render(o.reference_samples, 12345, folder / f"{color}.exr")
-        image = folder / "image.exr"
-        for r in renderers:
-            r.render(1, 0, image)
-            r.render(o.samples, 0, image)
-        seconds, errors = {r.name: [] for r in renderers}, {r.name: [] for r in renderers}
-        for repeat in range(o.repeats):
-            for r in renderers:
-                seconds[r.name].append(r.render(o.samples, repeat + 1, image))
-                errors[r.name].append(relative_error(o.program, image, folder / f"{r.color}.exr"))
+    import numpy as np
+    renderers = [r for r in o.renderers if peers.has(r)]
+    renderers = list(dict.fromkeys(["eikonal", *(DEPENDENT[r] for r in renderers if r in DEPENDENT), *renderers]))
+    times, images, idle = {r: [] for r in renderers}, {r: [] for r in renderers}, {}
+    for turn in range(-1, o.rounds):
+        for r in list(renderers):
+            try:
+                seconds, image = peers.render(r, folder, o.samples if turn >= 0 else 1, turn + 1, folder / f"{r}.exr")
+            except RuntimeError as error:
+                print(f"peers: {NAMES[r]} fails on {scene}: {error}", file=sys.stderr)
+                renderers.remove(r)
+                continue
+            if turn < 0:
+                idle[r] = seconds["cpu"]
+                continue
+            times[r].append(seconds | {"cpu": seconds["cpu"] - idle[r]})
+            images[r].append(np.nan_to_num(image, posinf=0, neginf=0))
 
+    reference = np.mean([image for r in renderers for image in images[r]], axis=0, dtype=float)
+    error = {r: relative_variance(images[r], reference) for r in renderers}
+    mean = {r: np.mean(images[r], axis=(1, 2, 3), dtype=float) for r in renderers}   # of each round
     for r in renderers:
-        ours = next(x.name for x in renderers if x.color == r.color)
-        time, error = statistics.median(seconds[r.name]), statistics.median(errors[r.name])
-        speed = statistics.median(theirs / mine for theirs, mine in zip(seconds[r.name], seconds[ours]))
-        add(f"{scene.parent.name}/{scene.name}", r.name, info["width"] * info["height"] * o.samples / time * 1e-6, error, speed, speed * error / statistics.median(errors[ours]))
+        ours = DEPENDENT.get(r, "eikonal")
+        ratios = {clock: [error[r] / error[ours] * theirs[clock] / mine[clock] for theirs, mine in zip(times[r], times[ours])] for clock in CLOCKS}
+        middle = {clock: statistics.median(ratios[clock]) for clock in CLOCKS}
+        compared = (None,) * 5 if r in COLOR else (middle["render"], min(ratios["render"]), max(ratios["render"]), middle["wall"], middle["cpu"])
+        add(scene, NAMES[r], o.samples, *(statistics.median(seconds[clock] for seconds in times[r]) for clock in CLOCKS), error[r], *compared, *difference(mean[r], mean[ours]))
 
 
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    options.add_argument("scenes", nargs="+", type=pathlib.Path)
+    options.add_argument("scenes", nargs="*")
+    options.add_argument("--harness", type=pathlib.Path, required=True, metavar="FOLDER")
+    options.add_argument("--list", action="store_true", help="print the names of the scenes")
     options.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "eikonal")
-    options.add_argument("--pbrt", type=pathlib.Path)
-    options.add_argument("--mitsuba-python")
-    options.add_argument("--llvm", default="/usr/lib/x86_64-linux-gnu/libLLVM.so.19.1")
-    options.add_argument("--variants", nargs="*", default=["llvm_ad_rgb", "scalar_rgb"])
+    options.add_argument("--renderers", type=lambda text: text.split(","), default=[r for r in NAMES if r not in COLOR], help="of: " + " ".join(r for r in NAMES if r not in COLOR))
     options.add_argument("--samples", type=int, default=64)
-    options.add_argument("--reference-samples", type=int, default=4096)
-    options.add_argument("--repeats", type=int, default=5)
+    options.add_argument("--rounds", type=int, default=3, help="at least 2")
+    options.add_argument("--size", type=int, default=512, help="pixels across")
+    options.add_argument("--threads", type=int, default=os.cpu_count())
+    options.add_argument("--folder", type=pathlib.Path, default=pathlib.Path("/tmp/eikonal-peers"), help="scenes and images stay here")
     Report.add_to(options)
     o = options.parse_args()
-    add = Report(o.json).table("peers", {"scene": None, "renderer": None, "M paths/s": ".2f", "relMSE": ".3g", "our speed / theirs": ".2f", "our efficiency / theirs": ".2f"})
-    for scene in o.scenes:
-        measure(o, scene, add)
+    peers = Peers(o)
+    import peer_formats
+    import peer_scenes
+    sys.path.insert(0, str(o.harness / "clay"))
+    scenes = peer_scenes.generators(importlib.import_module("convert").read_ply)
+    if o.list:
+        print("\n".join(scenes))
+        return
+    unknown = [name for name in o.scenes if name not in scenes]
+    if unknown:
+        options.error(f"no scene {unknown[0]}; there are {', '.join(scenes)}")
+    for absent in (r for r in o.renderers if not peers.has(r)):
+        print(f"peers: {NAMES[absent]} is not here", file=sys.stderr)
+    add = Report(o.json).table("efficiency", COLUMNS)
+    for scene in o.scenes or scenes:
+        peer_formats.write(scenes[scene](), o.folder / scene, o.size)
+        measure(o, peers, scene, o.folder / scene, add)
 
 
 if __name__ == "__main__":

@@ -71,33 +71,6 @@ TEST_F(Cli, AnObjIsASceneByItself) {
     EXPECT_THAT(run.out, HasSubstr("1 triangles"));
 }
 
-TEST_F(Cli, BenchCountsRealRaysOnly) {
-    const Outcome run = this->run({"bench", "tiny.pbrt", "--repeats", "2", "--json", "bench.json"});
-    ASSERT_EQ(run.status, 0) << run.error;
-    const auto json = nlohmann::json::parse(read(path("bench.json")));
-    EXPECT_EQ(json.at("paths"), 16 * 12 * 4);
-    EXPECT_GE(json.at("rays"), 16 * 12 * 4) << "one from the camera for each path";
-    EXPECT_LE(json.at("shadowRays"), json.at("rays"));
-    EXPECT_GT(json.at("shadowRays"), 0);
-    EXPECT_GT(json.at("raysPerSecond"), 0);
-    for (const auto& stage : json.at("stages")) {
-        EXPECT_GT(stage.at("seconds"), 0) << stage;
-        EXPECT_GT(stage.at("occupancy"), 0) << stage;
-        EXPECT_LE(stage.at("occupancy"), 1) << stage;
-        EXPECT_EQ(stage.at("queueBytesPerSlot") > 0, stage.at("stage") != "resolve_film") << stage;
-    }
-    EXPECT_GT(json.at("queueCopyBytesPerSecond"), 1e8);
-    /* 16 x 12 pixels are a tile of 16 x 16; every stage that runs over the rays' slots has their holes */
-    const auto occupancy = [&](const std::string& name) {
-        for (const auto& stage : json.at("stages")) if (stage.at("stage") == name) return stage.at("occupancy").get<double>();
-        return -1.;
-    };
-    EXPECT_LT(occupancy("generate_rays"), 1);
-    EXPECT_EQ(occupancy("resolve_film"), occupancy("generate_rays")) << "of the same tiles";
-    EXPECT_EQ(occupancy("classify_flights"), occupancy("intersect_rays"));
-    EXPECT_EQ(occupancy("route_flights"), occupancy("intersect_rays"));
-}
-
 TEST_F(Cli, CompareFindsAnImageEqualToItself) {
     ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "a.exr"}).status, 0);
     const auto json = nlohmann::json::parse(run({"compare", "a.exr", "a.exr", "--json"}).out);

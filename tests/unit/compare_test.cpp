@@ -36,7 +36,10 @@ TEST(Compare, meansAndRelativeMse) {
     const Comparison result = compare(flat(8, 8, {1.02f, .5f, .5f}), flat(8, 8, {1, .5f, .5f}));
     EXPECT_NEAR(result.mean.x, 1.02, 1e-6);
     EXPECT_NEAR(result.worstMean(), .02, 1e-6);
-    EXPECT_NEAR(result.relativeMse, .0004 / 1.01 / 3, 1e-8);
+    // The mean of the reference is 2/3; one channel of three is off.
+    EXPECT_NEAR(result.relativeMse, .0004 / (1 + .01 * 4 / 9) / 3, 1e-8);
+    // As far off when both are a thousand times as bright
+    EXPECT_NEAR(compare(flat(8, 8, {1020, 500, 500}), flat(8, 8, {1000, 500, 500})).relativeMse, result.relativeMse, 1e-8);
     EXPECT_TRUE(std::isinf(compare(flat(1, 1, {0, 1, 0}), flat(1, 1, {0, 0, 0})).worstMean()));
 }
 

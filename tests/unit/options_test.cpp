@@ -136,7 +136,8 @@ INSTANTIATE_TEST_SUITE_P(Options, BadValues, testing::Values(
     BadValue{"render a.obj --camera 1,2", "three numbers with commas"},
     BadValue{"render a.obj --camera 1,2,3 --look-at 1,2,3", "must differ"},
     BadValue{"render a.obj --up 0,0,0", "must not be 0,0,0"},
-    BadValue{"bench a.pbrt --repeats 0", "--repeats takes a whole number from 1 to 1000"}));
+    BadValue{"bench a.pbrt --repeats 0", "--repeats takes a whole number from 1 to 1000"},
+    BadValue{"bench a.pbrt --efficiency --repeats 3", "--repeats must be at least 4, not 3"}));
 
 INSTANTIATE_TEST_SUITE_P(Commands, BadValues, testing::Values(
     BadValue{"", "eikonal render scene.pbrt -o image.exr"},
@@ -162,6 +163,7 @@ TEST(Options, OtherCommands) {
     EXPECT_EQ(parse("bench a.pbrt --repeats 3").repeats, 3);
     EXPECT_TRUE(parse("bench a.pbrt --loop").loop);
     EXPECT_FALSE(parse("bench a.pbrt").loop);
+    EXPECT_TRUE(parse("bench a.pbrt --efficiency").efficiency);
     const Options cache = parse("cache --clear --warm a.pbrt b.pbrt");
     EXPECT_TRUE(cache.clearCache && cache.warmCache);
     EXPECT_THAT(cache.scenes, testing::ElementsAre("a.pbrt", "b.pbrt"));
