@@ -76,10 +76,10 @@ void writeMap(std::span<const double> weights, alias_entry* entries) {
     std::ranges::copy(makeAliasTable(rows), entries);
 }
 
-/// kernels/light/environment_guide.clh has the same on the device.
+/// kernels/light/guide_place.clh has the same on the device.
 size_t intervalOf(const std::vector<float>& edges, size_t axis, float x) {
     size_t interval = 0;
-    for (size_t e = 0; e < intervals - 1; ++e) interval += x >= edges[axis * (intervals - 1) + e];
+    for (size_t e = 0; e < intervals - 1; ++e) interval += x >= edges[axis * intervals + e];
     return interval;
 }
 size_t faceOf(const vec3& n) {
@@ -96,7 +96,7 @@ void cutAxis(std::vector<float>& edges, size_t axis, std::span<const vec3> point
     for (size_t i = 0; i < points.size(); ++i)
         if (isPoint(normals[i])) sorted.push_back(coordinate(points[i], axis));
     std::ranges::sort(sorted);
-    for (size_t e = 0; e < intervals - 1; ++e) edges[axis * (intervals - 1) + e] = sorted[(e + 1) * sorted.size() / intervals];
+    for (size_t e = 0; e < intervals - 1; ++e) edges[axis * intervals + e] = sorted[(e + 1) * sorted.size() / intervals];
 }
 
 /// The points in one face of a cell, by their index.
@@ -152,7 +152,7 @@ std::vector<std::vector<double>> shareWithNeighbors(const std::vector<Group>& gr
 }  // namespace
 
 void packUnlearnedGuide(SceneTables& tables) {
-    tables.guide_edges.assign(3 * (intervals - 1), 0.0f);
+    tables.guide_edges.assign(3 * intervals, FAR_AWAY);
     tables.guide_maps.resize(cells * GUIDE_FACES);
     for (size_t i = 0; i < tables.guide_maps.size(); ++i) tables.guide_maps[i] = static_cast<uint>(i / cells);
     tables.guide_aliases.resize(GUIDE_FACES * GUIDE_MAP_ENTRIES);

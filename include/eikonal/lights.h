@@ -83,7 +83,7 @@ typedef struct {
 #define GUIDE_INTERVALS 16
 #define GUIDE_FACES 7
 #define GUIDE_ALL_DIRECTIONS 6
-#define GUIDE_SIDE 16
+#define GUIDE_SIDE 8
 #define GUIDE_MAP_ENTRIES (GUIDE_SIDE + GUIDE_SIDE * GUIDE_SIDE)
 /* What it is learnt from: so many vertices of each path of the survey. */
 #define SURVEY_VERTICES 4

@@ -93,7 +93,7 @@ typedef struct {
     T(alias_entry,    environment_aliases) \
     T(uint,           portal_sums)           /* of the weights of texels above and left of each texel's corner; below 2^31 */ \
     T(light_node,     light_nodes)           /* the light tree; its root comes first */ \
-    T(float,          guide_edges)           /* ENVIRONMENT_GUIDE: where its cells end along x, then y, then z: GUIDE_INTERVALS - 1 each, ascending */ \
+    T(float,          guide_edges)           /* ENVIRONMENT_GUIDE: where its cells end along x, then y, then z: GUIDE_INTERVALS each, ascending; the last: FAR_AWAY */ \
     T(uint,           guide_maps)            /* which map each face of each cell has: x fastest, then y, z, and the face before them */ \
     T(alias_entry,    guide_aliases)         /* GUIDE_MAP_ENTRIES for each map */
 
