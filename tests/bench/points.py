@@ -27,7 +27,7 @@ from scenes import OWN
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PARTS = pathlib.Path(__file__).parent / "points"
-WAYS = ["independent", "paddedsobol", "paddedzsobol", "sobol", "zsobol", "halton", "faure", "lattice", "stratified"]   # as `candidate` in candidates.clh
+WAYS = ["independent", "paddedsobol", "paddedzsobol", "sobol", "zsobol", "halton", "faure", "lattice"]   # as `candidate` in candidates.clh
 OPTION_SHIFT = 20
 BLUR = 1.5
 
