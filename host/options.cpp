@@ -61,7 +61,7 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     const std::string group = "Scene (instead of what the file says)";
     value(app, "--spp", s.spp, "N", "Samples a pixel", integer(1))->group(group);
     value(app, "--seed", s.seed, "N", "Another seed gives other noise", integer(std::numeric_limits<int>::min()))->group(group);
-    value(app, "--sampler", s.sampler, "NAME", "Random numbers: independent; sobol: of low discrepancy in each pixel; zsobol: also between pixels",
+    value(app, "--sampler", s.sampler, "NAME", "Random numbers: independent; paddedsobol: of low discrepancy in each pixel; sobol: for several decisions together; zsobol: also between pixels",
           oneOf<SamplerKind>({std::begin(samplerNames), std::end(samplerNames)}))->group(group);
     value(app, "--color", s.colorMode, "NAME", "rgb; spectral: at four wavelengths a path; auto (default): spectral where the scene needs it",
           oneOf<ColorMode>({{"auto", ColorMode::automatic}, {"rgb", ColorMode::rgb}, {"spectral", ColorMode::spectral}}))->group(group);

@@ -92,6 +92,7 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     packed.constants.environments = static_cast<int>(packed.tables.environments.size());
     packed.samples = scene.sampler.pixelSamples;
     if (scene.sampler.kind != SamplerKind::independent) packed.require(Feature::SOBOL, scene.sampler.where.toString());
+    if (scene.sampler.kind == SamplerKind::sobol || scene.sampler.kind == SamplerKind::zsobol) packed.require(Feature::JOINT_PAIRS, scene.sampler.where.toString());
 
     SceneCounts& counts = packed.counts;
     counts.objects = scene.objects.size();

@@ -48,12 +48,13 @@ struct FilterDescription {
     SourceLocation where;
 };
 
-/// independent: numbers that have nothing to do with each other. sobol: a low-discrepancy sequence for each pixel. zsobol: one for many pixels, so
-/// that blocks of pixels are as well sampled as pixels are, and the error that remains is blue noise.
-enum class SamplerKind { independent, sobol, zsobol };
+/// independent: numbers that have nothing to do with each other. paddedsobol: a low-discrepancy sequence for each pixel and each decision. sobol: the
+/// first decisions of a path share one. zsobol: so do many pixels, so that blocks of pixels are as well sampled as pixels are, and the error that
+/// remains is blue noise.
+enum class SamplerKind { independent, paddedsobol, sobol, zsobol };
 /// As --sampler names them.
 inline constexpr std::pair<const char*, SamplerKind> samplerNames[] = {
-    {"independent", SamplerKind::independent}, {"sobol", SamplerKind::sobol}, {"zsobol", SamplerKind::zsobol}};
+    {"independent", SamplerKind::independent}, {"paddedsobol", SamplerKind::paddedsobol}, {"sobol", SamplerKind::sobol}, {"zsobol", SamplerKind::zsobol}};
 
 struct SamplerDescription { SamplerKind kind = SamplerKind::zsobol; int pixelSamples = 16; int seed = 0; SourceLocation where; };
 

@@ -46,6 +46,7 @@
     F(CAMERA_MOTION,    "a camera that moves") \
     F(FILTER,           "a pixel filter other than a box of one pixel") \
     F(SOBOL,            "a low-discrepancy sampler") \
+    F(JOINT_PAIRS,      "a sampler that spreads pairs of numbers together") \
     F(REGULARIZE,       "an integrator that regularizes") \
     F(AMBIENT_OCCLUSION, "an integrator that only looks for what is near") \
     F(TREE,             "an integrator that follows trees of rays") \

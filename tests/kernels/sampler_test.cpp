@@ -4,6 +4,8 @@
 #include "random_inputs.h"
 #include "statistics.h"
 
+#include "eikonal/dimensions.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,12 +16,21 @@ namespace {
 
 struct Drawn { float one; vec2 two; };
 
+enum class Kind { independent, padded, joint };
+std::string nameOf(Kind kind) { return kind == Kind::independent ? "independent" : kind == Kind::padded ? "paddedsobol" : "sobol"; }
+Features featuresOf(Kind kind) {
+    Features features;
+    if (kind != Kind::independent) features.require(Feature::SOBOL);
+    if (kind == Kind::joint) features.require(Feature::JOINT_PAIRS);
+    return features;
+}
+
 class Sampler {
 public:
-    explicit Sampler(bool sobol)
+    explicit Sampler(Kind kind)
         : function_({.include = "random.clh", .type = "drawn", .body = "result.one = sample_1d(seed, sample, dimension); result.two = sample_2d(seed, sample, dimension);",
                      .inputs = {"uint seed", "uint sample", "uint dimension"}, .declarations = "typedef struct { float one; vec2 two; } drawn;",
-                     .features = sobol ? Features().require(Feature::SOBOL) : Features()}) {}
+                     .features = featuresOf(kind)}) {}
     /// `count` samples from `first` on, of one dimension of one pixel.
     std::vector<Drawn> draw(uint seed, uint dimension, uint first, uint count) const {
         std::vector<uint> sample;
@@ -33,8 +44,11 @@ private:
 
 /// Of 2^k samples from a multiple of 2^k on, exactly one lies in each of the 2^k elementary intervals, for every shape
 /// 2^-a x 2^-(k-a): the definition of a (0, 2)-sequence in base 2, and Owen scrambling keeps it. In one dimension likewise.
-TEST(SobolSampler, StratifiesEveryBlockInEveryDimension) {
-    const Sampler sampler(true);
+class SobolSampler : public testing::TestWithParam<Kind> {};
+INSTANTIATE_TEST_SUITE_P(Samplers, SobolSampler, testing::Values(Kind::padded, Kind::joint), [](const auto& info) { return nameOf(info.param); });
+
+TEST_P(SobolSampler, StratifiesEveryBlockInEveryDimension) {
+    const Sampler sampler(GetParam());
     Random random(21);
     for (int test = 0; test < 24; ++test) {
         const uint seed = random.word(), dimension = test < 8 ? static_cast<uint>(test) : 8 + random.below(16 * 40);
@@ -59,7 +73,7 @@ TEST(SobolSampler, StratifiesEveryBlockInEveryDimension) {
 
 /// The samples of a block of pixels are as well spread as those of one pixel: 4 x 4 pixels with 4 samples each have one sample in each of
 /// the 64 elementary intervals of every shape, wherever an aligned block lies; and so in a tile and beyond it.
-TEST(SobolSampler, SpreadsTheSamplesOfBlocksOfPixels) {
+TEST(BlueNoise, SpreadsTheSamplesOfBlocksOfPixels) {
     const DeviceFunction<Drawn> draw({.include = "camera/camera.clh", .type = "drawn",
         .body = "sequence_place at = place_in_sequence(x, y, sample, 5u, 2u, 3u); result.one = sample_1d(at.seed, at.index, 9u); result.two = sample_2d(at.seed, at.index, 9u);",
         .inputs = {"uint x", "uint y", "uint sample"}, .declarations = "typedef struct { float one; vec2 two; } drawn;", .features = Features::all()});
@@ -75,7 +89,79 @@ TEST(SobolSampler, SpreadsTheSamplesOfBlocksOfPixels) {
     }
 }
 
-class EverySampler : public testing::TestWithParam<bool> {};
+/// Pairs of numbers of several decisions.
+struct Projection { std::string name; std::vector<uint> dimensions; };
+
+/// Calls f with the bits of each coordinate, for all ways to share `bits` among them.
+template <class F> void forEachShape(std::vector<uint>& shape, size_t coordinate, uint bits, const F& f) {
+    if (coordinate + 1 == shape.size()) {
+        shape[coordinate] = bits;
+        f(shape);
+        return;
+    }
+    for (uint b = 0; b <= bits; ++b) {
+        shape[coordinate] = b;
+        forEachShape(shape, coordinate + 1, bits - b, f);
+    }
+}
+
+/// How many shapes of boxes of volume 2^(t - k) do not all hold 2^t of the 2^k points from `first` on: the definition of a (t, k, s)-net.
+size_t unevenShapes(const std::vector<std::vector<float>>& coordinates, uint first, uint k, uint t) {
+    size_t uneven = 0;
+    std::vector<uint> shape(coordinates.size());
+    forEachShape(shape, 0, k - t, [&](const std::vector<uint>& bits) {
+        std::vector<uint> counts(1u << (k - t));
+        for (uint i = first; i < first + (1u << k); ++i) {
+            uint box = 0;
+            for (size_t c = 0; c < bits.size(); ++c) box = (box << bits[c]) | static_cast<uint>(coordinates[c][i] * static_cast<float>(1u << bits[c]));
+            ++counts[box];
+        }
+        uneven += static_cast<size_t>(std::count(counts.begin(), counts.end(), 1u << t)) != counts.size();
+    });
+    return uneven;
+}
+
+std::vector<std::vector<float>> coordinatesOf(const Sampler& sampler, const Projection& p, uint seed, uint count) {
+    std::vector<std::vector<float>> coordinates;
+    for (uint dimension : p.dimensions) {
+        std::vector<float> x, y;
+        for (const Drawn& d : sampler.draw(seed, dimension, 0, count)) { x.push_back(d.two.x); y.push_back(d.two.y); }
+        coordinates.insert(coordinates.end(), {x, y});
+    }
+    return coordinates;
+}
+
+uint atVertex(uint depth, uint decision) { return camera_dimensions + depth * bounce_dimensions + decision; }
+
+/// What meets in an integrand is spread together: every block of 16, 64 and 256 samples of a pixel is a (2, 4)-, (3, 6)- and (3, 8)-net in the pairs of
+/// neighbours on a path, four and six numbers each. Padded pairs are no such nets.
+TEST(JointPairs, AreNetsOfSmallT) {
+    const Sampler joint(Kind::joint), padded(Kind::padded);
+    const std::vector<Projection> projections = {
+        {"pixel, light", {dimension_pixel, atVertex(0, dimension_light_point)}},
+        {"pixel, direction", {dimension_pixel, atVertex(0, dimension_direction)}},
+        {"lens, light", {dimension_lens, atVertex(0, dimension_light_point)}},
+        {"pixel, lens", {dimension_pixel, dimension_lens}},
+        {"direction, next light", {atVertex(0, dimension_direction), atVertex(1, dimension_light_point)}},
+        {"direction, next direction", {atVertex(0, dimension_direction), atVertex(1, dimension_direction)}},
+        {"second direction, next light", {atVertex(1, dimension_direction), atVertex(2, dimension_light_point)}},
+        {"pixel, direction, next light", {dimension_pixel, atVertex(0, dimension_direction), atVertex(1, dimension_light_point)}},
+        {"pixel, direction, next direction", {dimension_pixel, atVertex(0, dimension_direction), atVertex(1, dimension_direction)}}};
+    for (const Projection& p : projections) {
+        size_t unevenPadded = 0;
+        for (uint seed : {3u, 0x9e3779b9u, 0xfffffff1u}) {
+            const auto points = coordinatesOf(joint, p, seed, 512), others = coordinatesOf(padded, p, seed, 512);
+            for (const auto& [k, t] : {std::pair{4u, 2u}, {6u, 3u}, {8u, 3u}})
+                for (uint first : {0u, 1u << k, 512u - (1u << k)}) {
+                    EXPECT_EQ(unevenShapes(points, first, k, t), 0u) << p.name << ", seed " << seed << ", samples " << first << " to " << first + (1u << k);
+                    unevenPadded += unevenShapes(others, first, k, t);
+                }
+        }
+        EXPECT_GT(unevenPadded, 0u) << p.name;
+    }
+}
+
+class EverySampler : public testing::TestWithParam<Kind> {};
 
 /// Numbers lie in [0, 1) and the mean over pixels is 1/2, in each dimension: one number a pixel, so that stratification over
 /// samples does not help. Correlations between dimensions, between the two of a pair, and between pixels vanish. Four standard
@@ -83,15 +169,16 @@ class EverySampler : public testing::TestWithParam<bool> {};
 TEST_P(EverySampler, IsUniformAndUncorrelatedOverPixels) {
     const Sampler sampler(GetParam());
     constexpr size_t n = 65536;
-    std::vector<float> columns[6];
+    const uint dimensions[] = {dimension_pixel, atVertex(0, dimension_light), atVertex(0, dimension_light_point), atVertex(0, dimension_direction)};
+    std::vector<float> columns[3 * std::size(dimensions)];
     const DeviceFunction<Drawn> perPixel({.include = "camera/camera.clh", .type = "drawn",
         .body = "uint seed = place_in_sequence(pixel & 255u, pixel >> 8, 3u, 7u, 8u, 0u).seed; result.one = sample_1d(seed, 3u, dimension); result.two = sample_2d(seed, 3u, dimension);",
         .inputs = {"uint pixel", "uint dimension"}, .declarations = "typedef struct { float one; vec2 two; } drawn;",
-        .features = GetParam() ? Features::all() : Features()});
+        .features = featuresOf(GetParam())});
     std::vector<uint> pixels(n);
     for (uint i = 0; i < n; ++i) pixels[i] = i;
-    for (uint d = 0; d < 2; ++d) {
-        const auto drawn = perPixel(pixels, std::vector<uint>(n, 8 + d));
+    for (size_t d = 0; d < std::size(dimensions); ++d) {
+        const auto drawn = perPixel(pixels, std::vector<uint>(n, dimensions[d]));
         for (const Drawn& v : drawn) {
             columns[3 * d].push_back(v.one);
             columns[3 * d + 1].push_back(v.two.x);
@@ -109,8 +196,9 @@ TEST_P(EverySampler, IsUniformAndUncorrelatedOverPixels) {
         EXPECT_NEAR(sum / n, 0.5, 4 / std::sqrt(12.0 * n));
         EXPECT_NEAR(neighbours / n, 0, 4 / (12 * std::sqrt(1.0 * n)));
     }
-    /* sample_1d and the first of sample_2d share their key, and are never used for the same decision: not compared */
-    for (const auto& [a, b] : {std::pair{1, 2}, {0, 3}, {1, 4}, {2, 5}, {1, 5}, {2, 4}}) {
+    /* sample_1d and sample_2d of one dimension share their key, and are never used for the same decision: not compared */
+    for (size_t a = 0; a < std::size(columns); ++a) for (size_t b = a + 1; b < std::size(columns); ++b) {
+        if (a % 3 == 0 && b / 3 == a / 3) continue;
         double covariance = 0;
         for (size_t i = 0; i < n; ++i) covariance += (columns[a][i] - 0.5) * (columns[b][i] - 0.5);
         EXPECT_NEAR(covariance / n, 0, 4 / (12 * std::sqrt(1.0 * n))) << a << " " << b;
@@ -135,11 +223,11 @@ TEST_P(EverySampler, DependsOnItsArgumentsOnly) {
     EXPECT_LE(sameDimension, 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Samplers, EverySampler, testing::Bool(), [](const auto& info) { return info.param ? "sobol" : "independent"; });
+INSTANTIATE_TEST_SUITE_P(Samplers, EverySampler, testing::Values(Kind::independent, Kind::padded, Kind::joint), [](const auto& info) { return nameOf(info.param); });
 
 /// Without Sobol' the samples of one pixel are independent: chi-square over 16 x 16 cells, and no correlation with the next sample.
 TEST(IndependentSampler, SamplesOfAPixelAreIndependent) {
-    const Sampler sampler(false);
+    const Sampler sampler(Kind::independent);
     for (uint seed : {1u, 0xdeadbeefu, 12345u}) {
         const auto drawn = sampler.draw(seed, 11, 0, 65536);
         std::vector<double> counts(256), expected(256, 256.0);

@@ -124,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Options, BadValues, testing::Values(
     BadValue{"render a.pbrt --cropwindow 0,2,0,1", "not \"0,2,0,1\""},
     BadValue{"render a.pbrt --pixelbounds 5,5,0,1", "0 <= x0 < x1"},
     BadValue{"render a.pbrt --pixelbounds 0,1,0,1 --cropwindow 0,1,0,1", "give one of them"},
-    BadValue{"render a.pbrt --sampler sobl", "independent, sobol, zsobol, not \"sobl\"; did you mean sobol?"},
+    BadValue{"render a.pbrt --sampler sobl", "independent, paddedsobol, sobol, zsobol, not \"sobl\"; did you mean sobol?"},
     BadValue{"render a.pbrt --time-limit 0", "--time-limit takes a number greater than 0"},
     BadValue{"render a.pbrt --time-limit nan", "not \"nan\""},
     BadValue{"render a.pbrt --time-limit inf", "not \"inf\""},

@@ -234,10 +234,12 @@ TEST_F(Pack, PixelsShareASequenceForBlueNoise) {
         Diagnostics diagnostics(LogLevel::silent, true);
         const PackedScene scene = packScene(read("Sampler " + sampler + "\nWorldBegin\nShape \"sphere\""), diagnostics);
         EXPECT_EQ(scene.features.has(Feature::SOBOL), sampler.find("independent") == std::string::npos) << sampler;
+        EXPECT_EQ(scene.features.has(Feature::JOINT_PAIRS), scene.features.has(Feature::SOBOL) && sampler.find("padded") == std::string::npos) << sampler;
         return std::pair(scene.frame().sequence_sample_bits, scene.frame().sequence_tile_bits);
     };
     EXPECT_EQ(frameOf("\"independent\" \"integer pixelsamples\" 64"), std::pair(0u, 0u));
     EXPECT_EQ(frameOf("\"sobol\" \"integer pixelsamples\" 64"), std::pair(0u, 0u));
+    EXPECT_EQ(frameOf("\"paddedsobol\" \"integer pixelsamples\" 64"), std::pair(0u, 0u));
     EXPECT_EQ(frameOf("\"zsobol\" \"integer pixelsamples\" 1"), std::pair(0u, 8u));
     EXPECT_EQ(frameOf("\"zsobol\" \"integer pixelsamples\" 64"), std::pair(6u, 8u));
     EXPECT_EQ(frameOf("\"zsobol\" \"integer pixelsamples\" 65"), std::pair(7u, 8u));

@@ -125,8 +125,9 @@ TEST_F(PbrtSettings, filtersHaveRadiiOfTheirOwn) {
 TEST_F(PbrtSettings, samplers) {
     for (const char* kind : {"zsobol", "paddedsobol", "sobol", "halton", "pmj02bn", "stratified"}) {
         const bool blue = kind == std::string("zsobol") || kind == std::string("pmj02bn");
+        const SamplerKind ofPixels = kind == std::string("paddedsobol") ? SamplerKind::paddedsobol : SamplerKind::sobol;
         EXPECT_EQ(sampler('"' + std::string(kind) + '"').pixelSamples, 16) << kind;
-        EXPECT_EQ(sampler('"' + std::string(kind) + '"').kind, blue ? SamplerKind::zsobol : SamplerKind::sobol) << kind;
+        EXPECT_EQ(sampler('"' + std::string(kind) + '"').kind, blue ? SamplerKind::zsobol : ofPixels) << kind;
     }
     EXPECT_EQ(sampler("\"independent\"").pixelSamples, 4);
     EXPECT_EQ(sampler("\"independent\"").kind, SamplerKind::independent);

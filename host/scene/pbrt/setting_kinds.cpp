@@ -46,7 +46,7 @@ const KindTable& filterKinds() {
 const KindTable& samplerKinds() {
     static const KindTable table("sampler", samplerParameters, {
         {"zsobol", int(SamplerKind::zsobol), "integer pixelsamples = 16"},
-        {"paddedsobol", int(SamplerKind::sobol), "integer pixelsamples = 16"},
+        {"paddedsobol", int(SamplerKind::paddedsobol), "integer pixelsamples = 16"},
         {"sobol", int(SamplerKind::sobol), "integer pixelsamples = 16"},
         {"halton", int(SamplerKind::sobol), "integer pixelsamples = 16"},
         {"pmj02bn", int(SamplerKind::zsobol), "integer pixelsamples = 16"},
