@@ -18,7 +18,7 @@ constexpr size_t intervals = GUIDE_INTERVALS, side = GUIDE_SIDE, bins = side * s
 /// Points for each map, and the shadow rays that the fewest take: into the half of the bins that a surface looks at.
 constexpr size_t fewestPoints = 4, mostPoints = 16, raysAMap = fewestPoints * bins / 2;
 /// Fewer maps are not worth their time.
-constexpr size_t fewestMaps = 64;
+constexpr size_t fewestMaps = 1024;
 
 float coordinate(const vec3& p, size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 bool isPoint(const vec3& normal) { return normal.x != 0 || normal.y != 0 || normal.z != 0; }

@@ -14,15 +14,14 @@ Branching Branching::of(const PackedScene& scene) {
 DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : branching_(Branching::of(scene)) {
     const auto upload = [&](const auto& table, const char* name) {
         using Element = typename std::decay_t<decltype(table)>::value_type;
-        buffers_.push_back(Buffer::of<Element>(context, table, std::string("table ") + name));
-        bindings_.set(name, buffers_.back());
-        bytes_ += buffers_.back().size();
+        replace<Element>(context, name, table);
+        bytes_ += buffers_.at(name).size();
     };
 #define UPLOAD_TABLE(type, name) upload(scene.tables.name, #name);
     SCENE_TABLES(UPLOAD_TABLE)
 #undef UPLOAD_TABLE
 }
 
-void DeviceScene::setFrame(const Context& context, const settings& frame) { buffers_.back().write(context, &frame, sizeof frame); }
+void DeviceScene::setFrame(const Context& context, const settings& frame) { buffers_.at("frame").write(context, &frame, sizeof frame); }
 
 }  // namespace eikonal

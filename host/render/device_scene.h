@@ -4,7 +4,9 @@
 #include "device/kernel.h"
 #include "pack/tables.h"
 
-#include <list>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace eikonal {
 
@@ -23,8 +25,9 @@ public:
     const Bindings& bindings() const { return bindings_; }
     /// Gives a table other elements.
     template <class T> void replace(const Context& context, const char* table, const std::vector<T>& elements) {
-        buffers_.push_back(Buffer::of<T>(context, elements, std::string("table ") + table));
-        bindings_.set(table, buffers_.back());
+        Buffer& buffer = buffers_[table];
+        buffer = Buffer::of<T>(context, elements, std::string("table ") + table);
+        bindings_.set(table, buffer);
     }
     size_t bytes() const { return bytes_; }
     /// From now on kernels see `frame` in place of the scene's settings. Waits until it is there.
@@ -32,7 +35,7 @@ public:
     Branching branching() const { return branching_; }
 
 private:
-    std::list<Buffer> buffers_;   ///< in the order of SCENE_TABLES: `frame` is the last
+    std::map<std::string, Buffer> buffers_;   ///< by table
     Bindings bindings_;
     size_t bytes_ = 0;
     Branching branching_;

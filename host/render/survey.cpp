@@ -69,8 +69,7 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
     SceneTables guide;
     const bool hasAllDirections = packed.features.has(Feature::MEDIA) || packed.features.has(Feature::TRANSMISSION);
     const double share = learnGuide(guide, points, normals, budget.rays, hasAllDirections, weigh);
-    if (std::getenv("EK_SHARE")) fprintf(stderr, "share %g maps %zu\n", share, guide.guide_aliases.size()/GUIDE_MAP_ENTRIES);
-    if (std::getenv("EK_SHARE") ? share > atof(getenv("EK_SHARE")) : share > openShare) return;
+    if (share > openShare) return;
     scene.replace(context, "guide_edges", guide.guide_edges);
     scene.replace(context, "guide_maps", guide.guide_maps);
     scene.replace(context, "guide_aliases", guide.guide_aliases);

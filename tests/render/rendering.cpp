@@ -2,6 +2,7 @@
 
 #include "device/cache.h"
 #include "render/path_loop.h"
+#include "render/survey.h"
 #include "render/wave.h"
 #include "scene/pbrt/read_pbrt.h"
 
@@ -88,12 +89,13 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     BuildSettings settings;
     settings.features = setup.forced;
     settings.contraction = setup.contraction;
-    const DeviceScene onDevice(device(), scene);
+    DeviceScene onDevice(device(), scene);
     Profile profile;
     Stages stages(compiler(), scene, setup.shape, settings);
     Wave wave(device(), onDevice, stages, setup.shape, built, profile);
     wave.warmUp();
     stages.keep(compiler());
+    surveyEnvironment(device(), onDevice, scene, stages, setup.shape);
 
     Film film(scene, built);
     std::vector<unsigned> ends = setup.splits;
