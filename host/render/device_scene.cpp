@@ -13,8 +13,7 @@ Branching Branching::of(const PackedScene& scene) {
 
 DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : branching_(Branching::of(scene)) {
     const auto upload = [&](const auto& table, const char* name) {
-        using Element = typename std::decay_t<decltype(table)>::value_type;
-        buffers_.push_back(Buffer::of<Element>(context, table, std::string("table ") + name));
+        buffers_.push_back(Buffer::sharing(context, table, std::string("table ") + name));
         bindings_.set(name, buffers_.back());
         bytes_ += buffers_.back().size();
     };

@@ -16,7 +16,7 @@ struct Branching {
     static Branching of(const PackedScene& scene);
 };
 
-/// Every table as a buffer, bound under the table's name.
+/// Every table as a buffer, bound under the table's name. On a CPU large tables are where the scene has them (Buffer::sharing): it must outlive this, unchanged.
 class DeviceScene {
 public:
     DeviceScene(const Context& context, const PackedScene& scene);
