@@ -26,7 +26,7 @@ std::string describeRun(const Session& session, const Profile& profile, const Fi
         text += fmt::format("  {:<28}{:8.3f} s{}{}\n", what, seconds, more.empty() ? "" : "  ", more);
     };
     text += fmt::format("Device: {}\nTime:\n", session.context().device().name);
-    line("start the program", t.start, "mostly OpenImageIO's libraries");
+    line("start the program", t.start);
     line("open the device", t.device, "while the scene is read");
     line("read the scene", t.load);
     line("fill the tables", t.pack, t.displace > 0 ? fmt::format("of it {:.3f} s for displaced meshes", t.displace) : "");
