@@ -5,6 +5,8 @@
 #include "commands/kernel_workers.h"
 #include "printable.h"
 
+#include <malloc.h>
+
 #include <cstdio>
 #include <new>
 
@@ -30,7 +32,11 @@ static int fail(ExitCode code, const std::string& message) {
     return static_cast<int>(code);
 }
 
+/// What is freed goes back to the system, if it is more than this, and is not kept for later: a scene is large while it is read and packed.
+static void returnFreedMemory() { ::mallopt(M_MMAP_THRESHOLD, 128 << 10); }
+
 int main(int argc, char** argv) {
+    returnFreedMemory();
     keepIgnoredSignals();
     try {
         return run(parseOptions(std::vector<std::string>(argv, argv + argc)));

@@ -14,7 +14,7 @@ struct LeafTriangle {
 };
 
 /// Of a reference to a leaf of triangles.
-inline std::vector<LeafTriangle> leafTriangles(const std::vector<triangle_line>& lines, uint reference) {
+inline std::vector<LeafTriangle> leafTriangles(const Table<triangle_line>& lines, uint reference) {
     const size_t count = ((reference >> LEAF_COUNT_SHIFT) & LEAF_COUNT_MASK) + 1, first = reference & LEAF_FIRST_MASK;
     const auto word = [&](size_t row, size_t i) { return lines.at(first + (row * count + i) / 16).words[(row * count + i) % 16]; };
     std::vector<LeafTriangle> triangles(count);

@@ -4,10 +4,10 @@
 // a node (Ylitie, Karras and Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", section 3.1).
 
 #include "eikonal/bvh.h"
+#include "memory_pages.h"
 
 #include <cstddef>
 #include <span>
-#include <vector>
 
 namespace eikonal {
 
@@ -31,9 +31,9 @@ bvh_node emptyNode();
 
 /// All hierarchies of a scene. Node 0 is the world's root, there from the start: a scene without anything is valid.
 struct BvhTables {
-    std::vector<bvh_node> nodes{emptyNode()};
-    std::vector<triangle_line> triangleLines;
-    std::vector<uint> leafElements;
+    Table<bvh_node> nodes{emptyNode()};
+    Table<triangle_line> triangleLines;
+    Table<uint> leafElements;
 };
 
 struct BvhOptions {

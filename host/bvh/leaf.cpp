@@ -49,7 +49,7 @@ static uint leafReference(leaf_kind kind, size_t count, size_t first) {
 }
 
 /* The lines of a leaf of triangles (include/eikonal/bvh.h) */
-static void appendTriangles(std::vector<triangle_line>& lines, const Sources& sources, std::span<const Reference> references) {
+static void appendTriangles(Table<triangle_line>& lines, const Sources& sources, std::span<const Reference> references) {
     constexpr size_t words = std::size(triangle_line{}.words);
     const size_t count = references.size(), first = lines.size();
     lines.resize(first + (TRIANGLE_WORDS * count + words - 1) / words, triangle_line{});

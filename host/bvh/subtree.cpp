@@ -25,9 +25,12 @@ struct BinaryNode {
 
 class SubtreeBuilder {
 public:
-    SubtreeBuilder(const Sources& sources, std::span<Reference> references) : sources_(sources), references_(references) {}
+    /// nodes: memory for the binary tree, which may be used again afterwards.
+    SubtreeBuilder(const Sources& sources, std::span<Reference> references, std::vector<BinaryNode>& nodes) : sources_(sources), references_(references), nodes_(nodes) {}
 
     Subtree build(const Range& range, int maxDepth, bool alwaysNode) {
+        nodes_.clear();
+        nodes_.reserve(2 * size_t(range.size()));
         grow(range, false);
         for (size_t i = nodes_.size(); i-- > 0;) weigh(nodes_[i]);
         if (emit(alwaysNode).depth > maxDepth) {
@@ -90,6 +93,7 @@ private:
 
     Subtree& emit(bool alwaysNode) {
         result_ = {};
+        result_.tables.triangleLines.reserve(nodes_[0].range.size());
         if (nodes_[0].share[1] == 0 && !alwaysNode) result_.root = emitLeaf(nodes_[0]);
         else result_.root = emitNode(nodes_[0], 1);
         return result_;
@@ -127,14 +131,16 @@ private:
 
     const Sources& sources_;
     std::span<Reference> references_;
-    std::vector<BinaryNode> nodes_;
+    std::vector<BinaryNode>& nodes_;
     Subtree result_;
 };
 
 int balancedDepth(uint count) { return std::max(1, (static_cast<int>(std::bit_width(count - 1)) + 2) / 3); }
 
 Subtree buildSubtree(const Sources& sources, std::span<Reference> references, const Range& range, int maxDepth, bool alwaysNode) {
-    return SubtreeBuilder(sources, references).build(range, maxDepth, alwaysNode);
+    /* A megabyte that each subtree would take from the system again */
+    static thread_local std::vector<BinaryNode> nodes;
+    return SubtreeBuilder(sources, references, nodes).build(range, maxDepth, alwaysNode);
 }
 
 }  // namespace eikonal

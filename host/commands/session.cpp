@@ -104,7 +104,8 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
         if (scene_.colorMode == ColorMode::automatic) scene_.colorMode = ColorMode::spectral;
     }
     displace();
-    packed_ = packScene(scene_, diagnostics_);
+    Packing packing = packTables(scene_, diagnostics_);
+    packed_ = std::move(packing.scene);
     warnOfDarkness(scene_, packed_, diagnostics_);
     scene_.shapes.clear();
     scene_.objects.clear();
@@ -112,7 +113,23 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     if (aovs.ofSurfaces()) packed_.require(Feature::AOVS, "--aov, or a film \"gbuffer\"");
     if (aovs.motion && packed_.features.has(Feature::MOTION)) packed_.require(Feature::MOTION_VECTORS, "--aov, or a film \"gbuffer\"");
     times_.pack = time.seconds();
+    /* What the scene requires is known: kernels get ready while its hierarchies are built */
+    auto built = std::async(std::launch::async, [&] { packing.hierarchies.build(packed_, diagnostics_); });
+    if (context_) buildKernels();
+    built.get();
     times_.build = packed_.counts.buildSeconds;
+}
+
+void Session::buildKernels() {
+    const Stopwatch time;
+    const BuildSettings settings = buildSettingsFor(options_.device);
+    missing_ = Stages::missing(*compiler_, packed_, shape_, settings);
+    const WaitNotice notice(fmt::format("compiling {} kernel{} for this device{}", missing_, missing_ == 1 ? "" : "s", compiler_->cache().folder().empty() ? "" : "; they are kept for the next time"),
+                            missing_ == 0 || options_.log < LogLevel::warning);
+    if (options_.device.cache && context_->device().isCpu) compileInWorkers(options_.device, packed_, missing_);
+    times_.workers = time.seconds();
+    stages_ = std::make_unique<Stages>(*compiler_, packed_, shape_, settings);
+    times_.compile = time.seconds();
 }
 
 MemoryPlan Session::plan() const {
@@ -125,17 +142,11 @@ void Session::prepare() {
     const Stopwatch uploadTime;
     deviceScene_ = std::make_unique<DeviceScene>(*context_, packed_);
     times_.upload = uploadTime.seconds();
-    const Stopwatch compileTime;
-    const BuildSettings settings = buildSettingsFor(options_.device);
-    missing_ = Stages::missing(*compiler_, packed_, shape_, settings);
-    const WaitNotice notice(fmt::format("compiling {} kernel{} for this device{}", missing_, missing_ == 1 ? "" : "s", compiler_->cache().folder().empty() ? "" : "; they are kept for the next time"),
-                            missing_ == 0 || options_.log < LogLevel::warning);
-    if (options_.device.cache && context_->device().isCpu) compileInWorkers(options_.device, packed_, missing_);
-    times_.workers = compileTime.seconds();
-    stages_ = std::make_unique<Stages>(*compiler_, packed_, shape_, settings);
-    wave_ = std::make_unique<Wave>(*context_, *deviceScene_, *stages_, shape_, packed_.features, profile_);
+    const Stopwatch launchTime;
+    const size_t paths = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height()) * static_cast<size_t>(packed_.samples);
+    wave_ = std::make_unique<Wave>(*context_, *deviceScene_, *stages_, shape_, packed_.features, profile_, paths < shape_.wavePaths ? PageSize::small : PageSize::large);
     wave_->warmUp();
-    times_.compile = compileTime.seconds();
+    times_.launch = launchTime.seconds();
     const Stopwatch keepTime;
     stages_->keep(*compiler_);
     times_.keep = keepTime.seconds();

@@ -29,10 +29,11 @@ struct SessionTimes {
     double load = 0;        ///< to read the scene's files
     double pack = 0;        ///< to load its images and fill its tables
     double displace = 0;    ///< of that: meshes that a texture displaces
-    double build = 0;       ///< of that: the acceleration structure
-    double upload = 0;      ///< tables to the device
-    double compile = 0;     ///< kernels: built and launched once
+    double build = 0;       ///< the acceleration structure
+    double compile = 0;     ///< to build the kernels
     double workers = 0;     ///< of that: in processes of their own, on all cores
+    double upload = 0;      ///< tables to the device
+    double launch = 0;      ///< to make the queues, and launch each kernel once
     double keep = 0;        ///< to store them in the cache
     double firstRay = 0;    ///< from the start of the program until the first ray could start
 };
@@ -57,12 +58,12 @@ public:
 
     /// Reads the scene, while the device opens. Without a device, plan() supposes a processor.
     void load(bool withDevice = true);
-    /// Fills its tables, and forgets the scene's meshes and images; the film keeps what `aovs` take, and a spectrum
+    /// Fills its tables, forgets the scene's meshes and images, and builds its hierarchies while the kernels are built, if there is a device; the film keeps what `aovs` take, and a spectrum
     /// if the scene asks for it and keepsSpectrum.
     void pack(const Aovs& aovs, bool keepsSpectrum = true);
     /// What prepare() is going to allocate.
     MemoryPlan plan() const;
-    /// Uploads the tables and compiles the kernels.
+    /// Uploads the tables and launches every kernel once.
     void prepare();
     /// Learns what a first look at the scene can tell (render/survey.h). Part of rendering.
     void survey() { surveyEnvironment(*context_, *deviceScene_, packed_, *stages_, shape_); }
@@ -85,6 +86,8 @@ public:
 
 private:
     void openDevice();
+    /// Loads or compiles what the packed scene requires.
+    void buildKernels();
     /// Moves the vertices of meshes that a texture displaces: a device looks it up.
     void displace();
 

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <sys/mman.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstdlib>
+#include <memory>
 
 namespace eikonal {
 
@@ -18,30 +16,34 @@ static std::uint64_t nextSerial() {
     return ++last;
 }
 
-/// Pages of this size, where the system has them, spare walks down large tables most of what looking up addresses costs (docs/performance.md).
-constexpr size_t largePage = size_t{2} << 20;
-
-/// Memory in large pages; null if there is none. For std::free.
-static void* allocateLargePages(size_t bytes) {
-    void* memory = std::aligned_alloc(largePage, (bytes + largePage - 1) / largePage * largePage);
-    if (memory) ::madvise(memory, bytes, MADV_HUGEPAGE);   // where this is refused, pages are small
-    return memory;
+/// A buffer over memory of the host's; null if that does not work.
+static cl_mem wrap(const Context& context, void* memory, size_t bytes) {
+    cl_int status = CL_SUCCESS;
+    const cl_mem buffer = clCreateBuffer(context.handle(), CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, bytes, memory, &status);
+    return status == CL_SUCCESS ? buffer : nullptr;
 }
 
-/// A buffer in memory of ours, which is freed with it; null if that does not work.
-static cl_mem allocateInLargePages(const Context& context, size_t bytes) {
-    void* pages = allocateLargePages(bytes);
-    if (!pages) return nullptr;
-    cl_int status = CL_SUCCESS;
-    cl_mem memory = clCreateBuffer(context.handle(), CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, bytes, pages, &status);
-    if (status != CL_SUCCESS) { std::free(pages); return nullptr; }
-    check(clSetMemObjectDestructorCallback(memory, [](cl_mem, void* pages) { std::free(pages); }, pages), "taking over a buffer's memory");
-    return memory;
+/// Whether a device works in the host's memory, and a buffer is large enough to care where it lies.
+static bool liesInPages(const Context& context, size_t bytes) { return context.device().isCpu && bytes >= worthPages; }
+
+/// A buffer of zeros in pages of ours, which are freed with it; null if that does not work.
+static cl_mem allocateInPages(const Context& context, size_t bytes, PageSize pageSize) {
+    struct Pages {
+        void* memory;
+        size_t bytes;
+        ~Pages() { unmapPages(memory, bytes); }
+    };
+    void* const memory = mapPages(bytes, pageSize);
+    if (!memory) return nullptr;
+    auto pages = std::make_unique<Pages>(memory, bytes);
+    const cl_mem buffer = wrap(context, memory, bytes);
+    if (!buffer) return nullptr;
+    check(clSetMemObjectDestructorCallback(buffer, [](cl_mem, void* owned) { delete static_cast<Pages*>(owned); }, pages.get()), "taking over a buffer's memory");
+    pages.release();
+    return buffer;
 }
 
 static cl_mem allocate(const Context& context, size_t bytes, const std::string& what) {
-    if (context.device().isCpu && bytes >= 2 * largePage)
-        if (cl_mem memory = allocateInLargePages(context, bytes)) return memory;
     cl_int status = CL_SUCCESS;
     cl_mem memory = clCreateBuffer(context.handle(), CL_MEM_READ_WRITE, std::max(bytes, smallestBuffer), nullptr, &status);
     if (status != CL_SUCCESS)
@@ -50,15 +52,23 @@ static cl_mem allocate(const Context& context, size_t bytes, const std::string& 
     return memory;
 }
 
-Buffer::Buffer(const Context& context, size_t bytes, const std::string& what)
-    : memory_(allocate(context, bytes, what)), size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
+Buffer::Buffer(const Context& context, size_t bytes, const std::string& what, PageSize pages) : size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
+    if (liesInPages(context, bytes)) memory_ = Memory(allocateInPages(context, bytes, pages));
+    if (memory_) return;
+    memory_ = Memory(allocate(context, bytes, what));
     clear(context, 0, size_);
 }
 
-Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what)
-    : memory_(allocate(context, bytes, what)), size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
+Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what) : size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
+    memory_ = Memory(allocate(context, bytes, what));
     if (bytes > 0) write(context, data, bytes);
     else clear(context, 0, size_);
+}
+
+Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what, Shared) : size_(bytes), serial_(nextSerial()) {
+    /* Kernels only read it: tables are constant for them */
+    if (liesInPages(context, bytes)) memory_ = Memory(wrap(context, const_cast<void*>(data), bytes));
+    if (!memory_) *this = Buffer(context, data, bytes, what);
 }
 
 void Buffer::write(const Context& context, const void* data, size_t bytes, size_t offset) {

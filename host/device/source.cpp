@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -60,7 +61,17 @@ KernelFolders findKernelFolders() {
 }
 
 std::uint64_t hashBytes(std::string_view bytes, std::uint64_t hash) {
-    for (unsigned char c : bytes) hash = (hash ^ c) * 1099511628211u;
+    /* The shift brings down again what a product of so many bits moves up */
+    const auto add = [&](std::uint64_t value) {
+        hash = (hash ^ value) * 1099511628211u;
+        hash ^= hash >> 32;
+    };
+    for (; bytes.size() >= sizeof(std::uint64_t); bytes.remove_prefix(sizeof(std::uint64_t))) {
+        std::uint64_t word;
+        std::memcpy(&word, bytes.data(), sizeof word);
+        add(word);
+    }
+    for (const unsigned char c : bytes) add(c);
     return hash;
 }
 

@@ -3,9 +3,9 @@
 #include "error.h"
 #include "film/channels.h"
 #include "film/primaries.h"
+#include "image_formats/image_formats.h"
 #include "scene/image.h"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,34 +14,26 @@
 namespace eikonal {
 namespace {
 
-using OIIO::TypeDesc;
-
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
     throw Error(ExitCode::scene, fmt::format("cannot read image \"{}\": {}", path, reason));
 }
 
-Metadata metadataOf(const OIIO::ImageSpec& spec) {
-    Metadata metadata;
-    int number = 0;
-    if (spec.getattribute("samplesPerPixel", TypeDesc::INT, &number)) metadata.samples = number;
-    if (spec.getattribute("seed", TypeDesc::INT, &number)) metadata.seed = number;
-    const auto readNumber = [&](const char* name, std::optional<double>& value) {
-        if (float found = 0; spec.getattribute(name, TypeDesc::FLOAT, &found)) value = found;
-    };
-    readNumber("renderTimeSeconds", metadata.renderSeconds);
-    readNumber("meanSamplesPerPixel", metadata.meanSamples);
-    readNumber("targetError", metadata.targetError);
-    metadata.version = spec.get_string_attribute("Software");
-    metadata.scene = spec.get_string_attribute("scene");
-    metadata.sceneHash = spec.get_string_attribute("sceneHash");
-    metadata.device = spec.get_string_attribute("device");
-    metadata.commandLine = spec.get_string_attribute("commandLine");
-    return metadata;
+Metadata metadataOf(const ImageReader& file) {
+    return {.samples = file.integer("samplesPerPixel"),
+            .meanSamples = file.number("meanSamplesPerPixel"),
+            .targetError = file.number("targetError"),
+            .renderSeconds = file.number("renderTimeSeconds"),
+            .seed = file.integer("seed"),
+            .version = file.text("Software"),
+            .scene = file.text("scene"),
+            .sceneHash = file.text("sceneHash"),
+            .device = file.text("device"),
+            .commandLine = file.text("commandLine")};
 }
 
-int find(const OIIO::ImageSpec& spec, const std::string& channel) {
-    const auto found = std::ranges::find(spec.channelnames, channel);
-    return found == spec.channelnames.end() ? -1 : static_cast<int>(found - spec.channelnames.begin());
+int find(const ImageReader::Header& header, const std::string& channel) {
+    const auto found = std::ranges::find(header.channels, channel);
+    return found == header.channels.end() ? -1 : static_cast<int>(found - header.channels.begin());
 }
 
 /// An 8- or 16-bit file, decoded as a texture is.
@@ -61,23 +53,24 @@ void convert(std::vector<glm::vec3>& colors, const glm::dmat3& matrix) {
 }  // namespace
 
 FilmFile readImage(const std::string& path) {
-    auto input = OIIO::ImageInput::open(path);
-    if (!input || !input->spec().format.is_floating_point()) {
-        OIIO::geterror();
+    std::string reason;
+    const auto input = imageFormats().open(path, false, reason);
+    if (!input || !input->header().isFloatingPoint) {
         FilmImage image = decoded(path);
-        return {std::move(image), input ? metadataOf(input->spec()) : Metadata{}};
+        return {std::move(image), input ? metadataOf(*input) : Metadata{}};
     }
-    const OIIO::ImageSpec& spec = input->spec();
-    std::vector<float> values(spec.image_pixels() * static_cast<std::size_t>(spec.nchannels));
-    if (!input->read_image(0, 0, 0, spec.nchannels, TypeDesc::FLOAT, values.data())) fail(path, input->geterror());
+    const ImageReader::Header& header = input->header();
+    const std::size_t channelCount = header.channels.size();
+    std::vector<float> values(header.pixels() * channelCount);
+    if (!input->read(values.data())) fail(path, input->error());
 
     // Which of our channels the file has.
-    const int grey = spec.nchannels == 1 ? 0 : find(spec, "R") < 0 ? find(spec, "Y") : -1;
-    if (grey < 0 && (find(spec, "R") < 0 || find(spec, "G") < 0 || find(spec, "B") < 0)) fail(path, "it has no channel R G B or Y");
-    const int x0 = spec.x - spec.full_x, y0 = spec.y - spec.full_y;
-    FilmFile file{{spec.full_width, spec.full_height, {x0, x0 + spec.width, y0, y0 + spec.height}}, metadataOf(spec)};
+    const int grey = channelCount == 1 ? 0 : find(header, "R") < 0 ? find(header, "Y") : -1;
+    if (grey < 0 && (find(header, "R") < 0 || find(header, "G") < 0 || find(header, "B") < 0)) fail(path, "it has no channel R G B or Y");
+    const int x0 = header.x, y0 = header.y;
+    FilmFile file{{header.fullWidth, header.fullHeight, {x0, x0 + header.width, y0, y0 + header.height}}, metadataOf(*input)};
     FilmImage& image = file.image;
-    const auto has = [&](const char* name) { return find(spec, name) >= 0; };
+    const auto has = [&](const char* name) { return find(header, name) >= 0; };
     if (has("albedo.R") && has("albedo.G") && has("albedo.B")) image.albedo.resize(image.pixelCount());
     if (has("N.X") && has("N.Y") && has("N.Z")) image.normal.resize(image.pixelCount());
     if (has("Ng.X") && has("Ng.Y") && has("Ng.Z")) image.geometricNormal.resize(image.pixelCount());
@@ -90,22 +83,22 @@ FilmFile readImage(const std::string& path) {
     if (has("Z")) image.depth.resize(image.pixelCount());
     if (has("variance")) image.variance.resize(image.pixelCount());
     if (has("sampleCount")) image.sampleCount.resize(image.pixelCount());
-    for (const std::string& name : spec.channelnames)
+    for (const std::string& name : header.channels)
         if (const auto wavelength = wavelengthOfChannel(name)) image.spectrum.wavelengths.push_back(*wavelength);
     std::ranges::sort(image.spectrum.wavelengths);
     image.spectrum.radiance.resize(image.spectrum.wavelengths.size() * image.pixelCount());
 
     for (const auto& channel : channelsOf<float>(image)) {
         const bool isColor = channel.name == "R" || channel.name == "G" || channel.name == "B";
-        const int from = isColor && grey >= 0 ? grey : find(spec, channel.name);
+        const int from = isColor && grey >= 0 ? grey : find(header, channel.name);
         for (std::size_t i = 0; i < image.pixelCount(); ++i) {
-            const float value = values[i * static_cast<std::size_t>(spec.nchannels) + static_cast<std::size_t>(from)];
+            const float value = values[i * channelCount + static_cast<std::size_t>(from)];
             channel[i] = channel.isDepth && value >= noDepth ? std::numeric_limits<float>::infinity() : value;
         }
     }
 
-    if (Primaries primaries{}; spec.getattribute("chromaticities", TypeDesc(TypeDesc::FLOAT, 8), primaries.data()))
-        if (const auto matrix = srgbFromPrimaries(primaries)) {
+    if (const std::optional<Primaries> primaries = input->chromaticities())
+        if (const auto matrix = srgbFromPrimaries(*primaries)) {
             convert(image.color, *matrix);
             convert(image.albedo, *matrix);
         }

@@ -3,10 +3,10 @@
 #include "error.h"
 #include "film/atomic_file.h"
 #include "film/channels.h"
+#include "film/encode_exr.h"
+#include "film/encode_png.h"
 #include "film/primaries.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -15,12 +15,11 @@
 #include <bit>
 #include <cctype>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 
 namespace eikonal {
 namespace {
-
-using OIIO::TypeDesc;
 
 enum class Content { layers, linear, screen8, screen16 };
 struct Format { const char *extension, *name; Content content; };
@@ -62,7 +61,7 @@ const Format& formatOf(const std::string& path) {
          (extension.empty() ? "its name has no extension" : "the extension \"" + extension + "\" is not known") + "; known are" + known);
 }
 
-/// Channel after channel of each pixel, as OpenImageIO wants them.
+/// Channel after channel of each pixel, as files have them.
 std::vector<float> interleave(const std::vector<ChannelView<const float>>& channels, std::size_t pixels) {
     std::vector<float> values(pixels * channels.size());
     tbb::parallel_for(std::size_t(0), pixels, [&](std::size_t i) {
@@ -83,13 +82,14 @@ std::vector<float> toneMapped(const FilmImage& image, const ToneMapping& mapping
     return values;
 }
 
-void addAttributes(OIIO::ImageSpec& spec, const Metadata& metadata) {
-    const auto addText = [&](const char* name, const std::string& text) { if (!text.empty()) spec.attribute(name, text); };
-    if (metadata.samples) spec.attribute("samplesPerPixel", *metadata.samples);
-    if (metadata.meanSamples) spec.attribute("meanSamplesPerPixel", static_cast<float>(*metadata.meanSamples));
-    if (metadata.targetError) spec.attribute("targetError", static_cast<float>(*metadata.targetError));
-    if (metadata.renderSeconds) spec.attribute("renderTimeSeconds", static_cast<float>(*metadata.renderSeconds));
-    if (metadata.seed) spec.attribute("seed", *metadata.seed);
+void addAttributes(EncodedImage& file, const Metadata& metadata) {
+    const auto add = [&](const char* name, auto value) { file.attributes.emplace_back(name, value); };
+    const auto addText = [&](const char* name, const std::string& text) { if (!text.empty()) add(name, text); };
+    if (metadata.samples) add("samplesPerPixel", *metadata.samples);
+    if (metadata.meanSamples) add("meanSamplesPerPixel", static_cast<float>(*metadata.meanSamples));
+    if (metadata.targetError) add("targetError", static_cast<float>(*metadata.targetError));
+    if (metadata.renderSeconds) add("renderTimeSeconds", static_cast<float>(*metadata.renderSeconds));
+    if (metadata.seed) add("seed", *metadata.seed);
     addText("Software", metadata.version);
     addText("scene", metadata.scene);
     addText("sceneHash", metadata.sceneHash);
@@ -97,42 +97,37 @@ void addAttributes(OIIO::ImageSpec& spec, const Metadata& metadata) {
     addText("commandLine", metadata.commandLine);
 }
 
-OIIO::ImageSpec specOf(const Format& format, const FilmImage& image, const std::vector<std::string>& names) {
-    const TypeDesc type = format.content == Content::screen8    ? TypeDesc::UINT8
-                          : format.content == Content::screen16 ? TypeDesc::UINT16
-                                                                : TypeDesc::FLOAT;
-    OIIO::ImageSpec spec(image.columns(), image.rows(), static_cast<int>(names.size()), type);
-    spec.channelnames = names;
-    if (format.content == Content::layers) {
-        spec.x = image.bounds.x0;
-        spec.y = image.bounds.y0;
-        spec.full_x = spec.full_y = 0;
-        spec.full_width = image.width;
-        spec.full_height = image.height;
-        spec.attribute("compression", "zip");
-        spec.attribute("chromaticities", TypeDesc(TypeDesc::FLOAT, 8), srgbPrimaries.data());
-        if (!image.spectrum.wavelengths.empty())
-            for (const auto& [attribute, text] : spectralAttributes) spec.attribute(attribute, text);
-    } else if (format.content != Content::linear) {
-        // Not for TIFF: OpenImageIO 2.4 would add an EXIF directory, and in memory that damages the file.
-        const std::string name = format.name;
-        if (name != "tiff") spec.attribute("oiio:ColorSpace", "sRGB");
-        if (name == "jpeg" || name == "webp") spec.attribute("compression", name + ":95");
-        if (name == "jpeg") spec.attribute("jpeg:subsampling", "4:4:4");
-    }
-    return spec;
+EncodedImage::Values valuesOf(Content content) {
+    return content == Content::screen8 ? EncodedImage::Values::bytes : content == Content::screen16 ? EncodedImage::Values::words : EncodedImage::Values::floats;
 }
 
-/// The file, made in memory: not every encoder notices that a disk is full.
-std::vector<unsigned char> encode(const std::string& path, const Format& format, const OIIO::ImageSpec& spec,
-                                  const std::vector<float>& values) {
-    std::vector<unsigned char> bytes;
-    OIIO::Filesystem::IOVecOutput memory(bytes);
-    auto output = OIIO::ImageOutput::create(format.name);
-    if (!output) fail(path, OIIO::geterror());
-    if (!output->set_ioproxy(&memory) || !output->open(std::string("image.") + format.extension, spec) ||
-        !output->write_image(TypeDesc::FLOAT, values.data()) || !output->close())
-        fail(path, output->geterror());
+/// The image as a file of that format has it, but for its values.
+EncodedImage describe(const Format& format, const FilmImage& image, const Metadata& metadata) {
+    EncodedImage file{.stored = valuesOf(format.content), .width = image.columns(), .height = image.rows(), .fullWidth = image.columns(), .fullHeight = image.rows(),
+                      .channels = {"R", "G", "B"}, .attributes = {}, .values = {}};
+    if (format.content == Content::layers) {
+        file.x = image.bounds.x0;
+        file.y = image.bounds.y0;
+        file.fullWidth = image.width;
+        file.fullHeight = image.height;
+        file.attributes.emplace_back("chromaticities", srgbPrimaries);
+        if (!image.spectrum.wavelengths.empty())
+            for (const auto& [attribute, text] : spectralAttributes) file.attributes.emplace_back(attribute, text);
+    }
+    addAttributes(file, metadata);
+    return file;
+}
+
+/// What is written at every render does not need OpenImageIO.
+std::vector<unsigned char> encode(const std::string& path, const Format& format, const EncodedImage& image) {
+    const std::string name = format.name;
+    try {
+        if (name == "openexr") return encodeExr(image);
+        if (name == "png") return encodePng(image);
+    } catch (const std::exception& error) { fail(path, error.what()); }
+    std::string error;
+    std::vector<unsigned char> bytes = imageFormats().encode(name, format.extension, image, error);
+    if (bytes.empty()) fail(path, error);
     return bytes;
 }
 
@@ -153,22 +148,18 @@ std::vector<unsigned char> encodePfm(const FilmImage& image) {
 void writeImage(const std::string& path, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping) {
     const Format& format = formatOf(path);
     if (image.pixelCount() == 0) fail(path, "the image has no pixels");
-    std::vector<std::string> names{"R", "G", "B"};
-    std::vector<float> values;
-    if (format.content == Content::screen8 || format.content == Content::screen16) {
-        values = toneMapped(image, mapping);
+    if (std::string(format.name) == "pfm") { writeFileAtomically(path, encodePfm(image)); return; }
+    EncodedImage file = describe(format, image, metadata);
+    if (file.stored != EncodedImage::Values::floats) {
+        file.values = toneMapped(image, mapping);
     } else {
         auto channels = channelsOf<const float>(image);
         if (format.content == Content::linear) channels.erase(channels.begin() + 3, channels.end());
-        names.clear();
-        for (const auto& channel : channels) names.push_back(channel.name);
-        values = interleave(channels, image.pixelCount());
+        file.channels.clear();
+        for (const auto& channel : channels) file.channels.push_back(channel.name);
+        file.values = interleave(channels, image.pixelCount());
     }
-
-    OIIO::ImageSpec spec = specOf(format, image, names);
-    addAttributes(spec, metadata);
-
-    writeFileAtomically(path, std::string(format.name) == "pfm" ? encodePfm(image) : encode(path, format, spec, values));
+    writeFileAtomically(path, encode(path, format, file));
 }
 
 bool holdsChannels(const std::string& path) {

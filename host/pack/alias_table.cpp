@@ -4,14 +4,14 @@
 
 namespace eikonal {
 
-std::vector<alias_entry> makeAliasTable(const std::vector<double>& weights) {
+Table<alias_entry> makeAliasTable(const std::vector<double>& weights) {
     const size_t n = weights.size();
     double sum = 0;
     for (double w : weights) {
         if (!(w >= 0)) throw std::logic_error("a weight of an alias table is negative");
         sum += w;
     }
-    std::vector<alias_entry> table(n);
+    Table<alias_entry> table(n);
     std::vector<double> scaled(n);
     std::vector<size_t> small, large;
     for (size_t i = 0; i < n; ++i) {

@@ -136,7 +136,7 @@ static double areaPower(const light& l, double luminance) { return l.pmf > 0 ? M
 
 void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dmat4& m, size_t elements) {
     const AreaLight& description = packer.scene.areaLights[static_cast<size_t>(s.areaLight)];
-    std::vector<light>& lights = packer.packed.tables.lights;
+    Table<light>& lights = packer.packed.tables.lights;
     packed.first_light = static_cast<uint>(lights.size());
     const bool isUnseen = s.alpha.texture == none && s.alpha.value.value() <= 0;
     if (isUnseen) packed.flags |= shape_is_unseen;

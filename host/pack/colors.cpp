@@ -58,7 +58,7 @@ DenseCurve constantCurve(double value) { DenseCurve curve; curve.fill(value); re
 
 /// Three curves: what each channel is given by light of each wavelength. Returns the index of the first.
 uint packResponse(Packer& packer, const std::array<glm::dvec3, wavelengthCount>& response) {
-    std::vector<float>& curves = packer.packed.tables.curves;
+    Table<float>& curves = packer.packed.tables.curves;
     const uint first = static_cast<uint>(curves.size() / CURVE_WORDS);
     for (int channel = 0; channel < 3; ++channel)
         for (const glm::dvec3& r : response) curves.push_back(toFloat(r[channel]));
@@ -116,7 +116,7 @@ float greatestSum(const Packer& packer, const color* a, const color* b) {
 color packWhite(Packer& packer, double factor) { return packEmission(packer, Spectrum::rgb(glm::dvec3(1)), factor); }
 
 void packTexels(Packer& packer, const std::vector<glm::vec3>& texels) {
-    std::vector<float>& table = packer.packed.tables.environment_texels;
+    Table<float>& table = packer.packed.tables.environment_texels;
     for (const glm::vec3& t : texels) {
         if (!packer.spectral) { table.insert(table.end(), {t.x, t.y, t.z}); continue; }
         if (t.x == t.y && t.y == t.z) { table.insert(table.end(), {0, 0, saturated, t.x}); continue; }
@@ -145,8 +145,8 @@ double luminanceOf(const Spectrum& light, double factor) {
     return luminance(glm::vec3(light.illuminant() * factor));
 }
 
-std::vector<float> srgbLevels() {
-    std::vector<float> levels;
+Table<float> srgbLevels() {
+    Table<float> levels;
     for (int level = 0; level < 256; ++level) levels.push_back(static_cast<float>(linearFromSrgb(level / 255.0)));
     return levels;
 }

@@ -2,6 +2,7 @@
 // Colours as tables hold them: what eval_color (kernels/color.clh) reads.
 
 #include "eikonal/portable.h"
+#include "memory_pages.h"
 #include "spectra/spectrum.h"
 #include "spectra/uplift.h"
 
@@ -36,7 +37,7 @@ color packWhite(Packer&, double factor = 1);
 /// Texels of a light's image, linear sRGB, to the end of `environment_texels`.
 void packTexels(Packer&, const std::vector<glm::vec3>& texels);
 /// Linear light of each of the 256 values of an 8-bit sRGB channel: `srgb_levels`.
-std::vector<float> srgbLevels();
+Table<float> srgbLevels();
 /// Makes sure that colours of images can be made spectra.
 void packUplift(Packer&);
 /// The greatest value, at any wavelength or in any channel, of a coefficient or of the sum of two; null: none.

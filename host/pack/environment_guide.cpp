@@ -77,7 +77,7 @@ void writeMap(std::span<const double> weights, alias_entry* entries) {
 }
 
 /// kernels/light/guide_place.clh has the same on the device.
-size_t intervalOf(const std::vector<float>& edges, size_t axis, float x) {
+size_t intervalOf(std::span<const float> edges, size_t axis, float x) {
     size_t interval = 0;
     for (size_t e = 0; e < intervals - 1; ++e) interval += x >= edges[axis * intervals + e];
     return interval;
@@ -86,12 +86,12 @@ size_t faceOf(const vec3& n) {
     const float x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
     return z >= x && z >= y ? (n.z < 0 ? 5 : 4) : x >= y ? (n.x < 0 ? 1 : 0) : (n.y < 0 ? 3 : 2);
 }
-size_t cellOf(const std::vector<float>& edges, const vec3& p) {
+size_t cellOf(std::span<const float> edges, const vec3& p) {
     return (intervalOf(edges, 2, p.z) * intervals + intervalOf(edges, 1, p.y)) * intervals + intervalOf(edges, 0, p.x);
 }
 
 /// Where the intervals of an axis end, so that each has as many of the points.
-void cutAxis(std::vector<float>& edges, size_t axis, std::span<const vec3> points, std::span<const vec3> normals) {
+void cutAxis(std::span<float> edges, size_t axis, std::span<const vec3> points, std::span<const vec3> normals) {
     std::vector<float> sorted;
     for (size_t i = 0; i < points.size(); ++i)
         if (isPoint(normals[i])) sorted.push_back(coordinate(points[i], axis));
@@ -102,7 +102,7 @@ void cutAxis(std::vector<float>& edges, size_t axis, std::span<const vec3> point
 /// The points in one face of a cell, by their index.
 struct Group { size_t place; std::vector<size_t> members; };
 
-std::vector<Group> groupPoints(const std::vector<float>& edges, std::span<const vec3> points, std::span<const vec3> normals, bool hasAllDirections) {
+std::vector<Group> groupPoints(std::span<const float> edges, std::span<const vec3> points, std::span<const vec3> normals, bool hasAllDirections) {
     std::vector<std::vector<size_t>> members(cells * GUIDE_FACES);
     for (size_t i = 0; i < points.size(); ++i) {
         if (!isPoint(normals[i])) continue;

@@ -1,33 +1,25 @@
-// Objects, instances, and the hierarchy over all shapes.
+// Shapes, objects and instances, and what each hierarchy over them is to hold.
 
-#include "pack/motion.h"
+#include "pack/hierarchies.h"
 #include "pack/shapes.h"
 
+#include <algorithm>
 #include <array>
-#include <chrono>
 #include <map>
 
 namespace eikonal {
 
-/// Where something is, and where it is when the motion ends, if it moves.
-struct Place {
-    glm::dmat4 start{1};
-    std::optional<glm::dmat4> end{};
-    Motion motion() const { return {start, end.value_or(start)}; }
-};
-
-/// A group in the world: places one inside of the other, the outermost first.
-struct PlacedGroup { size_t group; std::vector<Place> places; uint id; SourceLocation where; };
-
 class GeometryPacker {
 public:
-    explicit GeometryPacker(Packer& packer) : packer_(packer), tables_(packer.packed.tables) {}
+    explicit GeometryPacker(Packer& packer) : packer_(packer) {}
 
-    void pack() {
+    Hierarchies pack() {
         const Scene& scene = packer_.scene;
         countUses();
-        Group world;
+        reserveTables();
+        Group& world = result_.world;
         world.space = packer_.space;
+        result_.seen = timesSeen(scene);
         for (size_t i = 0; i < scene.shapes.size(); ++i)
             if (!scene.shapes[i].worldFromObjectAtEnd) packShape(packer_, world, scene.shapes[i], scene.shapes[i].worldFromObject, false, false, static_cast<uint>(i + 1));
         addMovingShapes();
@@ -35,7 +27,7 @@ public:
         movingInObject_.resize(scene.objects.size());
         for (size_t i = 0; i < scene.objects.size(); ++i) addObject(i);
         for (size_t i = 0; i < scene.instances.size(); ++i) addInstance(world, scene.instances[i], static_cast<uint>(scene.shapes.size() + i + 1));
-        buildHierarchies(world);
+        return std::move(result_);
     }
 
 private:
@@ -46,6 +38,33 @@ private:
         for (const Instance& i : packer_.scene.instances) uses_[static_cast<size_t>(i.object)] += i.worldFromObjectAtEnd ? 2 : 1;
     }
 
+    /// Tables that grow would be copied, and be there twice while they are.
+    void reserveTables() {
+        size_t positions = 0, normals = 0, tangents = 0, uvs = 0, indices = 0, elements = 0;
+        const auto count = [&](const Shape& s) {
+            const auto* triangles = std::get_if<TriangleMesh>(&s.kind);
+            const auto* patches = std::get_if<BilinearMesh>(&s.kind);
+            const Mesh* mesh = triangles ? triangles->mesh.get() : patches ? patches->mesh.get() : nullptr;
+            if (!mesh) return;
+            positions += mesh->positions.size();
+            normals += mesh->normals.size();
+            tangents += mesh->tangents.size();
+            uvs += mesh->uvs.size();
+            indices += mesh->indices.size();
+            elements += mesh->indices.size() / (triangles ? 3 : 4);
+        };
+        for (const Shape& s : packer_.scene.shapes) count(s);
+        for (size_t i = 0; i < uses_.size(); ++i)
+            if (uses_[i]) for (const Shape& s : packer_.scene.objects[i].shapes) count(s);
+        SceneTables& tables = packer_.packed.tables;
+        tables.positions.reserve(positions);
+        tables.normals.reserve(normals);
+        tables.tangents.reserve(tangents);
+        tables.uvs.reserve(uvs);
+        tables.indices.reserve(indices);
+        tables.element_shapes.reserve(elements);
+    }
+
     /// A group of its own for shapes, whose space is, for the same reason as the scene's, that of their bounds.
     struct Member { const Shape* shape; glm::dmat4 groupFromObject; uint id; };
     size_t addGroup(const std::vector<Member>& members) {
@@ -54,8 +73,8 @@ private:
         Group group;
         group.space = spaceOf(box);
         for (const Member& m : members) packShape(packer_, group, *m.shape, m.groupFromObject, true, false, m.id);
-        groups_.push_back(std::move(group));
-        return groups_.size() - 1;
+        result_.groups.push_back(std::move(group));
+        return result_.groups.size() - 1;
     }
 
     /// Shapes that move alike become one group.
@@ -74,7 +93,7 @@ private:
         }
         for (const auto& [key, members] : alike) {
             const Shape& s = *members.front().shape;
-            placed_.push_back({addGroup(members), {{s.worldFromObject, s.worldFromObjectAtEnd}}, 0, s.where});
+            place(addGroup(members), {{s.worldFromObject, s.worldFromObjectAtEnd}}, 0, s.where);
         }
     }
 
@@ -91,80 +110,29 @@ private:
 
     void addInstance(Group& world, const Instance& i, uint id) {
         const size_t object = static_cast<size_t>(i.object);
-        const Place place{i.worldFromObject, i.worldFromObjectAtEnd};
+        const Place inWorld{i.worldFromObject, i.worldFromObjectAtEnd};
         for (const auto& [shape, group] : movingInObject_[object])
-            placed_.push_back({group, {place, {shape->worldFromObject, shape->worldFromObjectAtEnd}}, id, i.where});
-        if (groupOfObject_[object] != noGroup) { placed_.push_back({groupOfObject_[object], {place}, id, i.where}); return; }
+            place(group, {inWorld, {shape->worldFromObject, shape->worldFromObjectAtEnd}}, id, i.where);
+        if (groupOfObject_[object] != noGroup) { place(groupOfObject_[object], {inWorld}, id, i.where); return; }
         for (const Shape& s : packer_.scene.objects[object].shapes)
             if (!s.worldFromObjectAtEnd) packShape(packer_, world, s, i.worldFromObject * s.worldFromObject, true, swapsHandedness(i.worldFromObject), id);
     }
 
-    BvhRoot build(BvhTables& bvh, const Group& group, bool isWorld = false) {
-        std::vector<TriangleRange> ranges;
-        for (const Group::Triangles& t : group.triangles)
-            ranges.push_back({tables_.positions.data() + t.firstVertex, tables_.indices.data() + t.firstIndex, t.count, t.firstElement});
-        const BvhRoot root = buildBvh(bvh, ranges, group.boxed, {.world = isWorld});
-        if (root.dropped > 0)
-            packer_.diagnostics.info(std::to_string(root.dropped) + " degenerate elements left out");
-        return root;
-    }
-
-    /// The world's hierarchy holds the boxes of the objects' hierarchies, so those come first.
-    void buildHierarchies(Group& world) {
-        const auto start = std::chrono::steady_clock::now();
-        BvhTables bvh;
-        std::vector<BvhRoot> roots;
-        for (const Group& g : groups_) roots.push_back(g.triangles.empty() && g.boxed.empty() ? BvhRoot{} : build(bvh, g));
-        for (const PlacedGroup& p : placed_) place(world, p, groups_[p.group], roots[p.group]);
-        const BvhRoot root = build(bvh, world, true);
-        tables_.nodes = std::move(bvh.nodes);
-        tables_.triangle_lines = std::move(bvh.triangleLines);
-        tables_.leaf_elements = std::move(bvh.leafElements);
-        packer_.packed.counts.bvhDepth = root.depth;
-        packer_.packed.counts.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    }
-
-    void place(Group& world, const PlacedGroup& placed, const Group& group, const BvhRoot& root) {
-        if (group.triangles.empty() && group.boxed.empty()) return;
-        glm::dmat4 sceneFromGroup = world.space.sceneFromWorld();
-        for (const Place& p : placed.places) sceneFromGroup *= p.start;
-        sceneFromGroup *= group.space.worldFromScene();
-        instance packed{toAffine(glm::inverse(sceneFromGroup)), toAffine(sceneFromGroup), root.root, 0, 0, placed.id};
-        const Box own{{root.low.x, root.low.y, root.low.z}, {root.high.x, root.high.y, root.high.z}};
-        const bool moves = std::any_of(placed.places.begin(), placed.places.end(), [](const Place& p) { return p.end.has_value(); });
-        const Box box = moves ? addMotions(packed, placed, world.space, group.space, own) : transformed(own, sceneFromGroup);
-        addBox(world, box, static_cast<uint>(tables_.instances.size()), leaf_instances);
-        tables_.instances.push_back(packed);
-        packer_.packed.require(Feature::INSTANCES, placed.where.toString());
-    }
-
-    /// Fills in the motions of an instance; returns what its box reaches, in scene space.
-    Box addMotions(instance& packed, const PlacedGroup& placed, const SceneSpace& scene, const SceneSpace& group, const Box& box) {
-        packer_.packed.require(Feature::MOTION, placed.where.toString());
-        packed.first_motion = static_cast<uint>(tables_.motions.size());
-        packed.motion_count = static_cast<uint>(placed.places.size());
-        std::vector<Motion> motions;
-        for (size_t i = 0; i < placed.places.size(); ++i) {
-            motions.push_back(placed.places[i].motion());
-            tables_.motions.push_back(motions[i].pack(i == 0 ? scene : SceneSpace{}, i + 1 == placed.places.size() ? group : SceneSpace{}));
-        }
-        Box reach = transformed(boundsInMotion(motions, transformed(box, group.worldFromScene()), timesSeen(packer_.scene)), scene.sceneFromWorld());
-        /* For what the device rounds in putting the map together */
-        const double rounding = 1e-6 * (glm::length(reach.high - reach.low) + glm::length(reach.center()));
-        reach.low -= rounding;
-        reach.high += rounding;
-        return reach;
+    /// Notes what a group in the world requires.
+    void place(size_t group, std::vector<Place> places, uint id, const SourceLocation& where) {
+        if (result_.groups[group].isEmpty()) return;
+        packer_.packed.require(Feature::INSTANCES, where.toString());
+        if (std::any_of(places.begin(), places.end(), [](const Place& p) { return p.end.has_value(); })) packer_.packed.require(Feature::MOTION, where.toString());
+        result_.placed.push_back({group, std::move(places), id});
     }
 
     Packer& packer_;
-    SceneTables& tables_;
+    Hierarchies result_;
     std::vector<int> uses_;                 ///< of each object; a use that moves counts twice, so that it is never part of the world
-    std::vector<Group> groups_;
-    std::vector<PlacedGroup> placed_;
     std::vector<size_t> groupOfObject_;
     std::vector<std::vector<std::pair<const Shape*, size_t>>> movingInObject_;   ///< and their groups
 };
 
-void packGeometry(Packer& packer) { GeometryPacker(packer).pack(); }
+Hierarchies packGeometry(Packer& packer) { return GeometryPacker(packer).pack(); }
 
 }  // namespace eikonal

@@ -15,6 +15,8 @@ struct Group {
     struct Triangles { size_t firstVertex, firstIndex, count; uint firstElement; };
     std::vector<Triangles> triangles;
     std::vector<BoxedElement> boxed;
+
+    bool isEmpty() const { return triangles.empty() && boxed.empty(); }
 };
 
 /// Padded by more than the rounding of a shape's own intersection test, in units of the box's largest coordinate.

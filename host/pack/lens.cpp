@@ -125,8 +125,8 @@ pupil_bounds LensSystem::pupil(double near, double far) const {
     return bounds;
 }
 
-std::vector<pupil_bounds> LensSystem::pupils() const {
-    std::vector<pupil_bounds> list(PUPIL_INTERVALS);
+Table<pupil_bounds> LensSystem::pupils() const {
+    Table<pupil_bounds> list(PUPIL_INTERVALS);
     tbb::parallel_for(size_t(0), list.size(), [&](size_t i) {
         const double step = filmRadius_ / PUPIL_INTERVALS;
         list[i] = pupil(static_cast<double>(i) * step, static_cast<double>(i + 1) * step);
@@ -134,9 +134,9 @@ std::vector<pupil_bounds> LensSystem::pupils() const {
     return list;
 }
 
-std::vector<lens_element> LensSystem::elements() const {
+Table<lens_element> LensSystem::elements() const {
     const auto f = [](double x) { return static_cast<float>(x); };
-    std::vector<lens_element> list;
+    Table<lens_element> list;
     for (const Element& e : elements_) list.push_back({f(e.z), f(e.radius), f(e.aperture), f(e.eta)});
     return list;
 }

@@ -3,6 +3,7 @@
 // (Kolb et al. 1995; Pharr et al. 2016, section 6.4). The film lies at z = 0 and looks along +z; metres.
 
 #include "eikonal/cameras.h"
+#include "memory_pages.h"
 #include "scene/scene.h"
 
 #include <glm/glm.hpp>
@@ -29,10 +30,10 @@ public:
     /// centre, on the x axis. Empty if none does.
     pupil_bounds pupil(double near, double far) const;
     /// All PUPIL_INTERVALS of them.
-    std::vector<pupil_bounds> pupils() const;
+    Table<pupil_bounds> pupils() const;
 
     /// Elements as the device passes them.
-    std::vector<lens_element> elements() const;
+    Table<lens_element> elements() const;
     double rearZ() const { return elements_.front().z; }
     bool stopIsTooWide() const { return stopIsTooWide_; }
 
@@ -47,7 +48,7 @@ private:
 };
 
 /// What a stop with a shape lets pass, row by row from the bottom, scaled to a mean of pi / 4: as bright as a round one.
-struct ApertureTexels { int width = 0, height = 0; std::vector<float> values; };
+struct ApertureTexels { int width = 0, height = 0; Table<float> values; };
 struct ImageData;
 /// `image` is only read for ApertureShape::image. A round one has no texels. Throws Error if nothing passes.
 ApertureTexels apertureTexels(ApertureShape shape, const ImageData* image);

@@ -2,6 +2,7 @@
 // The light tree (kernels/light/tree.clh): Conty Estevez and Kulla 2018, "Importance sampling of many lights with adaptive tree splitting".
 
 #include "eikonal/lights.h"
+#include "memory_pages.h"
 #include "pack/space.h"
 
 #include <vector>
@@ -28,7 +29,7 @@ LightBounds unite(const LightBounds& a, const LightBounds& b);
 
 /// A tree over lights[i], each the light of that number; those without intensity are left out. O(n log n).
 struct LightTree {
-    std::vector<light_node> nodes;   ///< empty: no light has any intensity
+    Table<light_node> nodes;   ///< empty: no light has any intensity
     std::vector<uint> leaves;        ///< of each light: node * LIGHT_TREE_WIDTH + child, or NONE
     size_t lights = 0;               ///< how many it holds
     int depth = 0;                   ///< nodes on the longest way down

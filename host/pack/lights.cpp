@@ -136,7 +136,7 @@ private:
             for (int x = 0; x < n; ++x) texels.emplace_back(texelOf(image, x, y));
         if (d.illuminance) scale *= *d.illuminance / upwardIlluminance(image);
         std::vector<double> rows;
-        std::vector<alias_entry> columns;
+        Table<alias_entry> columns;
         for (int y = 0; y < n; ++y) {
             std::vector<double> row;
             for (int x = 0; x < n; ++x) {

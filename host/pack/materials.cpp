@@ -107,7 +107,7 @@ static void packMaterial(Packer& packer, const Material& description, material& 
 }
 
 uint packedMaterial(Packer& packer, int index) {
-    std::vector<material>& materials = packer.packed.tables.materials;
+    Table<material>& materials = packer.packed.tables.materials;
     if (index == none) {
         if (packer.defaultMaterial == NONE) {
             Material grey;

@@ -16,7 +16,7 @@ int searchSteps(size_t count) { return static_cast<int>(std::bit_width(std::max<
 
 class Writer {
 public:
-    explicit Writer(std::vector<float>& values) : values_(values) {}
+    explicit Writer(Table<float>& values) : values_(values) {}
 
     uint list(const std::vector<float>& numbers) {
         const uint first = static_cast<uint>(values_.size());
@@ -80,7 +80,7 @@ private:
         return weights;
     }
 
-    std::vector<float>& values_;
+    Table<float>& values_;
 };
 
 void raise(int& most, size_t count) { most = std::max(most, searchSteps(count)); }

@@ -76,7 +76,7 @@ void packUniformGrid(SceneTables& tables, medium& m, const Medium& description) 
 }
 
 uint packColors(Packer& packer, const std::vector<glm::vec3>& colors, const ColorGrid& grid, bool emitted) {
-    std::vector<color>& table = packer.packed.tables.medium_colors;
+    Table<color>& table = packer.packed.tables.medium_colors;
     if (colors.empty()) return NONE;
     const uint first = static_cast<uint>(table.size());
     for (const glm::vec3& rgb : colors) {
@@ -182,7 +182,7 @@ void packMedia(Packer& packer) {
 }
 
 uint packInterior(Packer& packer, const std::shared_ptr<const Medium>& interior, const std::string& why) {
-    std::vector<medium>& media = packer.packed.tables.media;
+    Table<medium>& media = packer.packed.tables.media;
     const auto [place, isNew] = packer.interiors.try_emplace(interior.get(), static_cast<uint>(media.size()));
     if (isNew) {
         for (Feature feature : {Feature::SUBSURFACE, Feature::MEDIA, Feature::MEDIUM_HOMOGENEOUS}) packer.packed.require(feature, why);

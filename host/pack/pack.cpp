@@ -50,9 +50,10 @@ PackedTextures packTextures(const Scene& scene, std::span<const int> textures, D
     return result;
 }
 
-PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
+Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     const auto start = std::chrono::steady_clock::now();
-    PackedScene packed;
+    Packing result;
+    PackedScene& packed = result.scene;
     Packer packer{scene, diagnostics, packed, {}, worldBounds(scene)};
     packer.space = spaceOf(packer.bounds);
     const bool wouldUseMedia = mediaAreUsed(scene);
@@ -74,7 +75,7 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     packCamera(packer);
     packMedia(packer);
     packMaterials(packer);
-    packGeometry(packer);
+    result.hierarchies = packGeometry(packer);
     packLights(packer);
     packFoci(packer);
 
@@ -103,7 +104,13 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     counts.images = scene.images.size();
     counts.media = packed.tables.media.size();
     counts.loadSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return packed;
+    return result;
+}
+
+PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
+    Packing packing = packTables(scene, diagnostics);
+    packing.hierarchies.build(packing.scene, diagnostics);
+    return std::move(packing.scene);
 }
 
 }  // namespace eikonal

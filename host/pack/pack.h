@@ -2,7 +2,7 @@
 // From a scene's description to the device's tables.
 
 #include "diagnostics.h"
-#include "pack/tables.h"
+#include "pack/hierarchies.h"
 #include "scene/scene.h"
 
 #include <span>
@@ -10,8 +10,14 @@
 
 namespace eikonal {
 
-/// Loads the scene's images, moves everything to scene space, builds the hierarchy and fills every table.
+/// A scene whose tables are filled and whose features are known, but for the hierarchies over its shapes (Hierarchies::build).
+struct Packing { PackedScene scene; Hierarchies hierarchies; };
+
+/// Loads the scene's images, moves everything to scene space and fills the tables. What is left to do needs nothing of the description.
 /// Throws SceneError for what the description cannot mean; warns about what is left out.
+Packing packTables(const Scene& scene, Diagnostics& diagnostics);
+
+/// The same with its hierarchies.
 PackedScene packScene(const Scene& scene, Diagnostics& diagnostics);
 
 /// Textures of a scene without the rest of it, for points in world space. programs[i] is that of textures[i]. Throws as packScene.

@@ -16,6 +16,8 @@
 
 namespace eikonal {
 
+struct Hierarchies;   // pack/hierarchies.h
+
 struct Packer {
     const Scene& scene;
     Diagnostics& diagnostics;
@@ -53,7 +55,8 @@ void packMedia(Packer&);
 /// What fills bodies of a material.
 uint packInterior(Packer&, const std::shared_ptr<const Medium>&, const std::string& why);
 void packMaterials(Packer&);
-void packGeometry(Packer&);
+/// What the hierarchies over the shapes are to be built of.
+Hierarchies packGeometry(Packer&);
 /// Everything but area lights, which geometry brings; then the light sampler.
 void packLights(Packer&);
 /// Lights that are points, for media; after the lights.

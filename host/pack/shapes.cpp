@@ -72,7 +72,6 @@ private:
         packed.first_vertex = static_cast<uint>(tables_.positions.size());
         packed.first_index = static_cast<uint>(tables_.indices.size());
         if (s.reverseOrientation != swapsHandedness(m)) packed.flags |= shape_reversed;
-        tables_.positions.reserve(tables_.positions.size() + mesh.positions.size());
         for (const glm::vec3& p : mesh.positions) tables_.positions.push_back(toVec3(transformPoint(m, p)));
         tables_.indices.insert(tables_.indices.end(), mesh.indices.begin(), mesh.indices.end());
         if (!mesh.normals.empty()) {

@@ -3,6 +3,7 @@
 
 #include "eikonal/scene.h"
 #include "feature_set.h"
+#include "memory_pages.h"
 #include "pack/scene_constants.h"
 
 #include <glm/glm.hpp>
@@ -14,9 +15,9 @@
 
 namespace eikonal {
 
-/// One vector for each table, of the table's name.
+/// A table of elements for each of SCENE_TABLES, of its name.
 struct SceneTables {
-#define TABLE_VECTOR(type, name) std::vector<type> name;
+#define TABLE_VECTOR(type, name) Table<type> name;
     SCENE_TABLES(TABLE_VECTOR)
 #undef TABLE_VECTOR
 

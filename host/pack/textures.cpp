@@ -14,7 +14,7 @@
 
 namespace eikonal {
 
-static uint packBytes(std::vector<uint>& table, const std::vector<std::uint8_t>& bytes) {
+static uint packBytes(Table<uint>& table, const std::vector<std::uint8_t>& bytes) {
     const size_t first = table.size() * 4;
     table.resize(table.size() + (bytes.size() + 3) / 4);
     if (!bytes.empty()) std::memcpy(reinterpret_cast<std::uint8_t*>(table.data()) + first, bytes.data(), bytes.size());

@@ -13,9 +13,10 @@ Branching Branching::of(const PackedScene& scene) {
 
 DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : branching_(Branching::of(scene)) {
     const auto upload = [&](const auto& table, const char* name) {
-        using Element = typename std::decay_t<decltype(table)>::value_type;
-        replace<Element>(context, name, table);
-        bytes_ += buffers_.at(name).size();
+        Buffer& buffer = buffers_[name];
+        buffer = Buffer::sharing(context, table, std::string("table ") + name);
+        bindings_.set(name, buffer);
+        bytes_ += buffer.size();
     };
 #define UPLOAD_TABLE(type, name) upload(scene.tables.name, #name);
     SCENE_TABLES(UPLOAD_TABLE)

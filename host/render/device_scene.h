@@ -18,15 +18,15 @@ struct Branching {
     static Branching of(const PackedScene& scene);
 };
 
-/// Every table as a buffer, bound under the table's name.
+/// Every table as a buffer, bound under the table's name. On a CPU large tables are where the scene has them (Buffer::sharing): it must outlive this, unchanged.
 class DeviceScene {
 public:
     DeviceScene(const Context& context, const PackedScene& scene);
     const Bindings& bindings() const { return bindings_; }
     /// Gives a table other elements.
-    template <class T> void replace(const Context& context, const char* table, const std::vector<T>& elements) {
+    template <class Elements> void replace(const Context& context, const char* table, const Elements& elements) {
         Buffer& buffer = buffers_[table];
-        buffer = Buffer::of<T>(context, elements, std::string("table ") + table);
+        buffer = Buffer::of<typename Elements::value_type>(context, elements, std::string("table ") + table);
         bindings_.set(table, buffer);
     }
     size_t bytes() const { return bytes_; }

@@ -26,12 +26,12 @@ void run(const Context& context, const DeviceScene& scene, const Stage* stage, c
 
 /// Has light sampling aim at constant environments: each as often as at all lamps together.
 static void sampleEnvironments(const Context& context, DeviceScene& scene, const PackedScene& packed) {
-    std::vector<light> lights = packed.tables.lights;
+    Table<light> lights = packed.tables.lights;
     double lamps = 0;
     for (const light& l : lights) lamps += l.pmf;
     std::vector<double> weights;
     for (const light& l : lights) weights.push_back(l.kind == kind_constant_environment ? (lamps > 0 ? lamps : 1) : l.pmf);
-    const std::vector<alias_entry> aliases = makeAliasTable(weights);
+    const auto aliases = makeAliasTable(weights);
     for (size_t i = 0; i < lights.size(); ++i) lights[i].pmf = aliases[i].pmf;
     scene.replace(context, "lights", lights);
     scene.replace(context, "light_aliases", aliases);

@@ -6,13 +6,14 @@
 
 namespace eikonal {
 
-Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile)
+Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile,
+           PageSize queuePages)
     : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), branching_(scene.branching()) {
     const WaveSize size(shape, branching_);
     mostPaths_ = size.paths;
     log2BatchPaths_ = size.log2BatchPaths;
     for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), size)) {
-        addQueue(queue.layout, queue.items, queue.name);
+        addQueue(queue.layout, queue.items, queue.name, queuePages);
         if (queue.name == "ray") rays_[0] = &buffers_.back();
         if (queue.name == "next_ray") rays_[1] = &buffers_.back();
         if (queue.name == "path") paths_ = &buffers_.back();
@@ -29,8 +30,8 @@ Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, con
     bindings_.set("log2_batch_paths", log2BatchPaths_ + branching_.forks);
 }
 
-void Wave::addQueue(const QueueLayout& layout, size_t items, const std::string& name) {
-    buffers_.emplace_back(context_, items * static_cast<size_t>(layout.words) * sizeof(cl_uint), "queue " + name);
+void Wave::addQueue(const QueueLayout& layout, size_t items, const std::string& name, PageSize pages) {
+    buffers_.emplace_back(context_, items * static_cast<size_t>(layout.words) * sizeof(cl_uint), "queue " + name, pages);
     bindings_.set(name, buffers_.back());
     bytes_ += buffers_.back().size();
 }

@@ -17,7 +17,9 @@ namespace eikonal {
 /// Queues for a number of paths, and the stages that run over them.
 class Wave : public Tracer {
 public:
-    Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile);
+    /// queuePages: small ones where far fewer paths are traced than there is room for, so that what stays empty takes up no memory.
+    Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile,
+         PageSize queuePages = PageSize::large);
 
     /// Runs every kernel once over nothing, so that an implementation that compiles at the first launch does it now.
     void warmUp();
@@ -38,7 +40,7 @@ private:
         unsigned begun = 0;   ///< paths
         bool isBegun() const { return begun == batch.paths(); }
     };
-    void addQueue(const QueueLayout& layout, size_t items, const std::string& name);
+    void addQueue(const QueueLayout& layout, size_t items, const std::string& name, PageSize pages);
     void run(const Stage* stage, unsigned items, const Bindings& extra);
     Counts countAndRoute(unsigned rays);
     unsigned shade(const Counts& counts);

@@ -2,9 +2,9 @@
 
 #include "film/primaries.h"
 #include "film/transfer.h"
+#include "image_formats/image_formats.h"
 #include "parallel_errors.h"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +16,8 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+
+#include <strings.h>
 
 namespace eikonal {
 namespace {
@@ -35,9 +37,8 @@ struct Problem { std::string message; };
 
 /// The extensions of still images that can be read, for error messages: "exr tif tiff jpg ...".
 std::string readableExtensions() {
-    std::string list, result;
-    OIIO::getattribute("extension_list", list);
-    std::istringstream formats(list);
+    std::string result;
+    std::istringstream formats(imageFormats().extensions());
     for (std::string entry; std::getline(formats, entry, ';');) {
         const std::size_t colon = entry.find(':');
         const std::string format = entry.substr(0, colon);
@@ -50,54 +51,50 @@ std::string readableExtensions() {
     return result;
 }
 
-std::unique_ptr<OIIO::ImageInput> open(const std::string& path) {
+std::unique_ptr<ImageReader> open(const std::string& path) {
     std::error_code error;
     if (!std::filesystem::exists(path, error)) throw Problem{"there is no such file"};
     if (std::filesystem::is_directory(path, error)) throw Problem{"it is a folder"};
 
-    // Without this, colours are multiplied by alpha.
-    OIIO::ImageSpec request;
-    request.attribute("oiio:UnassociatedAlpha", 1);
-    auto input = OIIO::ImageInput::open(path, &request);
+    std::string reason;
+    auto input = imageFormats().open(path, true, reason);
     if (input) return input;
-    const std::string reason = OIIO::geterror();
     const bool unknown = reason.find("could not find a format reader") != reason.npos || reason.find("not recognized") != reason.npos;
     throw Problem{unknown || reason.empty() ? "its format is not known; readable are " + readableExtensions() : reason};
 }
 
 /// Refuses a header that claims far more pixels than the file can hold: a damaged file should not take all memory.
-void checkPlausible(const std::string& path, const OIIO::ImageSpec& spec) {
-    if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1)
-        throw Problem{fmt::format("it is {} x {} x {} pixels", spec.width, spec.height, spec.depth)};
+void checkPlausible(const std::string& path, const ImageReader::Header& header) {
+    if (header.width <= 0 || header.height <= 0 || header.depth > 1)
+        throw Problem{fmt::format("it is {} x {} x {} pixels", header.width, header.height, header.depth)};
     constexpr double alwaysFine = 1 << 26, highestCompression = 2000;
-    const double claimed = static_cast<double>(spec.image_bytes()), size = static_cast<double>(std::filesystem::file_size(path));
+    const double claimed = static_cast<double>(header.bytes), size = static_cast<double>(std::filesystem::file_size(path));
     if (claimed > alwaysFine && claimed > highestCompression * size)
-        throw Problem{fmt::format("it is damaged: {} bytes cannot be {} x {} pixels", size, spec.width, spec.height)};
+        throw Problem{fmt::format("it is damaged: {} bytes cannot be {} x {} pixels", size, header.width, header.height)};
 }
 
 /// Where R G B (A), or else the one channel, are in the file.
-std::vector<int> pickChannels(const OIIO::ImageSpec& spec) {
-    const auto find = [&](std::string_view name) {
+std::vector<int> pickChannels(const ImageReader::Header& header) {
+    const auto find = [&](const char* name) {
         const auto found =
-            std::ranges::find_if(spec.channelnames, [&](const std::string& n) { return OIIO::Strutil::iequals(n, std::string(name)); });
-        return found == spec.channelnames.end() ? -1 : static_cast<int>(found - spec.channelnames.begin());
+            std::ranges::find_if(header.channels, [&](const std::string& n) { return ::strcasecmp(n.c_str(), name) == 0; });
+        return found == header.channels.end() ? -1 : static_cast<int>(found - header.channels.begin());
     };
-    if (spec.nchannels == 1) return {0};
+    if (header.channels.size() == 1) return {0};
     const int r = find("R"), g = find("G"), b = find("B"), a = find("A");
     if (r >= 0 && g >= 0 && b >= 0) return a >= 0 ? std::vector{r, g, b, a} : std::vector{r, g, b};
     if (const int grey = find("Y"); grey >= 0) return {grey};
     std::string names;
-    for (const std::string& name : spec.channelnames) names += (names.empty() ? "" : " ") + name;
+    for (const std::string& name : header.channels) names += (names.empty() ? "" : " ") + name;
     throw Problem{"it has none of the channels R G B or Y; its channels: " + names};
 }
 
 // ---- values -----------------------------------------------------------------------------------------------------------------
 
-template <class T> std::vector<T> readPicked(OIIO::ImageInput& input, OIIO::TypeDesc type, const std::vector<int>& picked) {
-    const OIIO::ImageSpec& spec = input.spec();
-    const std::size_t pixels = spec.image_pixels(), channels = static_cast<std::size_t>(spec.nchannels), kept = picked.size();
+template <class T> std::vector<T> readPicked(ImageReader& input, const std::vector<int>& picked) {
+    const std::size_t pixels = input.header().pixels(), channels = input.header().channels.size(), kept = picked.size();
     std::vector<T> all(pixels * channels);
-    if (!input.read_image(0, 0, 0, spec.nchannels, type, all.data())) throw Problem{input.geterror()};
+    if (!input.read(all.data())) throw Problem{input.error()};
     bool inPlace = kept == channels;
     for (std::size_t k = 0; k < kept; ++k) inPlace = inPlace && picked[k] == static_cast<int>(k);
     if (inPlace) return all;
@@ -119,10 +116,10 @@ template <class T> bool isOpaque(const std::vector<T>& values, T one) {
 }
 
 /// The matrix from the file's primaries to those of sRGB, if it names others.
-std::optional<glm::dmat3> conversion(const OIIO::ImageSpec& spec) {
-    Primaries primaries{};
-    if (!spec.getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), primaries.data())) return {};
-    const auto matrix = srgbFromPrimaries(primaries);
+std::optional<glm::dmat3> conversion(const ImageReader& file) {
+    const std::optional<Primaries> primaries = file.chromaticities();
+    if (!primaries) return {};
+    const auto matrix = srgbFromPrimaries(*primaries);
     if (matrix && !std::isfinite(glm::dot((*matrix)[0] + (*matrix)[1] + (*matrix)[2], glm::dvec3(1))))
         throw Problem{"its chromaticities are not those of a colour space"};
     return matrix;
@@ -147,31 +144,31 @@ std::size_t replaceNonFinite(std::vector<float>& values) {
 }
 
 ImageData read(const ImageFile& file) {
-    auto input = open(file.path);
-    const OIIO::ImageSpec& spec = input->spec();
-    checkPlausible(file.path, spec);
-    const std::vector<int> picked = pickChannels(spec);
+    const auto input = open(file.path);
+    const ImageReader::Header& header = input->header();
+    checkPlausible(file.path, header);
+    const std::vector<int> picked = pickChannels(header);
 
     ImageData image;
-    image.width = spec.width;
-    image.height = spec.height;
+    image.width = header.width;
+    image.height = header.height;
     image.channels = static_cast<int>(picked.size());
-    const bool isInteger = !spec.format.is_floating_point();
+    const bool isInteger = !header.isFloatingPoint;
     const bool isLinear = file.encoding == ColorEncoding::linear;
-    if (spec.format == OIIO::TypeDesc::UINT8 && spec.channelformats.empty() && file.gamma <= 0) {
+    if (header.isBytes && file.gamma <= 0) {
         image.format = isLinear ? TexelFormat::linear8 : TexelFormat::srgb8;
-        image.bytes = readPicked<std::uint8_t>(*input, OIIO::TypeDesc::UINT8, picked);
+        image.bytes = readPicked<std::uint8_t>(*input, picked);
         if (image.channels == 4 && isOpaque<std::uint8_t>(image.bytes, 255)) { dropChannel3(image.bytes); image.channels = 3; }
         return image;
     }
-    image.floats = readPicked<float>(*input, OIIO::TypeDesc::FLOAT, picked);
+    image.floats = readPicked<float>(*input, picked);
     if (image.channels == 4 && isOpaque(image.floats, 1.f)) { dropChannel3(image.floats); image.channels = 3; }
     image.replaced = replaceNonFinite(image.floats);
     if (isInteger && file.gamma > 0)
         for (float& value : image.floats) value = static_cast<float>(std::pow(value, file.gamma));
     else if (isInteger && !isLinear)
         for (float& value : image.floats) value = static_cast<float>(linearFromSrgb(value));
-    if (const auto matrix = conversion(spec)) convert(image.floats, static_cast<std::size_t>(image.channels), *matrix);
+    if (const auto matrix = conversion(*input)) convert(image.floats, static_cast<std::size_t>(image.channels), *matrix);
     return image;
 }
 

@@ -62,7 +62,7 @@ TEST(ImageEnvironment, SamplesFollowTheImage) {
     const auto results = sample(scene, {0, 0, 0}, std::vector<float>(v.size(), 0.5f), v);
     std::vector<double> counts(n * n), expected(n * n);
     double total = 0;
-    const std::vector<float>& texels = scene.tables.environment_texels;
+    const Table<float>& texels = scene.tables.environment_texels;
     for (float channel : texels) total += channel;
     for (size_t i = 0; i < n * n; ++i) expected[i] = (texels[3 * i] + texels[3 * i + 1] + texels[3 * i + 2]) / total * static_cast<double>(v.size());
     Accumulator red;

@@ -266,7 +266,7 @@ TEST(Bvh, SeveralRangesKeepTheirNumbers) {
     for (uint i = 0; i < 300; ++i) EXPECT_EQ(found[i], i < 100 ? 1000 + i : 4900 + i);
 }
 
-template <class T> bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
+template <class T> bool sameBytes(const Table<T>& a, const Table<T>& b) {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
 }
 

@@ -60,7 +60,7 @@ TEST_F(Pack, TexturedCoefficientsAreNoReflectances) {
         Diagnostics diagnostics(LogLevel::silent, true);
         Scene scene = world("Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [3 2 .5] Material " + material + " \"t\" Shape \"sphere\"");
         scene.colorMode = ColorMode::spectral;
-        const std::vector<texture_instruction> instructions = packScene(scene, diagnostics).tables.instructions;
+        const Table<texture_instruction> instructions = packScene(scene, diagnostics).tables.instructions;
         EXPECT_EQ(std::ranges::count_if(instructions, [](const texture_instruction& i) { return i.value.scale == 6; }), 1) << material;
     }
 }

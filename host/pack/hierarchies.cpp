@@ -1,0 +1,81 @@
+#include "pack/hierarchies.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace eikonal {
+namespace {
+
+class HierarchyBuilder {
+public:
+    HierarchyBuilder(const Hierarchies& from, PackedScene& scene, Diagnostics& diagnostics)
+        : from_(from), world_(from.world), tables_(scene.tables), counts_(scene.counts), diagnostics_(diagnostics) {}
+
+    /// The world's hierarchy holds the boxes of the objects' hierarchies, so those come first.
+    void build() {
+        const auto start = std::chrono::steady_clock::now();
+        BvhTables bvh;
+        std::vector<BvhRoot> roots;
+        for (const Group& g : from_.groups) roots.push_back(g.isEmpty() ? BvhRoot{} : build(bvh, g));
+        for (const PlacedGroup& p : from_.placed) place(p, from_.groups[p.group], roots[p.group]);
+        const BvhRoot root = build(bvh, world_, true);
+        tables_.nodes = std::move(bvh.nodes);
+        tables_.triangle_lines = std::move(bvh.triangleLines);
+        tables_.leaf_elements = std::move(bvh.leafElements);
+        counts_.bvhDepth = root.depth;
+        counts_.buildSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+private:
+    BvhRoot build(BvhTables& bvh, const Group& group, bool isWorld = false) {
+        std::vector<TriangleRange> ranges;
+        for (const Group::Triangles& t : group.triangles)
+            ranges.push_back({tables_.positions.data() + t.firstVertex, tables_.indices.data() + t.firstIndex, t.count, t.firstElement});
+        const BvhRoot root = buildBvh(bvh, ranges, group.boxed, {.world = isWorld});
+        if (root.dropped > 0) diagnostics_.info(std::to_string(root.dropped) + " degenerate elements left out");
+        return root;
+    }
+
+    void place(const PlacedGroup& placed, const Group& group, const BvhRoot& root) {
+        if (group.isEmpty()) return;
+        glm::dmat4 sceneFromGroup = world_.space.sceneFromWorld();
+        for (const Place& p : placed.places) sceneFromGroup *= p.start;
+        sceneFromGroup *= group.space.worldFromScene();
+        instance packed{toAffine(glm::inverse(sceneFromGroup)), toAffine(sceneFromGroup), root.root, 0, 0, placed.id};
+        const Box own{{root.low.x, root.low.y, root.low.z}, {root.high.x, root.high.y, root.high.z}};
+        const bool moves = std::any_of(placed.places.begin(), placed.places.end(), [](const Place& p) { return p.end.has_value(); });
+        const Box box = moves ? addMotions(packed, placed, group.space, own) : transformed(own, sceneFromGroup);
+        addBox(world_, box, static_cast<uint>(tables_.instances.size()), leaf_instances);
+        tables_.instances.push_back(packed);
+    }
+
+    /// Fills in the motions of an instance; returns what its box reaches, in scene space.
+    Box addMotions(instance& packed, const PlacedGroup& placed, const SceneSpace& group, const Box& box) {
+        const SceneSpace& scene = world_.space;
+        packed.first_motion = static_cast<uint>(tables_.motions.size());
+        packed.motion_count = static_cast<uint>(placed.places.size());
+        std::vector<Motion> motions;
+        for (size_t i = 0; i < placed.places.size(); ++i) {
+            motions.push_back(placed.places[i].motion());
+            tables_.motions.push_back(motions[i].pack(i == 0 ? scene : SceneSpace{}, i + 1 == placed.places.size() ? group : SceneSpace{}));
+        }
+        Box reach = transformed(boundsInMotion(motions, transformed(box, group.worldFromScene()), from_.seen), scene.sceneFromWorld());
+        /* For what the device rounds in putting the map together */
+        const double rounding = 1e-6 * (glm::length(reach.high - reach.low) + glm::length(reach.center()));
+        reach.low -= rounding;
+        reach.high += rounding;
+        return reach;
+    }
+
+    const Hierarchies& from_;
+    Group world_;          ///< with the boxes of what is placed in it
+    SceneTables& tables_;
+    SceneCounts& counts_;
+    Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+void Hierarchies::build(PackedScene& scene, Diagnostics& diagnostics) const { HierarchyBuilder(*this, scene, diagnostics).build(); }
+
+}  // namespace eikonal
