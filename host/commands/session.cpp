@@ -3,6 +3,7 @@
 #include "commands/kernel_workers.h"
 #include "commands/scene_loading.h"
 #include "commands/wait_notice.h"
+#include "image_formats/image_formats.h"
 #include "pack/packer.h"
 #include "render/displacement.h"
 #include "render/path_loop.h"
@@ -67,11 +68,12 @@ Session::Session(const Options& options, Diagnostics& diagnostics, bool profilin
 Session::~Session() = default;
 
 void Session::load(bool withDevice) {
-    /* Opening a device reads a whole compiler from disk: time to read the scene meanwhile. The device is opened on the thread that uses
+    /* Opening a device reads a whole compiler from disk: time to read the scene meanwhile, and to load what decodes its images. The device is opened on the thread that uses
        it: Oclgrind 21.10 keeps its memory apart for each thread */
     auto loaded = std::async(std::launch::async, [this] {
         const Stopwatch time;
         scene_ = loadScene(options_.scene, diagnostics_);
+        if (!scene_.images.empty()) imageFormats();
         times_.load = time.seconds();
     });
     if (withDevice) openDevice();
