@@ -83,7 +83,7 @@ TEST(EnvironmentGuide, AimsAtTheWindow) {
             const glm::dvec3 d = directionOf(bin);
             if (isWindow(d)) window += pmfOf(tables, map, bin);
             if (isNear(d)) around += pmfOf(tables, map, bin);
-            if (d.z > 0) EXPECT_GT(pmfOf(tables, map, bin), 0);
+            if (d.z > 0) { EXPECT_GT(pmfOf(tables, map, bin), 0); }
         }
         ASSERT_GT(window, 0.4);
         ASSERT_GT(around, 0.9);
