@@ -51,6 +51,7 @@ std::vector<VectorCase> cases() {
             {"shade_misses", "shade_misses", "LightSource \"infinite\" \"rgb L\" [ 1 1 1 ]\nShape \"sphere\"\n"},
             {"shade_emitters", "shade_emitters", lamp},
             {"shade_hits_diffuse", "shade_hits diffuse", sphereOf("\"diffuse\"")},
+            {"shade_hits_with_an_environment_guide", "shade_hits diffuse", "LightSource \"infinite\"\n" + sphereOf("\"diffuse\"")},
             {"shade_hits_diffuse_transmission", "shade_hits diffuse_transmission", sphereOf("\"diffusetransmission\"")},
             {"shade_misses_with_a_portal", "shade_misses", imageLights + "Shape \"sphere\"\n"},
             {"shade_hits_with_images_and_a_light_tree", "shade_hits diffuse", imageLights + sphereOf("\"diffuse\""), "Integrator \"path\" \"string lightsampler\" \"bvh\"\n"},

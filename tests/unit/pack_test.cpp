@@ -248,7 +248,7 @@ TEST_F(Pack, PixelsShareASequenceForBlueNoise) {
 
 // A sky that is the same everywhere is sampled by no light sampler where paths follow BSDFs: all samples go to the lamps, and without lamps there are none.
 TEST_F(Pack, PathsFindAnEvenSkyByThemselves) {
-    const std::string sky = "\nWorldBegin\nLightSource \"infinite\" \"rgb L\" [1 2 3]\n", lamp = "LightSource \"point\"\nShape \"sphere\"";
+    const std::string sky = "\nFilm \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 16\nWorldBegin\nLightSource \"infinite\" \"rgb L\" [1 2 3]\n", lamp = "LightSource \"point\"\nShape \"sphere\"";
     Diagnostics diagnostics(LogLevel::silent, true);
     for (const char* integrator : {"\"path\"", "\"volpath\"", "\"volpath\" \"string lightsampler\" \"bvh\"", "\"volpath\" \"string lightsampler\" \"uniform\"", "\"direct\"", "\"simplepath\""}) {
         const PackedScene alone = packScene(read("Integrator " + std::string(integrator) + sky + "Shape \"sphere\""), diagnostics);
@@ -263,6 +263,23 @@ TEST_F(Pack, PathsFindAnEvenSkyByThemselves) {
         const PackedScene both = packScene(read("Integrator " + std::string(integrator) + sky + lamp), diagnostics);
         for (const light& l : both.tables.lights) EXPECT_GT(l.pmf, 0) << integrator;
     }
+}
+
+// Where a render is long enough to learn where the sky is seen, there is room for what is learnt; until then nothing aims at the sky.
+TEST_F(Pack, ALongRenderHasAnEnvironmentGuide) {
+    const auto withSamples = [&](const std::string& integrator, int samples) {
+        Diagnostics diagnostics(LogLevel::silent, true);
+        return packScene(read("Integrator " + integrator + "\nFilm \"rgb\" \"integer xresolution\" 256 \"integer yresolution\" 256\nSampler \"sobol\" \"integer pixelsamples\" " +
+                              std::to_string(samples) + "\nWorldBegin\nLightSource \"infinite\"\nShape \"sphere\""), diagnostics);
+    };
+    const PackedScene guided = withSamples("\"volpath\"", 64);
+    EXPECT_TRUE(guided.features.has(Feature::ENVIRONMENT_GUIDE) && guided.features.has(Feature::LIGHTS));
+    EXPECT_EQ(guided.tables.lights.at(0).pmf, 0);
+    EXPECT_EQ(guided.tables.light_aliases.size(), 1u);
+    EXPECT_EQ(guided.tables.guide_aliases.size(), size_t{GUIDE_FACES} * GUIDE_MAP_ENTRIES);
+    EXPECT_FALSE(withSamples("\"volpath\"", 1).features.has(Feature::ENVIRONMENT_GUIDE));
+    for (const char* other : {"\"whitted\"", "\"randomwalk\"", "\"simplepath\" \"bool samplelights\" false", "\"ambientocclusion\"", "\"volpath\" \"string lightsampler\" \"bvh\""})
+        EXPECT_EQ(withSamples(other, 64).features.has(Feature::ENVIRONMENT_GUIDE), std::string(other).find("bvh") != std::string::npos) << other;
 }
 
 // A tree looks at all lights, but of many at one.
