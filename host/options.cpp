@@ -73,6 +73,8 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     value(app, "--roulette-depth", s.rouletteDepth, "N", "Bounces before Russian roulette ends paths of little throughput (default: 5; pbrt-v4: 1)", integer(0))->group(group);
     value(app, "--light-sampler", s.lightSampler, "NAME", "How the light is chosen that a point is lit by: bvh, power or uniform (default: power where lights are few, else bvh)",
           oneOf<LightSampler>({std::begin(lightSamplerNames), std::end(lightSamplerNames)}))->group(group);
+    value(app, "--environment-guide", s.environmentGuide, "NAME", "Whether light samples aim at an infinite light without an image: auto (default): in closed scenes; always; never",
+          oneOf<EnvironmentGuide>({std::begin(environmentGuideNames), std::end(environmentGuideNames)}))->group(group);
     value(app, "--resolution", s.resolution, "WxH", "Pixels of the whole image", parseResolution)->group(group);
     value(app, "--cropwindow", s.cropWindow, "x0,x1,y0,y1", "Render a part, in fractions of the image", parseCropWindow)->group(group);
     value(app, "--pixelbounds", s.pixelBounds, "x0,x1,y0,y1", "Render a part, in pixels: x0 <= x < x1", parsePixelBounds)->group(group);

@@ -26,6 +26,7 @@ struct SceneOptions {
     std::optional<int> maxDepth;                      ///< bounces, >= 0
     std::optional<int> rouletteDepth;                 ///< bounces before Russian roulette, >= 0
     std::optional<LightSampler> lightSampler;
+    std::optional<EnvironmentGuide> environmentGuide;
     std::optional<std::array<int, 2>> resolution;     ///< width and height in pixels
     std::optional<std::array<double, 4>> cropWindow;  ///< x0 x1 y0 y1, fractions of the image
     std::optional<PixelBounds> pixelBounds;

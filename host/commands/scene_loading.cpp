@@ -60,6 +60,7 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.rouletteDepth) scene.integrator.rouletteDepth = *o.rouletteDepth;
     if (o.colorMode) scene.colorMode = *o.colorMode;
     if (o.lightSampler) scene.integrator.lightSampler = *o.lightSampler;
+    if (o.environmentGuide) scene.integrator.environmentGuide = *o.environmentGuide;
     if (o.cropWindow) { scene.film.cropWindow = o.cropWindow; scene.film.pixelBounds.reset(); }
     if (o.pixelBounds) { scene.film.pixelBounds = o.pixelBounds; scene.film.cropWindow.reset(); }
     return scene;

@@ -95,6 +95,8 @@ private:
         const settings& frame = packer_.packed.frame();
         const auto isConstant = [](const light& l) { return l.kind == kind_constant_environment; };
         if (!followsBsdfs(integrator) || !samplesLights(integrator) || packer_.packed.features.has(Feature::LIGHT_TREE) || std::ranges::none_of(tables_.lights, isConstant)) return;
+        if (integrator.environmentGuide == EnvironmentGuide::never) return;
+        packer_.packed.isAlwaysGuided = integrator.environmentGuide == EnvironmentGuide::always;
         if (!GuideBudget::of(frame.width, frame.height, packer_.scene.sampler.pixelSamples).isEnough()) return;
         packer_.packed.require(Feature::ENVIRONMENT_GUIDE, "an infinite light that is the same everywhere, and enough samples to learn where it is seen");
         packer_.packed.require(Feature::LIGHTS, "the same");

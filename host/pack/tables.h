@@ -53,6 +53,7 @@ struct PackedScene {
     SceneConstants constants;
     PixelRect pixels;                        ///< what is to be rendered of width x height (settings)
     int samples = 16;                        ///< for each pixel
+    bool isAlwaysGuided = false;             ///< with ENVIRONMENT_GUIDE: light samples aim at the environment however open the scene is
     double worldScale = 1;                   ///< world units in one unit of scene space
     glm::dvec3 worldCenter{0};               ///< the origin of scene space, world space
     std::array<glm::dmat4, 3> cameraFromScene{glm::dmat4(1), glm::dmat4(1), glm::dmat4(1)};  ///< when the shutter opens, between, and when it closes

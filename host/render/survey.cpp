@@ -40,6 +40,7 @@ static void sampleEnvironments(const Context& context, DeviceScene& scene, const
 void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedScene& packed, const Stages& stages, const StageShape& shape) {
     if (!packed.features.has(Feature::ENVIRONMENT_GUIDE)) return;
     const GuideBudget budget = GuideBudget::of(packed.frame().width, packed.frame().height, packed.samples);
+    if (!budget.isEnough()) return;
 
     /* Where paths go */
     std::vector<vec3> points(budget.paths * SURVEY_VERTICES), normals(budget.paths * SURVEY_VERTICES);
@@ -69,7 +70,7 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
     SceneTables guide;
     const bool hasAllDirections = packed.features.has(Feature::MEDIA) || packed.features.has(Feature::TRANSMISSION);
     const double share = learnGuide(guide, points, normals, budget.rays, hasAllDirections, weigh);
-    if (share > openShare) return;
+    if (share > openShare && !packed.isAlwaysGuided) return;
     scene.replace(context, "guide_edges", guide.guide_edges);
     scene.replace(context, "guide_maps", guide.guide_maps);
     scene.replace(context, "guide_aliases", guide.guide_aliases);

@@ -25,6 +25,12 @@ enum class LightSampler { automatic, bvh, power, uniform };
 /// As scenes and --light-sampler name them.
 inline constexpr std::pair<const char*, LightSampler> lightSamplerNames[] = {{"bvh", LightSampler::bvh}, {"power", LightSampler::power}, {"uniform", LightSampler::uniform}};
 
+/// Whether light samples aim at an even sky, by maps of where it is seen. automatic: where a survey finds the scene closed enough.
+enum class EnvironmentGuide { automatic, always, never };
+/// As --environment-guide names them.
+inline constexpr std::pair<const char*, EnvironmentGuide> environmentGuideNames[] = {
+    {"auto", EnvironmentGuide::automatic}, {"always", EnvironmentGuide::always}, {"never", EnvironmentGuide::never}};
+
 struct IntegratorDescription {
     IntegratorKind kind = IntegratorKind::volpath;
     std::string standsFor;                 ///< what the scene asks for, if this takes its place; otherwise empty
@@ -32,6 +38,7 @@ struct IntegratorDescription {
     int rouletteDepth = 5;                 ///< scattering events before Russian roulette, >= 0; pbrt-v4's rule is 1
     bool regularize = false;
     LightSampler lightSampler = LightSampler::automatic;
+    EnvironmentGuide environmentGuide = EnvironmentGuide::automatic;
     bool sampleLights = true;              ///< simplePath: whether lights are sampled; if not, paths have to find them by themselves
     bool sampleBsdf = true;                ///< simplePath: whether directions follow the BSDF; if not, they are uniform
     bool cosine = true;                    ///< ambientOcclusion: whether directions follow the cosine; if not, they are uniform

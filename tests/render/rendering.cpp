@@ -1,6 +1,7 @@
 #include "rendering.h"
 
 #include "device/cache.h"
+#include "pack/environment_guide.h"
 #include "render/path_loop.h"
 #include "render/survey.h"
 #include "render/wave.h"
@@ -83,6 +84,7 @@ static void fillEmptyTables(SceneTables& tables) {
 Rendered render(PackedScene scene, const RenderSetup& setup) {
     if (setup.edit) setup.edit(scene);
     const Features built = scene.features | setup.forced;
+    if (built.has(Feature::ENVIRONMENT_GUIDE) && scene.tables.guide_maps.empty()) packUnlearnedGuide(scene.tables);
     if (!(built == scene.features)) fillEmptyTables(scene.tables);
     if (setup.allStages) scene.features = built;
 
