@@ -1,6 +1,6 @@
-/* How much of an environment that is the same everywhere some points see in each direction: for each map of the environment guide, so many `representatives`:
-   points and their normals. From each, one shadow ray into each bin. Before a render (host/render/survey.cpp). A normal of zero length: all
-   directions count alike, otherwise by their cosine. */
+/* How much of a constant environment is seen in each bin of each map of the environment guide: the sum of the cosines of the shadow rays that nothing blocks.
+   A map has so many `representatives`, points with normals; each casts one ray into each bin. Where a normal has zero length, all directions count as 1.
+   Before a render (host/render/survey.cpp). */
 #include "bvh.clh"
 #include "light/light.clh"
 #include "random.clh"

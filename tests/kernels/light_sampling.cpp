@@ -2,7 +2,6 @@
 
 #include "pack/alias_table.h"
 #include "pack/colors.h"
-#include "pack/environment_guide.h"
 
 namespace eikonal {
 
@@ -12,7 +11,6 @@ static const DeviceFunction<LightResult>& sampler() {
         color_tables color_set = BIND_COLORS;
         palette colors = path_palette(color_set, 0u, 0u);
         light_choice found = choose_this_light(tables, no_choice(), (uint)sample_light_index(tables, count, u).i);
-        found.guide = GUIDE_ALL_DIRECTIONS;
         if (tables.lights[found.light].kind == kind_portal_environment) found = sample_portal(tables, fetch(tables.lights + found.light), p, v, found);
         light_sample s = sample_light(tables, colors, found, p, v);
         result.L = s.L; result.wi = s.wi; result.distance = s.distance; result.pdf = s.pdf; result.is_delta = s.is_delta;
@@ -42,7 +40,8 @@ static const DeviceFunction<LightResult>& sampler() {
         })",
         .inputs = {"vec3 p", "float u", "vec2 v", "uint count"},
         .declarations = "typedef struct { spectrum L; vec3 wi; float distance, pdf; int is_delta; uint index; float pdf_hit; spectrum Le; float pdf_environment; } light_result;",
-        .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
+        .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)",
+        .features = Features::all().without(Feature::ENVIRONMENT_GUIDE)});   // which these scenes have not learnt
     return function;
 }
 
@@ -56,7 +55,6 @@ PackedScene sceneOf(const light& l) {
     scene.tables.lights = {l};
     scene.tables.light_aliases = makeAliasTable({1});
     scene.tables.frame.resize(1);
-    packUnlearnedGuide(scene.tables);
     return scene;
 }
 
