@@ -9,7 +9,7 @@ namespace eikonal {
 namespace {
 
 /// Where surfaces receive more than this share of an environment's light, paths find it well enough by themselves.
-constexpr double openShare = 0.3;
+constexpr double openShare = 0.1;
 
 Bindings withCount(size_t count) {
     Bindings own;

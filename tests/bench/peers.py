@@ -84,10 +84,10 @@ def measure(o, peers, scene, folder, add):
     renderers = [r for r in o.renderers if peers.has(r)]
     renderers = list(dict.fromkeys(["eikonal", *(DEPENDENT[r] for r in renderers if r in DEPENDENT), *renderers]))
     times, images, idle = {r: [] for r in renderers}, {r: [] for r in renderers}, {}
-    for turn in range(-1, o.rounds):
+    for turn in range(-2, o.rounds):   # the first fills caches, the second shows what a render of one sample takes
         for r in list(renderers):
             try:
-                seconds, image = peers.render(r, folder, o.samples if turn >= 0 else 1, turn + 1, folder / f"{r}.exr")
+                seconds, image = peers.render(r, folder, o.samples if turn >= 0 else 1, max(turn, -1) + 1, folder / f"{r}.exr")
             except RuntimeError as error:
                 print(f"peers: {NAMES[r]} fails on {scene}: {error}", file=sys.stderr)
                 renderers.remove(r)
