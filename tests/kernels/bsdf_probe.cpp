@@ -104,7 +104,7 @@ static FunctionText probeText(const BsdfKind& kind) {
     const std::string& name = kind.name;
     FunctionText text;
     text.constants = measuredScene(kind.spectral).constants;
-    text.features = kind.spectral ? Features::allSpectral() : Features::all();
+    text.features = (kind.spectral ? Features::allSpectral() : Features::all()).without(Feature::ENVIRONMENT_GUIDE);
     text.include = fmt::format("bsdf/{}.clh", name);
     text.type = "bsdf_result";
     text.inputs = {name + "_item parameters", "vec3 wo", "float lobe", "vec2 u", "vec3 given"};

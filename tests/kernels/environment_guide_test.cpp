@@ -30,7 +30,7 @@ std::vector<GuidedSample> sampleMap(const PackedScene& scene, uint map, const st
         light_tables tables = BIND_LIGHTS;
         light_sample s = sample_guided_environment(tables, uniform_spectrum(1.0f), map, u);
         result.wi = s.wi; result.pdf = s.pdf; result.pdf_of_direction = pdf_guided_environment(tables, map, s.wi);)",
-        .inputs = {"uint map", "vec2 u"}, .declarations = "typedef struct { vec3 wi; float pdf, pdf_of_direction; } guided_sample;", .tables = "LIGHT_TABLES(TABLE)"});
+        .inputs = {"uint map", "vec2 u"}, .declarations = "typedef struct { vec3 wi; float pdf, pdf_of_direction; } guided_sample;", .tables = "LIGHT_TABLES(TABLE)", .features = Features::all()});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, std::vector<uint>(u.size(), map), u);
 }
@@ -66,7 +66,7 @@ TEST(EnvironmentGuide, PointsFindTheirMaps) {
     const auto points = generate(4096, [&] { return vec3{random.between(-2, 3), random.between(0, 1), random.logBetween(0.01f, 10)}; });
     const auto normals = generate(4096, [&] { return random.direction(); });
     learnGuide(scene.tables, points, normals, size_t{1} << 24, true, [](const GuideRepresentatives& from) { return std::vector<float>(from.maps * bins, 1.0f); });
-    const DeviceFunction<uint> function({.include = "light/guide_place.clh", .type = "uint", .body = "light_tables tables = BIND_LIGHTS; result = guide_map(tables, p, n);", .inputs = {"vec3 p", "vec3 n"}, .tables = "LIGHT_TABLES(TABLE)"});
+    const DeviceFunction<uint> function({.include = "light/guide_place.clh", .type = "uint", .body = "light_tables tables = BIND_LIGHTS; result = guide_map(tables, p, n);", .inputs = {"vec3 p", "vec3 n"}, .tables = "LIGHT_TABLES(TABLE)", .features = Features::all()});
     const DeviceScene onDevice(testContext(), scene);
     for (const uint map : function.with(onDevice, points, normals)) ASSERT_GE(map, static_cast<uint>(GUIDE_FACES));
     for (const uint map : function.with(onDevice, points, std::vector<vec3>(points.size(), vec3{0, 0, 0}))) ASSERT_GE(map, static_cast<uint>(GUIDE_FACES));

@@ -40,8 +40,7 @@ static const DeviceFunction<LightResult>& sampler() {
         })",
         .inputs = {"vec3 p", "float u", "vec2 v", "uint count"},
         .declarations = "typedef struct { spectrum L; vec3 wi; float distance, pdf; int is_delta; uint index; float pdf_hit; spectrum Le; float pdf_environment; } light_result;",
-        .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)",
-        .features = Features::all().without(Feature::ENVIRONMENT_GUIDE)});   // which these scenes have not learnt
+        .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     return function;
 }
 
