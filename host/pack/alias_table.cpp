@@ -1,5 +1,6 @@
 #include "pack/alias_table.h"
 
+#include <numeric>
 #include <stdexcept>
 
 namespace eikonal {
@@ -31,6 +32,20 @@ Table<alias_entry> makeAliasTable(const std::vector<double>& weights) {
     for (const std::vector<size_t>& rest : {small, large})
         for (size_t i : rest) { table[i].keep = 1; table[i].other = static_cast<uint>(i); }
     return table;
+}
+
+Table<alias_entry> makeAliasSquare(std::span<const double> weights, size_t side) {
+    std::vector<double> rows;
+    Table<alias_entry> columns;
+    for (size_t y = 0; y < side; ++y) {
+        const std::span<const double> row = weights.subspan(y * side, side);
+        rows.push_back(std::accumulate(row.begin(), row.end(), 0.0));
+        const Table<alias_entry> aliases = makeAliasTable({row.begin(), row.end()});
+        columns.insert(columns.end(), aliases.begin(), aliases.end());
+    }
+    Table<alias_entry> square = makeAliasTable(rows);
+    square.insert(square.end(), columns.begin(), columns.end());
+    return square;
 }
 
 }  // namespace eikonal

@@ -59,21 +59,14 @@ std::vector<double> blur(std::span<const double> seen) {
 
 /// What has been seen, and some of what might have been.
 std::vector<double> blend(std::span<const double> seen, std::span<const double> unlearned) {
-    const double all = std::accumulate(seen.begin(), seen.end(), 0.0), possible = sumOf(unlearned);
+    const double all = sumOf(seen), possible = sumOf(unlearned);
     std::vector<double> weights;
     for (size_t i = 0; i < seen.size(); ++i) weights.push_back(all > 0 ? (1 - doubt) * seen[i] / all + doubt * unlearned[i] / possible : unlearned[i]);
     return weights;
 }
 
-/// The alias tables of a map: one entry a row, then those of each row.
-void writeMap(std::span<const double> weights, alias_entry* entries) {
-    std::vector<double> rows;
-    for (size_t y = 0; y < side; ++y) {
-        const std::vector<double> row(weights.begin() + static_cast<long>(y * side), weights.begin() + static_cast<long>((y + 1) * side));
-        rows.push_back(sumOf(row));
-        std::ranges::copy(makeAliasTable(row), entries + side + y * side);
-    }
-    std::ranges::copy(makeAliasTable(rows), entries);
+void writeMap(SceneTables& tables, size_t map, std::span<const double> weights) {
+    std::ranges::copy(makeAliasSquare(weights, side), tables.guide_aliases.begin() + static_cast<long>(map * GUIDE_MAP_ENTRIES));
 }
 
 /// kernels/light/guide_place.clh has the same on the device.
@@ -156,7 +149,7 @@ void packUnlearnedGuide(SceneTables& tables) {
     tables.guide_maps.resize(cells * GUIDE_FACES);
     for (size_t i = 0; i < tables.guide_maps.size(); ++i) tables.guide_maps[i] = static_cast<uint>(i / cells);
     tables.guide_aliases.resize(GUIDE_FACES * GUIDE_MAP_ENTRIES);
-    for (size_t face = 0; face < GUIDE_FACES; ++face) writeMap(unlearnedWeights(face), tables.guide_aliases.data() + face * GUIDE_MAP_ENTRIES);
+    for (size_t face = 0; face < GUIDE_FACES; ++face) writeMap(tables, face, unlearnedWeights(face));
 }
 
 bool GuideBudget::isEnough() const { return rays / raysAMap >= fewestMaps; }
@@ -177,11 +170,13 @@ double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<c
     const GuideRepresentatives representatives = representativesOf(groups, points, normals, std::clamp<size_t>(rays / (groups.size() * bins / 2), fewestPoints, mostPoints));
     const std::vector<float> weights = weigh(representatives);
     const std::vector<std::vector<double>> shared = shareWithNeighbors(groups, weights);
+    std::array<std::vector<double>, GUIDE_FACES> unlearned;
+    for (size_t face = 0; face < GUIDE_FACES; ++face) unlearned[face] = unlearnedWeights(face);
     tables.guide_aliases.resize((GUIDE_FACES + groups.size()) * GUIDE_MAP_ENTRIES);
     tbb::parallel_for(size_t{0}, groups.size(), [&](size_t i) {
         const size_t map = GUIDE_FACES + i;
         tables.guide_maps[groups[i].place] = static_cast<uint>(map);
-        writeMap(blend(blur(shared[i]), unlearnedWeights(groups[i].place / cells)), tables.guide_aliases.data() + map * GUIDE_MAP_ENTRIES);
+        writeMap(tables, map, blend(blur(shared[i]), unlearned[groups[i].place / cells]));
     });
 
     /* The cosine's mean over all directions is a quarter */

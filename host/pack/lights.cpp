@@ -137,25 +137,14 @@ private:
         for (int y = 0; y < n; ++y)
             for (int x = 0; x < n; ++x) texels.emplace_back(texelOf(image, x, y));
         if (d.illuminance) scale *= *d.illuminance / upwardIlluminance(image);
-        std::vector<double> rows;
-        Table<alias_entry> columns;
-        for (int y = 0; y < n; ++y) {
-            std::vector<double> row;
-            for (int x = 0; x < n; ++x) {
-                glm::vec3& t = texels[static_cast<size_t>(y) * n + x];
-                t = {static_cast<float>(t.r * scale), static_cast<float>(t.g * scale), static_cast<float>(t.b * scale)};
-                row.push_back((t.r + t.g + t.b) / 3);
-                sum += luminance(t);
-            }
-            double total = 0;
-            for (double w : row) total += w;
-            rows.push_back(total);
-            const auto aliases = makeAliasTable(row);
-            columns.insert(columns.end(), aliases.begin(), aliases.end());
+        std::vector<double> weights;
+        for (glm::vec3& t : texels) {
+            t = {static_cast<float>(t.r * scale), static_cast<float>(t.g * scale), static_cast<float>(t.b * scale)};
+            weights.push_back((t.r + t.g + t.b) / 3);
+            sum += luminance(t);
         }
-        const auto aliases = makeAliasTable(rows);
+        const Table<alias_entry> aliases = makeAliasSquare(weights, static_cast<size_t>(n));
         tables_.environment_aliases.insert(tables_.environment_aliases.end(), aliases.begin(), aliases.end());
-        tables_.environment_aliases.insert(tables_.environment_aliases.end(), columns.begin(), columns.end());
         packTexels(packer_, texels);
         return sum / (static_cast<double>(n) * n);
     }
