@@ -22,6 +22,9 @@ import tempfile
 import numpy as np
 import OpenImageIO as oiio
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from blur import blur
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "accuracy.md"
 BEGIN, END = "<!-- table: made by tests/accuracy/equal_error.py -->\n", "<!-- end of the table of efficiency -->\n"
@@ -29,7 +32,6 @@ SHARED = ROOT.parent / "shared" / "scenes"
 SIX = ["peer-cornell/scene", "veach-mis/scene-v4", "staircase2/scene-v4", "coffee/scene-v4", "classroom/scene-v4", "volumetric-caustic/scene-v4"]
 OWN = ["cornell-box", "environment", "instances", "materials", "medium", "textures"]
 WAYS = [(sampler, None) for sampler in ("independent", "sobol", "zsobol")] + [("zsobol", light) for light in ("uniform", "power", "bvh")]
-BLUR = 1.5
 
 
 def render(program, scene, image, samples, seed, size, sampler=None, light=None):
@@ -44,15 +46,6 @@ def render(program, scene, image, samples, seed, size, sampler=None, light=None)
     names = list(pixels.spec().channelnames)
     values = pixels.get_pixels().astype(float)
     return sum(weight * values[..., names.index(c)] for c, weight in zip("RGB", (0.2126, 0.7152, 0.0722))), seconds
-
-
-def blur(image):
-    radius = int(4 * BLUR)
-    weights = np.exp(-0.5 * (np.arange(-radius, radius + 1) / BLUR) ** 2)
-    for axis in (0, 1):
-        padded = np.pad(image, [(radius, radius) if a == axis else (0, 0) for a in (0, 1)], mode="reflect")
-        image = sum(w * np.take(padded, range(i, i + image.shape[axis]), axis) for i, w in enumerate(weights / weights.sum()))
-    return image
 
 
 def relative_error(image, reference):

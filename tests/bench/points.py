@@ -21,15 +21,16 @@ import tempfile
 
 import numpy as np
 
-sys.path[:0] = [str(pathlib.Path(__file__).parent / "points"), str(pathlib.Path(__file__).parent)]
+HERE = pathlib.Path(__file__).resolve().parent
+PARTS = HERE / "points"
+sys.path[:0] = [str(PARTS), str(HERE), str(HERE.parent)]
+from blur import blur
 from report import Report
 from scenes import OWN
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PARTS = pathlib.Path(__file__).parent / "points"
 WAYS = ["independent", "paddedsobol", "paddedzsobol", "sobol", "zsobol", "halton", "faure", "lattice"]   # as `candidate` in candidates.clh
 OPTION_SHIFT = 20
-BLUR = 1.5
 
 
 def replaced(text, old, new):
@@ -69,15 +70,6 @@ def render(o, folder, scene, way, samples, seed):
                "--resolution", f"{o.size}x{o.size}", "--max-depth", 5, "-o", image]
     subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL, env=environment)
     return read_pfm(image)
-
-
-def blur(image):
-    radius = int(4 * BLUR)
-    weights = np.exp(-0.5 * (np.arange(-radius, radius + 1) / BLUR) ** 2)
-    for axis in (0, 1):
-        padded = np.pad(image, [(radius, radius) if a == axis else (0, 0) for a in (0, 1)], mode="reflect")
-        image = sum(w * np.take(padded, range(i, i + image.shape[axis]), axis) for i, w in enumerate(weights / weights.sum()))
-    return image
 
 
 def relative_variance(images, mean):
