@@ -24,6 +24,7 @@ struct SceneOptions {
     std::optional<IntegratorKind> integrator;
     std::optional<SubsurfaceMethod> subsurface;       ///< of all materials "subsurface"
     std::optional<int> maxDepth;                      ///< bounces, >= 0
+    std::optional<RouletteRule> roulette;
     std::optional<int> rouletteDepth;                 ///< bounces before Russian roulette, >= 0
     std::optional<LightSampler> lightSampler;
     std::optional<EnvironmentGuide> environmentGuide;

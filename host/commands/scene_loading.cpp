@@ -57,6 +57,7 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.subsurface)
         for (Material& m : scene.materials) m.method = *o.subsurface;
     if (o.maxDepth) scene.integrator.maxDepth = *o.maxDepth;
+    if (o.roulette) scene.integrator.roulette = *o.roulette;
     if (o.rouletteDepth) scene.integrator.rouletteDepth = *o.rouletteDepth;
     if (o.colorMode) scene.colorMode = *o.colorMode;
     if (o.lightSampler) scene.integrator.lightSampler = *o.lightSampler;

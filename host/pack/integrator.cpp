@@ -67,6 +67,7 @@ void packIntegrator(Packer& packer, bool hasUnusedMedia) {
             break;
     }
     frame.max_depth = static_cast<uint>(depth);
+    frame.roulette_root = integrator.roulette == RouletteRule::root;
     frame.roulette_depth = static_cast<uint>(integrator.rouletteDepth);
 }
 

@@ -31,11 +31,18 @@ enum class EnvironmentGuide { automatic, always, never };
 inline constexpr std::pair<const char*, EnvironmentGuide> environmentGuideNames[] = {
     {"auto", EnvironmentGuide::automatic}, {"always", EnvironmentGuide::always}, {"never", EnvironmentGuide::never}};
 
+/// How likely a path of throughput t goes on under Russian roulette: root: sqrt(t), so that half of what is lost is lost in numbers and half in weight
+/// (Cycles' rule); throughput: t (pbrt-v4's), so that all paths that are left weigh the same.
+enum class RouletteRule { root, throughput };
+/// As --roulette names them.
+inline constexpr std::pair<const char*, RouletteRule> rouletteRuleNames[] = {{"root", RouletteRule::root}, {"throughput", RouletteRule::throughput}};
+
 struct IntegratorDescription {
     IntegratorKind kind = IntegratorKind::volpath;
     std::string standsFor;                 ///< what the scene asks for, if this takes its place; otherwise empty
     int maxDepth = 5;                      ///< most scattering events on a path
-    int rouletteDepth = 5;                 ///< scattering events before Russian roulette, >= 0; pbrt-v4's rule is 1
+    RouletteRule roulette = RouletteRule::root;
+    int rouletteDepth = 3;                 ///< scattering events before Russian roulette, >= 0; pbrt-v4's is 1
     bool regularize = false;
     LightSampler lightSampler = LightSampler::automatic;
     EnvironmentGuide environmentGuide = EnvironmentGuide::automatic;

@@ -24,6 +24,9 @@ BenchMesh makeTerrain(size_t triangles);
 /// About `triangles` triangles: a sphere with bumps down to the size of its triangles, seen from near by, in front of a wall.
 BenchMesh makeBall(size_t triangles);
 
+/// The triangles of a scene file that are in no object, seen by its camera. Lights: anywhere in the scene's box. Throws as the readers do.
+BenchMesh loadMesh(const std::string& path);
+
 struct BenchRay { vec3 o, d; float tMax; };
 /// Where a ray ended: t < 0 if nowhere.
 struct BenchHit { float t; uint element; };

@@ -199,14 +199,21 @@ TEST(Furnace, EveryDepthAddsItsTerm) {
     }
 }
 
-// The same wall in the three channels, rho = 0.8, 0.5, 0.1: roulette follows the brightest channel and must keep the others right.
+// The same wall in the three channels, rho = 0.8, 0.5, 0.1: either rule of roulette follows the brightest channel and must keep the others right.
 TEST(Furnace, RouletteKeepsEveryChannelRight) {
     View view;
     view.lookAt = ".3 -.2 -.4  0 0 1  0 1 0";
     view.fov = 90;
     view.maxDepth = 200;
-    expectRadiance(render(sceneText(view, R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [.8 .5 .1]
-        ReverseOrientation Shape "sphere")"), surfaces()), {1 / .2, 1 / .5, 1 / .9}, 0.003);
+    PackedScene scene = packScene(sceneText(view, R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [.8 .5 .1]
+        ReverseOrientation Shape "sphere")"));
+    struct Rule { uint byRoot, depth; };
+    for (const Rule rule : {Rule{0, 1}, Rule{0, 1000}, Rule{1, 0}, Rule{1, 3}}) {
+        SCOPED_TRACE(testing::Message() << (rule.byRoot ? "root" : "throughput") << " from bounce " << rule.depth);
+        scene.tables.frame[0].roulette_root = rule.byRoot;
+        scene.tables.frame[0].roulette_depth = rule.depth;
+        expectRadiance(render(scene, surfaces()), {1 / .2, 1 / .5, 1 / .9}, 0.003);
+    }
 }
 
 }  // namespace
