@@ -57,16 +57,21 @@ std::vector<double> blur(std::span<const double> seen) {
     return blurred;
 }
 
-/// What has been seen, and some of what might have been.
+/// What has been seen, of which there is some, and some of what might have been.
 std::vector<double> blend(std::span<const double> seen, std::span<const double> unlearned) {
     const double all = sumOf(seen), possible = sumOf(unlearned);
     std::vector<double> weights;
-    for (size_t i = 0; i < seen.size(); ++i) weights.push_back(all > 0 ? (1 - doubt) * seen[i] / all + doubt * unlearned[i] / possible : unlearned[i]);
+    for (size_t i = 0; i < seen.size(); ++i) weights.push_back((1 - doubt) * seen[i] / all + doubt * unlearned[i] / possible);
     return weights;
 }
 
 void writeMap(SceneTables& tables, size_t map, std::span<const double> weights) {
     std::ranges::copy(makeAliasSquare(weights, side), tables.guide_aliases.begin() + static_cast<long>(map * GUIDE_MAP_ENTRIES));
+}
+
+/// Where nothing is seen, no direction has a density: light samples would be shadow rays for nothing, and what the survey missed paths find by themselves.
+void writeDarkMap(SceneTables& tables, size_t map) {
+    std::fill_n(tables.guide_aliases.begin() + static_cast<long>(map * GUIDE_MAP_ENTRIES), GUIDE_MAP_ENTRIES, alias_entry{1, 0, 0});
 }
 
 /// kernels/light/guide_place.clh has the same on the device.
@@ -121,6 +126,9 @@ GuideRepresentatives representativesOf(const std::vector<Group>& groups, std::sp
     return r;
 }
 
+/// What a cell's neighbors see counts so much for what it sees itself.
+constexpr double neighborShare = 0.1;
+
 /// What is seen from each group, and from the same faces of the cells around it.
 std::vector<std::vector<double>> shareWithNeighbors(const std::vector<Group>& groups, std::span<const float> weights) {
     std::vector<int> groupAt(cells * GUIDE_FACES, -1);
@@ -136,7 +144,7 @@ std::vector<std::vector<double>> shareWithNeighbors(const std::vector<Group>& gr
                 if (step < 0 ? at[axis] == 0 : at[axis] == intervals - 1) continue;
                 const int neighbor = groupAt[step < 0 ? place - stride : place + stride];
                 if (neighbor < 0) continue;
-                for (size_t b = 0; b < bins; ++b) sum[b] += 0.25 * weights[static_cast<size_t>(neighbor) * bins + b];
+                for (size_t b = 0; b < bins; ++b) sum[b] += neighborShare * weights[static_cast<size_t>(neighbor) * bins + b];
             }
     });
     return shared;
@@ -176,7 +184,8 @@ double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<c
     tbb::parallel_for(size_t{0}, groups.size(), [&](size_t i) {
         const size_t map = GUIDE_FACES + i;
         tables.guide_maps[groups[i].place] = static_cast<uint>(map);
-        writeMap(tables, map, blend(blur(shared[i]), unlearned[groups[i].place / cells]));
+        if (sumOf(shared[i]) > 0) writeMap(tables, map, blend(blur(shared[i]), unlearned[groups[i].place / cells]));
+        else writeDarkMap(tables, map);
     });
 
     /* The cosine's mean over all directions is a quarter */

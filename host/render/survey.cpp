@@ -8,7 +8,8 @@
 namespace eikonal {
 namespace {
 
-/// Where surfaces receive more than this share of an environment's light, paths find it well enough by themselves.
+/// Where surfaces receive more than this share of an environment's light, paths find it well enough by themselves; where they receive none, there is
+/// nothing to find.
 constexpr double openShare = 0.1;
 
 Bindings withCount(size_t count) {
@@ -70,7 +71,7 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
     SceneTables guide;
     const bool hasAllDirections = packed.features.has(Feature::MEDIA) || packed.features.has(Feature::TRANSMISSION);
     const double share = learnGuide(guide, points, normals, budget.rays, hasAllDirections, weigh);
-    if (share > openShare && !packed.isAlwaysGuided) return;
+    if (share == 0 || (share > openShare && !packed.isAlwaysGuided)) return;
     scene.replace(context, "guide_edges", guide.guide_edges);
     scene.replace(context, "guide_maps", guide.guide_maps);
     scene.replace(context, "guide_aliases", guide.guide_aliases);

@@ -113,7 +113,7 @@ TEST(EnvironmentGuide, IsTheSameForTheSamePoints) {
     for (size_t i = 0; i < a.guide_aliases.size(); ++i) ASSERT_EQ(a.guide_aliases[i].pmf, b.guide_aliases[i].pmf);
 }
 
-// No points, or a room that nothing comes into: the guide is as it was, and aims at what might be.
+// Without points the guide is as it was. In a room that nothing comes into no direction has a density, so that no light sample is taken.
 TEST(EnvironmentGuide, LearnsNothingWhereThereIsNothing) {
     const std::vector<vec3> points(8, vec3{0, 0, 0}), none(8, vec3{0, 0, 0});
     SceneTables tables;
@@ -121,7 +121,32 @@ TEST(EnvironmentGuide, LearnsNothingWhereThereIsNothing) {
     EXPECT_EQ(tables.guide_aliases.size(), size_t{GUIDE_FACES} * GUIDE_MAP_ENTRIES);
     const Floor floor(1000);
     EXPECT_EQ(learnGuide(tables, floor.points, floor.normals, manyRays, false, seen([](glm::dvec3) { return false; })), 0);
-    for (size_t bin = 0; bin < bins; ++bin) EXPECT_NEAR(pmfOf(tables, GUIDE_FACES, bin), pmfOf(tables, 4, bin), 1e-6);
+    for (size_t bin = 0; bin < bins; ++bin) EXPECT_EQ(pmfOf(tables, GUIDE_FACES, bin), 0);
+}
+
+// A wall across a floor: the cells behind it see nothing, but those that border on cells that do may.
+TEST(EnvironmentGuide, LeavesDarkPlacesToThePaths) {
+    const Floor floor(40000);
+    SceneTables tables;
+    learnGuide(tables, floor.points, floor.normals, manyRays, false, [&](const GuideRepresentatives& from) {
+        std::vector<float> weights;
+        for (size_t map = 0; map < from.maps; ++map)
+            for (size_t bin = 0; bin < bins; ++bin) {
+                float sum = 0;
+                for (size_t k = map * from.perMap; k < (map + 1) * from.perMap; ++k) sum += from.points[k].x < 0.5f ? static_cast<float>(std::max(directionOf(bin).z, 0.0)) : 0.0f;
+                weights.push_back(sum);
+            }
+        return weights;
+    });
+    size_t dark = 0, lit = 0;
+    for (uint map = GUIDE_FACES; map < tables.guide_aliases.size() / GUIDE_MAP_ENTRIES; ++map) {
+        double total = 0;
+        for (size_t bin = 0; bin < bins; ++bin) total += pmfOf(tables, map, bin);
+        if (total == 0) ++dark;
+        else { ++lit; EXPECT_NEAR(total, 1, 1e-5); }
+    }
+    EXPECT_GT(dark, (dark + lit) / 3);
+    EXPECT_GT(lit, (dark + lit) / 3);
 }
 
 TEST(EnvironmentGuide, IsNotForFewSamples) {
