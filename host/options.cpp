@@ -72,7 +72,7 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     value(app, "--max-depth", s.maxDepth, "N", "Bounces; interfaces between media do not count", integer(0))->group(group);
     value(app, "--roulette", s.roulette, "NAME", "How likely a path of throughput t goes on under Russian roulette: root (default): sqrt(t); throughput: t, as in pbrt-v4",
           oneOf<RouletteRule>({std::begin(rouletteRuleNames), std::end(rouletteRuleNames)}))->group(group);
-    value(app, "--roulette-depth", s.rouletteDepth, "N", "Bounces before Russian roulette ends paths of little throughput (default: 3; pbrt-v4: 1)", integer(0))->group(group);
+    value(app, "--roulette-depth", s.rouletteDepth, "N", "Bounces before Russian roulette ends paths of little throughput (default: 4; pbrt-v4: 1)", integer(0))->group(group);
     value(app, "--light-sampler", s.lightSampler, "NAME", "How the light is chosen that a point is lit by: bvh, power or uniform (default: power where lights are few, else bvh)",
           oneOf<LightSampler>({std::begin(lightSamplerNames), std::end(lightSamplerNames)}))->group(group);
     value(app, "--environment-guide", s.environmentGuide, "NAME", "Whether light samples aim at an infinite light without an image: auto (default): in closed scenes; always; never",

@@ -19,6 +19,8 @@ constexpr size_t intervals = GUIDE_INTERVALS, side = GUIDE_SIDE, bins = side * s
 constexpr size_t fewestPoints = 4, mostPoints = 16, raysAMap = fewestPoints * bins / 2;
 /// Fewer maps are not worth their time.
 constexpr size_t fewestMaps = 1024;
+/// So many say whether a scene is open.
+constexpr size_t fewMaps = 256;
 
 float coordinate(const vec3& p, size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 bool isPoint(const vec3& normal) { return normal.x != 0 || normal.y != 0 || normal.z != 0; }
@@ -129,6 +131,24 @@ GuideRepresentatives representativesOf(const std::vector<Group>& groups, std::sp
 /// What a cell's neighbors see counts so much for what it sees itself.
 constexpr double neighborShare = 0.1;
 
+std::vector<Group> everyNth(const std::vector<Group>& groups, size_t n) {
+    std::vector<Group> some;
+    for (size_t i = 0; i < groups.size(); i += n) some.push_back(groups[i]);
+    return some;
+}
+
+/// The share of an environment's light that reaches the groups. The cosine's mean over all directions is a quarter.
+double shareOf(const std::vector<Group>& groups, std::span<const float> weights, size_t perMap) {
+    double seen = 0, possible = 0;
+    for (size_t i = 0; i < groups.size(); ++i) {
+        if (groups[i].place / cells == GUIDE_ALL_DIRECTIONS) continue;
+        const double members = static_cast<double>(groups[i].members.size());
+        seen += members * std::accumulate(weights.begin() + static_cast<long>(i * bins), weights.begin() + static_cast<long>((i + 1) * bins), 0.0);
+        possible += members * static_cast<double>(perMap * bins) / 4;
+    }
+    return possible > 0 ? std::min(seen / possible, 1.0) : 1;
+}
+
 /// What is seen from each group, and from the same faces of the cells around it.
 std::vector<std::vector<double>> shareWithNeighbors(const std::vector<Group>& groups, std::span<const float> weights) {
     std::vector<int> groupAt(cells * GUIDE_FACES, -1);
@@ -167,15 +187,23 @@ GuideBudget GuideBudget::of(uint width, uint height, int samples) {
     return {static_cast<size_t>(std::min(all / 64, 0x1p16)), static_cast<size_t>(std::min(all * 0.4, 0x1p23))};
 }
 
-double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<const vec3> normals, size_t rays, bool hasAllDirections, const WeighMaps& weigh) {
+double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<const vec3> normals, const GuideOptions& options, const WeighMaps& weigh) {
     packUnlearnedGuide(tables);
     if (std::ranges::none_of(normals, isPoint)) return 1;
     for (size_t axis = 0; axis < 3; ++axis) cutAxis(tables.guide_edges, axis, points, normals);
-    std::vector<Group> groups = groupPoints(tables.guide_edges, points, normals, hasAllDirections);
+    std::vector<Group> groups = groupPoints(tables.guide_edges, points, normals, options.hasAllDirections);
     std::ranges::stable_sort(groups, std::greater(), [](const Group& g) { return g.members.size(); });
-    groups.resize(std::min(groups.size(), rays / raysAMap));
+    groups.resize(std::min(groups.size(), options.rays / raysAMap));
+    if (options.openShare < 1) {
+        const std::vector<Group> few = everyNth(groups, std::max<size_t>(groups.size() / fewMaps, 1));
+        const double share = shareOf(few, weigh(representativesOf(few, points, normals, fewestPoints)), fewestPoints);
+        if (share > 1.5 * options.openShare) {
+            packUnlearnedGuide(tables);
+            return share;
+        }
+    }
 
-    const GuideRepresentatives representatives = representativesOf(groups, points, normals, std::clamp<size_t>(rays / (groups.size() * bins / 2), fewestPoints, mostPoints));
+    const GuideRepresentatives representatives = representativesOf(groups, points, normals, std::clamp<size_t>(options.rays / (groups.size() * bins / 2), fewestPoints, mostPoints));
     const std::vector<float> weights = weigh(representatives);
     const std::vector<std::vector<double>> shared = shareWithNeighbors(groups, weights);
     std::array<std::vector<double>, GUIDE_FACES> unlearned;
@@ -188,15 +216,7 @@ double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<c
         else writeDarkMap(tables, map);
     });
 
-    /* The cosine's mean over all directions is a quarter */
-    double seen = 0, possible = 0;
-    for (size_t i = 0; i < groups.size(); ++i) {
-        if (groups[i].place / cells == GUIDE_ALL_DIRECTIONS) continue;
-        const double members = static_cast<double>(groups[i].members.size());
-        seen += members * std::accumulate(weights.begin() + static_cast<long>(i * bins), weights.begin() + static_cast<long>((i + 1) * bins), 0.0);
-        possible += members * static_cast<double>(representatives.perMap * bins) / 4;
-    }
-    return possible > 0 ? std::min(seen / possible, 1.0) : 1;
+    return shareOf(groups, weights, representatives.perMap);
 }
 
 }  // namespace eikonal

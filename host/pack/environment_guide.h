@@ -32,9 +32,16 @@ using WeighMaps = std::function<std::vector<float>(const GuideRepresentatives&)>
 /// everywhere. Maps 0 to GUIDE_FACES - 1.
 void packUnlearnedGuide(SceneTables& tables);
 
-/// Fills them with what is learnt from `points` (with normals; those of zero length are no points) and at most so many shadow rays. Cells are cut so that each axis
-/// has as many points in each interval; the faces of cells with the most points get maps of their own. `hasAllDirections`: also points that look in all
-/// directions. The same points give the same tables. Returns the share of the light of an environment without a scene that reaches the points, in [0, 1].
-double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<const vec3> normals, size_t rays, bool hasAllDirections, const WeighMaps& weigh);
+/// How a guide is learnt.
+struct GuideOptions {
+    size_t rays = 0;                 ///< shadow rays, at most
+    bool hasAllDirections = false;   ///< also maps for points that look in all directions
+    double openShare = 1;            ///< learning ends where a look at a few maps shows that clearly more than this share of the light arrives
+};
+
+/// Fills them with what is learnt from `points` (with normals; those of zero length are no points). Cells are cut so that each axis has as many points in each
+/// interval; the faces of cells with the most points get maps of their own. The same points give the same tables. Returns the share of the light of an environment
+/// without a scene that reaches the points, in [0, 1].
+double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<const vec3> normals, const GuideOptions& options, const WeighMaps& weigh);
 
 }  // namespace eikonal

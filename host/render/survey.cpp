@@ -70,7 +70,7 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
     };
     SceneTables guide;
     const bool hasAllDirections = packed.features.has(Feature::MEDIA) || packed.features.has(Feature::TRANSMISSION);
-    const double share = learnGuide(guide, points, normals, budget.rays, hasAllDirections, weigh);
+    const double share = learnGuide(guide, points, normals, {budget.rays, hasAllDirections, packed.isAlwaysGuided ? 1 : openShare}, weigh);
     if (share == 0 || (share > openShare && !packed.isAlwaysGuided)) return;
     scene.replace(context, "guide_edges", guide.guide_edges);
     scene.replace(context, "guide_maps", guide.guide_maps);

@@ -42,7 +42,7 @@ struct IntegratorDescription {
     std::string standsFor;                 ///< what the scene asks for, if this takes its place; otherwise empty
     int maxDepth = 5;                      ///< most scattering events on a path
     RouletteRule roulette = RouletteRule::root;
-    int rouletteDepth = 3;                 ///< scattering events before Russian roulette, >= 0; pbrt-v4's is 1
+    int rouletteDepth = 4;                 ///< scattering events before Russian roulette, >= 0; pbrt-v4's is 1
     bool regularize = false;
     LightSampler lightSampler = LightSampler::automatic;
     EnvironmentGuide environmentGuide = EnvironmentGuide::automatic;

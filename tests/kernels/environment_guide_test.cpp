@@ -65,7 +65,7 @@ TEST(EnvironmentGuide, PointsFindTheirMaps) {
     Random random(72);
     const auto points = generate(4096, [&] { return vec3{random.between(-2, 3), random.between(0, 1), random.logBetween(0.01f, 10)}; });
     const auto normals = generate(4096, [&] { return random.direction(); });
-    learnGuide(scene.tables, points, normals, size_t{1} << 24, true, [](const GuideRepresentatives& from) { return std::vector<float>(from.maps * bins, 1.0f); });
+    learnGuide(scene.tables, points, normals, {size_t{1} << 24, true}, [](const GuideRepresentatives& from) { return std::vector<float>(from.maps * bins, 1.0f); });
     const DeviceFunction<uint> function({.include = "light/guide_place.clh", .type = "uint", .body = "light_tables tables = BIND_LIGHTS; result = guide_map(tables, p, n);", .inputs = {"vec3 p", "vec3 n"}, .tables = "LIGHT_TABLES(TABLE)", .features = Features::all()});
     const DeviceScene onDevice(testContext(), scene);
     for (const uint map : function.with(onDevice, points, normals)) ASSERT_GE(map, static_cast<uint>(GUIDE_FACES));

@@ -208,7 +208,7 @@ TEST(Furnace, RouletteKeepsEveryChannelRight) {
     PackedScene scene = packScene(sceneText(view, R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [.8 .5 .1]
         ReverseOrientation Shape "sphere")"));
     struct Rule { uint byRoot, depth; };
-    for (const Rule rule : {Rule{0, 1}, Rule{0, 1000}, Rule{1, 0}, Rule{1, 3}}) {
+    for (const Rule rule : {Rule{0, 1}, Rule{0, 1000}, Rule{1, 0}, Rule{1, 4}}) {
         SCOPED_TRACE(testing::Message() << (rule.byRoot ? "root" : "throughput") << " from bounce " << rule.depth);
         scene.tables.frame[0].roulette_root = rule.byRoot;
         scene.tables.frame[0].roulette_depth = rule.depth;

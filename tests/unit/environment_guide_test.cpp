@@ -73,7 +73,7 @@ TEST(EnvironmentGuide, AimsAtTheWindow) {
     const auto isNear = [](glm::dvec3 d) { return d.x > -0.45 && d.y > -0.45 && d.z > -0.45; };
     const Floor floor(20000);
     SceneTables tables;
-    const double share = learnGuide(tables, floor.points, floor.normals, manyRays, false, seen(isWindow));
+    const double share = learnGuide(tables, floor.points, floor.normals, {manyRays}, seen(isWindow));
     EXPECT_NEAR(share, 0.25, 0.03);   // a quarter of the directions above
     ASSERT_GT(tables.guide_aliases.size(), size_t{GUIDE_FACES} * GUIDE_MAP_ENTRIES);
     const uint maps = static_cast<uint>(tables.guide_aliases.size() / GUIDE_MAP_ENTRIES);
@@ -93,7 +93,7 @@ TEST(EnvironmentGuide, AimsAtTheWindow) {
 TEST(EnvironmentGuide, CutsEachAxisIntoIntervalsWithAsManyPoints) {
     const Floor floor(16000);
     SceneTables tables;
-    learnGuide(tables, floor.points, floor.normals, manyRays, false, seen([](glm::dvec3) { return true; }));
+    learnGuide(tables, floor.points, floor.normals, {manyRays}, seen([](glm::dvec3) { return true; }));
     ASSERT_EQ(tables.guide_edges.size(), size_t{3 * GUIDE_INTERVALS});
     for (size_t axis = 0; axis < 3; ++axis) {
         const float* edges = tables.guide_edges.data() + axis * GUIDE_INTERVALS;
@@ -106,7 +106,7 @@ TEST(EnvironmentGuide, IsTheSameForTheSamePoints) {
     const Floor floor(5000);
     const auto open = seen([](glm::dvec3 d) { return d.x > 0.3; });
     SceneTables a, b;
-    EXPECT_EQ(learnGuide(a, floor.points, floor.normals, manyRays, true, open), learnGuide(b, floor.points, floor.normals, manyRays, true, open));
+    EXPECT_EQ(learnGuide(a, floor.points, floor.normals, {manyRays, true}, open), learnGuide(b, floor.points, floor.normals, {manyRays, true}, open));
     EXPECT_EQ(a.guide_maps, b.guide_maps);
     EXPECT_EQ(a.guide_edges, b.guide_edges);
     ASSERT_EQ(a.guide_aliases.size(), b.guide_aliases.size());
@@ -117,10 +117,10 @@ TEST(EnvironmentGuide, IsTheSameForTheSamePoints) {
 TEST(EnvironmentGuide, LearnsNothingWhereThereIsNothing) {
     const std::vector<vec3> points(8, vec3{0, 0, 0}), none(8, vec3{0, 0, 0});
     SceneTables tables;
-    EXPECT_EQ(learnGuide(tables, points, none, manyRays, false, seen([](glm::dvec3) { return true; })), 1);
+    EXPECT_EQ(learnGuide(tables, points, none, {manyRays}, seen([](glm::dvec3) { return true; })), 1);
     EXPECT_EQ(tables.guide_aliases.size(), size_t{GUIDE_FACES} * GUIDE_MAP_ENTRIES);
     const Floor floor(1000);
-    EXPECT_EQ(learnGuide(tables, floor.points, floor.normals, manyRays, false, seen([](glm::dvec3) { return false; })), 0);
+    EXPECT_EQ(learnGuide(tables, floor.points, floor.normals, {manyRays}, seen([](glm::dvec3) { return false; })), 0);
     for (size_t bin = 0; bin < bins; ++bin) EXPECT_EQ(pmfOf(tables, GUIDE_FACES, bin), 0);
 }
 
@@ -128,7 +128,7 @@ TEST(EnvironmentGuide, LearnsNothingWhereThereIsNothing) {
 TEST(EnvironmentGuide, LeavesDarkPlacesToThePaths) {
     const Floor floor(40000);
     SceneTables tables;
-    learnGuide(tables, floor.points, floor.normals, manyRays, false, [&](const GuideRepresentatives& from) {
+    learnGuide(tables, floor.points, floor.normals, {manyRays}, [&](const GuideRepresentatives& from) {
         std::vector<float> weights;
         for (size_t map = 0; map < from.maps; ++map)
             for (size_t bin = 0; bin < bins; ++bin) {
@@ -147,6 +147,21 @@ TEST(EnvironmentGuide, LeavesDarkPlacesToThePaths) {
     }
     EXPECT_GT(dark, (dark + lit) / 3);
     EXPECT_GT(lit, (dark + lit) / 3);
+}
+
+// A few maps say that a scene is open; then no more rays are cast, and the guide stays as it was.
+TEST(EnvironmentGuide, GivesUpInTheOpen) {
+    const Floor floor(40000);
+    SceneTables tables;
+    size_t maps = 0;
+    const auto isOpen = seen([](glm::dvec3) { return true; });
+    const double share = learnGuide(tables, floor.points, floor.normals, {.rays = manyRays, .openShare = 0.1}, [&](const GuideRepresentatives& from) {
+        maps += from.maps;
+        return isOpen(from);
+    });
+    EXPECT_NEAR(share, 1, 0.03);
+    EXPECT_LT(maps, 600u);
+    EXPECT_EQ(tables.guide_aliases.size(), size_t{GUIDE_FACES} * GUIDE_MAP_ENTRIES);
 }
 
 TEST(EnvironmentGuide, IsNotForFewSamples) {
