@@ -19,7 +19,7 @@ constexpr size_t intervals = GUIDE_INTERVALS, side = GUIDE_SIDE, bins = side * s
 constexpr size_t fewestPoints = 4, mostPoints = 16, raysAMap = fewestPoints * bins / 2;
 /// Fewer maps are not worth their time.
 constexpr size_t fewestMaps = 1024;
-/// So many say whether a scene is open.
+/// This many suffice to tell whether a scene is open.
 constexpr size_t fewMaps = 256;
 
 float coordinate(const vec3& p, size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
@@ -131,9 +131,14 @@ GuideRepresentatives representativesOf(const std::vector<Group>& groups, std::sp
 /// What a cell's neighbors see counts so much for what it sees itself.
 constexpr double neighborShare = 0.1;
 
-std::vector<Group> everyNth(const std::vector<Group>& groups, size_t n) {
+/// At most fewMaps groups of those on surfaces, evenly spread over their list.
+std::vector<Group> someOnSurfaces(const std::vector<Group>& groups) {
+    const auto isOnSurface = [](const Group& g) { return g.place / cells != GUIDE_ALL_DIRECTIONS; };
+    const size_t all = static_cast<size_t>(std::ranges::count_if(groups, isOnSurface)), step = (all + fewMaps - 1) / fewMaps;
     std::vector<Group> some;
-    for (size_t i = 0; i < groups.size(); i += n) some.push_back(groups[i]);
+    size_t number = 0;
+    for (const Group& g : groups)
+        if (isOnSurface(g) && number++ % step == 0) some.push_back(g);
     return some;
 }
 
@@ -193,17 +198,18 @@ double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<c
     for (size_t axis = 0; axis < 3; ++axis) cutAxis(tables.guide_edges, axis, points, normals);
     std::vector<Group> groups = groupPoints(tables.guide_edges, points, normals, options.hasAllDirections);
     std::ranges::stable_sort(groups, std::greater(), [](const Group& g) { return g.members.size(); });
-    groups.resize(std::min(groups.size(), options.rays / raysAMap));
-    if (options.openShare < 1) {
-        const std::vector<Group> few = everyNth(groups, std::max<size_t>(groups.size() / fewMaps, 1));
+    size_t rays = options.rays;
+    if (const std::vector<Group> few = someOnSurfaces(groups); options.openShare < 1 && !few.empty()) {
         const double share = shareOf(few, weigh(representativesOf(few, points, normals, fewestPoints)), fewestPoints);
+        rays -= std::min(rays, few.size() * raysAMap);
         if (share > 1.5 * options.openShare) {
             packUnlearnedGuide(tables);
             return share;
         }
     }
+    groups.resize(std::min(groups.size(), rays / raysAMap));
 
-    const GuideRepresentatives representatives = representativesOf(groups, points, normals, std::clamp<size_t>(options.rays / (groups.size() * bins / 2), fewestPoints, mostPoints));
+    const GuideRepresentatives representatives = representativesOf(groups, points, normals, std::clamp<size_t>(rays / (groups.size() * bins / 2), fewestPoints, mostPoints));
     const std::vector<float> weights = weigh(representatives);
     const std::vector<std::vector<double>> shared = shareWithNeighbors(groups, weights);
     std::array<std::vector<double>, GUIDE_FACES> unlearned;

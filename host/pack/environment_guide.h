@@ -39,8 +39,8 @@ struct GuideOptions {
     double openShare = 1;            ///< learning ends where a look at a few maps shows that clearly more than this share of the light arrives
 };
 
-/// Fills them with what is learnt from `points` (with normals; those of zero length are no points). Cells are cut so that each axis has as many points in each
-/// interval; the faces of cells with the most points get maps of their own. The same points give the same tables. Returns the share of the light of an environment
+/// Fills the guide's tables with what is learnt from `points` (with normals; those of zero length are no points). Cells are cut so that each axis has as many points in each
+/// interval; the faces of cells with the most points get maps of their own. Where learning ends early, the guide stays unlearned. The same points give the same tables. Returns the share of the light of an environment
 /// without a scene that reaches the points, in [0, 1].
 double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<const vec3> normals, const GuideOptions& options, const WeighMaps& weigh);
 

@@ -57,7 +57,7 @@ TEST(Options, PbrtsSpellingsMeanWhatTheyMeanThere) {
 }
 
 TEST(Options, ValuesOfEveryKindAreRead) {
-    const Options o = parse("render a.obj --camera -1,2.5,3e1 --look-at=0,0,0 --up 0,0,1 --fov 35 --resolution 640x480 --sampler independent --integrator whitted --max-depth 0 "
+    const Options o = parse("render a.obj --camera -1,2.5,3e1 --look-at=0,0,0 --up 0,0,1 --fov 35 --resolution 640x480 --sampler independent --integrator whitted --max-depth 0 --roulette throughput --roulette-depth 1 "
                             "--time-limit 1.5 --aov albedo,depth --tonemap filmic --exposure -1 --wave-paths 4096 --local-size 32 --run 8 --contraction off --no-cache --build-options=-cl-mad-enable "
                             "--dump-kernels k --device gpu --strict --stats -o a.exr -o b.png --seed -3");
     EXPECT_EQ(o.scene.camera, glm::dvec3(-1, 2.5, 30));
@@ -68,6 +68,8 @@ TEST(Options, ValuesOfEveryKindAreRead) {
     EXPECT_EQ(o.scene.sampler, SamplerKind::independent);
     EXPECT_EQ(o.scene.integrator, IntegratorKind::whitted);
     EXPECT_EQ(o.scene.maxDepth, 0);
+    EXPECT_EQ(o.scene.roulette, RouletteRule::throughput);
+    EXPECT_EQ(o.scene.rouletteDepth, 1);
     EXPECT_EQ(o.scene.seed, -3);
     EXPECT_EQ(o.output.timeLimit, 1.5);
     EXPECT_TRUE(o.output.aovs.albedo && o.output.aovs.depth);
