@@ -70,9 +70,10 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     value(app, "--subsurface", s.subsurface, "NAME", "How light passes through bodies of material \"subsurface\": diffusion or, slowly and exactly, randomwalk",
           oneOf<SubsurfaceMethod>({std::begin(subsurfaceMethodNames), std::end(subsurfaceMethodNames)}))->group(group);
     value(app, "--max-depth", s.maxDepth, "N", "Bounces; interfaces between media do not count", integer(0))->group(group);
-    value(app, "--roulette", s.roulette, "NAME", "How likely a path of throughput t goes on under Russian roulette: root (default): sqrt(t); throughput: t, as in pbrt-v4",
+    value(app, "--roulette", s.roulette, "NAME", "How likely a path of throughput t goes on under Russian roulette: root: sqrt(t); throughput: t, as in pbrt-v4 (default: chosen for the scene)",
           oneOf<RouletteRule>({std::begin(rouletteRuleNames), std::end(rouletteRuleNames)}))->group(group);
-    value(app, "--roulette-depth", s.rouletteDepth, "N", "Bounces before Russian roulette ends paths of little throughput (default: 4; pbrt-v4: 1)", integer(0))->group(group);
+    value(app, "--roulette-scale", s.rouletteScale, "X", "That times X, above 0: with more, paths get longer (1 where --roulette or --roulette-depth is given)", number(0))->group(group);
+    value(app, "--roulette-depth", s.rouletteDepth, "N", "Bounces before Russian roulette (4 where --roulette or --roulette-scale is given; pbrt-v4: 1)", integer(0))->group(group);
     value(app, "--light-sampler", s.lightSampler, "NAME", "How the light is chosen that a point is lit by: bvh, power or uniform (default: power where lights are few, else bvh)",
           oneOf<LightSampler>({std::begin(lightSamplerNames), std::end(lightSamplerNames)}))->group(group);
     value(app, "--environment-guide", s.environmentGuide, "NAME", "Whether light samples aim at an infinite light without an image: auto (default): in closed scenes; always; never",
@@ -139,6 +140,7 @@ struct Parser {
         addScene(bench, options);
         bench->add_flag("--loop", options.loop, "Measure one kernel that follows each path in a loop, too, by turns with the stages");
         bench->add_flag("--efficiency", options.efficiency, "Measure error per second, too: each repeat has another seed, and their variance is the error");
+        bench->add_option("--reference", options.reference, "With --efficiency: a converged image of the scene, which says how much errors count in each pixel (default: the repeats' mean)")->type_name("IMAGE");
         value(bench, "--repeats", options.repeats, "N", "Renders, of which the median counts (default: 5)", integer(1, 1000));
         bench->add_option("--json", options.jsonFile, "Write the figures into this file too")->type_name("FILE");
         addDevice(bench, options);
@@ -215,6 +217,7 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
         throw UsageError(fmt::format("cache has a use for scenes with --warm only: eikonal cache --warm {}\n{}", o.scenes.front(), getHelp));
     if (o.command == Command::cache && o.warmCache && !o.device.cache)
         throw UsageError(fmt::format("--warm keeps kernels and --no-cache keeps none; give one of them\n{}", getHelp));
+    if (o.command == Command::bench && !o.reference.empty() && !o.efficiency) throw UsageError("--reference goes with --efficiency: without it, bench measures no error");
     if (o.efficiency && o.repeats < SeedVariance::leastSeeds)
         throw UsageError(fmt::format("--efficiency takes the variance between repeats; --repeats must be at least {}, not {}", SeedVariance::leastSeeds, o.repeats));
     if (o.scene.cropWindow && o.scene.pixelBounds) throw UsageError("--cropwindow and --pixelbounds both select a part of the image; give one of them");

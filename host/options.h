@@ -25,6 +25,7 @@ struct SceneOptions {
     std::optional<SubsurfaceMethod> subsurface;       ///< of all materials "subsurface"
     std::optional<int> maxDepth;                      ///< bounces, >= 0
     std::optional<RouletteRule> roulette;
+    std::optional<double> rouletteScale;              ///< > 0
     std::optional<int> rouletteDepth;                 ///< bounces before Russian roulette, >= 0
     std::optional<LightSampler> lightSampler;
     std::optional<EnvironmentGuide> environmentGuide;
@@ -95,7 +96,8 @@ struct Options {
     int repeats = 5;                                  ///< bench
     bool clearCache = false, warmCache = false;       ///< cache
     std::vector<std::string> scenes;                  ///< cache --warm
-    std::string image, reference;                     ///< compare
+    std::string image;                                ///< compare
+    std::string reference;                            ///< compare, bench: a converged image; bench: empty: none
     bool scatter = false;                             ///< compare: what an image says of its variance does not count
     CompileRequest compile;
 };

@@ -6,6 +6,9 @@
 #include "commands/traffic.h"
 #include "eikonal/stages.h"
 #include "film/atomic_file.h"
+#include "film/exposure.h"
+#include "film/image_file.h"
+#include "film/seed_variance.h"
 #include "median.h"
 
 #include <fmt/format.h>
@@ -31,7 +34,11 @@ Repeat renderOnce(Session& session, Tracer& tracer, Profile& profile, SeedVarian
     render(session.context(), tracer, film, profile, control);
     const double seconds = time.seconds();
     profile.collect();
-    if (images) images->add(film.develop(packed));
+    if (images) {
+        FilmImage image = film.develop(packed);
+        if (!packed.features.has(Feature::SPECTRAL)) expose(image, session.scene().film);
+        images->add(image);
+    }
     return {seconds, profile.stages(), profile.rays, profile.shadowRays, profile.paths};
 }
 
@@ -101,10 +108,9 @@ nlohmann::ordered_json measure(const Options& o, const Session& session, const s
     return json;
 }
 
-void addEfficiency(nlohmann::ordered_json& json, const std::vector<Repeat>& repeats, const SeedVariance& images) {
+void addEfficiency(nlohmann::ordered_json& json, const std::vector<Repeat>& repeats, const Estimate& variance) {
     std::vector<double> seconds;
     for (const Repeat& r : repeats) seconds.push_back(r.seconds);
-    const Estimate variance = images.relativeVariance();
     const Efficiency efficiency = efficiencyOf(variance, seconds);
     json["relativeVariance"] = variance.value;
     json["relativeVarianceStandardError"] = variance.standardError;
@@ -147,6 +153,7 @@ int benchCommand(const Options& o) {
     const std::unique_ptr<Tracer> loop = o.loop ? session.makeLoop(loopProfile) : nullptr;
     if (loop) renderOnce(session, *loop, loopProfile);   // some implementations compile on the way
     SeedVariance images;
+    const std::optional<FilmImage> reference = o.reference.empty() ? std::nullopt : std::optional(readImage(o.reference).image);
     for (int i = 0; i < o.repeats; ++i) {
         if (o.efficiency) session.setSeed(session.scene().sampler.seed + i);
         repeats.push_back(renderOnce(session, session.wave(), session.profile(), o.efficiency ? &images : nullptr));
@@ -154,7 +161,7 @@ int benchCommand(const Options& o) {
     }
     Compiler compiler(session.context(), findKernelFolders(), cacheFolderFor(o.device));
     nlohmann::ordered_json json = measure(o, session, repeats, loops, queueCopyRate(session.context(), compiler, session.shape()));
-    if (o.efficiency) addEfficiency(json, repeats, images);
+    if (o.efficiency) addEfficiency(json, repeats, images.relativeVariance(reference ? &*reference : nullptr));
     std::fputs(asTable(json).c_str(), stdout);
     if (!o.jsonFile.empty()) {
         const std::string text = json.dump(2) + "\n";

@@ -57,8 +57,10 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.subsurface)
         for (Material& m : scene.materials) m.method = *o.subsurface;
     if (o.maxDepth) scene.integrator.maxDepth = *o.maxDepth;
-    if (o.roulette) scene.integrator.roulette = *o.roulette;
-    if (o.rouletteDepth) scene.integrator.rouletteDepth = *o.rouletteDepth;
+    if (o.roulette || o.rouletteScale || o.rouletteDepth) {
+        const Roulette usual;
+        scene.integrator.roulette = Roulette{o.roulette.value_or(usual.rule), o.rouletteScale.value_or(usual.scale), o.rouletteDepth.value_or(usual.depth)};
+    }
     if (o.colorMode) scene.colorMode = *o.colorMode;
     if (o.lightSampler) scene.integrator.lightSampler = *o.lightSampler;
     if (o.environmentGuide) scene.integrator.environmentGuide = *o.environmentGuide;

@@ -7,6 +7,7 @@
 #include "pack/packer.h"
 #include "render/displacement.h"
 #include "render/path_loop.h"
+#include "render/roulette_pilot.h"
 #include "render/wave_queues.h"
 
 #include <fmt/format.h>
@@ -153,6 +154,13 @@ void Session::prepare() {
     stages_->keep(*compiler_);
     times_.keep = keepTime.seconds();
     times_.firstRay = secondsSinceStart();
+}
+
+void Session::survey() {
+    surveyEnvironment(*context_, *deviceScene_, packed_, *stages_, shape_);
+    roulette_ = pilotRoulette(*context_, *deviceScene_, packed_, *wave_);
+    profile_.collect();
+    profile_.reset();
 }
 
 void Session::setSeed(int seed) {

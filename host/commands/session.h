@@ -65,8 +65,10 @@ public:
     MemoryPlan plan() const;
     /// Uploads the tables and launches every kernel once.
     void prepare();
-    /// Learns what a first look at the scene can tell (render/survey.h). Part of rendering.
-    void survey() { surveyEnvironment(*context_, *deviceScene_, packed_, *stages_, shape_); }
+    /// Learns what a first look at the scene can tell (render/survey.h, render/roulette_pilot.h). Part of rendering; its work is not part of the profile.
+    void survey();
+    /// By which paths end, once survey() has seen to it.
+    const Roulette& roulette() const { return roulette_; }
 
     /// What is rendered from now on has this seed: other noise. After prepare().
     void setSeed(int seed);
@@ -100,6 +102,7 @@ private:
     StageShape shape_;
     SessionTimes times_;
     Profile profile_;
+    Roulette roulette_;
     int missing_ = 0;
     std::unique_ptr<Context> context_;
     std::unique_ptr<Compiler> compiler_;

@@ -28,25 +28,31 @@ SeedVariance::MomentVariance SeedVariance::Moments::variance(int count) const {
 
 void SeedVariance::add(const FilmImage& image) {
     if (count_ == 0) pixels_.resize(image.pixelCount());
-    if (image.pixelCount() != pixels_.size())
-        throw Error(ExitCode::scene, fmt::format("a render of {} pixels has no place beside renders of {}", image.pixelCount(), pixels_.size()));
+    checkSize(image);
     ++count_;
     for (size_t i = 0; i < pixels_.size(); ++i)
         for (int c = 0; c < 3; ++c) pixels_[i][static_cast<size_t>(c)].add(image.color[i][c], count_);
 }
 
-Estimate SeedVariance::relativeVariance() const {
+void SeedVariance::checkSize(const FilmImage& image) const {
+    if (image.pixelCount() != pixels_.size())
+        throw Error(ExitCode::scene, fmt::format("a render of {} pixels has no place beside renders of {}", image.pixelCount(), pixels_.size()));
+}
+
+Estimate SeedVariance::relativeVariance(const FilmImage* converged) const {
+    if (converged) checkSize(*converged);
+    const auto reference = [&](size_t i, size_t c) { return converged ? converged->color[i][static_cast<int>(c)] : pixels_[i][c].mean; };
     const double values = 3 * static_cast<double>(pixels_.size());
     double mean = 0;
-    for (const auto& pixel : pixels_)
-        for (const Moments& channel : pixel) mean += channel.mean / values;
+    for (size_t i = 0; i < pixels_.size(); ++i)
+        for (size_t c = 0; c < 3; ++c) mean += reference(i, c) / values;
 
     double sum = 0;
     std::array<double, 3> squaredErrors{};
-    for (const auto& pixel : pixels_)
+    for (size_t i = 0; i < pixels_.size(); ++i)
         for (size_t c = 0; c < 3; ++c) {
-            const MomentVariance variance = pixel[c].variance(count_);
-            const double scale = relativeSquare(1, pixel[c].mean, mean);
+            const MomentVariance variance = pixels_[i][c].variance(count_);
+            const double scale = relativeSquare(1, reference(i, c), mean);
             if (variance.value > 0) {
                 sum += variance.value * scale;
                 squaredErrors[c] += variance.squaredError * scale * scale;

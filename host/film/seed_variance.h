@@ -22,11 +22,13 @@ public:
     int seeds() const { return count_; }
 
     /// relMSE of one render of these (film/relative_error.h) against what renders converge to: the mean over pixels and channels of the variance
-    /// between seeds, unbiased, relative to the mean of the seeds. The standard error takes pixels for independent and channels for fully correlated.
-    /// Needs leastSeeds.
-    Estimate relativeVariance() const;
+    /// between seeds, unbiased, relative to `converged` or else to the mean of the seeds, which hides outliers: they raise what they are relative to.
+    /// The standard error takes pixels for independent and channels for fully correlated. Needs leastSeeds. Throws an Error (ExitCode::scene) if `converged`
+    /// has another size.
+    Estimate relativeVariance(const FilmImage* converged = nullptr) const;
 
 private:
+    void checkSize(const FilmImage& image) const;
     struct MomentVariance { double value, squaredError; };   ///< both without bias, so that the squared error of a single one may be negative
     struct Moments {
         double mean = 0, m2 = 0, m3 = 0, m4 = 0;   ///< m: sums of powers of what a seed is off the mean

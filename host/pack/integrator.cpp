@@ -1,5 +1,6 @@
 // What the integrator makes of a scene: which of its parts count, and the numbers that its stages read.
 
+#include "pack/pack.h"
 #include "pack/packer.h"
 
 #include <fmt/format.h>
@@ -67,8 +68,14 @@ void packIntegrator(Packer& packer, bool hasUnusedMedia) {
             break;
     }
     frame.max_depth = static_cast<uint>(depth);
-    frame.roulette_root = integrator.roulette == RouletteRule::root;
-    frame.roulette_depth = static_cast<uint>(integrator.rouletteDepth);
+    packer.packed.roulette = integrator.roulette;
+    setRoulette(frame, integrator.roulette.value_or(Roulette()));
+}
+
+void setRoulette(settings& frame, const Roulette& roulette) {
+    frame.roulette_root = roulette.rule == RouletteRule::root;
+    frame.roulette_scale = static_cast<float>(roulette.scale);
+    frame.roulette_depth = static_cast<uint>(roulette.depth);
 }
 
 }  // namespace eikonal

@@ -24,4 +24,7 @@ PackedScene packScene(const Scene& scene, Diagnostics& diagnostics);
 struct PackedTextures { PackedScene scene; std::vector<uint> programs; };
 PackedTextures packTextures(const Scene& scene, std::span<const int> textures, Diagnostics& diagnostics);
 
+/// Has paths of a scene with these settings ended by a rule.
+void setRoulette(settings& frame, const Roulette& roulette);
+
 }  // namespace eikonal

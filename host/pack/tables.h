@@ -5,11 +5,13 @@
 #include "feature_set.h"
 #include "memory_pages.h"
 #include "pack/scene_constants.h"
+#include "scene/integrator.h"
 
 #include <glm/glm.hpp>
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,7 @@ struct PackedScene {
     PixelRect pixels;                        ///< what is to be rendered of width x height (settings)
     int samples = 16;                        ///< for each pixel
     bool isAlwaysGuided = false;             ///< with ENVIRONMENT_GUIDE: light samples aim at the environment however open the scene is
+    std::optional<Roulette> roulette;        ///< unset: one that suits the scene is to be chosen; until then the settings have the default
     double worldScale = 1;                   ///< world units in one unit of scene space
     glm::dvec3 worldCenter{0};               ///< the origin of scene space, world space
     std::array<glm::dmat4, 3> cameraFromScene{glm::dmat4(1), glm::dmat4(1), glm::dmat4(1)};  ///< when the shutter opens, between, and when it closes

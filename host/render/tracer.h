@@ -1,6 +1,7 @@
 #pragma once
 // What can trace samples of blocks of pixels and add them to the film: the wavefront (wave.h), or a loop for each path (path_loop.h).
 
+#include "device/layout.h"
 #include "render/batch.h"
 
 #include <functional>
@@ -8,11 +9,20 @@
 
 namespace eikonal {
 
+/// Some items of a queue on the device: word w of item i is at [w * capacity + first + i].
+struct QueueItems {
+    const Buffer& words;
+    const QueueLayout& layout;
+    unsigned capacity = 0, first = 0, count = 0;
+};
+
 /// Where a tracer's work comes from, and who is told when it is done.
 struct BatchStream {
     std::function<std::optional<Batch>()> next;   ///< the next batch, of Tracer::mostPaths() paths at most; none: there are no more
     std::function<void(const Batch&)> traced;     ///< called for each in the order in which they came, when its paths are at their ends; may resolve it
     int endX = 0, endY = 0;                       ///< no pixel from there on
+    /// If set, a wave calls it after every bounce of a stream of one batch, with the rays that leave and the states of all paths. False: the rays are dropped.
+    std::function<bool(const QueueItems& rays, const QueueItems& paths)> bounced = {};
 };
 
 class Tracer {

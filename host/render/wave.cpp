@@ -12,11 +12,13 @@ Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, con
     const WaveSize size(shape, branching_);
     mostPaths_ = size.paths;
     log2BatchPaths_ = size.log2BatchPaths;
+    capacity_ = size.capacity;
+    pathCapacity_ = size.pathCapacity;
     for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), size)) {
         addQueue(queue.layout, queue.items, queue.name, queuePages);
-        if (queue.name == "ray") rays_[0] = &buffers_.back();
+        if (queue.name == "ray") { rays_[0] = &buffers_.back(); rayLayout_ = queue.layout; }
         if (queue.name == "next_ray") rays_[1] = &buffers_.back();
-        if (queue.name == "path") paths_ = &buffers_.back();
+        if (queue.name == "path") { paths_ = &buffers_.back(); pathLayout_ = queue.layout; }
     }
     for (unsigned place = 0; place < size.batches; ++place) tables_.emplace_back(context);
     counts_ = Buffer(context, sizeof(Counts), "counts");
@@ -162,6 +164,7 @@ void Wave::trace(const BatchStream& stream) {
     unsigned slots = refill(0, stream);
     while (!flying_.empty()) {
         const Counts counts = hop(slots);
+        if (stream.bounced && !stream.bounced({*rays_[0], rayLayout_, capacity_, 0, slots}, pathsOf(flying_.front()))) slots = 0;
         /* Batches that had no ray at this hop are done */
         while (!flying_.empty() && flying_.front().isBegun() && !counts[count_of_batches + flying_.front().place]) {
             stream.traced(flying_.front().batch);

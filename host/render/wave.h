@@ -52,6 +52,7 @@ private:
     void bindRays();
     void countShadowRays(cl_uint now);
     unsigned firstPath(unsigned place) const { return place << log2BatchPaths_; }
+    QueueItems pathsOf(const Flying& f) const { return {*paths_, pathLayout_, pathCapacity_, firstPath(f.place), f.batch.paths()}; }
 
     const Context& context_;
     const Bindings& scene_;
@@ -59,7 +60,7 @@ private:
     StageShape shape_;
     Profile& profile_;
     Branching branching_;
-    unsigned mostPaths_, log2BatchPaths_;
+    unsigned mostPaths_, log2BatchPaths_, capacity_, pathCapacity_;
     std::list<Buffer> buffers_;
     Buffer counts_, cursors_, shadowCount_;
     std::vector<BatchTables> tables_;   ///< for each place
@@ -69,6 +70,7 @@ private:
     Bindings bindings_;
     std::array<Buffer*, 2> rays_{};
     Buffer* paths_ = nullptr;
+    QueueLayout rayLayout_, pathLayout_;
     size_t bytes_ = 0;
 };
 

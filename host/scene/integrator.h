@@ -4,6 +4,7 @@
 #include "error.h"
 #include "spectra/spectrum.h"
 
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -31,18 +32,24 @@ enum class EnvironmentGuide { automatic, always, never };
 inline constexpr std::pair<const char*, EnvironmentGuide> environmentGuideNames[] = {
     {"auto", EnvironmentGuide::automatic}, {"always", EnvironmentGuide::always}, {"never", EnvironmentGuide::never}};
 
-/// How likely a path of throughput t goes on under Russian roulette: root: sqrt(t), so that half of what is lost is lost in numbers and half in weight
-/// (Cycles' rule); throughput: t (pbrt-v4's), so that all paths that are left weigh the same.
+/// What decides how likely a path of throughput t goes on under Russian roulette: root: sqrt(t), so that half of what is lost is lost in numbers and half in
+/// weight (as in Cycles); throughput: t (as in pbrt-v4), so that all paths that are left weigh the same.
 enum class RouletteRule { root, throughput };
 /// As --roulette names them.
 inline constexpr std::pair<const char*, RouletteRule> rouletteRuleNames[] = {{"root", RouletteRule::root}, {"throughput", RouletteRule::throughput}};
+
+/// A path goes on with the probability min(1, scale * t) or min(1, scale * sqrt(t)).
+struct Roulette {
+    RouletteRule rule = RouletteRule::root;
+    double scale = 1;                      ///< > 0
+    int depth = 4;                         ///< scattering events before it begins, >= 0; pbrt-v4's is 1
+};
 
 struct IntegratorDescription {
     IntegratorKind kind = IntegratorKind::volpath;
     std::string standsFor;                 ///< what the scene asks for, if this takes its place; otherwise empty
     int maxDepth = 5;                      ///< most scattering events on a path
-    RouletteRule roulette = RouletteRule::root;
-    int rouletteDepth = 4;                 ///< scattering events before Russian roulette, >= 0; pbrt-v4's is 1
+    std::optional<Roulette> roulette;      ///< unset: what pays best in the scene (render/roulette_pilot.h)
     bool regularize = false;
     LightSampler lightSampler = LightSampler::automatic;
     EnvironmentGuide environmentGuide = EnvironmentGuide::automatic;

@@ -166,7 +166,8 @@ typedef struct {
     uint sequence_tile_bits;   /* and 2^bits x 2^bits pixels share it; at most 8; 0: each pixel has its own */
     uint max_depth;        /* most scattering events on a path */
     uint roulette_depth;   /* scattering events before Russian roulette */
-    uint roulette_root;    /* 1: a path goes on with the square root of its throughput; 0: with its throughput */
+    uint roulette_root;    /* 1: a path goes on with the square root of its throughput; 0: with its throughput; */
+    float roulette_scale;  /*   times this, > 0 */
     color ambient;         /* AMBIENT_OCCLUSION: what arrives from where nothing is near */
     float ambient_distance; /* how near that is, scene units */
     uint ambient_cosine;   /* 1: directions follow the cosine; 0: they are uniform */

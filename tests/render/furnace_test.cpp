@@ -207,11 +207,10 @@ TEST(Furnace, RouletteKeepsEveryChannelRight) {
     view.maxDepth = 200;
     PackedScene scene = packScene(sceneText(view, R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [.8 .5 .1]
         ReverseOrientation Shape "sphere")"));
-    struct Rule { uint byRoot, depth; };
-    for (const Rule rule : {Rule{0, 1}, Rule{0, 1000}, Rule{1, 0}, Rule{1, 4}}) {
-        SCOPED_TRACE(testing::Message() << (rule.byRoot ? "root" : "throughput") << " from bounce " << rule.depth);
-        scene.tables.frame[0].roulette_root = rule.byRoot;
-        scene.tables.frame[0].roulette_depth = rule.depth;
+    using enum RouletteRule;
+    for (const Roulette& rule : {Roulette{throughput, 1, 1}, {throughput, 1, 1000}, {throughput, 3, 1}, {root, 1, 0}, {root, 1, 4}, {root, 1.5, 2}}) {
+        SCOPED_TRACE(testing::Message() << (rule.rule == root ? "root" : "throughput") << " x " << rule.scale << " from bounce " << rule.depth);
+        setRoulette(scene.tables.frame[0], rule);
         expectRadiance(render(scene, surfaces()), {1 / .2, 1 / .5, 1 / .9}, 0.003);
     }
 }

@@ -3,6 +3,7 @@
 #include "device/cache.h"
 #include "pack/environment_guide.h"
 #include "render/path_loop.h"
+#include "render/roulette_pilot.h"
 #include "render/survey.h"
 #include "render/wave.h"
 #include "scene/pbrt/read_pbrt.h"
@@ -98,6 +99,9 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     wave.warmUp();
     stages.keep(compiler());
     surveyEnvironment(device(), onDevice, scene, stages, setup.shape);
+    const Roulette roulette = pilotRoulette(device(), onDevice, scene, wave);
+    profile.collect();
+    profile.reset();
 
     Film film(scene, built);
     std::vector<unsigned> ends = setup.splits;
@@ -111,7 +115,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
         result = render(device(), wave, film, profile, control);
         control.firstSample = result.samples;
     }
-    return {film.develop(scene), film.invalid(), result};
+    return {film.develop(scene), film.invalid(), result, roulette};
 }
 
 FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {

@@ -49,6 +49,7 @@ struct Rendered {
     FilmImage image;
     Film::Invalid invalid;
     RenderResult result;
+    Roulette roulette;
 };
 
 /// The scene of a pbrt text; throws for whatever the reader or the packer complains about.

@@ -91,6 +91,35 @@ TEST(SeedVariance, IsTheRelativeMseOfCompare) {
     EXPECT_NEAR(renders.relativeVariance().value / error, 1, .02);
 }
 
+// Pixels of mean 1 of which one value in a thousand is 900.1 and the others are 0.1: relative to the mean of four seeds, most of the variance is hidden.
+TEST(SeedVariance, AConvergedImageLetsOutliersCount) {
+    std::mt19937 random(9);
+    std::bernoulli_distribution isOutlier(.001);
+    FilmImage truth(64, 64);
+    std::ranges::fill(truth.color, glm::vec3(1));
+    double hidden = 0, found = 0;
+    for (int trial = 0; trial < 50; ++trial) {
+        SeedVariance renders;
+        for (int seed = 0; seed < SeedVariance::leastSeeds; ++seed) {
+            FilmImage image(64, 64);
+            for (glm::vec3& pixel : image.color) pixel = glm::vec3(isOutlier(random) ? 900.1f : .1f);
+            renders.add(image);
+        }
+        hidden += renders.relativeVariance().value / 50;
+        found += renders.relativeVariance(&truth).value / 50;
+    }
+    const double variance = .001 * .999 * 900 * 900 / 1.01;
+    EXPECT_NEAR(found / variance, 1, .05);
+    EXPECT_LT(hidden / variance, .1);
+}
+
+TEST(SeedVariance, RefusesAReferenceOfAnotherSize) {
+    SeedVariance renders;
+    for (int seed = 0; seed < 4; ++seed) renders.add(FilmImage(4, 4));
+    const FilmImage other(5, 4);
+    EXPECT_THROW(renders.relativeVariance(&other), Error);
+}
+
 TEST(SeedVariance, BlackHasNone) {
     SeedVariance renders;
     for (int seed = 0; seed < 4; ++seed) renders.add(FilmImage(4, 4));

@@ -57,7 +57,7 @@ TEST(Options, PbrtsSpellingsMeanWhatTheyMeanThere) {
 }
 
 TEST(Options, ValuesOfEveryKindAreRead) {
-    const Options o = parse("render a.obj --camera -1,2.5,3e1 --look-at=0,0,0 --up 0,0,1 --fov 35 --resolution 640x480 --sampler independent --integrator whitted --max-depth 0 --roulette throughput --roulette-depth 1 "
+    const Options o = parse("render a.obj --camera -1,2.5,3e1 --look-at=0,0,0 --up 0,0,1 --fov 35 --resolution 640x480 --sampler independent --integrator whitted --max-depth 0 --roulette throughput --roulette-scale 2.5 --roulette-depth 1 "
                             "--time-limit 1.5 --aov albedo,depth --tonemap filmic --exposure -1 --wave-paths 4096 --local-size 32 --run 8 --contraction off --no-cache --build-options=-cl-mad-enable "
                             "--dump-kernels k --device gpu --strict --stats -o a.exr -o b.png --seed -3");
     EXPECT_EQ(o.scene.camera, glm::dvec3(-1, 2.5, 30));
@@ -69,6 +69,7 @@ TEST(Options, ValuesOfEveryKindAreRead) {
     EXPECT_EQ(o.scene.integrator, IntegratorKind::whitted);
     EXPECT_EQ(o.scene.maxDepth, 0);
     EXPECT_EQ(o.scene.roulette, RouletteRule::throughput);
+    EXPECT_EQ(o.scene.rouletteScale, 2.5);
     EXPECT_EQ(o.scene.rouletteDepth, 1);
     EXPECT_EQ(o.scene.seed, -3);
     EXPECT_EQ(o.output.timeLimit, 1.5);
@@ -139,6 +140,7 @@ INSTANTIATE_TEST_SUITE_P(Options, BadValues, testing::Values(
     BadValue{"render a.obj --camera 1,2,3 --look-at 1,2,3", "must differ"},
     BadValue{"render a.obj --up 0,0,0", "must not be 0,0,0"},
     BadValue{"bench a.pbrt --repeats 0", "--repeats takes a whole number from 1 to 1000"},
+    BadValue{"bench a.pbrt --reference b.exr", "--reference goes with --efficiency"},
     BadValue{"bench a.pbrt --efficiency --repeats 3", "--repeats must be at least 4, not 3"}));
 
 INSTANTIATE_TEST_SUITE_P(Commands, BadValues, testing::Values(

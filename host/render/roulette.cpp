@@ -1,0 +1,93 @@
+#include "render/roulette.h"
+
+#include "film/relative_error.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace eikonal {
+namespace {
+
+constexpr Roulette candidates[] = {
+    {}, {RouletteRule::root, 1, 3}, {RouletteRule::root, 1.5, 3}, {RouletteRule::root, 1.5, 1}, {RouletteRule::root, 2, 1}, {RouletteRule::root, 3, 1}, {RouletteRule::root, 5, 1},
+    {RouletteRule::throughput, 1.5, 1}, {RouletteRule::throughput, 2, 1}, {RouletteRule::throughput, 3, 1}, {RouletteRule::throughput, 5, 1}, {RouletteRule::throughput, 8, 1}};
+
+double survival(const Roulette& rule, double throughput) {
+    return std::min(1., rule.scale * (rule.rule == RouletteRule::throughput ? throughput : std::sqrt(throughput)));
+}
+
+double lightOf(const std::vector<PathSegment>& path) {
+    return std::accumulate(path.begin(), path.end(), 0., [](double sum, const PathSegment& s) { return sum + s.light; });
+}
+
+/// How much a squared error counts in each pixel, and the relative variance of a set without roulette.
+struct Pixels {
+    std::vector<double> weights;
+    double relativeVariance = 0;
+};
+
+Pixels measurePixels(const RecordedPaths& recorded) {
+    std::vector<double> means(recorded.paths.size() / recorded.samples);   // of each set
+    for (size_t i = 0; i < recorded.paths.size(); ++i) means[i / recorded.samples] += lightOf(recorded.paths[i]) / static_cast<double>(recorded.samples);
+    const double count = static_cast<double>(means.size()), sets = static_cast<double>(recorded.sets), image = std::accumulate(means.begin(), means.end(), 0.) / count;
+
+    Pixels pixels;
+    for (auto set = means.begin(); set != means.end(); set += static_cast<std::ptrdiff_t>(recorded.sets)) {
+        const auto end = set + static_cast<std::ptrdiff_t>(recorded.sets);
+        const double mean = std::accumulate(set, end, 0.) / sets;
+        const double squares = std::accumulate(set, end, 0., [=](double sum, double x) { return sum + (x - mean) * (x - mean); });
+        pixels.weights.push_back(relativeSquare(1, mean, image));
+        pixels.relativeVariance += pixels.weights.back() * squares / (sets - 1) * sets / count;
+    }
+    return pixels;
+}
+
+struct Play { double addedVariance = 0, rays = 0; };
+
+Play play(const Roulette& rule, const std::vector<PathSegment>& path) {
+    Play result;
+    double reached = 1, ahead = lightOf(path);
+    int depth = 0;
+    for (const PathSegment& segment : path) {
+        result.rays += reached * segment.rays;
+        ahead -= segment.light;
+        if (segment.throughput > 0 && depth++ >= rule.depth) {
+            const double before = reached;
+            reached *= survival(rule, segment.throughput / reached);
+            result.addedVariance += (1 / reached - 1 / before) * ahead * ahead;
+        }
+    }
+    return result;
+}
+
+RouletteForecast forecast(const RecordedPaths& recorded, const Pixels& pixels, const Roulette& rule) {
+    Play sum;
+    for (size_t i = 0; i < recorded.paths.size(); ++i) {
+        const Play p = play(rule, recorded.paths[i]);
+        sum.addedVariance += pixels.weights[i / (recorded.sets * recorded.samples)] * p.addedVariance;
+        sum.rays += p.rays;
+    }
+    const double paths = static_cast<double>(recorded.paths.size());
+    return {pixels.relativeVariance + sum.addedVariance / paths / static_cast<double>(recorded.samples), 1 + sum.rays / paths};
+}
+
+}  // namespace
+
+RouletteForecast forecastRoulette(const RecordedPaths& recorded, const Roulette& rule) { return forecast(recorded, measurePixels(recorded), rule); }
+
+Roulette chooseRoulette(const RecordedPaths& recorded) {
+    const Pixels pixels = measurePixels(recorded);
+    std::array<double, std::size(candidates)> products{};
+    tbb::parallel_for(size_t{0}, products.size(), [&](size_t i) {
+        const RouletteForecast f = forecast(recorded, pixels, candidates[i]);
+        products[i] = f.relativeVariance * f.cost;
+    });
+    /* The first is the default, which nothing beats that is no number */
+    return candidates[std::ranges::min_element(products, [](double a, double b) { return a < b; }) - products.begin()];
+}
+
+}  // namespace eikonal
