@@ -39,7 +39,7 @@ void SeedVariance::checkSize(const FilmImage& image) const {
         throw Error(ExitCode::scene, fmt::format("a render of {} pixels has no place beside renders of {}", image.pixelCount(), pixels_.size()));
 }
 
-Estimate SeedVariance::relativeVariance(const FilmImage* converged) const {
+Estimate SeedVariance::relativeVariance(const FilmImage* converged, double outliers) const {
     if (converged) checkSize(*converged);
     const auto reference = [&](size_t i, size_t c) { return converged ? converged->color[i][static_cast<int>(c)] : pixels_[i][c].mean; };
     const double values = 3 * static_cast<double>(pixels_.size());
@@ -47,17 +47,26 @@ Estimate SeedVariance::relativeVariance(const FilmImage* converged) const {
     for (size_t i = 0; i < pixels_.size(); ++i)
         for (size_t c = 0; c < 3; ++c) mean += reference(i, c) / values;
 
-    double sum = 0;
-    std::array<double, 3> squaredErrors{};
+    struct Pixel { double sum = 0; std::array<double, 3> squaredErrors{}; };
+    std::vector<Pixel> pixels(pixels_.size());
     for (size_t i = 0; i < pixels_.size(); ++i)
         for (size_t c = 0; c < 3; ++c) {
             const MomentVariance variance = pixels_[i][c].variance(count_);
             const double scale = relativeSquare(1, reference(i, c), mean);
             if (variance.value > 0) {
-                sum += variance.value * scale;
-                squaredErrors[c] += variance.squaredError * scale * scale;
+                pixels[i].sum += variance.value * scale;
+                pixels[i].squaredErrors[c] = variance.squaredError * scale * scale;
             }
         }
+    const size_t left = pixels.size() - static_cast<size_t>(outliers * static_cast<double>(pixels.size()));
+    if (left < pixels.size()) std::ranges::nth_element(pixels, pixels.begin() + static_cast<std::ptrdiff_t>(left), {}, &Pixel::sum);
+
+    double sum = 0;
+    std::array<double, 3> squaredErrors{};
+    for (size_t i = 0; i < left; ++i) {
+        sum += pixels[i].sum;
+        for (size_t c = 0; c < 3; ++c) squaredErrors[c] += pixels[i].squaredErrors[c];
+    }
     double error = 0;
     for (double squared : squaredErrors) error += std::sqrt(std::max(squared, 0.));
     return {sum / values, error / values};

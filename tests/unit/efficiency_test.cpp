@@ -113,6 +113,22 @@ TEST(SeedVariance, AConvergedImageLetsOutliersCount) {
     EXPECT_LT(hidden / variance, .1);
 }
 
+// One pixel in a hundred varies a thousand times as much as the others.
+TEST(SeedVariance, LeavesOutTheWorstPixels) {
+    std::mt19937 random(10);
+    std::normal_distribution<float> noise;
+    FilmImage truth(100, 100);
+    std::ranges::fill(truth.color, glm::vec3(1));
+    SeedVariance renders;
+    for (int seed = 0; seed < 16; ++seed) {
+        FilmImage image(100, 100);
+        for (size_t i = 0; i < image.color.size(); ++i) image.color[i] = glm::vec3(1 + (i % 100 ? .1f : 3.16f) * noise(random));
+        renders.add(image);
+    }
+    EXPECT_NEAR(renders.relativeVariance(&truth).value, (.99 * .01 + .01 * 10) / 1.01, .015);
+    EXPECT_NEAR(renders.relativeVariance(&truth, .01).value, .99 * .01 / 1.01, .0003);
+}
+
 TEST(SeedVariance, RefusesAReferenceOfAnotherSize) {
     SeedVariance renders;
     for (int seed = 0; seed < 4; ++seed) renders.add(FilmImage(4, 4));
