@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace eikonal {
@@ -21,6 +22,10 @@ void* mapPages(std::size_t bytes, PageSize size);
 /// Gives back what mapPages returned for so many bytes.
 void unmapPages(void* pages, std::size_t bytes);
 
+/// Whether elements of a type are left uninitialised where a table is made longer without saying what they are. Only for what fills whole tables by many
+/// threads: each page is then touched first by the thread that fills it.
+template <class T> constexpr bool staysUninitialized = false;
+
 /// For vectors that may be large: these lie in large pages, others are aligned to a cache line.
 template <class T> struct PageAllocator {
     using value_type = T;
@@ -38,6 +43,11 @@ template <class T> struct PageAllocator {
         const std::size_t bytes = count * sizeof(T);
         if (bytes < worthPages) ::operator delete(memory, cacheLine);
         else unmapPages(memory, bytes);
+    }
+
+    template <class Element, class... Values> void construct(Element* place, Values&&... values) {
+        if constexpr (sizeof...(Values) == 0 && staysUninitialized<Element>) ::new (static_cast<void*>(place)) Element;
+        else ::new (static_cast<void*>(place)) Element(std::forward<Values>(values)...);
     }
 
     template <class Other> bool operator==(const PageAllocator<Other>&) const { return true; }

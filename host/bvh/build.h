@@ -26,6 +26,9 @@ struct TriangleRange {
     uint firstElement;
 };
 
+template <> constexpr inline bool staysUninitialized<bvh_node> = true;
+template <> constexpr inline bool staysUninitialized<triangle_line> = true;
+
 /// An empty node: no ray enters its children.
 bvh_node emptyNode();
 

@@ -28,14 +28,16 @@ bool playsRoulette(const PackedScene& packed) {
 /// How many pixels are looked at, and how many samples are in each of its sets.
 struct PilotSize {
     size_t pixels, samples;
+    double renderedPaths;   ///< of the whole image
     static PilotSize of(const PackedScene& packed) {
         constexpr double share = 0.01;
         constexpr size_t mostSamples = 64, mostPaths = 1 << 16;
         const size_t samples = std::min<size_t>(static_cast<size_t>(packed.samples), mostSamples);
         const double pixels = static_cast<double>(packed.frame().width) * packed.frame().height;
-        return {std::min(static_cast<size_t>(pixels * share / pilotSets), mostPaths / (pilotSets * samples)), samples};
+        return {std::min(static_cast<size_t>(pixels * share / pilotSets), mostPaths / (pilotSets * samples)), samples, pixels * packed.samples};
     }
-    bool isEnough() const { return pixels >= 64; }
+    /// Whether pilot paths tell something, and take a few hundredths of the time of the render: their launches are short.
+    bool isWorthwhile() const { return pixels >= 64 && renderedPaths >= 0x1p20; }
 };
 
 /// Pixels all over the image: Roberts' sequence (2018), of low discrepancy.
@@ -138,7 +140,7 @@ void record(const settings& frame, std::vector<Block> blocks, Tracer& wave, Reco
 
 Roulette pilotRoulette(const Context& context, DeviceScene& scene, const PackedScene& packed, Tracer& wave) {
     const PilotSize size = PilotSize::of(packed);
-    if (packed.roulette || !size.isEnough() || !playsRoulette(packed)) return packed.roulette.value_or(Roulette());
+    if (packed.roulette || !size.isWorthwhile() || !playsRoulette(packed)) return packed.roulette.value_or(Roulette());
     settings frame = packed.frame();
     frame.seed = pilotSeed;
     frame.sequence_tile_bits = 0;

@@ -8,7 +8,7 @@
 namespace eikonal {
 
 /// Has kernels end paths by the rule that pays best in this scene (render/roulette.h) where the scene leaves that open, and returns it; otherwise, or where the
-/// image is too small to learn from a hundredth of its paths, returns the scene's. Depends on the scene, its resolution and its samples only, neither on its seed
+/// render is too short (less than 2^20 paths), returns the scene's. Depends on the scene, its resolution and its samples only, neither on its seed
 /// nor on which part of the image is rendered: estimates stay unbiased. `wave` renders `scene`.
 Roulette pilotRoulette(const Context& context, DeviceScene& scene, const PackedScene& packed, Tracer& wave);
 
