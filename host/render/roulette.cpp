@@ -24,26 +24,28 @@ double lightOf(const std::vector<PathSegment>& path) {
     return std::accumulate(path.begin(), path.end(), 0., [](double sum, const PathSegment& s) { return sum + s.light; });
 }
 
-/// How much a squared error counts in each pixel, and the relative variance of a set without roulette.
-struct Pixels {
+/// How much a squared error counts in each set of each pixel, and the relative variance of a set without roulette.
+struct Sets {
     std::vector<double> weights;
     double relativeVariance = 0;
 };
 
-Pixels measurePixels(const RecordedPaths& recorded) {
-    std::vector<double> means(recorded.paths.size() / recorded.samples);   // of each set
+/// Errors of a set are relative to what the others of its pixel found: relative to itself, a set with an outlier would count for little.
+Sets measureSets(const RecordedPaths& recorded) {
+    std::vector<double> means(recorded.paths.size() / recorded.samples);
     for (size_t i = 0; i < recorded.paths.size(); ++i) means[i / recorded.samples] += lightOf(recorded.paths[i]) / static_cast<double>(recorded.samples);
-    const double count = static_cast<double>(means.size()), sets = static_cast<double>(recorded.sets), image = std::accumulate(means.begin(), means.end(), 0.) / count;
+    const double image = std::accumulate(means.begin(), means.end(), 0.) / static_cast<double>(means.size()), count = static_cast<double>(recorded.sets);
 
-    Pixels pixels;
-    for (auto set = means.begin(); set != means.end(); set += static_cast<std::ptrdiff_t>(recorded.sets)) {
-        const auto end = set + static_cast<std::ptrdiff_t>(recorded.sets);
-        const double mean = std::accumulate(set, end, 0.) / sets;
-        const double squares = std::accumulate(set, end, 0., [=](double sum, double x) { return sum + (x - mean) * (x - mean); });
-        pixels.weights.push_back(relativeSquare(1, mean, image));
-        pixels.relativeVariance += pixels.weights.back() * squares / (sets - 1) * sets / count;
+    Sets sets;
+    for (size_t i = 0; i < means.size(); i += recorded.sets) {
+        const double sum = std::accumulate(&means[i], &means[i] + recorded.sets, 0.);
+        for (size_t k = i; k < i + recorded.sets; ++k) {
+            const double error = means[k] - sum / count;
+            sets.weights.push_back(relativeSquare(1, (sum - means[k]) / (count - 1), image));
+            sets.relativeVariance += sets.weights.back() * error * error * count / (count - 1) / static_cast<double>(means.size());
+        }
     }
-    return pixels;
+    return sets;
 }
 
 struct Play { double addedVariance = 0, rays = 0; };
@@ -64,26 +66,26 @@ Play play(const Roulette& rule, const std::vector<PathSegment>& path) {
     return result;
 }
 
-RouletteForecast forecast(const RecordedPaths& recorded, const Pixels& pixels, const Roulette& rule) {
+RouletteForecast forecast(const RecordedPaths& recorded, const Sets& sets, const Roulette& rule) {
     Play sum;
     for (size_t i = 0; i < recorded.paths.size(); ++i) {
         const Play p = play(rule, recorded.paths[i]);
-        sum.addedVariance += pixels.weights[i / (recorded.sets * recorded.samples)] * p.addedVariance;
+        sum.addedVariance += sets.weights[i / recorded.samples] * p.addedVariance;
         sum.rays += p.rays;
     }
     const double paths = static_cast<double>(recorded.paths.size());
-    return {pixels.relativeVariance + sum.addedVariance / paths / static_cast<double>(recorded.samples), 1 + sum.rays / paths};
+    return {sets.relativeVariance + sum.addedVariance / paths / static_cast<double>(recorded.samples), 1 + sum.rays / paths};
 }
 
 }  // namespace
 
-RouletteForecast forecastRoulette(const RecordedPaths& recorded, const Roulette& rule) { return forecast(recorded, measurePixels(recorded), rule); }
+RouletteForecast forecastRoulette(const RecordedPaths& recorded, const Roulette& rule) { return forecast(recorded, measureSets(recorded), rule); }
 
 Roulette chooseRoulette(const RecordedPaths& recorded) {
-    const Pixels pixels = measurePixels(recorded);
+    const Sets sets = measureSets(recorded);
     std::array<double, std::size(candidates)> products{};
     tbb::parallel_for(size_t{0}, products.size(), [&](size_t i) {
-        const RouletteForecast f = forecast(recorded, pixels, candidates[i]);
+        const RouletteForecast f = forecast(recorded, sets, candidates[i]);
         products[i] = f.relativeVariance * f.cost;
     });
     /* The first is the default, which nothing beats that is no number */

@@ -14,7 +14,7 @@ namespace {
 /// Of each pixel: one after the other in its sequence, so that each has the low discrepancy that the image has.
 constexpr size_t pilotSets = 4;
 /// Paths are dropped after so many bounces, passed interfaces included: what is left of them is worth no launch.
-constexpr int mostBounces = 32;
+constexpr int mostBounces = 24;
 
 /// Unlike any that people give an image, so that rule and image are independent.
 constexpr uint pilotSeed = 0x70696c6f;
@@ -30,7 +30,7 @@ struct PilotSize {
     size_t pixels, samples;
     double renderedPaths;   ///< of the whole image
     static PilotSize of(const PackedScene& packed) {
-        constexpr double share = 0.01;
+        constexpr double share = 0.005;
         constexpr size_t mostSamples = 64, mostPaths = 1 << 16;
         const size_t samples = std::min<size_t>(static_cast<size_t>(packed.samples), mostSamples);
         const double pixels = static_cast<double>(packed.frame().width) * packed.frame().height;
