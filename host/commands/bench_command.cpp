@@ -84,6 +84,7 @@ nlohmann::ordered_json measure(const Options& o, const Session& session, const s
     json["uploadSeconds"] = t.upload;
     json["compileSeconds"] = t.compile;
     json["compiledKernels"] = session.compiledStages();
+    json["roulette"] = asOptions(session.roulette());
     json["renderSeconds"] = seconds;
     json["paths"] = first.paths;
     json["rays"] = first.rays;
