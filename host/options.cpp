@@ -72,7 +72,7 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     value(app, "--max-depth", s.maxDepth, "N", "Bounces; interfaces between media do not count", integer(0))->group(group);
     value(app, "--roulette", s.roulette, "NAME", "How likely a path of throughput t goes on under Russian roulette: root: sqrt(t); throughput: t, as in pbrt-v4 (default: chosen for the scene)",
           oneOf<RouletteRule>({std::begin(rouletteRuleNames), std::end(rouletteRuleNames)}))->group(group);
-    value(app, "--roulette-scale", s.rouletteScale, "X", "That times X, above 0: with more, paths get longer (1 where --roulette or --roulette-depth is given)", number(0))->group(group);
+    value(app, "--roulette-scale", s.rouletteScale, "X", "That times X: with more, paths get longer (1 where --roulette or --roulette-depth is given)", number(1e-6, 1e6))->group(group);
     value(app, "--roulette-depth", s.rouletteDepth, "N", "Bounces before Russian roulette (4 where --roulette or --roulette-scale is given; pbrt-v4: 1)", integer(0))->group(group);
     value(app, "--light-sampler", s.lightSampler, "NAME", "How the light is chosen that a point is lit by: bvh, power or uniform (default: power where lights are few, else bvh)",
           oneOf<LightSampler>({std::begin(lightSamplerNames), std::end(lightSamplerNames)}))->group(group);

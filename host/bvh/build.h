@@ -3,8 +3,7 @@
 // fast Construction of SAH-based Bounding Volume Hierarchies"), then the best collapse of the binary tree to eight children
 // a node (Ylitie, Karras and Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", section 3.1).
 
-#include "eikonal/bvh.h"
-#include "memory_pages.h"
+#include "bvh/uninitialized.h"
 
 #include <cstddef>
 #include <span>
@@ -25,9 +24,6 @@ struct TriangleRange {
     size_t count;
     uint firstElement;
 };
-
-template <> constexpr inline bool staysUninitialized<bvh_node> = true;
-template <> constexpr inline bool staysUninitialized<triangle_line> = true;
 
 /// An empty node: no ray enters its children.
 bvh_node emptyNode();

@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace eikonal {
@@ -143,6 +144,21 @@ std::string asTable(const nlohmann::ordered_json& j) {
     return text;
 }
 
+/// A converged image of the pixels that are rendered. Throws an Error (ExitCode::scene) if it cannot be that.
+FilmImage readReference(const std::string& file, const PackedScene& packed) {
+    FilmImage image = readImage(file).image;
+    const PixelRect& p = packed.pixels;
+    const PixelBounds& b = image.bounds;
+    if (static_cast<uint>(image.width) != packed.frame().width || static_cast<uint>(image.height) != packed.frame().height || b.x0 != p.x0 || b.x1 != p.x1 || b.y0 != p.y0 || b.y1 != p.y1)
+        throw Error(ExitCode::scene, fmt::format("--reference: \"{}\" has pixels {},{} to {},{} of {} x {}; those of {},{} to {},{} of {} x {} are rendered", file, b.x0, b.y0, b.x1, b.y1,
+                                                 image.width, image.height, p.x0, p.y0, p.x1, p.y1, packed.frame().width, packed.frame().height));
+    glm::dvec3 sum(0);
+    for (const glm::vec3& c : image.color) sum += glm::dvec3(c);
+    if (!std::isfinite(sum.x + sum.y + sum.z) || !(sum.x + sum.y + sum.z > 0))
+        throw Error(ExitCode::scene, fmt::format("--reference: \"{}\" is black or has pixels that are not finite; errors relative to it mean nothing", file));
+    return image;
+}
+
 }  // namespace
 
 int benchCommand(const Options& o) {
@@ -151,13 +167,13 @@ int benchCommand(const Options& o) {
     Session session(o, diagnostics, true);
     session.load();
     session.pack({});
+    const std::optional<FilmImage> reference = o.reference.empty() ? std::nullopt : std::optional(readReference(o.reference, session.packed()));
     session.prepare();
     std::vector<Repeat> repeats, loops;
     Profile loopProfile;
     const std::unique_ptr<Tracer> loop = o.loop ? session.makeLoop(loopProfile) : nullptr;
     if (loop) renderOnce(session, *loop, loopProfile);   // some implementations compile on the way
     SeedVariance images;
-    const std::optional<FilmImage> reference = o.reference.empty() ? std::nullopt : std::optional(readImage(o.reference).image);
     for (int i = 0; i < o.repeats; ++i) {
         if (o.efficiency) session.setSeed(session.scene().sampler.seed + i);
         repeats.push_back(renderOnce(session, session.wave(), session.profile(), o.efficiency ? &images : nullptr));

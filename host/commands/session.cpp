@@ -158,7 +158,7 @@ void Session::prepare() {
 
 void Session::survey() {
     surveyEnvironment(*context_, *deviceScene_, packed_, *stages_, shape_);
-    roulette_ = pilotRoulette(*context_, *deviceScene_, packed_, *wave_);
+    chosenRoulette_ = pilotRoulette(*context_, *deviceScene_, packed_, *wave_);
     profile_.collect();
     profile_.reset();
 }

@@ -67,8 +67,9 @@ public:
     void prepare();
     /// Learns what a first look at the scene can tell (render/survey.h, render/roulette_pilot.h). Part of rendering; its work is not part of the profile.
     void survey();
-    /// By which paths end, once survey() has seen to it.
-    const Roulette& roulette() const { return roulette_; }
+    /// By which paths end, once survey() has been called, and whether it has chosen that for the scene.
+    Roulette roulette() const { return chosenRoulette_.value_or(packed_.roulette.value_or(Roulette())); }
+    bool isRouletteChosen() const { return chosenRoulette_.has_value(); }
 
     /// What is rendered from now on has this seed: other noise. After prepare().
     void setSeed(int seed);
@@ -102,7 +103,7 @@ private:
     StageShape shape_;
     SessionTimes times_;
     Profile profile_;
-    Roulette roulette_;
+    std::optional<Roulette> chosenRoulette_;
     int missing_ = 0;
     std::unique_ptr<Context> context_;
     std::unique_ptr<Compiler> compiler_;

@@ -179,7 +179,7 @@ void preparePocl(const std::string& cacheFolder) {
     /* Specialised to a size of grid, every kernel would be compiled once more; straight-line loops over a fixed group gain nothing by it
        (docs/performance.md) */
     setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0);
-    /* PoCL sets this one while it opens its devices, when other threads may read the environment. Where it is there already, it is replaced in place and nothing moves */
+    /* PoCL 3.1 sets this one while it opens its devices, when other threads may read the environment. Where it is there already, it is replaced in place and nothing moves */
     setenv("HWLOC_PLUGINS_PATH", "/dev/null", 0);
     if (std::getenv("POCL_CACHE_DIR")) return;
     static const PrivateFolder own(placeForPocl(cacheFolder));

@@ -44,7 +44,7 @@ private:
     std::string folder_;
 };
 
-/// Settings for PoCL, before the first call of OpenCL and while there is one thread only; what the environment sets already stays. One compiled variant of each kernel. A folder of
+/// Settings for PoCL, before the first call of OpenCL, and the first time while there is one thread only; what the environment sets already stays. One compiled variant of each kernel. A folder of
 /// this process and its workers alone, which goes with it: PoCL runs what it finds in its folder unseen, and aborts the program if that is
 /// damaged. It unpacks our programs into it, whose checksums were right. `cacheFolder` is where that folder is put if need be.
 void preparePocl(const std::string& cacheFolder);

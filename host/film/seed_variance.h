@@ -24,8 +24,8 @@ public:
     /// relMSE of one render of these (film/relative_error.h) against what renders converge to: the mean over pixels and channels of the variance
     /// between seeds, unbiased, relative to `converged` or else to the mean of the seeds, which hides outliers: they raise what they are relative to.
     /// The standard error takes pixels for independent and channels for fully correlated. Needs leastSeeds. Throws an Error (ExitCode::scene) if `converged`
-    /// has another size. `outliers`: the share of pixels, those with the most, that is left out of the sum (0 in their place): where single bright paths decide,
-    /// what is left can be compared with few seeds.
+    /// has another size. `outliers`: the share of pixels, those with the most, that is left out of the sum, which is divided by all pixels still: where
+    /// single bright paths decide, what is left can be compared with few seeds.
     Estimate relativeVariance(const FilmImage* converged = nullptr, double outliers = 0) const;
 
 private:

@@ -1,9 +1,9 @@
 #pragma once
 // A scene as the device will see it: every table of include/eikonal/scene.h, filled, and what it requires.
 
+#include "bvh/uninitialized.h"
 #include "eikonal/scene.h"
 #include "feature_set.h"
-#include "memory_pages.h"
 #include "pack/scene_constants.h"
 #include "scene/integrator.h"
 

@@ -12,9 +12,13 @@
 namespace eikonal {
 namespace {
 
+/// A rule has to be so much better than the default to take its place: forecasts are not sure to less than that.
+constexpr double leastGain = 1.02;
+
+/// The default first.
 constexpr Roulette candidates[] = {
     {}, {RouletteRule::root, 1, 3}, {RouletteRule::root, 1.5, 3}, {RouletteRule::root, 1.5, 1}, {RouletteRule::root, 2, 1}, {RouletteRule::root, 3, 1}, {RouletteRule::root, 5, 1},
-    {RouletteRule::throughput, 1.5, 1}, {RouletteRule::throughput, 2, 1}, {RouletteRule::throughput, 3, 1}, {RouletteRule::throughput, 5, 1}, {RouletteRule::throughput, 8, 1}};
+    {RouletteRule::throughput, 1, 1}, {RouletteRule::throughput, 1.5, 1}, {RouletteRule::throughput, 2, 1}, {RouletteRule::throughput, 3, 1}, {RouletteRule::throughput, 5, 1}, {RouletteRule::throughput, 8, 1}};
 
 double survival(const Roulette& rule, double throughput) {
     return std::min(1., rule.scale * (rule.rule == RouletteRule::throughput ? throughput : std::sqrt(throughput)));
@@ -88,8 +92,8 @@ Roulette chooseRoulette(const RecordedPaths& recorded) {
         const RouletteForecast f = forecast(recorded, sets, candidates[i]);
         products[i] = f.relativeVariance * f.cost;
     });
-    /* The first is the default, which nothing beats that is no number */
-    return candidates[std::ranges::min_element(products, [](double a, double b) { return a < b; }) - products.begin()];
+    const auto best = std::min_element(products.begin() + 1, products.end());
+    return *best * leastGain < products.front() ? candidates[best - products.begin()] : candidates[0];
 }
 
 }  // namespace eikonal

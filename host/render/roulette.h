@@ -14,7 +14,7 @@ struct PathSegment {
     float throughput = 0;   ///< at its end, which roulette goes by; 0: the path ends there
 };
 
-/// Paths without roulette: of some pixels, several sets of as many samples as are rendered together.
+/// Paths without roulette: of some pixels, several sets of samples, each with the low discrepancy of a render's first ones.
 struct RecordedPaths {
     size_t sets = 0, samples = 0;                  ///< of each pixel, at least 2; and of each set
     std::vector<std::vector<PathSegment>> paths;   ///< of sample i of set k of pixel p: [(p * sets + k) * samples + i]
@@ -26,12 +26,12 @@ struct RouletteForecast {
     double cost;               ///< rays a path
 };
 
-/// Plays a rule on recorded paths. Roulette that lets a path go on with probability q where it did so with Q before adds (1 / (Q q) - 1 / Q) A^2 to the
+/// Plays a rule on recorded paths. Roulette that lets a path go on with probability q that got so far with probability Q adds (1 / (Q q) - 1 / Q) A^2 to the
 /// variance of its estimate, where A is the light that is still to come; the increments of different chances are not correlated. What random numbers of low
 /// discrepancy take away from that is left out; what varies without roulette is measured between sets, where it is in.
 RouletteForecast forecastRoulette(const RecordedPaths& recorded, const Roulette& rule);
 
-/// Of a dozen rules, and the default, the one with the least product of variance and cost: after Rath et al. 2022 (EARS), who find the best probability for
+/// Of a dozen rules the one with the least product of variance and cost, if that is clearly less than the default's: after Rath et al. 2022 (EARS), who find the best probability for
 /// each path in each part of the scene; here one rule is found for all. The default where nothing is to be learnt: paths without light.
 Roulette chooseRoulette(const RecordedPaths& recorded);
 

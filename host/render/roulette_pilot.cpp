@@ -6,14 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 namespace eikonal {
 namespace {
 
-/// Of each pixel: one after the other in its sequence, so that each has the low discrepancy that the image has.
+/// Of each pixel, one after the other in its sequence, each of low discrepancy. They complement one another, so they differ somewhat more than renders with
+/// different seeds do.
 constexpr size_t pilotSets = 4;
-/// Paths are dropped after so many bounces, passed interfaces included: what is left of them is worth no launch.
+/// Paths are dropped after so many bounces, passed interfaces included, so that a pilot stays short: later light and later rays do not count.
 constexpr int mostBounces = 24;
 
 /// Unlike any that people give an image, so that rule and image are independent.
@@ -33,8 +35,8 @@ struct PilotSize {
         constexpr double share = 0.005;
         constexpr size_t mostSamples = 64, mostPaths = 1 << 16;
         const size_t samples = std::min<size_t>(static_cast<size_t>(packed.samples), mostSamples);
-        const double pixels = static_cast<double>(packed.frame().width) * packed.frame().height;
-        return {std::min(static_cast<size_t>(pixels * share / pilotSets), mostPaths / (pilotSets * samples)), samples, pixels * packed.samples};
+        const double renderedPaths = static_cast<double>(packed.frame().width) * packed.frame().height * packed.samples;
+        return {std::min(static_cast<size_t>(renderedPaths * share), mostPaths) / (pilotSets * samples), samples, renderedPaths};
     }
     /// Whether pilot paths tell something, and take a few hundredths of the time of the render: their launches are short.
     bool isWorthwhile() const { return pixels >= 64 && renderedPaths >= 0x1p20; }
@@ -81,7 +83,8 @@ std::vector<float> readThroughputs(const Context& context, const QueueItems& ray
 /// Watches the paths of one batch after the other.
 class Recorder {
 public:
-    explicit Recorder(const Context& context) : context_(context) {}
+    /// mostLight: that a path may bring, as the film has it; 0: any.
+    Recorder(const Context& context, float mostLight) : context_(context), mostLight_(mostLight > 0 ? mostLight : std::numeric_limits<float>::max()) {}
 
     void begin(unsigned paths) {
         recorded_.insert(recorded_.end(), paths, {PathSegment{}});
@@ -96,8 +99,9 @@ public:
         const std::vector<float> light = readMeans(context_, paths, "L");
         for (size_t p = 0; p < paths.count; ++p) {
             if (!std::isfinite(light[p])) continue;
-            recorded[p].back().light += light[p] - light_[p];
-            light_[p] = light[p];
+            const float sum = std::min(light[p], mostLight_);
+            recorded[p].back().light += sum - light_[p];
+            light_[p] = sum;
         }
         const std::vector<uint> path = readField<uint>(context_, rays, "path"), depth = readField<uint>(context_, rays, "depth");
         const std::vector<float> end = readField<float>(context_, rays, "t_max"), throughput = readThroughputs(context_, rays);
@@ -119,6 +123,7 @@ public:
 
 private:
     const Context& context_;
+    float mostLight_;
     std::vector<std::vector<PathSegment>> recorded_;
     std::vector<float> light_;
     std::vector<uint> depths_;
@@ -126,7 +131,7 @@ private:
 };
 
 /// Traces blocks of single pixels, whatever room a wave has.
-void record(const settings& frame, std::vector<Block> blocks, Tracer& wave, Recorder& recorder) {
+void record(const settings& frame, std::vector<Block> blocks, Wave& wave, Recorder& recorder) {
     Batches batches(BlockSize{}, std::move(blocks), wave.mostPaths());
     while (!batches.empty()) {
         std::optional<Batch> batch = batches.next();
@@ -138,15 +143,15 @@ void record(const settings& frame, std::vector<Block> blocks, Tracer& wave, Reco
 
 }  // namespace
 
-Roulette pilotRoulette(const Context& context, DeviceScene& scene, const PackedScene& packed, Tracer& wave) {
+std::optional<Roulette> pilotRoulette(const Context& context, DeviceScene& scene, const PackedScene& packed, Wave& wave) {
     const PilotSize size = PilotSize::of(packed);
-    if (packed.roulette || !size.isWorthwhile() || !playsRoulette(packed)) return packed.roulette.value_or(Roulette());
+    if (packed.roulette || !size.isWorthwhile() || !playsRoulette(packed)) return {};
     settings frame = packed.frame();
     frame.seed = pilotSeed;
     frame.sequence_tile_bits = 0;
     frame.roulette_depth = NONE;
     scene.setFrame(context, frame);
-    Recorder recorder(context);
+    Recorder recorder(context, frame.max_component_value);
     record(frame, scatterPixels(frame, size), wave, recorder);
     const Roulette chosen = chooseRoulette({pilotSets, size.samples, recorder.take()});
     frame = packed.frame();

@@ -163,8 +163,9 @@ void Wave::trace(const BatchStream& stream) {
     shadowRays_ = 0;
     unsigned slots = refill(0, stream);
     while (!flying_.empty()) {
+        const bool moves = slots > 0;
         const Counts counts = hop(slots);
-        if (stream.bounced && !stream.bounced({*rays_[0], rayLayout_, capacity_, 0, slots}, pathsOf(flying_.front()))) slots = 0;
+        if (moves && stream.bounced && !stream.bounced({*rays_[0], rayLayout_, capacity_, 0, slots}, pathsOf(flying_.front()))) slots = 0;
         /* Batches that had no ray at this hop are done */
         while (!flying_.empty() && flying_.front().isBegun() && !counts[count_of_batches + flying_.front().place]) {
             stream.traced(flying_.front().batch);

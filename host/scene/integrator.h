@@ -41,7 +41,7 @@ inline constexpr std::pair<const char*, RouletteRule> rouletteRuleNames[] = {{"r
 /// A path goes on with the probability min(1, scale * t) or min(1, scale * sqrt(t)).
 struct Roulette {
     RouletteRule rule = RouletteRule::root;
-    double scale = 1;                      ///< > 0
+    double scale = 1;                      ///< in (1e-6, 1e6)
     int depth = 4;                         ///< scattering events before it begins, >= 0; pbrt-v4's is 1
 };
 

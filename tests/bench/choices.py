@@ -68,7 +68,7 @@ def main():
             rounds = [[bench(o.program, scene, reference, f"{o.common} {chosen}", o.samples, o.repeats) for chosen in o.options] for _ in range(o.rounds)]
             for i, chosen in enumerate(o.options):
                 ratio = statistics.median((r[0][0] * r[0][1]) / (r[i][0] * r[i][1]) for r in rounds)
-                add(f"{scene.parent.name}/{scene.name}", chosen or "none", *(statistics.median(r[i][k] for r in rounds) for k in (2, 0, 1)), ratio)
+                add(f"{scene.parent.name}/{scene.name}", chosen or "default", *(statistics.median(r[i][k] for r in rounds) for k in (2, 0, 1)), ratio)
 
 
 if __name__ == "__main__":

@@ -99,7 +99,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     wave.warmUp();
     stages.keep(compiler());
     surveyEnvironment(device(), onDevice, scene, stages, setup.shape);
-    const Roulette roulette = pilotRoulette(device(), onDevice, scene, wave);
+    const Roulette roulette = pilotRoulette(device(), onDevice, scene, wave).value_or(scene.roulette.value_or(Roulette()));
     profile.collect();
     profile.reset();
 
