@@ -6,7 +6,6 @@
 #include "commands/traffic.h"
 #include "eikonal/stages.h"
 #include "film/atomic_file.h"
-#include "film/exposure.h"
 #include "film/image_file.h"
 #include "film/seed_variance.h"
 #include "median.h"
@@ -35,11 +34,7 @@ Repeat renderOnce(Session& session, Tracer& tracer, Profile& profile, SeedVarian
     render(session.context(), tracer, film, profile, control);
     const double seconds = time.seconds();
     profile.collect();
-    if (images) {
-        FilmImage image = film.develop(packed);
-        if (!packed.features.has(Feature::SPECTRAL)) expose(image, session.scene().film);
-        images->add(image);
-    }
+    if (images) images->add(session.develop(film));
     return {seconds, profile.stages(), profile.rays, profile.shadowRays, profile.paths};
 }
 

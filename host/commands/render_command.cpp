@@ -7,7 +7,6 @@
 #include "commands/session.h"
 #include "commands/statistics.h"
 #include "commands/wait_notice.h"
-#include "film/exposure.h"
 #include "render/projection.h"
 
 #include <fmt/format.h>
@@ -124,9 +123,8 @@ int renderCommand(const Options& o) {
     reportShortfall(o, samples, film->invalid(), result, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
 
     const Stopwatch writeTime;
-    FilmImage image = film->develop(packed);
+    FilmImage image = session.develop(*film);
     film.reset();   // it may be most of the memory that there is
-    if (!packed.features.has(Feature::SPECTRAL)) expose(image, session.scene().film);
     selectAovs(image, aovs);
     if (session.scene().film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, packed);
     writeAll(files, image, metadataOf(o, session, samples, renderSeconds, hash.get()), o.output.toneMapping, o.log < LogLevel::warning);

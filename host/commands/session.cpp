@@ -3,6 +3,7 @@
 #include "commands/kernel_workers.h"
 #include "commands/scene_loading.h"
 #include "commands/wait_notice.h"
+#include "film/exposure.h"
 #include "image_formats/image_formats.h"
 #include "pack/packer.h"
 #include "render/displacement.h"
@@ -161,6 +162,12 @@ void Session::survey() {
     chosenRoulette_ = pilotRoulette(*context_, *deviceScene_, packed_, *wave_);
     profile_.collect();
     profile_.reset();
+}
+
+FilmImage Session::develop(const Film& film) const {
+    FilmImage image = film.develop(packed_);
+    if (!packed_.features.has(Feature::SPECTRAL)) expose(image, scene_.film);
+    return image;
 }
 
 void Session::setSeed(int seed) {

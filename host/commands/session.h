@@ -71,6 +71,9 @@ public:
     Roulette roulette() const { return chosenRoulette_.value_or(packed_.roulette.value_or(Roulette())); }
     bool isRouletteChosen() const { return chosenRoulette_.has_value(); }
 
+    /// The image that the film has now, exposed as the scene's film is.
+    FilmImage develop(const Film& film) const;
+
     /// What is rendered from now on has this seed: other noise. After prepare().
     void setSeed(int seed);
 

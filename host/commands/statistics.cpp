@@ -1,8 +1,9 @@
 #include "commands/statistics.h"
 
+#include "names.h"
+
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 namespace eikonal {
@@ -21,8 +22,7 @@ std::string describe(const MemoryPlan& plan) {
 }
 
 std::string asOptions(const Roulette& roulette) {
-    const auto* name = std::ranges::find(rouletteRuleNames, roulette.rule, &std::pair<const char*, RouletteRule>::second);
-    return fmt::format("--roulette {} --roulette-scale {} --roulette-depth {}", name->first, roulette.scale, roulette.depth);
+    return fmt::format("--roulette {} --roulette-scale {} --roulette-depth {}", nameIn(rouletteRuleNames, roulette.rule), roulette.scale, roulette.depth);
 }
 
 std::string describeRun(const Session& session, const Profile& profile, const Film::Samples& samples, const RenderResult& result, double renderSeconds, double writeSeconds) {

@@ -1,5 +1,6 @@
 // What the integrator makes of a scene: which of its parts count, and the numbers that its stages read.
 
+#include "names.h"
 #include "pack/pack.h"
 #include "pack/packer.h"
 
@@ -13,8 +14,7 @@ namespace eikonal {
 static_assert(mostTreeRays == MOST_TREE_RAYS);
 
 static std::string titleOf(const IntegratorDescription& integrator) {
-    const auto* name = std::ranges::find(integratorNames, integrator.kind, &std::pair<const char*, IntegratorKind>::second);
-    return fmt::format("integrator \"{}\"", name->first);
+    return fmt::format("integrator \"{}\"", nameIn(integratorNames, integrator.kind));
 }
 
 bool countsMedia(const IntegratorDescription& integrator) { return integrator.kind == IntegratorKind::volpath; }

@@ -28,19 +28,20 @@ double lightOf(const std::vector<PathSegment>& path) {
     return std::accumulate(path.begin(), path.end(), 0., [](double sum, const PathSegment& s) { return sum + s.light; });
 }
 
-/// How much a squared error counts in each set of each pixel, and the relative variance of a set without roulette.
+/// The light of each path, how much a squared error counts in each set of each pixel, and the relative variance of a set without roulette.
 struct Sets {
-    std::vector<double> weights;
+    std::vector<double> lights, weights;
     double relativeVariance = 0;
 };
 
 /// Errors of a set are relative to what the others of its pixel found: relative to itself, a set with an outlier would count for little.
 Sets measureSets(const RecordedPaths& recorded) {
+    Sets sets;
+    for (const auto& path : recorded.paths) sets.lights.push_back(lightOf(path));
     std::vector<double> means(recorded.paths.size() / recorded.samples);
-    for (size_t i = 0; i < recorded.paths.size(); ++i) means[i / recorded.samples] += lightOf(recorded.paths[i]) / static_cast<double>(recorded.samples);
+    for (size_t i = 0; i < sets.lights.size(); ++i) means[i / recorded.samples] += sets.lights[i] / static_cast<double>(recorded.samples);
     const double image = std::accumulate(means.begin(), means.end(), 0.) / static_cast<double>(means.size()), count = static_cast<double>(recorded.sets);
 
-    Sets sets;
     for (size_t i = 0; i < means.size(); i += recorded.sets) {
         const double sum = std::accumulate(&means[i], &means[i] + recorded.sets, 0.);
         for (size_t k = i; k < i + recorded.sets; ++k) {
@@ -54,9 +55,10 @@ Sets measureSets(const RecordedPaths& recorded) {
 
 struct Play { double addedVariance = 0, rays = 0; };
 
-Play play(const Roulette& rule, const std::vector<PathSegment>& path) {
+/// `ahead`: the path's light.
+Play play(const Roulette& rule, const std::vector<PathSegment>& path, double ahead) {
     Play result;
-    double reached = 1, ahead = lightOf(path);
+    double reached = 1;
     int depth = 0;
     for (const PathSegment& segment : path) {
         result.rays += reached * segment.rays;
@@ -73,7 +75,7 @@ Play play(const Roulette& rule, const std::vector<PathSegment>& path) {
 RouletteForecast forecast(const RecordedPaths& recorded, const Sets& sets, const Roulette& rule) {
     Play sum;
     for (size_t i = 0; i < recorded.paths.size(); ++i) {
-        const Play p = play(rule, recorded.paths[i]);
+        const Play p = play(rule, recorded.paths[i], sets.lights[i]);
         sum.addedVariance += sets.weights[i / recorded.samples] * p.addedVariance;
         sum.rays += p.rays;
     }

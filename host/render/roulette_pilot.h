@@ -1,7 +1,6 @@
 #pragma once
 // Pilot paths: a few of a render's, traced before it begins, by which its rule of Russian roulette is chosen.
 
-#include "render/device_scene.h"
 #include "render/wave.h"
 #include "scene/integrator.h"
 

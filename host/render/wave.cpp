@@ -1,35 +1,28 @@
 #include "render/wave.h"
 
-#include "render/wave_queues.h"
-
 #include <chrono>
 
 namespace eikonal {
 
 Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile,
            PageSize queuePages)
-    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), branching_(scene.branching()) {
-    const WaveSize size(shape, branching_);
-    mostPaths_ = size.paths;
-    log2BatchPaths_ = size.log2BatchPaths;
-    capacity_ = size.capacity;
-    pathCapacity_ = size.pathCapacity;
-    for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), size)) {
+    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), branching_(scene.branching()), size_(shape, branching_) {
+    for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), size_)) {
         addQueue(queue.layout, queue.items, queue.name, queuePages);
         if (queue.name == "ray") { rays_[0] = &buffers_.back(); rayLayout_ = queue.layout; }
         if (queue.name == "next_ray") rays_[1] = &buffers_.back();
         if (queue.name == "path") { paths_ = &buffers_.back(); pathLayout_ = queue.layout; }
     }
-    for (unsigned place = 0; place < size.batches; ++place) tables_.emplace_back(context);
+    for (unsigned place = 0; place < size_.batches; ++place) tables_.emplace_back(context);
     counts_ = Buffer(context, sizeof(Counts), "counts");
     cursors_ = Buffer(context, sizeof(Counts), "cursors");
     shadowCount_ = Buffer(context, sizeof(cl_uint), "shadow rays");
     bindings_.set("counts", counts_);
     bindings_.set("cursors", cursors_);
     bindings_.set("shadow_count", shadowCount_);
-    bindings_.set("capacity", size.capacity);
-    bindings_.set("path_capacity", size.pathCapacity);
-    bindings_.set("log2_batch_paths", log2BatchPaths_ + branching_.forks);
+    bindings_.set("capacity", size_.capacity);
+    bindings_.set("path_capacity", size_.pathCapacity);
+    bindings_.set("log2_batch_paths", size_.log2BatchPaths + branching_.forks);
 }
 
 void Wave::addQueue(const QueueLayout& layout, size_t items, const std::string& name, PageSize pages) {
@@ -121,8 +114,8 @@ Wave::Counts Wave::hop(unsigned& slots) {
 
 /// For how many new rays there is room, or none where it is not worth a launch. With trees of rays nobody knows how many those in flight become.
 unsigned Wave::room(unsigned slots) const {
-    if (branching_.forks) return slots ? 0 : mostPaths_;
-    const unsigned most = shape_.padded(mostPaths_), left = most - std::min(slots, most);
+    if (branching_.forks) return slots ? 0 : size_.paths;
+    const unsigned most = shape_.padded(size_.paths), left = most - std::min(slots, most);
     return left < most / 16 ? 0 : left;
 }
 
@@ -165,7 +158,7 @@ void Wave::trace(const BatchStream& stream) {
     while (!flying_.empty()) {
         const bool moves = slots > 0;
         const Counts counts = hop(slots);
-        if (moves && stream.bounced && !stream.bounced({*rays_[0], rayLayout_, capacity_, 0, slots}, pathsOf(flying_.front()))) slots = 0;
+        if (moves && stream.bounced && !stream.bounced({*rays_[0], rayLayout_, size_.capacity, 0, slots}, pathsOf(flying_.front()))) slots = 0;
         /* Batches that had no ray at this hop are done */
         while (!flying_.empty() && flying_.front().isBegun() && !counts[count_of_batches + flying_.front().place]) {
             stream.traced(flying_.front().batch);

@@ -7,6 +7,7 @@
 #include "render/profile.h"
 #include "render/stages.h"
 #include "render/tracer.h"
+#include "render/wave_queues.h"
 
 #include <array>
 #include <deque>
@@ -24,7 +25,7 @@ public:
     /// Runs every kernel once over nothing, so that an implementation that compiles at the first launch does it now.
     void warmUp();
 
-    unsigned mostPaths() const override { return mostPaths_; }
+    unsigned mostPaths() const override { return size_.paths; }
     /// Waits only for one small read a hop.
     void trace(const BatchStream& stream) override;
     void resolve(const Batch& batch, const Buffer& film) override;
@@ -51,8 +52,8 @@ private:
     unsigned refill(unsigned slots, const BatchStream& stream);
     void bindRays();
     void countShadowRays(cl_uint now);
-    unsigned firstPath(unsigned place) const { return place << log2BatchPaths_; }
-    QueueItems pathsOf(const Flying& f) const { return {*paths_, pathLayout_, pathCapacity_, firstPath(f.place), f.batch.paths()}; }
+    unsigned firstPath(unsigned place) const { return place << size_.log2BatchPaths; }
+    QueueItems pathsOf(const Flying& f) const { return {*paths_, pathLayout_, size_.pathCapacity, firstPath(f.place), f.batch.paths()}; }
 
     const Context& context_;
     const Bindings& scene_;
@@ -60,7 +61,7 @@ private:
     StageShape shape_;
     Profile& profile_;
     Branching branching_;
-    unsigned mostPaths_, log2BatchPaths_, capacity_, pathCapacity_;
+    WaveSize size_;
     std::list<Buffer> buffers_;
     Buffer counts_, cursors_, shadowCount_;
     std::vector<BatchTables> tables_;   ///< for each place

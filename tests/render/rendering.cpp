@@ -100,8 +100,6 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     stages.keep(compiler());
     surveyEnvironment(device(), onDevice, scene, stages, setup.shape);
     const Roulette roulette = pilotRoulette(device(), onDevice, scene, wave).value_or(scene.roulette.value_or(Roulette()));
-    profile.collect();
-    profile.reset();
 
     Film film(scene, built);
     std::vector<unsigned> ends = setup.splits;

@@ -67,7 +67,7 @@ TEST(Roulette, ForecastIsWhatHappens) {
         const double count = static_cast<double>(recorded.paths.size());
         mean /= count;
         const RouletteForecast found = forecastRoulette(recorded, rule);
-        /* Pixels are weighted by their own means, of 16 samples */
+        /* Sets are weighted by the mean of the other three, of 12 samples */
         EXPECT_NEAR((found.relativeVariance - without.relativeVariance) / (squares / count / 4 / (mean * mean * 1.01)), 1, .1);
         EXPECT_NEAR(found.cost, 1 + rays / count, .02 * found.cost);
     }
