@@ -1,7 +1,7 @@
 #pragma once
 // Small NanoVDB files, made by the library's own builder. To be included before include/eikonal, whose NONE is a macro.
 
-/* As in host/scene/nanovdb.cpp: the library's functions are inline, and there must be one of each */
+/* As in host/read/formats/nanovdb.cpp: the library's functions are inline, and there must be one of each */
 #define NANOVDB_USE_ZIP
 #define NANOVDB_USE_BLOSC
 #include <nanovdb/util/GridBuilder.h>

@@ -10,7 +10,7 @@ namespace eikonal {
 
 /* Let u = 2^-24, p a plane, v a corner of a triangle, o the ray's origin, and |.| the largest coordinate of a point.
 
-   The slab test (kernels/bvh.clh) computes, to first order in u with every |e| <= u (e4 = 0 if the device fuses),
+   The slab test (kernels/trace/bvh.clh) computes, to first order in u with every |e| <= u (e4 = 0 if the device fuses),
        inverse = (1 + e1) / d,   o_inverse = (1 + e2) o inverse,   t = (1 + e3) ((1 + e4) p inverse - o_inverse),
        so t d = (1 + e1 + e3) (p - o) + e4 p - e2 o:
    the exact distance to a plane that is displaced by at most u (2 |p - o| + |p| + |o|) <= 3 u (|p| + |o|).

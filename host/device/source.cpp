@@ -49,7 +49,7 @@ KernelFolders findKernelFolders() {
     std::string tried;
     for (const fs::path& root : roots) {
         tried += "\n  " + root.string();
-        if (!fs::exists(root / "kernels" / "queue.clh")) continue;
+        if (!fs::exists(root / "kernels" / "stages/queue.clh")) continue;
         /* Installed, the headers lie in the prefix's include folder; in the source tree, beside the kernels */
         for (const fs::path& include : {root / "include", root.parent_path().parent_path() / "include"})
             if (fs::exists(include / "eikonal" / "queues.h")) {

@@ -1,7 +1,7 @@
 #include "film/exposure.h"
 
-#include "film/luminance.h"
-#include "spectra/sensor.h"
+#include "color/luminance.h"
+#include "color/sensor.h"
 
 namespace eikonal {
 

@@ -1,7 +1,7 @@
 #pragma once
 // From the light that reaches the film to the pixels' values, which its sensor and its exposure make of it.
 
-#include "film/film_image.h"
+#include "image/film_image.h"
 
 namespace eikonal {
 

@@ -1,10 +1,10 @@
 #include "pack/colors.h"
 
-#include "film/luminance.h"
-#include "film/transfer.h"
+#include "color/luminance.h"
+#include "color/transfer.h"
 #include "pack/packer.h"
-#include "spectra/sensor.h"
-#include "spectra/uplift_table.h"
+#include "color/sensor.h"
+#include "color/uplift_table.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #pragma once
-// Colours as tables hold them: what eval_color (kernels/color.clh) reads.
+// Colours as tables hold them: what eval_color (kernels/shade/color.clh) reads.
 
 #include "eikonal/portable.h"
 #include "memory_pages.h"
-#include "spectra/spectrum.h"
-#include "spectra/uplift.h"
+#include "color/spectrum.h"
+#include "color/uplift.h"
 
 #include <map>
 #include <tuple>

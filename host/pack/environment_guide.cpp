@@ -1,7 +1,7 @@
 #include "pack/environment_guide.h"
 
 #include "pack/alias_table.h"
-#include "scene/equal_area.h"
+#include "image/equal_area.h"
 
 #include <tbb/parallel_for.h>
 
@@ -41,7 +41,7 @@ std::vector<double> unlearnedWeights(size_t face) {
 
 double sumOf(std::span<const double> weights) { return std::accumulate(weights.begin(), weights.end(), 0.0); }
 
-/// The bin of a place on the square, or of the place that it borders on if it is beyond the edge (kernels/equal_area.clh has the same).
+/// The bin of a place on the square, or of the place that it borders on if it is beyond the edge (kernels/math/equal_area.clh has the same).
 size_t wrappedBin(int x, int y) {
     constexpr int n = side;
     if (x < 0 || x >= n) { x = x < 0 ? -1 - x : 2 * n - 1 - x; y = n - 1 - y; }

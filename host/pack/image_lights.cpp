@@ -1,9 +1,9 @@
 #include "pack/image_lights.h"
 
-#include "film/luminance.h"
+#include "color/luminance.h"
 #include "pack/colors.h"
 #include "pack/portal.h"
-#include "scene/equal_area.h"
+#include "image/equal_area.h"
 
 #include <algorithm>
 #include <cmath>

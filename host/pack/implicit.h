@@ -2,7 +2,7 @@
 // From an expression to the program that kernels/shape/implicit_program.clh runs.
 
 #include "eikonal/shapes.h"
-#include "scene/expression.h"
+#include "read/formats/expression.h"
 
 #include <vector>
 

@@ -32,7 +32,7 @@ bool followsBsdfs(const IntegratorDescription& integrator) {
     return false;
 }
 
-/// The most scattering events that the field `depth` of a ray has room for beside the number of its branch (kernels/dimension.clh).
+/// The most scattering events that the field `depth` of a ray has room for beside the number of its branch (kernels/math/dimension.clh).
 constexpr int mostTreeDepth = 0xffff;
 
 void packIntegrator(Packer& packer, bool hasUnusedMedia) {

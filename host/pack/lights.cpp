@@ -1,6 +1,6 @@
 // Lights without a shape; then the light sampler.
 
-#include "film/luminance.h"
+#include "color/luminance.h"
 #include "pack/alias_table.h"
 #include "pack/environment_guide.h"
 #include "pack/image_lights.h"

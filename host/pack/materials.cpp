@@ -2,7 +2,7 @@
 
 #include "pack/bsdfs.h"
 
-#include "scene/diffuse_albedo.h"
+#include "color/diffuse_albedo.h"
 
 namespace eikonal {
 

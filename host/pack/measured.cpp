@@ -2,8 +2,8 @@
 
 #include "pack/packer.h"
 
-#include "scene/measured_bsdf.h"
-#include "scene/read_bytes.h"
+#include "read/formats/measured_bsdf.h"
+#include "read/formats/read_bytes.h"
 
 #include <algorithm>
 #include <bit>

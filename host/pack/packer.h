@@ -6,7 +6,7 @@
 #include "pack/colors.h"
 #include "pack/space.h"
 #include "pack/tables.h"
-#include "scene/image.h"
+#include "read/formats/image.h"
 #include "scene/scene.h"
 
 #include <memory>

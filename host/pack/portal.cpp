@@ -1,6 +1,6 @@
 #include "pack/portal.h"
 
-#include "film/luminance.h"
+#include "color/luminance.h"
 
 #include <tbb/parallel_for.h>
 

@@ -2,7 +2,7 @@
 
 #include "pack/packer.h"
 
-#include "film/luminance.h"
+#include "color/luminance.h"
 #include "overloaded.h"
 #include "pack/colors.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Adaptive sampling: which blocks of pixels get more samples, by how much those that they have vary.
 
-#include "render/film.h"
+#include "film/film.h"
 
 #include <span>
 #include <vector>

@@ -10,7 +10,7 @@
 
 namespace eikonal {
 
-/// How many rays a camera path may be at once, and what may leave a surface: more than one only with trees of rays (kernels/tree.clh).
+/// How many rays a camera path may be at once, and what may leave a surface: more than one only with trees of rays (kernels/shade/tree.clh).
 struct Branching {
     unsigned forks = 0;      ///< it may be 2^forks rays
     unsigned branches = 1;   ///< rays that may leave a surface

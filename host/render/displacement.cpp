@@ -4,8 +4,8 @@
 #include "pack/space.h"
 #include "parallel_errors.h"
 #include "render/device_scene.h"
-#include "scene/displacement.h"
-#include "scene/image.h"
+#include "read/mesh/displacement.h"
+#include "read/formats/image.h"
 
 #include <fmt/format.h>
 
@@ -56,7 +56,7 @@ class HeightLookup {
 public:
     HeightLookup(const PackedScene& textures, const Context& context, Compiler& compiler, const StageShape& shape, const BuildSettings& settings)
         : context_(context), compiler_(compiler), shape_(shape), scene_(context, textures),
-          kernel_(compiler.build("#include \"displace_vertices.cl\"\n", "displace_vertices", completeSettings(settings, textures, shape))) {}
+          kernel_(compiler.build("#include \"stages/displace_vertices.cl\"\n", "displace_vertices", completeSettings(settings, textures, shape))) {}
     /// Keeps the kernel for later starts, once it has run.
     void keep() const { compiler_.keep(kernel_.program()); }
 

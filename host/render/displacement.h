@@ -1,5 +1,5 @@
 #pragma once
-// Meshes that a texture displaces, made what they are to be before a scene is packed. The texture is evaluated by the device (kernels/displace_vertices.cl),
+// Meshes that a texture displaces, made what they are to be before a scene is packed. The texture is evaluated by the device (kernels/stages/displace_vertices.cl),
 // with the same functions as everywhere.
 
 #include "diagnostics.h"

@@ -10,14 +10,14 @@ namespace eikonal {
 static std::string loopText(const Features& features) {
     std::string text = "#define AS_LIBRARY\n", list = "#define SCENE_BSDFS(B)";
     const auto include = [&](const char* bsdf) {
-        text += fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"shade_hits.cl\"\n#undef BSDF\n", bsdf);
+        text += fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"stages/shade_hits.cl\"\n#undef BSDF\n", bsdf);
         list += fmt::format(" B({})", bsdf);
     };
 #define INCLUDE_BSDF(bsdf, FEATURE, PARAMETERS) \
     if (features.has(Feature::FEATURE)) include(#bsdf);
     BSDFS(INCLUDE_BSDF)
 #undef INCLUDE_BSDF
-    return text + list + "\n#include \"loop.cl\"\n";
+    return text + list + "\n#include \"stages/loop.cl\"\n";
 }
 
 PathLoop::PathLoop(const Context& context, Compiler& compiler, const DeviceScene& deviceScene, const PackedScene& scene, const StageShape& shape,
@@ -25,7 +25,7 @@ PathLoop::PathLoop(const Context& context, Compiler& compiler, const DeviceScene
     : context_(context), scene_(deviceScene), shape_(shape), mostPaths_(std::max(shape.wavePaths >> deviceScene.branching().forks, 1u)), profile_(profile), tables_(context) {
     const BuildSettings complete = completeSettings(settings, scene, shape);
     loop_ = Kernel(compiler.build(loopText(complete.features), "loop", complete));
-    resolve_ = Kernel(compiler.build("#include \"resolve_film.cl\"\n", "resolve_film", complete));
+    resolve_ = Kernel(compiler.build("#include \"stages/resolve_film.cl\"\n", "resolve_film", complete));
     const unsigned capacity = shape.padded(mostPaths_ << deviceScene.branching().forks);
     const auto words = [&](int count) { return static_cast<size_t>(capacity) * static_cast<size_t>(count) * sizeof(cl_uint); };
     hit_ = Buffer(context, words(queueLayout("hit", complete.features).words + bsdfWords(complete.features)), "hits");

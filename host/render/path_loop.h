@@ -1,5 +1,5 @@
 #pragma once
-// The plain way: one kernel that follows each path in a loop (kernels/loop.cl), over the same functions as the stages. What the wavefront
+// The plain way: one kernel that follows each path in a loop (kernels/stages/loop.cl), over the same functions as the stages. What the wavefront
 // is tested against, and measured against.
 
 #include "render/device_scene.h"

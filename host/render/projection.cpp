@@ -1,7 +1,7 @@
 #include "render/projection.h"
 
 #include "pack/space.h"
-#include "scene/equal_area.h"
+#include "image/equal_area.h"
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 // Where in the image a camera sees a point, and what that says of an image's channels.
 
-#include "film/film_image.h"
+#include "image/film_image.h"
 #include "pack/tables.h"
 
 #include <glm/glm.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 // The scheduler: which samples of which pixels are traced when.
 
-#include "render/film.h"
+#include "film/film.h"
 #include "render/profile.h"
 #include "render/stages.h"
 #include "render/tracer.h"

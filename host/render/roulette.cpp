@@ -1,6 +1,6 @@
 #include "render/roulette.h"
 
-#include "film/relative_error.h"
+#include "image/relative_error.h"
 
 #include <tbb/parallel_for.h>
 

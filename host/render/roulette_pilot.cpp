@@ -72,7 +72,7 @@ std::vector<float> readMeans(const Context& context, const QueueItems& items, co
     return readSpectra(context, items, name, [=](float sum, float x) { return sum + x / channels; });
 }
 
-/// What roulette goes by (kernels/scatter.clh).
+/// What roulette goes by (kernels/shade/scatter.clh).
 std::vector<float> readThroughputs(const Context& context, const QueueItems& rays) {
     std::vector<float> t = readSpectra(context, rays, "beta", [](float most, float x) { return std::max(most, x); });
     if (hasField(rays, "eta_scale")) std::ranges::transform(t, readField<float>(context, rays, "eta_scale"), t.begin(), std::multiplies());

@@ -26,10 +26,10 @@ static std::vector<StageRequest> requiredStages(const PackedScene& scene) {
     std::vector<StageRequest> list;
     const auto add = [&](const std::string& name, bool required) {
         if (!required) return;
-        if (name != "shade_hits") { list.push_back({name, name, fmt::format("#include \"{}.cl\"\n", name), hop_none}); return; }
+        if (name != "shade_hits") { list.push_back({name, name, fmt::format("#include \"stages/{}.cl\"\n", name), hop_none}); return; }
         const auto shading = [&](const std::string& bsdf, Feature feature, uint hop) {
             if (scene.features.has(feature))
-                list.push_back({"shade_hits " + bsdf, name, fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"{1}.cl\"\n", bsdf, name), hop});
+                list.push_back({"shade_hits " + bsdf, name, fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"stages/{1}.cl\"\n", bsdf, name), hop});
         };
 #define SHADE_BSDF(bsdf, FEATURE, PARAMETERS) shading(#bsdf, Feature::FEATURE, hop_##bsdf);
         BSDFS(SHADE_BSDF)

@@ -15,7 +15,7 @@ namespace eikonal {
 struct StageShape {
     unsigned localSize = 1;    ///< work-items in a group, a power of two
     unsigned run = 64;         ///< slots that a work-item handles, a power of two: on a CPU SIMD is inside of the work-item,
-    bool widensGroups = false; ///< unless this is set; then a work-item of a straight-line stage handles one (kernels/stage.clh)
+    bool widensGroups = false; ///< unless this is set; then a work-item of a straight-line stage handles one (kernels/stages/stage.clh)
     unsigned wavePaths = 131008;  ///< rays in flight: a path is one, or more with trees of rays
     unsigned batches = 8;      ///< whose paths are in flight together, at most MOST_BATCHES: the last paths of one leave room for the first of the next
     /// Slots of a group: segments of queues begin at multiples of it.

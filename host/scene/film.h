@@ -2,7 +2,7 @@
 // The film of a scene, and how it is sampled.
 
 #include "error.h"
-#include "spectra/spectrum.h"
+#include "color/spectrum.h"
 
 #include <array>
 #include <optional>

@@ -2,7 +2,7 @@
 // How light is carried to the camera: docs/integrators.md says what each computes.
 
 #include "error.h"
-#include "spectra/spectrum.h"
+#include "color/spectrum.h"
 
 #include <optional>
 #include <string>

@@ -4,7 +4,7 @@
 #include "error.h"
 #include "scene/basics.h"
 #include "scene/textures.h"
-#include "spectra/spectrum.h"
+#include "color/spectrum.h"
 
 #include <array>
 #include <optional>

@@ -21,7 +21,7 @@ enum class MaterialKind {
 enum class SubsurfaceMethod { randomWalk, diffusion };
 constexpr std::pair<const char*, SubsurfaceMethod> subsurfaceMethodNames[] = {{"randomwalk", SubsurfaceMethod::randomWalk}, {"diffusion", SubsurfaceMethod::diffusion}};
 
-/// How much light leaves a body how far from where it has entered, by normalised diffusion (kernels/diffusion.clh).
+/// How much light leaves a body how far from where it has entered, by normalised diffusion (kernels/shade/diffusion.clh).
 struct DiffusionProfile {
     Spectrum albedo;    ///< share of the light that enters, in [0, 1]
     Spectrum length;    ///< d, world units; with a texture: the mean free path, scattering reduced, or what pathTexture is multiplied by

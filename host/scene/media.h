@@ -3,7 +3,7 @@
 
 #include "error.h"
 #include "scene/basics.h"
-#include "spectra/spectrum.h"
+#include "color/spectrum.h"
 
 #include <cstdint>
 #include <memory>

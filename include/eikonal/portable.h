@@ -24,8 +24,8 @@ typedef struct { float x, y; } vec2;
 typedef struct { float x, y, z; } vec3;
 
 /* A distribution over wavelengths as a path carries it: throughput, radiance, a BSDF's parameter. Three channels of linear sRGB or,
-   with SPECTRAL, the values at four wavelengths of the path's own (kernels/color.clh).
-   Only kernels/spectrum.clh and queue.clh know how many channels there are. */
+   with SPECTRAL, the values at four wavelengths of the path's own (kernels/shade/color.clh).
+   Only kernels/shade/spectrum.clh and queue.clh know how many channels there are. */
 #if HAS_SPECTRAL
 typedef struct { float r, g, b, x; } spectrum;
 #else
@@ -37,7 +37,7 @@ typedef struct { float r, g, b; } spectrum;
 /* What a pixel holds: linear sRGB. */
 typedef struct { float r, g, b; } rgb;
 
-/* A distribution over wavelengths as a table holds it: eval_color (kernels/color.clh) makes a spectrum of it. A number (what is the
+/* A distribution over wavelengths as a table holds it: eval_color (kernels/shade/color.clh) makes a spectrum of it. A number (what is the
    same at all wavelengths) can be read from `scale` alone. */
 typedef struct {
     float c0, c1, c2;    /* linear sRGB; with SPECTRAL the coefficients of a smooth spectrum: see eval_smooth */

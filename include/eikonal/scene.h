@@ -1,5 +1,5 @@
 /* The scene as the device sees it: every table, its element type, and the struct of all that is not a table.
-   T(type, name).  A stage has a group of tables among its arguments (kernels/stage.clh). */
+   T(type, name).  A stage has a group of tables among its arguments (kernels/stages/stage.clh). */
 #ifndef EIKONAL_SCENE_H
 #define EIKONAL_SCENE_H
 #include "eikonal/bvh.h"
@@ -29,7 +29,7 @@ typedef struct {
     uint disperses;      /* 1: it has an input_hero, and paths that meet it go on with their first wavelength */
 } material;
 
-/* A body that light is diffused in: how much comes out where (kernels/diffusion.clh). */
+/* A body that light is diffused in: how much comes out where (kernels/shade/diffusion.clh). */
 typedef struct {
     color albedo;        /* share of the light that has entered that leaves again, in [0, 1] */
     color length;        /* d of the profile, scene units, > 0; with a texture: the mean free path, or what path_texture is multiplied by */
@@ -121,10 +121,10 @@ typedef struct {
     float inverse_pdf_beside;     /* ... and beside it */
 } wavelength_range;
 
-/* What reading colours takes (kernels/color.clh). */
+/* What reading colours takes (kernels/shade/color.clh). */
 #define COLOR_TABLES(T) \
     T(float,          curves)                /* CURVE_WORDS values each, at 360, 361 ... 830 nm; the first is 1 everywhere */ \
-    T(float,          uplift)                /* coefficients of smooth spectra by colour: UPLIFT_CELLS (kernels/color.clh) */ \
+    T(float,          uplift)                /* coefficients of smooth spectra by colour: UPLIFT_CELLS (kernels/shade/color.clh) */ \
     T(wavelength_range, wavelengths)         /* SPECTRAL_FILM: one */
 
 /* Only with SPECTRAL is there anything in these tables. */
@@ -151,7 +151,7 @@ typedef struct {
     GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) BSDF_TABLES(T) MEDIUM_TABLES(T) COLOR_TABLES(T) CAMERA_TABLES(T) \
     T(settings,       frame)
 
-/* The most rays that a camera ray may become (kernels/tree.clh). */
+/* The most rays that a camera ray may become (kernels/shade/tree.clh). */
 #define MOST_TREE_RAYS 64
 /* With so many lights it looks at all of them at each surface, otherwise at one that it chooses. */
 #define MOST_TREE_LIGHTS 16

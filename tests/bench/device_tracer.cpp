@@ -32,8 +32,8 @@ DeviceTracer::DeviceTracer(const Context& context, const BenchMesh& mesh, const 
     BuildSettings settings;
     settings.features = features_;
     settings.constants = {{"LOCAL_SIZE", shape.localSize}, {"RUN", shape.run}, {"WIDENS_GROUPS", context.device().widensGroups}};
-    intersect_ = Kernel(compiler.build("#include \"intersect_rays.cl\"\n", "intersect_rays", settings));
-    occlude_ = Kernel(compiler.build("#include \"test_shadows.cl\"\n", "test_shadows", settings));
+    intersect_ = Kernel(compiler.build("#include \"stages/intersect_rays.cl\"\n", "intersect_rays", settings));
+    occlude_ = Kernel(compiler.build("#include \"stages/test_shadows.cl\"\n", "test_shadows", settings));
 }
 
 /// The words of a queue in which items are filled field by field.

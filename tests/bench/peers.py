@@ -67,7 +67,7 @@ class Peers:
 
 
 def relative_variance(images, reference):
-    """Of some renders with different seeds: host/film/seed_variance.h."""
+    """Of some renders with different seeds: host/image/seed_variance.h."""
     import numpy as np
     return float((np.var(images, axis=0, ddof=1, dtype=float) / (reference**2 + 0.01 * reference.mean() ** 2)).mean())
 

@@ -1,6 +1,6 @@
 #include "bench_scene.h"
 
-#include "commands/scene_loading.h"
+#include "render/scene_loading.h"
 #include "pack/pack.h"
 
 #include <algorithm>

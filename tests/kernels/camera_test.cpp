@@ -4,8 +4,8 @@
 #include "pack/lens.h"
 #include "pack/motion.h"
 #include "random_inputs.h"
-#include "scene/equal_area.h"
-#include "scene/pbrt/read_pbrt.h"
+#include "image/equal_area.h"
+#include "read/pbrt/read_pbrt.h"
 #include "stage.h"
 #include "statistics.h"
 
@@ -119,7 +119,7 @@ TEST(Camera, SphericalRaysAreThoseOfTheMapping) {
 
 /// Filters reach beyond the edges of the sphere's image: on over the sphere, not back.
 TEST(Camera, SphericalRaysGoOnBeyondTheEdge) {
-    const DeviceFunction<vec2> wrap({.include = "equal_area.clh", .type = "vec2", .body = "result = equal_area_square(equal_area_sphere(wrap_equal_area(p)));", .inputs = {"vec2 p"}});
+    const DeviceFunction<vec2> wrap({.include = "math/equal_area.clh", .type = "vec2", .body = "result = equal_area_square(equal_area_sphere(wrap_equal_area(p)));", .inputs = {"vec2 p"}});
     const std::vector<vec2> outside{{-0.01f, 0.3f}, {1.02f, 0.9f}, {0.4f, -0.03f}, {0.7f, 1.01f}, {0.2f, 0.6f}};
     const std::vector<vec2> expected{{0.01f, 0.7f}, {0.98f, 0.1f}, {0.6f, 0.03f}, {0.3f, 0.99f}, {0.2f, 0.6f}};
     const auto results = wrap(outside);

@@ -3,7 +3,7 @@
 #include "device_function.h"
 #include "pack/packer.h"
 #include "random_inputs.h"
-#include "spectra/uplift_table.h"
+#include "color/uplift_table.h"
 #include "stage.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ struct Colors {
 
 /// Values of colours at wavelengths.
 std::vector<Four> evaluate(const PackedScene& scene, const std::vector<color>& colors, const std::vector<Four>& lambda) {
-    static const DeviceFunction<Four> function({.include = "color.clh", .type = "spectrum", .body = R"(
+    static const DeviceFunction<Four> function({.include = "shade/color.clh", .type = "spectrum", .body = R"(
         palette p = {curves, uplift, lambda};
         result = eval_color(p, c);)", .inputs = {"color c", "spectrum lambda"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::allSpectral()});
     const DeviceScene onDevice(testContext(), scene);
@@ -58,7 +58,7 @@ TEST(Color, IsTheSpectrumThatTheSceneGave) {
 TEST(Color, OfATexelIsThatOfTheTable) {
     Colors tables;
     packUplift(tables.packer);
-    static const DeviceFunction<Four> function({.include = "color.clh", .type = "spectrum", .body = R"(
+    static const DeviceFunction<Four> function({.include = "shade/color.clh", .type = "spectrum", .body = R"(
         palette p = {curves, uplift, lambda};
         result = uplift_albedo(p, c.x, c.y, c.z);)", .inputs = {"vec3 c", "spectrum lambda"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::allSpectral()});
     Random random(61);
@@ -79,7 +79,7 @@ TEST(Color, OfATexelIsThatOfTheTable) {
 /// Over the samples of a pixel, the film makes of light of a colour that colour; wavelengths have the density that they say, or white would not be 1.
 TEST(Color, ComesBackFromItsWavelengths) {
     Colors tables;
-    static const DeviceFunction<vec3> function({.include = "color.clh", .type = "rgb", .body = R"(
+    static const DeviceFunction<vec3> function({.include = "shade/color.clh", .type = "rgb", .body = R"(
         color_tables set = BIND_COLORS;
         palette p = path_palette(set, 77u, sample);
         result = color_seen(p, from, eval_color(p, c));)", .inputs = {"color c", "uint sample", "uint from"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::allSpectral()});
@@ -107,7 +107,7 @@ TEST(Color, ComesBackFromItsWavelengths) {
 /// has their expected number but for less than one at each end.
 TEST(Color, WavelengthsOfAFilmAreEven) {
     struct Sampled { Four lambda, inverse_pdf; };
-    static const DeviceFunction<Sampled> function({.include = "color.clh", .type = "sampled", .body = R"(
+    static const DeviceFunction<Sampled> function({.include = "shade/color.clh", .type = "sampled", .body = R"(
         color_tables set = BIND_COLORS;
         palette p = path_palette(set, 77u, sample);
         result.lambda = p.lambda;

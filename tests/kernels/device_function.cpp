@@ -13,7 +13,7 @@ static std::string typeOf(const std::string& input) { return input.substr(0, inp
 
 /// The kernel. Arrays are padded to whole groups, so there is no guard in it, and straight-line code is vectorised as shipped.
 static std::string kernelText(const FunctionText& text) {
-    std::string source = "#include \"queue.clh\"\n#include \"stage.clh\"\n";
+    std::string source = "#include \"stages/queue.clh\"\n#include \"stages/stage.clh\"\n";
     std::istringstream files(text.include);
     for (std::string file; files >> file;) source += fmt::format("#include \"{}\"\n", file);
     source += text.declarations + "\n#define DEVICE_FUNCTION(TABLE, ARGUMENT) " + text.tables;

@@ -3,8 +3,8 @@
 #include "light_sampling.h"
 #include "pack/pack.h"
 #include "random_inputs.h"
-#include "scene/equal_area.h"
-#include "scene/image.h"
+#include "image/equal_area.h"
+#include "read/formats/image.h"
 #include "statistics.h"
 
 #include <gtest/gtest.h>

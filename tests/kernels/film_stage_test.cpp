@@ -116,7 +116,7 @@ struct Four { float r, g, b, x; };
 TEST(ResolveFilm, FillsBuckets) {
     const PackedScene scene = packText("Film \"spectral\" \"integer xresolution\" 16 \"integer yresolution\" 16 \"integer nbuckets\" 7 \"float lambdamin\" 450 \"float lambdamax\" 700 \"float maxcomponentvalue\" 1e8\n"
                                        "Sampler \"sobol\"\nWorldBegin\nLightSource \"infinite\"\nShape \"sphere\"");
-    static const DeviceFunction<Four> wavelengths({.include = "color.clh", .type = "spectrum", .body = R"(
+    static const DeviceFunction<Four> wavelengths({.include = "shade/color.clh", .type = "spectrum", .body = R"(
         color_tables set = BIND_COLORS;
         result = path_palette(set, seed, sample).lambda;)", .inputs = {"uint seed", "uint sample"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::everything()});
     StageBench bench(scene, paths, true, side * side);

@@ -13,7 +13,7 @@ namespace {
 struct Values { float exp, log, angle, asin, bessel; };
 
 TEST(Functions, KeepTheirPromises) {
-    const DeviceFunction<Values> function({.include = "functions.clh", .type = "values",
+    const DeviceFunction<Values> function({.include = "math/functions.clh", .type = "values",
         .body = "result.exp = exp1(x); result.log = log1(positive); result.angle = atan2_1(at.y, at.x); result.asin = asin1(unit); result.bessel = scaled_bessel_i0(fabs(x));",
         .inputs = {"float x", "float positive", "vec2 at", "float unit"},
         .declarations = "typedef struct { float exp, log, angle, asin, bessel; } values;"});
@@ -38,7 +38,7 @@ TEST(Functions, KeepTheirPromises) {
 }
 
 TEST(Functions, TheExponentialEndsInZeroAndDoesNotOverflow) {
-    const DeviceFunction<float> function({.include = "functions.clh", .type = "float", .body = "result = exp1(x);", .inputs = {"float x"}});
+    const DeviceFunction<float> function({.include = "math/functions.clh", .type = "float", .body = "result = exp1(x);", .inputs = {"float x"}});
     const std::vector<float> results = function(std::vector<float>{-88, -1e30f, 89, 1e30f});
     EXPECT_EQ(results[0], 0);
     EXPECT_EQ(results[1], 0);

@@ -4,7 +4,7 @@
 #include "pack/pack.h"
 #include "pack/packer.h"
 #include "random_inputs.h"
-#include "scene/equal_area.h"
+#include "image/equal_area.h"
 #include "statistics.h"
 
 #include <gtest/gtest.h>

@@ -72,8 +72,8 @@ Report hostReport(const Features& features) {
 
 std::string probeText() {
     std::string text = R"(
-#include "queue.clh"
-#include "stage.clh"
+#include "stages/queue.clh"
+#include "stages/stage.clh"
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
 #define PUT(x) words[n++] = (uint)(x);

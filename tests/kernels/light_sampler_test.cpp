@@ -75,7 +75,7 @@ TEST(LightSampler, LeavesStrataToEachLight) {
     const DeviceScene onDevice(testContext(), scene);
     const DeviceFunction<Placed> function({.include = "light/light.clh", .type = "placed",
         .body = "light_tables tables = BIND_LIGHTS; vec2 u = sample_2d(seed, sample, 9u); alias_sample lot = sample_light_index(tables, 4u, u.x); result.i = lot.i; result.at = make_vec2(lot.rest, u.y);",
-        .inputs = {"uint seed", "uint sample"}, .declarations = "#include \"random.clh\"\ntypedef struct { int i; vec2 at; } placed;", .tables = "LIGHT_TABLES(TABLE)",
+        .inputs = {"uint seed", "uint sample"}, .declarations = "#include \"math/random.clh\"\ntypedef struct { int i; vec2 at; } placed;", .tables = "LIGHT_TABLES(TABLE)",
         .features = Features().require(Feature::SOBOL)});
     std::vector<uint> sample(64);
     std::iota(sample.begin(), sample.end(), 0u);

@@ -6,7 +6,7 @@
 namespace eikonal {
 
 static const DeviceFunction<LightResult>& sampler() {
-    static const DeviceFunction<LightResult> function({.include = "route_items.clh", .type = "light_result", .body = R"(
+    static const DeviceFunction<LightResult> function({.include = "trace/route_items.clh", .type = "light_result", .body = R"(
         light_tables tables = BIND_LIGHTS;
         color_tables color_set = BIND_COLORS;
         palette colors = path_palette(color_set, 0u, 0u);

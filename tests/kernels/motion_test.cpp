@@ -53,7 +53,7 @@ Motions manyMotions(size_t n) {
 
 TEST(Motion, DeviceInterpolatesAsTheHost) {
     const Motions all = manyMotions(2000);
-    const DeviceFunction<affine> at({.include = "motion.clh", .type = "affine", .body = "result = place_at(m, time);", .inputs = {"motion m", "float time"}});
+    const DeviceFunction<affine> at({.include = "trace/motion.clh", .type = "affine", .body = "result = place_at(m, time);", .inputs = {"motion m", "float time"}});
     const auto results = at(all.packed, all.times);
     for (size_t i = 0; i < results.size(); ++i) {
         const glm::dmat4 expected = all.scene.sceneFromWorld() * all.exact[i].at(static_cast<double>(all.times[i])) * all.group.worldFromScene();
@@ -64,7 +64,7 @@ TEST(Motion, DeviceInterpolatesAsTheHost) {
 
 TEST(Motion, InverseIsTheInverse) {
     const Motions all = manyMotions(2000);
-    const DeviceFunction<affine> both({.include = "motion.clh", .type = "affine", .body = "affine m0 = place_at(m, time); m0.xw *= 1e-2f; m0.yw *= 1e-2f; m0.zw *= 1e-2f; result = compose(invert(m0), m0);", .inputs = {"motion m", "float time"}});
+    const DeviceFunction<affine> both({.include = "trace/motion.clh", .type = "affine", .body = "affine m0 = place_at(m, time); m0.xw *= 1e-2f; m0.yw *= 1e-2f; m0.zw *= 1e-2f; result = compose(invert(m0), m0);", .inputs = {"motion m", "float time"}});
     for (const affine& m : both(all.packed, all.times)) ASSERT_LT(distance(toMatrix(m), glm::dmat4(1)), 1e-4);
 }
 

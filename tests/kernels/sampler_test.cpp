@@ -28,7 +28,7 @@ Features featuresOf(Kind kind) {
 class Sampler {
 public:
     explicit Sampler(Kind kind)
-        : function_({.include = "random.clh", .type = "drawn", .body = "result.one = sample_1d(seed, sample, dimension); result.two = sample_2d(seed, sample, dimension);",
+        : function_({.include = "math/random.clh", .type = "drawn", .body = "result.one = sample_1d(seed, sample, dimension); result.two = sample_2d(seed, sample, dimension);",
                      .inputs = {"uint seed", "uint sample", "uint dimension"}, .declarations = "typedef struct { float one; vec2 two; } drawn;",
                      .features = featuresOf(kind)}) {}
     /// `count` samples from `first` on, of one dimension of one pixel.
@@ -244,7 +244,7 @@ TEST(IndependentSampler, SamplesOfAPixelAreIndependent) {
 
 /// A stream's numbers are uniform, and streams of neighbouring samples have nothing in common.
 TEST(RandomStream, IsUniformAndItsOwn) {
-    const DeviceFunction<vec2> function({.include = "random.clh", .type = "vec2",
+    const DeviceFunction<vec2> function({.include = "math/random.clh", .type = "vec2",
         .body = "random_stream s = make_stream(seed, sample, 5u); float a = next_random(&s); result = make_vec2(a, next_random(&s));", .inputs = {"uint seed", "uint sample"}});
     std::vector<uint> seed, sample;
     for (uint i = 0; i < 65536; ++i) { seed.push_back(i >> 8); sample.push_back(i & 255); }

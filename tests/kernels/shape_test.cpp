@@ -49,7 +49,7 @@ struct Probe { float t; uint element, instance; float u, v; vec3 p, error, ng, n
 /// What a ray meets, and how far a ray from there gets, on the side of the normal for side > 0 and on the other one for side < 0, before it meets
 /// the same element again (-1: never).
 std::vector<Probe> probe(const PackedScene& scene, const std::vector<vec3>& o, const std::vector<vec3>& d, const std::vector<vec3>& w, const std::vector<float>& side) {
-    static const DeviceFunction<Probe> function({.include = "bvh.clh", .type = "probe", .body = R"(
+    static const DeviceFunction<Probe> function({.include = "trace/bvh.clh", .type = "probe", .body = R"(
         geometry g = BIND_GEOMETRY;
         texture_tables tables = BIND_TEXTURES;
         nearest_hit best;

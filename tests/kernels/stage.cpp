@@ -1,7 +1,7 @@
 #include "stage.h"
 
 #include "pack/pack.h"
-#include "scene/pbrt/read_pbrt.h"
+#include "read/pbrt/read_pbrt.h"
 
 #include <fmt/format.h>
 
@@ -20,15 +20,15 @@ PackedScene packText(const std::string& text, ColorMode color) {
 
 StageText stageText(const std::string& stage) {
     const size_t space = stage.find(' ');
-    if (space == std::string::npos) return {stage, fmt::format("#include \"{}.cl\"\n", stage)};
+    if (space == std::string::npos) return {stage, fmt::format("#include \"stages/{}.cl\"\n", stage)};
     const std::string kernel = stage.substr(0, space), bsdf = stage.substr(space + 1);
-    return {kernel, fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"{1}.cl\"\n", bsdf, kernel)};
+    return {kernel, fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"stages/{1}.cl\"\n", bsdf, kernel)};
 }
 
 std::vector<std::string> allStages() {
     std::vector<std::string> stages;
     const auto add = [&](const std::string& name) {
-        if (!hasKernelFile(name + ".cl")) return;
+        if (!hasKernelFile("stages/" + name + ".cl")) return;
         if (name != "shade_hits") { stages.push_back(name); return; }
 #define ADD_BSDF(bsdf, FEATURE, PARAMETERS) if (hasKernelFile("bsdf/" #bsdf ".clh")) stages.push_back("shade_hits " #bsdf);
         BSDFS(ADD_BSDF)

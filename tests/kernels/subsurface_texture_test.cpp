@@ -1,7 +1,7 @@
 // What textures of a body's coefficients are turned into, against the host's table in double precision.
 
 #include "random_inputs.h"
-#include "scene/diffuse_albedo.h"
+#include "color/diffuse_albedo.h"
 #include "texture_values.h"
 
 #include <gtest/gtest.h>

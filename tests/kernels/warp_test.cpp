@@ -27,7 +27,7 @@ const std::vector<Warps>& warps(std::vector<vec2>* inputs = nullptr) {
         return points;
     }();
     static const std::vector<Warps> results = [] {
-        const DeviceFunction<Warps> function({.include = "warp.clh", .type = "warps",
+        const DeviceFunction<Warps> function({.include = "math/warp.clh", .type = "warps",
             .body = "result.circle = unit_circle(u.x); result.disk = warp_disk(u); result.cosine = warp_cosine_hemisphere(u);"
                     "result.sphere = warp_sphere(u); result.triangle = warp_triangle(u); result.heuristic = power_heuristic(u.x, u.y);",
             .inputs = {"vec2 u"},
@@ -100,7 +100,7 @@ TEST(Warp, TriangleIsUniform) {
 
 /// Weights of two strategies for the same sample add up to one, also where a density is tiny or huge.
 TEST(Warp, PowerHeuristicIsAPartitionOfOne) {
-    const DeviceFunction<vec2> both({.include = "warp.clh", .type = "vec2", .body = "result = make_vec2(power_heuristic(p, q), power_heuristic(q, p));",
+    const DeviceFunction<vec2> both({.include = "math/warp.clh", .type = "vec2", .body = "result = make_vec2(power_heuristic(p, q), power_heuristic(q, p));",
                                      .inputs = {"float p", "float q"}});
     Random random(3);
     const auto p = generate(10000, [&] { return random.logBetween(1e-15f, 1e15f); }), q = generate(10000, [&] { return random.logBetween(1e-15f, 1e15f); });
@@ -114,7 +114,7 @@ TEST(Warp, PowerHeuristicIsAPartitionOfOne) {
 
 /// A frame around any unit vector, the poles included, is orthonormal, right-handed, and to_local and from_local are inverse.
 TEST(Warp, FramesAreOrthonormal) {
-    const DeviceFunction<Frame> function({.include = "warp.clh", .type = "probe",
+    const DeviceFunction<Frame> function({.include = "math/warp.clh", .type = "probe",
         .body = "frame3 f = make_frame(z); result.x = f.x; result.y = f.y; result.z = f.z; result.round = from_local(f, to_local(f, v));",
         .inputs = {"vec3 z", "vec3 v"}, .declarations = "typedef struct { vec3 x, y, z, round; } probe;"});
     Random random(4);

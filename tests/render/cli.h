@@ -3,7 +3,7 @@
 
 #include "run_program.h"
 
-#include "film/image_file.h"
+#include "image/image_file.h"
 
 #include <filesystem>
 

@@ -4,7 +4,7 @@
 #include "rendering.h"
 
 #include "render/displacement.h"
-#include "scene/pbrt/read_pbrt.h"
+#include "read/pbrt/read_pbrt.h"
 
 #include <fmt/format.h>
 

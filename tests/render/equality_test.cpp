@@ -3,7 +3,7 @@
 #include "rendering.h"
 #include "run_program.h"
 
-#include "film/image_file.h"
+#include "image/image_file.h"
 
 #include <fmt/format.h>
 

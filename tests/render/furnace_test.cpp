@@ -2,8 +2,8 @@
 
 #include "measured_file.h"
 #include "rendering.h"
-#include "spectra/sensor.h"
-#include "spectra/spectrum.h"
+#include "color/sensor.h"
+#include "color/spectrum.h"
 
 #include <fmt/format.h>
 

@@ -93,7 +93,7 @@ TEST_F(Installation, RendersWithItsOwnKernels) {
 
     /* With one of them gone, the source tree's do not take its place */
     const fs::path kernels = prefix_ / "share" / "eikonal" / "kernels";
-    fs::remove(kernels / "bvh.clh");
+    fs::remove(kernels / "trace/bvh.clh");
     const Outcome run = this->run({"render", "tiny.pbrt"});
     EXPECT_EQ(run.status, 3);
     EXPECT_THAT(run.error, AllOf(HasSubstr("\"bvh.clh\""), HasSubstr(kernels.string())));

@@ -1,4 +1,4 @@
-// The wavefront against the same functions in a plain loop for each path (kernels/loop.cl): queues, routing and compaction must not show.
+// The wavefront against the same functions in a plain loop for each path (kernels/stages/loop.cl): queues, routing and compaction must not show.
 
 #include "rendering.h"
 

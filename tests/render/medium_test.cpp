@@ -4,9 +4,9 @@
 #include "nanovdb_file.h"   // before include/eikonal
 
 #include "rendering.h"
-#include "spectra/spectrum.h"
+#include "color/spectrum.h"
 
-#include "spectra/spectrum.h"
+#include "color/spectrum.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

@@ -6,7 +6,7 @@
 #include "render/roulette_pilot.h"
 #include "render/survey.h"
 #include "render/wave.h"
-#include "scene/pbrt/read_pbrt.h"
+#include "read/pbrt/read_pbrt.h"
 
 #include <fmt/format.h>
 

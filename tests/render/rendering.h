@@ -1,7 +1,7 @@
 #pragma once
 // Scenes given as text, rendered in the test's own process, and what can be said about the images.
 
-#include "film/film_image.h"
+#include "image/film_image.h"
 #include "pack/pack.h"
 #include "render/render.h"
 
@@ -57,7 +57,7 @@ PackedScene packScene(const std::string& text, ColorMode color = ColorMode::auto
 /// Renders on the tests' device (device(), below).
 Rendered render(PackedScene scene, const RenderSetup& setup = {});
 inline Rendered render(const std::string& text, const RenderSetup& setup = {}) { return render(packScene(text), setup); }
-/// The same samples, each path followed by one kernel that loops (kernels/loop.cl): the reference for the stages. Heeds contraction, shape and targetError alone.
+/// The same samples, each path followed by one kernel that loops (kernels/stages/loop.cl): the reference for the stages. Heeds contraction, shape and targetError alone.
 FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup);
 
 /// Mean over all pixels and its standard error, by channel, from how the pixels differ: they are independent estimates.

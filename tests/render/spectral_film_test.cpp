@@ -2,8 +2,8 @@
 
 #include "rendering.h"
 
-#include "scene/pbrt/read_pbrt.h"
-#include "spectra/observer.h"
+#include "read/pbrt/read_pbrt.h"
+#include "color/observer.h"
 
 #include <fmt/format.h>
 

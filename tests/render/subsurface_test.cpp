@@ -2,7 +2,7 @@
 // more than one event: what happens inside is not counted.
 
 #include "rendering.h"
-#include "scene/diffuse_albedo.h"
+#include "color/diffuse_albedo.h"
 
 #include <fmt/format.h>
 

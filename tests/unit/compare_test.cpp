@@ -1,6 +1,6 @@
 // The numbers by which images are compared.
 
-#include "film/compare.h"
+#include "image/compare.h"
 
 #include "error.h"
 

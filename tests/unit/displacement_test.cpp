@@ -1,6 +1,6 @@
 // Cutting meshes for displacement: no edge stays long, no crack opens, and nothing of the surface is lost.
 
-#include "scene/displacement.h"
+#include "read/mesh/displacement.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

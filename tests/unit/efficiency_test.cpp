@@ -1,9 +1,9 @@
 // Error per second, from renders of several seeds.
 
-#include "commands/efficiency.h"
+#include "app/efficiency.h"
 
 #include "error.h"
-#include "film/compare.h"
+#include "image/compare.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What the environment guide learns of a scene: from which directions a sky is seen, and how much of its light comes in.
 
 #include "pack/environment_guide.h"
-#include "scene/equal_area.h"
+#include "image/equal_area.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Expressions: what they mean, and what is said about those that mean nothing.
 
-#include "scene/expression.h"
+#include "read/formats/expression.h"
 
 #include "pack/implicit.h"
 

@@ -1,9 +1,9 @@
 // Images on disk: the same pixels, their place in the whole image, how they were made; and what is said when that cannot be.
 
-#include "film/image_file.h"
-#include "film/spectral_layout.h"
-#include "film/tone_map.h"
-#include "film/transfer.h"
+#include "image/image_file.h"
+#include "image/spectral_layout.h"
+#include "image/tone_map.h"
+#include "color/transfer.h"
 #include "unit/temporary_folder.h"
 
 #include <OpenImageIO/imageio.h>

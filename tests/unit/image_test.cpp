@@ -1,8 +1,8 @@
 // What is read of an image file: the right texel in the right place, decoded as pbrt-v4 would.
 
-#include "scene/image.h"
+#include "read/formats/image.h"
 
-#include "scene/equal_area.h"
+#include "image/equal_area.h"
 #include "unit/temporary_folder.h"
 
 #include <OpenImageIO/imageio.h>

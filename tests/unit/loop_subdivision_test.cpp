@@ -1,6 +1,6 @@
 // Loop subdivision, against what must hold of the limit surface.
 
-#include "scene/loop_subdivision.h"
+#include "read/mesh/loop_subdivision.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Files of measured BSDFs: what is in them, and what is said about broken ones.
 
 #include "measured_file.h"
-#include "scene/measured_bsdf.h"
-#include "scene/read_bytes.h"
+#include "read/formats/measured_bsdf.h"
+#include "read/formats/read_bytes.h"
 #include "unit/temporary_folder.h"
 
 #include <gmock/gmock.h>

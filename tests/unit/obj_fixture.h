@@ -1,7 +1,7 @@
 #pragma once
 // What the tests of the OBJ reader share: files written on the spot, and scenes read from them.
 
-#include "scene/obj/obj.h"
+#include "read/obj/obj.h"
 #include "unit/temporary_folder.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // Where an OBJ file is seen from, and what lights it, when nobody said.
 
-#include "scene/obj/sky.h"
+#include "read/obj/sky.h"
 #include "unit/obj_fixture.h"
 
 #include <gtest/gtest.h>

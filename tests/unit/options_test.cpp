@@ -1,8 +1,8 @@
 // The command line as the program understands it. What it does then is tested in tests/render/cli_*_test.cpp.
 
-#include "commands/output.h"
-#include "commands/progress_bar.h"
-#include "options.h"
+#include "app/output.h"
+#include "app/progress_bar.h"
+#include "app/options.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // What the device's tables hold of a scene.
 
-#include "commands/session.h"
+#include "render/session.h"
 #include "pack/pack.h"
 
 #include "measured_file.h"

@@ -1,12 +1,12 @@
 // docs/pbrt.md tells what is read and rendered: its table is that of the reader.
 
-#include "scene/pbrt/directives.h"
-#include "scene/pbrt/lights.h"
-#include "scene/pbrt/materials.h"
-#include "scene/pbrt/media.h"
-#include "scene/pbrt/setting_kinds.h"
-#include "scene/pbrt/shapes.h"
-#include "scene/pbrt/textures.h"
+#include "read/pbrt/directives.h"
+#include "read/pbrt/lights.h"
+#include "read/pbrt/materials.h"
+#include "read/pbrt/media.h"
+#include "read/pbrt/setting_kinds.h"
+#include "read/pbrt/shapes.h"
+#include "read/pbrt/textures.h"
 
 #include <gmock/gmock.h>
 

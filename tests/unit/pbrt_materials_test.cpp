@@ -1,6 +1,6 @@
 // Materials. The defaults are those of pbrt-v4's source (materials.cpp).
 
-#include "scene/pbrt/materials.h"
+#include "read/pbrt/materials.h"
 #include "unit/pbrt_reading.h"
 
 #include <cmath>

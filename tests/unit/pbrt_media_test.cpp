@@ -1,7 +1,7 @@
 // Participating media. The defaults are those of pbrt-v4's source (media.cpp).
 
 #include "nanovdb_file.h"
-#include "scene/nanovdb.h"
+#include "read/formats/nanovdb.h"
 #include "unit/pbrt_reading.h"
 #include "unit/temporary_folder.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Short texts of pbrt-v4 read into scenes, and what is said about those that are wrong.
 
-#include "scene/pbrt/read_pbrt.h"
+#include "read/pbrt/read_pbrt.h"
 #include "unit/temporary_folder.h"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,6 @@
 // How a text becomes words, strings, brackets and numbers, and where each of them is.
 
-#include "scene/pbrt/tokens.h"
+#include "read/pbrt/tokens.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

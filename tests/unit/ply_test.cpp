@@ -1,6 +1,6 @@
 // PLY files in every encoding that the format has, and what is said about those that are wrong.
 
-#include "scene/ply.h"
+#include "read/mesh/ply.h"
 #include "unit/temporary_folder.h"
 
 #include <gmock/gmock.h>

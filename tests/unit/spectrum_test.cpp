@@ -1,9 +1,9 @@
 // Spectra and their colours, against published values and against the physics they stand for.
 
-#include "spectra/sensor.h"
-#include "spectra/spectrum.h"
-#include "spectra/uplift.h"
-#include "spectra/uplift_table.h"
+#include "color/sensor.h"
+#include "color/spectrum.h"
+#include "color/uplift.h"
+#include "color/uplift_table.h"
 #include "eikonal/scene.h"
 
 #include <gmock/gmock.h>

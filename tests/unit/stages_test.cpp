@@ -48,7 +48,7 @@ std::vector<StageCase> stageCases() {
 }
 
 std::string textOf(const std::string& stage) {
-    std::ifstream file(std::filesystem::path(findKernelFolders().kernels) / (stage + ".cl"));
+    std::ifstream file(std::filesystem::path(findKernelFolders().kernels) / "stages" / (stage + ".cl"));
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -1,7 +1,7 @@
 // Material "subsurface": what is inside of it, and the albedo of deep bodies.
 
-#include "scene/diffuse_albedo.h"
-#include "scene/image.h"
+#include "color/diffuse_albedo.h"
+#include "read/formats/image.h"
 #include "unit/pbrt_reading.h"
 
 #include <cmath>

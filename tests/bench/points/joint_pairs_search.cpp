@@ -1,4 +1,4 @@
-// Searches the masks of kernels/joint_pairs.clh: `joint_pairs_search SEED BEAM` prints those that it finds, and for each projection the quality
+// Searches the masks of kernels/math/joint_pairs.clh: `joint_pairs_search SEED BEAM` prints those that it finds, and for each projection the quality
 // parameters t of the first 2^2, 2^3 ... points. The shipped masks are those of seed 14 and a beam of 300.
 //
 // A pair of the joint sequence is (U i, P U i): U is a triangular matrix modulo 2, made of steps i ^= (i >> shift) & mask, and P is Pascal's. The

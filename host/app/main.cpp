@@ -1,0 +1,50 @@
+// The program: reads the command line, runs one command, and turns errors into messages and exit statuses.
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "render/kernel_workers.h"
+#include "printable.h"
+
+#include <malloc.h>
+
+#include <cstdio>
+#include <new>
+
+using namespace eikonal;
+
+static int run(const Options& options) {
+    switch (options.command) {
+        case Command::print: std::fputs(options.text.c_str(), stdout); return static_cast<int>(ExitCode::success);
+        case Command::render: return renderCommand(options);
+        case Command::info: return infoCommand(options);
+        case Command::bench: return benchCommand(options);
+        case Command::cache: return cacheCommand(options);
+        case Command::listDevices: return listDevicesCommand(options);
+        case Command::compileKernels: return compileKernelsCommand(options);
+        case Command::compare: return compareCommand(options);
+    }
+    return static_cast<int>(ExitCode::usage);
+}
+
+/// What is wrong with scenes and files says so line by line, each beginning with its place: nothing comes before that.
+static int fail(ExitCode code, const std::string& message) {
+    std::fprintf(stderr, "%s\n", printable(message).c_str());
+    return static_cast<int>(code);
+}
+
+/// What is freed goes back to the system, if it is more than this, and is not kept for later: a scene is large while it is read and packed.
+static void returnFreedMemory() { ::mallopt(M_MMAP_THRESHOLD, 128 << 10); }
+
+int main(int argc, char** argv) {
+    returnFreedMemory();
+    keepIgnoredSignals();
+    try {
+        return run(parseOptions(std::vector<std::string>(argv, argv + argc)));
+    } catch (const Error& error) {
+        return fail(error.code(), (error.code() == ExitCode::scene ? "" : "error: ") + std::string(error.what()));
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::scene, "error: not enough memory; --log-level info says what is planned");
+    } catch (const std::exception& error) {
+        return fail(ExitCode::scene, std::string("error: ") + error.what());
+    }
+}

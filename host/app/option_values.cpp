@@ -1,0 +1,114 @@
+#include "app/option_values.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace eikonal {
+
+[[noreturn]] static void refuse(const std::string& option, const std::string& wanted, const std::string& text) {
+    throw UsageError(fmt::format("{} takes {}, not \"{}\"", option, wanted, text));
+}
+
+static std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts(1);
+    for (char c : text) {
+        if (c == separator) parts.emplace_back();
+        else parts.back() += c;
+    }
+    return parts;
+}
+
+/// All of `text` as a number, or nothing.
+template <class Number> static std::optional<Number> numberIn(const std::string& text) {
+    Number value{};
+    const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
+    const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    if constexpr (std::is_floating_point_v<Number>)
+        if (!std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+/// Exactly N numbers between separators, or nothing.
+template <class Number, size_t N> static std::optional<std::array<Number, N>> numbersIn(const std::string& text, char separator) {
+    const std::vector<std::string> parts = split(text, separator);
+    if (parts.size() != N) return std::nullopt;
+    std::array<Number, N> values{};
+    for (size_t i = 0; i < N; ++i) {
+        const auto value = numberIn<Number>(parts[i]);
+        if (!value) return std::nullopt;
+        values[i] = *value;
+    }
+    return values;
+}
+
+int parseInteger(const std::string& option, const std::string& text, int low, int high) {
+    const auto value = numberIn<int>(text);
+    if (value && *value >= low && *value <= high) return *value;
+    const bool unlimited = high == std::numeric_limits<int>::max();
+    if (unlimited && low == std::numeric_limits<int>::min()) refuse(option, "a whole number", text);
+    refuse(option, unlimited ? fmt::format("a whole number of at least {}", low) : fmt::format("a whole number from {} to {}", low, high), text);
+}
+
+double parseNumber(const std::string& option, const std::string& text, double low, double high) {
+    const auto value = numberIn<double>(text);
+    if (value && *value > low && *value < high) return *value;
+    if (std::isinf(high)) refuse(option, std::isinf(low) ? "a number" : fmt::format("a number greater than {}", low), text);
+    refuse(option, fmt::format("a number between {} and {}", low, high), text);
+}
+
+glm::dvec3 parseVector(const std::string& option, const std::string& text) {
+    const auto v = numbersIn<double, 3>(text, ',');
+    if (!v) refuse(option, "three numbers with commas between them, like 0,1,5", text);
+    return {(*v)[0], (*v)[1], (*v)[2]};
+}
+
+std::array<int, 2> parseResolution(const std::string& option, const std::string& text) {
+    constexpr int largest = 1 << 20;
+    const auto size = numbersIn<int, 2>(text, 'x');
+    if (!size || (*size)[0] < 1 || (*size)[1] < 1 || (*size)[0] > largest || (*size)[1] > largest)
+        refuse(option, "a width and a height in pixels, like 800x600", text);
+    return *size;
+}
+
+std::array<double, 4> parseCropWindow(const std::string& option, const std::string& text) {
+    const auto w = numbersIn<double, 4>(text, ',');
+    const auto ordered = [](double low, double high) { return 0 <= low && low < high && high <= 1; };
+    if (!w || !ordered((*w)[0], (*w)[1]) || !ordered((*w)[2], (*w)[3]))
+        refuse(option, "x0,x1,y0,y1, fractions of the image with 0 <= x0 < x1 <= 1 and 0 <= y0 < y1 <= 1, like 0.25,0.75,0,0.5", text);
+    return *w;
+}
+
+PixelBounds parsePixelBounds(const std::string& option, const std::string& text) {
+    const auto b = numbersIn<int, 4>(text, ',');
+    const auto ordered = [](int low, int high) { return 0 <= low && low < high; };
+    if (!b || !ordered((*b)[0], (*b)[1]) || !ordered((*b)[2], (*b)[3]))
+        refuse(option, "x0,x1,y0,y1 in pixels with 0 <= x0 < x1 and 0 <= y0 < y1, like 100,200,0,50", text);
+    return {(*b)[0], (*b)[1], (*b)[2], (*b)[3]};
+}
+
+unsigned parsePowerOfTwo(const std::string& option, const std::string& text) {
+    const auto value = numberIn<unsigned>(text);
+    constexpr unsigned largest = 1u << 20;
+    if (!value || !std::has_single_bit(*value) || *value > largest) refuse(option, "a power of two, like 64", text);
+    return *value;
+}
+
+Aovs parseAovs(const std::string& option, const std::string& text) {
+    std::vector<std::pair<const char*, bool Aovs::*>> names;
+    for (const AovName& each : aovNames) names.emplace_back(each.name, each.asked);
+    names.emplace_back("all", nullptr);
+    Aovs aovs;
+    for (const std::string& word : split(text, ',')) {
+        const auto member = parseName(option, word, names);
+        for (const auto& [name, each] : names)
+            if (each && (!member || each == member)) aovs.*each = true;
+    }
+    return aovs;
+}
+
+}  // namespace eikonal

@@ -1,0 +1,38 @@
+#pragma once
+// Values of options: from text to what it means. Each throws a UsageError that names the option, what was found, and what would have worked.
+
+#include "app/options.h"
+
+namespace eikonal {
+
+/// A whole number in [low, high].
+int parseInteger(const std::string& option, const std::string& text, int low, int high);
+/// A finite number in the open interval (low, high).
+double parseNumber(const std::string& option, const std::string& text, double low, double high);
+/// "x,y,z".
+glm::dvec3 parseVector(const std::string& option, const std::string& text);
+/// "800x600".
+std::array<int, 2> parseResolution(const std::string& option, const std::string& text);
+/// "x0,x1,y0,y1", fractions with 0 <= x0 < x1 <= 1 and the same for y.
+std::array<double, 4> parseCropWindow(const std::string& option, const std::string& text);
+/// "x0,x1,y0,y1", pixels with 0 <= x0 < x1 and the same for y.
+PixelBounds parsePixelBounds(const std::string& option, const std::string& text);
+/// A power of two in [1, 2^20].
+unsigned parsePowerOfTwo(const std::string& option, const std::string& text);
+/// "all", or names joined by commas.
+Aovs parseAovs(const std::string& option, const std::string& text);
+
+/// The value that `text` names. `names` is a range of pairs of name and value.
+template <class Names> auto parseName(const std::string& option, const std::string& text, const Names& names) {
+    std::string all;
+    std::vector<std::string> words;
+    for (const auto& [name, value] : names) {
+        if (name == text) return value;
+        all += (all.empty() ? "" : ", ") + std::string(name);
+        words.emplace_back(name);
+    }
+    const std::string near = nearestWord(text, words);
+    throw UsageError(option + " is one of " + all + ", not \"" + text + "\"" + (near.empty() ? "" : "; did you mean " + near + "?"));
+}
+
+}  // namespace eikonal

@@ -1,0 +1,273 @@
+#include "app/options.h"
+
+#include "image/seed_variance.h"
+#include "app/option_values.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace eikonal {
+namespace {
+
+constexpr int unlimited = std::numeric_limits<int>::max();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Declares an option whose value is read by `parse(option, text)`.
+template <class Target, class Parse> CLI::Option* value(CLI::App* app, const std::string& names, Target& target, const std::string& type, const std::string& help, Parse parse) {
+    const std::string option = names.substr(names.rfind("--"));
+    return app->add_option_function<std::string>(names, [&target, option, parse](const std::string& text) { target = parse(option, text); }, help)->type_name(type);
+}
+
+auto integer(int low, int high = unlimited) {
+    return [=](const std::string& option, const std::string& text) { return parseInteger(option, text, low, high); };
+}
+auto number(double low, double high = infinity) {
+    return [=](const std::string& option, const std::string& text) { return parseNumber(option, text, low, high); };
+}
+template <class Value> auto oneOf(std::vector<std::pair<const char*, Value>> names) {
+    return [=](const std::string& option, const std::string& text) { return parseName(option, text, names); };
+}
+
+void addLogging(CLI::App* app, Options& o) {
+    app->add_flag("--quiet", o.quiet, "Print nothing but errors");
+    value(app, "--log-level", o.log, "LEVEL", "What to print: silent, error, warning (default), info, debug",
+          oneOf<LogLevel>({{"silent", LogLevel::silent}, {"error", LogLevel::error}, {"warning", LogLevel::warning}, {"info", LogLevel::info}, {"debug", LogLevel::debug}}));
+}
+
+CLI::Option* addListDevices(CLI::App* app, Options& o) { return app->add_flag("--list-devices", o.device.list, "Print the OpenCL devices"); }
+
+void addDevice(CLI::App* app, Options& o) {
+    DeviceOptions& d = o.device;
+    const std::string group = "Device";
+    app->add_option("--device", d.device, "The OpenCL device: its number in list-devices, or a part of its name (default: a GPU if there is one)")->type_name("NAME|INDEX")->group(group);
+    value(app, "--nthreads", d.threads, "N", "Threads that load the scene and, on PoCL, that render (default: one a core)", integer(1, 4096))->group(group);
+    app->add_flag_callback("--no-cache", [&d] { d.cache = false; }, "Compile all kernels anew, and keep none")->group(group);
+    app->add_option("--dump-kernels", d.dumpFolder, "Write the text and options of each kernel into this folder")->type_name("DIR")->group(group);
+    value(app, "--wave-paths", d.wavePaths, "N", "Paths in flight at once; changes speed and memory, never the image", integer(1, 1 << 26))->group(group);
+    value(app, "--local-size", d.localSize, "N", "Work-items in a group, a power of two; changes speed, never the image", parsePowerOfTwo)->group(group);
+    value(app, "--run", d.run, "N", "Neighbouring slots of a queue for each work-item, a power of two; changes speed, never the image", parsePowerOfTwo)->group(group);
+    addListDevices(app, o)->group(group);
+    value(app, "--contraction", d.contraction, "on|off", "Whether a*b+c may be rounded once (default: on)", oneOf<bool>({{"on", true}, {"off", false}}))->group(group);
+    app->add_option("--build-options", d.buildOptions, "More options for OpenCL's compiler, such as --build-options=-cl-fast-relaxed-math")->type_name("TEXT")->group(group);
+}
+
+/// `takesOne`: the command works on a single scene.
+void addScene(CLI::App* app, Options& o, bool takesOne = true) {
+    SceneOptions& s = o.scene;
+    if (takesOne) app->add_option("SCENE", s.path, "A pbrt-v4 scene (.pbrt) or a Wavefront OBJ (.obj), also compressed (.gz)")->type_name("");
+    const std::string group = "Scene (instead of what the file says)";
+    value(app, "--spp", s.spp, "N", "Samples a pixel", integer(1))->group(group);
+    value(app, "--seed", s.seed, "N", "Another seed gives other noise", integer(std::numeric_limits<int>::min()))->group(group);
+    value(app, "--sampler", s.sampler, "NAME", "Random numbers: independent; paddedsobol: of low discrepancy in each pixel; sobol: for several decisions together; zsobol: also between pixels",
+          oneOf<SamplerKind>({std::begin(samplerNames), std::end(samplerNames)}))->group(group);
+    value(app, "--color", s.colorMode, "NAME", "rgb; spectral: at four wavelengths a path; auto (default): spectral where the scene needs it",
+          oneOf<ColorMode>({{"auto", ColorMode::automatic}, {"rgb", ColorMode::rgb}, {"spectral", ColorMode::spectral}}))->group(group);
+    value(app, "--integrator", s.integrator, "NAME", "How light is carried: volpath, path, direct, whitted, ambientocclusion, simplepath, simplevolpath, randomwalk",
+          oneOf<IntegratorKind>({std::begin(integratorNames), std::end(integratorNames)}))->group(group);
+    value(app, "--subsurface", s.subsurface, "NAME", "How light passes through bodies of material \"subsurface\": diffusion or, slowly and exactly, randomwalk",
+          oneOf<SubsurfaceMethod>({std::begin(subsurfaceMethodNames), std::end(subsurfaceMethodNames)}))->group(group);
+    value(app, "--max-depth", s.maxDepth, "N", "Bounces; interfaces between media do not count", integer(0))->group(group);
+    value(app, "--roulette", s.roulette, "NAME", "How likely a path of throughput t goes on under Russian roulette: root: sqrt(t); throughput: t, as in pbrt-v4 (default: chosen for the scene)",
+          oneOf<RouletteRule>({std::begin(rouletteRuleNames), std::end(rouletteRuleNames)}))->group(group);
+    value(app, "--roulette-scale", s.rouletteScale, "X", "That times X: with more, paths get longer (1 where --roulette or --roulette-depth is given)", number(1e-6, 1e6))->group(group);
+    value(app, "--roulette-depth", s.rouletteDepth, "N", "Bounces before Russian roulette (4 where --roulette or --roulette-scale is given; pbrt-v4: 1)", integer(0))->group(group);
+    value(app, "--light-sampler", s.lightSampler, "NAME", "How the light is chosen that a point is lit by: bvh, power or uniform (default: power where lights are few, else bvh)",
+          oneOf<LightSampler>({std::begin(lightSamplerNames), std::end(lightSamplerNames)}))->group(group);
+    value(app, "--environment-guide", s.environmentGuide, "NAME", "Whether light samples aim at an infinite light without an image: auto (default): in closed scenes; always; never",
+          oneOf<EnvironmentGuide>({std::begin(environmentGuideNames), std::end(environmentGuideNames)}))->group(group);
+    value(app, "--resolution", s.resolution, "WxH", "Pixels of the whole image", parseResolution)->group(group);
+    value(app, "--cropwindow", s.cropWindow, "x0,x1,y0,y1", "Render a part, in fractions of the image", parseCropWindow)->group(group);
+    value(app, "--pixelbounds", s.pixelBounds, "x0,x1,y0,y1", "Render a part, in pixels: x0 <= x < x1", parsePixelBounds)->group(group);
+    app->add_flag("--strict", s.strict, "What is not rendered yet is an error instead of a warning")->group(group);
+    const std::string objGroup = "Camera of an OBJ";
+    value(app, "--camera", s.camera, "x,y,z", "Where the eye is (default: where it sees everything)", parseVector)->group(objGroup);
+    value(app, "--look-at", s.lookAt, "x,y,z", "A point in the middle of the image", parseVector)->group(objGroup);
+    value(app, "--up", s.up, "x,y,z", "The direction that is up in the image (default: 0,1,0)", parseVector)->group(objGroup);
+    value(app, "--fov", s.fov, "DEGREES", "Field of view along the shorter side", number(0, 180))->group(objGroup);
+}
+
+void addOutput(CLI::App* app, Options& o) {
+    OutputOptions& out = o.output;
+    const std::string group = "Image";
+    app->add_option("-o,--outfile", out.files, "An image file: exr, hdr, pfm, png, jpg, tif, tga, bmp, webp; may be given again. A single EXR leaves a PNG beside it (default: the scene's name, .exr)")
+        ->type_name("FILE")->type_size(1)->allow_extra_args(false)->group(group);
+    std::string channels;
+    for (const AovName& each : aovNames) channels += each.name + std::string(", ");
+    value(app, "--aov", out.aovs, "NAMES", "Further channels of an EXR: " + channels + "joined by commas, or all", parseAovs)->group(group);
+    value(app, "--tonemap", out.toneMapping.curve, "NAME", "For formats of integers: clamp (default), reinhard, filmic",
+          [](const std::string&, const std::string& text) { return toneCurve(text); })->group(group);
+    value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For formats of integers: 1 is twice as bright", number(-infinity))->group(group);
+    value(app, "--time-limit", out.timeLimit, "SECONDS", "Stop rendering after this time, but not before every pixel has a sample", number(0))->group(group);
+    value(app, "--target-error", out.targetError, "E", "Sample where it is needed until the image's relative error is about E, say 0.05; --spp is then the most that a pixel gets", number(0))->group(group);
+    app->add_flag("--stats", out.stats, "Print where time and memory went");
+}
+
+/// The program's commands, bound to what they fill in.
+struct Parser {
+    Options options;
+    CLI::App app{"Eikonal renders scenes by path tracing on OpenCL devices.", "eikonal"};
+    std::vector<std::pair<CLI::App*, Command>> commands;
+
+    CLI::App* add(const std::string& name, Command command, const std::string& help) {
+        CLI::App* sub = app.add_subcommand(name, help);
+        sub->allow_extras();
+        commands.emplace_back(sub, command);
+        return sub;
+    }
+
+    Parser() {
+        app.allow_extras();
+        app.set_help_all_flag("--help-all", "Print the options of all commands");
+        app.set_version_flag("--version", "eikonal " EIKONAL_VERSION);
+        addListDevices(&app, options);
+        app.require_subcommand(0, 1);
+
+        auto* render = add("render", Command::render, "Render a scene into an image file");
+        addScene(render, options);
+        addOutput(render, options);
+        addDevice(render, options);
+        addLogging(render, options);
+
+        auto* info = add("info", Command::info, "Print what a scene holds, what it requires and why");
+        addScene(info, options);
+        info->add_flag("--json", options.json, "Print JSON");
+        addLogging(info, options);
+
+        auto* bench = add("bench", Command::bench, "Measure a scene, stage by stage");
+        addScene(bench, options);
+        bench->add_flag("--loop", options.loop, "Measure one kernel that follows each path in a loop, too, by turns with the stages");
+        bench->add_flag("--efficiency", options.efficiency, "Measure error per second, too: each repeat has another seed, and their variance is the error");
+        bench->add_option("--reference", options.reference, "With --efficiency: a converged image of the scene, which says how much errors count in each pixel (default: the repeats' mean)")->type_name("IMAGE");
+        value(bench, "--repeats", options.repeats, "N", "Renders, of which the median counts (default: 5)", integer(1, 1000));
+        bench->add_option("--json", options.jsonFile, "Write the figures into this file too")->type_name("FILE");
+        addDevice(bench, options);
+        addLogging(bench, options);
+
+        auto* cache = add("cache", Command::cache, "Print, warm or clear the cache of compiled kernels");
+        cache->add_flag("--clear", options.clearCache, "Remove what is kept");
+        cache->add_flag("--warm", options.warmCache, "Compile the kernels of these scenes, or else of those that come with the program, and keep them; after --clear if both are given");
+        cache->add_option("SCENE", options.scenes, "Scenes for --warm")->type_name("");
+        addDevice(cache, options);
+        addLogging(cache, options);
+
+        add("list-devices", Command::listDevices, "Print the OpenCL devices");
+
+        /* The program's own: see commands/kernel_workers.h */
+        auto* compile = add("compile-kernels", Command::compileKernels, "Compile a part of the kernels")->group("");
+        compile->add_option("FEATURES", options.compile.features);
+        compile->add_option("CONSTANTS", options.compile.constants);
+        compile->add_option("PART", options.compile.part);
+        compile->add_option("PARTS", options.compile.parts)->check(CLI::PositiveNumber);
+        compile->add_option("PARENT", options.compile.parent);
+        addDevice(compile, options);
+
+        auto* compare = add("compare", Command::compare, "Print how far an image is from another");
+        compare->add_option("IMAGE", options.image, "An image file")->type_name("");
+        compare->add_option("REFERENCE", options.reference, "What it should be")->type_name("");
+        compare->add_flag("--json", options.json, "Print JSON");
+        compare->add_flag("--scatter", options.scatter, "Standard errors from how the differences of a block's pixels scatter, not from the image's variance");
+    }
+};
+
+constexpr const char* getHelp = "Run `eikonal --help` for the commands, `eikonal COMMAND --help` for their options.";
+
+std::vector<std::string> optionsOf(const CLI::App* app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app->get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+/// Explains the first argument that meant nothing to a command.
+[[noreturn]] void refuseExtra(const Parser& parser, const CLI::App* command, const std::string& argument) {
+    if (argument.size() > 1 && argument[0] == '-') {
+        const std::string name = argument.substr(0, argument.find('='));
+        const std::string near = nearestWord(name, optionsOf(command));
+        std::string hint = near.empty() ? "" : fmt::format("; did you mean {}?", near);
+        if (near.empty())
+            for (const auto& [other, id] : parser.commands)
+                for (const std::string& option : optionsOf(other))
+                    if (option == name && hint.empty()) hint = fmt::format("; {} has it", other->get_name());
+        throw UsageError(fmt::format("{} has no option {}{}\n{}", command == &parser.app ? "eikonal" : command->get_name(), name, hint, getHelp));
+    }
+    if (command != &parser.app) throw UsageError(fmt::format("{} has no use for another argument: \"{}\"\n{}", command->get_name(), argument, getHelp));
+    std::vector<std::string> names;
+    for (const auto& [other, id] : parser.commands)
+        if (!other->get_group().empty()) names.push_back(other->get_name());
+    const std::string near = nearestWord(argument, names);
+    const bool isScene = argument.find(".pbrt") != std::string::npos || argument.find(".obj") != std::string::npos;
+    throw UsageError(fmt::format("\"{}\" is no command; {}\n{}", argument,
+                                 isScene ? fmt::format("did you mean `eikonal render {}`?", argument)
+                                 : near.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
+                                                : fmt::format("did you mean {}?", near), getHelp));
+}
+
+/// What one option alone cannot know.
+void checkTogether(const Parser& parser, const CLI::App* command) {
+    const Options& o = parser.options;
+    const bool needsScene = o.command == Command::render || o.command == Command::info || o.command == Command::bench;
+    if (needsScene && o.scene.path.empty())
+        throw UsageError(fmt::format("{0} needs a scene: eikonal {0} scene.pbrt\n{1}", command->get_name(), getHelp));
+    if (o.command == Command::compare && o.reference.empty())
+        throw UsageError(fmt::format("compare needs two images: eikonal compare image.exr reference.exr\n{}", getHelp));
+    if (o.command == Command::cache && !o.scenes.empty() && !o.warmCache)
+        throw UsageError(fmt::format("cache has a use for scenes with --warm only: eikonal cache --warm {}\n{}", o.scenes.front(), getHelp));
+    if (o.command == Command::cache && o.warmCache && !o.device.cache)
+        throw UsageError(fmt::format("--warm keeps kernels and --no-cache keeps none; give one of them\n{}", getHelp));
+    if (o.command == Command::bench && !o.reference.empty() && !o.efficiency) throw UsageError("--reference goes with --efficiency: without it, bench measures no error");
+    if (o.efficiency && o.repeats < SeedVariance::leastSeeds)
+        throw UsageError(fmt::format("--efficiency takes the variance between repeats; --repeats must be at least {}, not {}", SeedVariance::leastSeeds, o.repeats));
+    if (o.scene.cropWindow && o.scene.pixelBounds) throw UsageError("--cropwindow and --pixelbounds both select a part of the image; give one of them");
+    if (o.scene.camera && o.scene.lookAt && *o.scene.camera == *o.scene.lookAt) throw UsageError("--camera and --look-at must differ");
+    if (o.scene.up && *o.scene.up == glm::dvec3(0)) throw UsageError("--up must not be 0,0,0");
+}
+
+}  // namespace
+
+Options parseOptions(const std::vector<std::string>& arguments) {
+    Parser parser;
+    Options& options = parser.options;
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.empty() ? arguments.rend() : std::prev(arguments.rend()));
+    for (const std::string& a : arguments) options.commandLine += (options.commandLine.empty() ? "" : " ") + a;
+    try {
+        parser.app.parse(reversed);
+    } catch (const CLI::CallForHelp&) {
+        const auto chosen = parser.app.get_subcommands();
+        options.text = chosen.empty() ? parser.app.help() : chosen.front()->help("eikonal");
+        return options;
+    } catch (const CLI::CallForAllHelp&) {
+        options.text = parser.app.help("", CLI::AppFormatMode::All);
+        return options;
+    } catch (const CLI::CallForVersion& version) {
+        options.text = std::string(version.what()) + "\n";
+        return options;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(fmt::format("{}\n{}", error.what(), getHelp));
+    }
+
+    const CLI::App* command = &parser.app;
+    for (const auto& [sub, id] : parser.commands)
+        if (sub->parsed()) { command = sub; options.command = id; }
+    if (const auto extra = command->remaining(); !extra.empty()) refuseExtra(parser, command, extra.front());
+    if (const auto extra = parser.app.remaining(); !extra.empty()) refuseExtra(parser, &parser.app, extra.front());
+    if (options.device.list) options.command = Command::listDevices;
+    else if (command == &parser.app) throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
+    checkTogether(parser, command);
+    if (options.quiet) options.log = std::min(options.log, LogLevel::error);
+    return options;
+}
+
+std::vector<std::string> allOptionNames() {
+    const Parser parser;
+    std::vector<std::string> names = optionsOf(&parser.app);
+    for (const auto& [command, id] : parser.commands)
+        for (const std::string& name : optionsOf(command)) names.push_back(name);
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    return names;
+}
+
+}  // namespace eikonal

@@ -1,0 +1,53 @@
+#include "app/output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace eikonal {
+
+std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& scene) {
+    std::vector<std::string> files = options.files;
+    if (files.empty()) files.push_back(scene.film.filename.empty() ? scene.name + ".exr" : scene.film.filename);
+    if (options.aovs.any() && std::ranges::none_of(files, holdsChannels))
+        throw UsageError(fmt::format("--aov asks for channels that only an EXR has, and {} is none; add -o FILE.exr", fmt::join(files, ", ")));
+    if (files.size() == 1 && holdsChannels(files.front()))
+        files.push_back(std::filesystem::path(files.front()).replace_extension(".png").string());
+    return files;
+}
+
+/// Whether some file has channels besides the colour; a warning if none has.
+static bool canHold(const char* what, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
+    if (std::ranges::any_of(files, holdsChannels)) return true;
+    diagnostics.warn(film.where, fmt::format("{} are left out: only an EXR has such, and {} is none", what, fmt::join(files, ", ")));
+    return false;
+}
+
+Aovs aovsOf(const OutputOptions& options, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
+    Aovs aovs = options.aovs;
+    if (film.gbuffer != GBuffer::none && canHold("the further channels of film \"gbuffer\"", film, files, diagnostics))
+        for (const AovName& each : aovNames) aovs.*each.asked = true;
+    return aovs;
+}
+
+bool keepsSpectrum(const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
+    return film.spectrum && canHold("the channels of film \"spectral\"", film, files, diagnostics);
+}
+
+void selectAovs(FilmImage& image, const Aovs& aovs) {
+    if (!aovs.albedo) image.albedo.clear();
+    if (!aovs.normal) image.normal.clear();
+    if (!aovs.geometricNormal) image.geometricNormal.clear();
+    if (!aovs.position) image.position.clear();
+    if (!aovs.uv) image.uv.clear();
+    if (!aovs.depthSlope) image.depthSlope.clear();
+    if (!aovs.motion) image.motion.clear();
+    if (!aovs.depth) image.depth.clear();
+    if (!aovs.object) image.object.clear();
+    if (!aovs.material) image.material.clear();
+    if (!aovs.variance) image.variance.clear();
+    if (!aovs.sampleCount) image.sampleCount.clear();
+}
+
+}  // namespace eikonal

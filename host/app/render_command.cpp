@@ -1,0 +1,137 @@
+#include "app/available_memory.h"
+#include "app/clock.h"
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/output.h"
+#include "app/progress_bar.h"
+#include "render/session.h"
+#include "app/statistics.h"
+#include "app/wait_notice.h"
+#include "render/projection.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <future>
+#include <optional>
+
+namespace eikonal {
+namespace {
+
+/// A line for the user, unless --quiet.
+void say(const Options& o, const std::string& line) {
+    if (o.log >= LogLevel::warning) std::fputs((line + "\n").c_str(), stderr);
+}
+
+/// Renders until all samples are taken or the error is small enough, the time is over, or a signal arrives.
+RenderResult renderFilm(const Options& o, Session& session, Film& film) {
+    const auto samples = static_cast<unsigned>(session.packed().samples);
+    ProgressBar bar(samples, o.log < LogLevel::warning);
+    const Stopwatch time;
+    bool isWhole = false;   // every pixel has a sample
+    RenderControl control;
+    control.endSample = samples;
+    control.targetError = o.output.targetError;
+    control.progress = [&](const Progress& p) {
+        isWhole = p.samples > 0;
+        bar.show(p);
+    };
+    control.stop = [&] { return Interrupt::signal() != 0 || (o.output.timeLimit && isWhole && time.seconds() > *o.output.timeLimit); };
+    return render(session.context(), session.wave(), film, session.profile(), control);
+}
+
+/// Says what the image lacks, if it lacks anything.
+void reportShortfall(const Options& o, const Film::Samples& samples, const Film::Invalid& invalid, const RenderResult& result, unsigned wanted, int endedBy,
+                     Diagnostics& diagnostics) {
+    if (!result.isFinished)
+        say(o, fmt::format("{}: {} of {} samples a pixel", endedBy ? "interrupted" : "ended by --time-limit",
+                           samples.fewest == samples.most ? fmt::format("{}", samples.fewest) : fmt::format("{} to {}", samples.fewest, samples.most), wanted));
+    else if (result.error && *result.error > *o.output.targetError)
+        say(o, fmt::format("the relative error is about {:.2g}, not {:g}: {} samples are the most that a pixel gets; --spp sets that number", *result.error, *o.output.targetError, wanted));
+    if (invalid.count)
+        diagnostics.warn({}, fmt::format("{} sample{} not finite, or brighter than {:.0e}, and count{} as black; the first is in pixel ({}, {})", invalid.count,
+                                         invalid.count == 1 ? " was" : "s were", MOST_RADIANCE, invalid.count == 1 ? "s" : "", invalid.x, invalid.y));
+}
+
+Metadata metadataOf(const Options& o, const Session& session, const Film::Samples& samples, double seconds, const std::string& hash) {
+    Metadata m;
+    m.samples = static_cast<int>(samples.fewest);
+    if (samples.most > samples.fewest) m.meanSamples = samples.mean;
+    m.targetError = o.output.targetError;
+    m.renderSeconds = seconds;
+    m.seed = session.scene().sampler.seed;
+    m.version = "Eikonal " EIKONAL_VERSION;
+    m.scene = o.scene.path;
+    m.sceneHash = hash;
+    m.device = session.context().device().name;
+    m.commandLine = o.commandLine;
+    return m;
+}
+
+/// One file that cannot be written does not keep the others from being written.
+void writeAll(const std::vector<std::string>& files, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping, bool silent) {
+    std::string problems;
+    for (const std::string& file : files) {
+        const WaitNotice notice("writing " + file, silent);
+        try {
+            writeImage(file, image, metadata, mapping);
+        } catch (const Error& error) {
+            problems += (problems.empty() ? "" : "\n") + std::string(error.what());
+        }
+    }
+    if (!problems.empty()) throw Error(ExitCode::scene, problems);
+}
+
+/// Throws an error if the film, and then the image beside it, would not fit: a program that is killed for memory loses what it has rendered.
+void checkMemory(const FilmDescription& film, const PackedScene& packed, const MemoryPlan& plan) {
+    const size_t needed = plan.tables + plan.queues + plan.film + plan.image, available = availableMemory();
+    if (needed <= available) return;
+    const std::string buckets = film.spectrum ? fmt::format(" with spectra of {} buckets", film.spectrum->buckets) : "";
+    throw SceneError(film.spectrum ? film.where : SourceLocation{},
+                     fmt::format("{} x {} pixels{} take {} of memory, and {} are available; --pixelbounds renders parts, which join exactly", packed.pixels.width(), packed.pixels.height(), buckets,
+                                 readableBytes(static_cast<double>(needed)), readableBytes(static_cast<double>(available))));
+}
+
+}  // namespace
+
+int renderCommand(const Options& o) {
+    Diagnostics diagnostics(o.log, o.scene.strict);
+    for (const std::string& file : o.output.files) checkWritable(file);
+
+    Session session(o, diagnostics);
+    session.load();
+    const std::vector<std::string> files = outputFiles(o.output, session.scene());
+    const Aovs aovs = aovsOf(o.output, session.scene().film, files, diagnostics);
+    session.pack(aovs, keepsSpectrum(session.scene().film, files, diagnostics));
+    const PackedScene& packed = session.packed();
+    checkMemory(session.scene().film, packed, session.plan());
+    for (const std::string& file : files) checkWritable(file, session.plan().film / 2);
+    diagnostics.info("memory to be taken: " + describe(session.plan()));
+    auto hash = std::async(std::launch::async, [&] { return sceneHash(packed); });
+    session.prepare();
+
+    const Interrupt interrupt;
+    diagnostics.info(fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), packed.samples));
+    std::optional<Film> film(std::in_place, packed);
+    const Stopwatch renderTime;
+    session.survey();
+    const RenderResult result = renderFilm(o, session, *film);
+    const double renderSeconds = renderTime.seconds();
+    /* A signal counts if it cost samples, not if it comes while what is finished is written */
+    const int endedBy = result.isFinished ? 0 : Interrupt::signal();
+    const Film::Samples samples = film->samples();
+    reportShortfall(o, samples, film->invalid(), result, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
+
+    const Stopwatch writeTime;
+    FilmImage image = session.develop(*film);
+    film.reset();   // it may be most of the memory that there is
+    selectAovs(image, aovs);
+    if (session.scene().film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, packed);
+    writeAll(files, image, metadataOf(o, session, samples, renderSeconds, hash.get()), o.output.toneMapping, o.log < LogLevel::warning);
+    const double writeSeconds = writeTime.seconds();
+    say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()));
+    if (o.output.stats) std::fputs(describeRun(session, session.profile(), samples, result, renderSeconds, writeSeconds).c_str(), stdout);
+    return endedBy ? 128 + endedBy : static_cast<int>(ExitCode::success);
+}
+
+}  // namespace eikonal

@@ -1,0 +1,62 @@
+#pragma once
+// A distribution over wavelengths as a scene gives it, and its colour.
+
+#include "color/observer.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace eikonal {
+
+/// A spectrum, remembered as it was given so that spectral rendering can use more of it than its colour.
+class Spectrum {
+public:
+    enum class Kind { rgb, sampled, blackbody };
+
+    Spectrum() = default;                                                    ///< zero
+    static Spectrum constant(double value);                                  ///< the same at all wavelengths, and in all channels
+    static Spectrum rgb(glm::dvec3 color, ColorSpace space = ColorSpace::srgb);
+    static Spectrum sampled(SampledCurve curve);
+    static Spectrum sampled(std::shared_ptr<const SampledCurve> curve);
+    static Spectrum blackbody(double kelvin);                                ///< Planck's law, scaled to a maximum of 1
+
+    Kind kind() const { return kind_; }
+    bool isConstant() const { return constant_; }                            ///< made by constant()
+    bool isFlat() const;                                                     ///< a constant, or grey
+    const SampledCurve& curve() const { return *curve_; }                    ///< sampled
+    double kelvin() const { return kelvin_; }                                ///< blackbody
+    glm::dvec3 color() const { return rgb_; }                                ///< rgb: in its space
+    ColorSpace space() const { return space_; }                              ///< rgb
+    double factor() const { return factor_; }                                ///< sampled, blackbody: times this
+
+    /// Linear sRGB of a reflectance, transmittance or coefficient: what light of white (1, 1, 1) is multiplied with. Not negative.
+    glm::dvec3 albedo() const;
+    /// Linear sRGB of emitted light, which may lie outside of [0, inf) for colours that sRGB cannot show. An rgb colour is itself,
+    /// moved to sRGB; a curve or blackbody has luminance 1 (0 stays 0), as pbrt-v4's lights divide by their photometric integral.
+    glm::dvec3 illuminant() const;
+    /// The one number for a parameter that is a float; of a curve or a colour, its mean over daylight as the eye weighs it.
+    double value() const;
+    /// The values at 360, 361, ... 830 nm. A colour becomes a smooth spectrum of that colour (pbrt-v4's unbounded RGB spectrum).
+    DenseCurve dense() const;
+
+    Spectrum operator*(double factor) const;                                 ///< scaled; the factor is applied after any normalisation
+
+private:
+    Kind kind_ = Kind::rgb;
+    bool constant_ = true;
+    glm::dvec3 rgb_{0};
+    ColorSpace space_ = ColorSpace::srgb;
+    std::shared_ptr<const SampledCurve> curve_;
+    double kelvin_ = 0;
+    double factor_ = 1;  ///< sampled and blackbody
+};
+
+/// Complex indices of refraction, one for each channel, whose Fresnel reflectance is nearest to that of the spectra under
+/// daylight at all angles: what lets a measured metal be rendered in RGB.
+struct ConductorIndices { glm::dvec3 eta, k; };
+ConductorIndices conductorIndices(const Spectrum& eta, const Spectrum& k);
+
+}  // namespace eikonal

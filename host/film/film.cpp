@@ -1,0 +1,170 @@
+#include "film/film.h"
+
+#include "color/luminance.h"
+#include "render/projection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
+
+namespace eikonal {
+
+Film::Film(const PackedScene& scene, const Features& features)
+    : width_(static_cast<int>(scene.frame().width)), height_(static_cast<int>(scene.frame().height)), pixels_(scene.pixels), layout_(filmLayout(features, scene.frame().bucket_count)) {
+    const size_t words = plane() * static_cast<size_t>(layout_.words);
+    data_.reset(static_cast<uint*>(std::calloc(words, sizeof(uint))));
+    if (!data_) throw Error(ExitCode::scene, "not enough memory for an image of " + std::to_string(pixels_.width()) + " x " + std::to_string(pixels_.height()) + " pixels");
+}
+
+/// The part of a block that is in the film, as the rectangle of rows and planes that OpenCL copies.
+struct Region {
+    size_t hostOrigin[3], deviceOrigin[3], size[3];
+    size_t hostRow, hostSlice, deviceRow, deviceSlice;
+};
+
+static Region regionOf(const PixelRect& film, const Batch& batch, size_t block, int words) {
+    constexpr size_t word = sizeof(uint);
+    const auto n = [](int x) { return static_cast<size_t>(x); };
+    const PixelRect part = batch.blocks[block].within(film, batch.size);
+    return {{n(part.x0 - film.x0) * word, n(part.y0 - film.y0), 0},
+            {0, block * n(batch.size.height()), 0},
+            {n(part.width()) * word, n(part.height()), n(words)},
+            n(film.width()) * word, n(film.width()) * n(film.height()) * word, n(batch.size.width()) * word, batch.pixels() * word};
+}
+
+/// Copies the pixels of a batch's blocks by clEnqueueWriteBufferRect or clEnqueueReadBufferRect.
+template <class Enqueue, class Data>
+static void copyBlocks(Enqueue enqueue, const Context& context, const Buffer& buffer, const PixelRect& film, int words, const Batch& batch, Data* data, const char* what) {
+    for (size_t block = 0; block < batch.blocks.size(); ++block) {
+        const Region r = regionOf(film, batch, block, words);
+        check(enqueue(context.queue(), buffer.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice, r.hostRow, r.hostSlice, data, 0, nullptr, nullptr), what);
+    }
+}
+
+void Film::upload(const Context& context, const Buffer& buffer, const Batch& batch) const {
+    copyBlocks(clEnqueueWriteBufferRect, context, buffer, pixels_, layout_.words, batch, data_.get(), "copying pixels of the film to the device");
+}
+
+void Film::download(const Context& context, const Buffer& buffer, const Batch& batch) {
+    copyBlocks(clEnqueueReadBufferRect, context, buffer, pixels_, layout_.words, batch, data_.get(), "copying pixels of the film from the device");
+}
+
+const uint* Film::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
+const float* Film::floats(const char* field) const { return reinterpret_cast<const float*>(numbers(field)); }
+
+/// What a pixel shows, and how sure that is.
+struct Film::Planes {
+    size_t n;
+    const float *sum, *weight, *squareWeight, *mean, *spread;
+    const uint* count;
+
+    explicit Planes(const Film& f)
+        : n(f.plane()), sum(f.floats("sum")), weight(f.floats("weight")), squareWeight(f.floats("square_weight")), mean(f.floats("mean")), spread(f.floats("spread")),
+          count(f.numbers("count")) {}
+
+    glm::vec3 color(size_t i) const { return glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0); }
+
+    /// Of the mean of a pixel's luminance, estimated from the spread of its samples; zero if there are too few.
+    /* The mean is a ratio of two sums, sum(w L) / sum(w): its variance is that of sum(w (L - mean)), over the square of sum(w). */
+    float variance(size_t i, glm::vec3 color) const {
+        const double samples = count[i], weights = weight[i];
+        if (samples < 2 || weights == 0) return 0;
+        const double aside = luminance(color) - mean[i];
+        const double spreads = std::max(spread[i], 0.0f) + squareWeight[i] * aside * aside;
+        return static_cast<float>(std::min(spreads * samples / (samples - 1) / (weights * weights), static_cast<double>(std::numeric_limits<float>::max())));
+    }
+};
+
+double Film::relativeVariance(const PixelRect& part) const {
+    const Planes planes(*this);
+    double sum = 0;
+    for (int y = part.y0; y < part.y1; ++y)
+        for (int x = part.x0; x < part.x1; ++x) {
+            const size_t i = static_cast<size_t>(y - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(x - pixels_.x0);
+            const glm::vec3 color = planes.color(i);
+            const double brightness = luminance(color);
+            sum += planes.variance(i, color) / (brightness * brightness + 0.01);
+        }
+    return sum;
+}
+
+/// A sum of directions as one of unit length.
+static glm::vec3 meanDirection(const float* sum, size_t n, size_t i) {
+    const glm::vec3 direction(sum[i], sum[n + i], sum[2 * n + i]);
+    const float length = glm::length(direction);
+    return length > 0 ? direction / length : glm::vec3(0);
+}
+
+void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
+    const size_t n = plane();
+    for (auto* v : {&image.albedo, &image.normal, &image.geometricNormal, &image.position}) v->resize(n);
+    for (auto* v : {&image.uv, &image.depthSlope, &image.motion}) v->resize(n);
+    const bool moves = layout_.field("opening").words > 0;
+    for (auto* v : {&image.depth, &image.object, &image.material}) v->resize(n);
+    const float *weight = floats("weight"), *albedo = floats("albedo"), *position = floats("position"), *uv = floats("uv"), *distance = floats("distance"), *seen = floats("seen");
+    for (size_t i = 0; i < n; ++i) {
+        const float inverse = weight[i] != 0 ? 1 / weight[i] : 0;
+        image.albedo[i] = glm::clamp(glm::vec3(albedo[i], albedo[n + i], albedo[2 * n + i]) * inverse, 0.0f, 1.0f);
+        image.normal[i] = meanDirection(floats("normal"), n, i);
+        image.geometricNormal[i] = meanDirection(floats("ng"), n, i);
+        image.object[i] = static_cast<float>(numbers("object")[i]);
+        image.material[i] = static_cast<float>(numbers("material")[i]);
+        image.depth[i] = std::numeric_limits<float>::infinity();
+        if (!(seen[i] > 0)) continue;
+        const double count = seen[i];
+        const auto meanPoint = [&](const float* sum) { return glm::dvec3(sum[i], sum[n + i], sum[2 * n + i]) / count; };
+        const glm::dvec3 p = meanPoint(position);
+        image.motion[i] = glm::vec2(motionInImage(scene, moves ? meanPoint(floats("opening")) : p, moves ? meanPoint(floats("closing")) : p));
+        image.depthSlope[i] = glm::vec2(depthSlope(scene, p, image.geometricNormal[i]));
+        image.uv[i] = glm::vec2(uv[i] / count, uv[n + i] / count);
+        image.position[i] = glm::vec3(p * scene.worldScale + scene.worldCenter);
+        image.depth[i] = static_cast<float>(distance[i] / count * scene.worldScale);
+    }
+}
+
+size_t Film::bytes(const PackedScene& scene) { return static_cast<size_t>(filmLayout(scene.features, scene.frame().bucket_count).words) * sizeof(uint); }
+
+size_t Film::developedBytes(const PackedScene& scene) {
+    const size_t always = sizeof(glm::vec3) + 2 * sizeof(float), ofSurfaces = 4 * sizeof(glm::vec3) + 3 * sizeof(glm::vec2) + 3 * sizeof(float);
+    return always + (scene.features.has(Feature::AOVS) ? ofSurfaces : 0) + scene.frame().bucket_count * sizeof(float);
+}
+
+FilmImage Film::develop(const PackedScene& scene) const {
+    FilmImage image(width_, height_, {pixels_.x0, pixels_.x1, pixels_.y0, pixels_.y1});
+    const size_t n = plane();
+    const Planes planes(*this);
+    image.variance.resize(n);
+    image.sampleCount.resize(n);
+    for (size_t i = 0; i < n; ++i) {
+        image.color[i] = planes.color(i);
+        image.sampleCount[i] = static_cast<float>(planes.count[i]);
+        image.variance[i] = planes.variance(i, image.color[i]);
+    }
+    if (layout_.field("albedo").words > 0) developAovs(image, scene);
+    if (scene.frame().bucket_count > 0) developSpectrum(image, scene);
+    return image;
+}
+
+Film::Invalid Film::invalid() const {
+    Invalid found;
+    const uint* counts = numbers("invalid");
+    for (size_t i = 0; i < plane(); ++i) {
+        if (!counts[i]) continue;
+        if (!found.count) {
+            found.x = pixels_.x0 + static_cast<int>(i % static_cast<size_t>(pixels_.width()));
+            found.y = pixels_.y0 + static_cast<int>(i / static_cast<size_t>(pixels_.width()));
+        }
+        found.count += counts[i];
+    }
+    return found;
+}
+
+Film::Samples Film::samples() const {
+    const uint *begin = numbers("count"), *end = begin + plane();
+    const auto [low, high] = std::minmax_element(begin, end);
+    return {*low, *high, std::accumulate(begin, end, 0.0) / static_cast<double>(plane())};
+}
+
+}  // namespace eikonal

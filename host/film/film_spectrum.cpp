@@ -1,0 +1,32 @@
+#include "film/film.h"
+#include "color/observer.h"
+
+#include <tbb/parallel_for.h>
+
+namespace eikonal {
+
+/// In units of which the spectrum of a pixel is given: the light that is 1 at every wavelength has this photometric integral. Lights are divided by theirs
+/// (packEmission), and this takes it back, as pbrt-v4 does.
+static double photometricIntegralOfOne() {
+    DenseCurve one;
+    one.fill(1);
+    return integrateXyz(one).y;
+}
+
+void Film::developSpectrum(FilmImage& image, const PackedScene& scene) const {
+    const wavelength_range& range = scene.tables.wavelengths.front();
+    const size_t n = plane(), buckets = scene.frame().bucket_count;
+    const double width = static_cast<double>(range.extent) / static_cast<double>(buckets);
+    for (size_t b = 0; b < buckets; ++b) image.spectrum.wavelengths.push_back(range.first + (static_cast<double>(b) + 0.5) * width);
+
+    /* Each of a sample's wavelengths stands for as many nm as one over its density, of which the bucket has `width` */
+    const double scale = photometricIntegralOfOne() * static_cast<double>(range.inverse_pdf) / (CHANNELS_SPECTRAL * width);
+    const float *sums = floats("buckets"), *weight = floats("weight");
+    image.spectrum.radiance.resize(n * buckets);
+    tbb::parallel_for(size_t(0), n, [&](size_t i) {
+        for (size_t b = 0; b < buckets; ++b)
+            image.spectrum.radiance[i * buckets + b] = weight[i] != 0 ? static_cast<float>(sums[b * BUCKET_WORDS * n + i] * scale / weight[i]) : 0;
+    });
+}
+
+}  // namespace eikonal

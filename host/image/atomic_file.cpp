@@ -1,0 +1,109 @@
+#include "image/atomic_file.h"
+
+#include "error.h"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace eikonal {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+    throw Error(ExitCode::scene, fmt::format("cannot write \"{}\": {}", path, reason));
+}
+
+/// Where the content goes in the end: the path with symbolic links followed.
+fs::path target(const std::string& path) {
+    std::error_code error;
+    const fs::path resolved = fs::weakly_canonical(path, error);
+    return error ? fs::path(path) : resolved;
+}
+
+fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
+
+/// A temporary file beside its final place, removed unless it was renamed to it.
+class TemporaryFile {
+public:
+    TemporaryFile(const std::string& path, const fs::path& folder) : path_(path) {
+        static std::atomic<int> count = 0;
+        name_ = folder / fmt::format(".eikonal-{}-{}.part", ::getpid(), count++);
+        ::unlink(name_.c_str());
+        file_ = ::open(name_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+        if (file_ < 0) fail(path_, fmt::format("no file can be made in \"{}\": {}", folder.string(), std::strerror(errno)));
+    }
+    ~TemporaryFile() {
+        if (file_ >= 0) ::close(file_);
+        if (!renamed_) ::unlink(name_.c_str());
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    void write(std::span<const unsigned char> content) {
+        while (!content.empty()) {
+            const ssize_t written = ::write(file_, content.data(), content.size());
+            if (written < 0 && errno == EINTR) continue;
+            if (written < 0) fail(path_, std::strerror(errno));
+            content = content.subspan(static_cast<std::size_t>(written));
+        }
+    }
+
+    void moveTo(const fs::path& place) {
+        const bool flushed = ::fsync(file_) == 0;
+        const int error = errno;
+        const bool closed = ::close(file_) == 0;
+        file_ = -1;
+        if (!flushed || !closed) fail(path_, std::strerror(flushed ? errno : error));
+        if (::rename(name_.c_str(), place.c_str()) != 0) fail(path_, std::strerror(errno));
+        renamed_ = true;
+    }
+
+private:
+    std::string path_;
+    fs::path name_;
+    int file_ = -1;
+    bool renamed_ = false;
+};
+
+void checkPlace(const std::string& path, const fs::path& place) {
+    std::error_code error;
+    const fs::path folder = folderOf(place);
+    const fs::file_status status = fs::status(place, error);
+    if (fs::is_directory(status)) fail(path, "it is a folder");
+    if (!fs::is_directory(folder, error)) fail(path, fmt::format("there is no folder \"{}\"", folder.string()));
+    if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "it is not a regular file");
+    if (fs::exists(status) && ::access(place.c_str(), W_OK) != 0) fail(path, std::strerror(errno));
+}
+
+}  // namespace
+
+void writeFileAtomically(const std::string& path, std::span<const unsigned char> content) {
+    const fs::path place = target(path);
+    checkPlace(path, place);
+    TemporaryFile file(path, folderOf(place));
+    file.write(content);
+    file.moveTo(place);
+}
+
+void checkFileWritable(const std::string& path, std::uint64_t bytes) {
+    const fs::path place = target(path), folder = folderOf(place);
+    checkPlace(path, place);
+    TemporaryFile(path, folder);
+    std::error_code error;
+    const fs::space_info space = fs::space(folder, error);
+    constexpr double megabyte = 1e6;
+    if (!error && space.available < bytes)
+        fail(path, fmt::format("about {:.1f} MB are needed in \"{}\", but only {:.1f} MB are free", static_cast<double>(bytes) / megabyte,
+                               folder.string(), static_cast<double>(space.available) / megabyte));
+}
+
+}  // namespace eikonal

@@ -1,0 +1,72 @@
+#include "image/encode_exr.h"
+
+#include <ImfChannelList.h>
+#include <ImfChromaticitiesAttribute.h>
+#include <ImfFloatAttribute.h>
+#include <ImfFrameBuffer.h>
+#include <ImfHeader.h>
+#include <ImfIO.h>
+#include <ImfIntAttribute.h>
+#include <ImfOutputFile.h>
+#include <ImfStringAttribute.h>
+
+#include <algorithm>
+
+namespace eikonal {
+namespace {
+
+class MemoryStream : public Imf::OStream {
+public:
+    explicit MemoryStream(std::vector<unsigned char>& bytes) : OStream("image.exr"), bytes_(bytes) {}
+
+    void write(const char* data, int count) override {
+        const std::size_t end = at_ + static_cast<std::size_t>(count);
+        if (bytes_.size() < end) bytes_.resize(end);
+        std::copy_n(data, count, bytes_.begin() + static_cast<std::ptrdiff_t>(at_));
+        at_ = end;
+    }
+    std::uint64_t tellp() override { return at_; }
+    void seekp(std::uint64_t at) override { at_ = at; }
+
+private:
+    std::vector<unsigned char>& bytes_;
+    std::size_t at_ = 0;
+};
+
+struct AttributeWriter {
+    Imf::Header& header;
+    const std::string& name;
+    void operator()(int value) const { header.insert(name, Imf::IntAttribute(value)); }
+    void operator()(float value) const { header.insert(name, Imf::FloatAttribute(value)); }
+    void operator()(const std::string& value) const { header.insert(name, Imf::StringAttribute(value)); }
+    void operator()(const std::array<float, 8>& c) const {
+        header.insert(name, Imf::ChromaticitiesAttribute(Imf::Chromaticities({c[0], c[1]}, {c[2], c[3]}, {c[4], c[5]}, {c[6], c[7]})));
+    }
+};
+
+}  // namespace
+
+std::vector<unsigned char> encodeExr(const EncodedImage& image) {
+    const Imath::Box2i display({0, 0}, {image.fullWidth - 1, image.fullHeight - 1});
+    const Imath::Box2i data({image.x, image.y}, {image.x + image.width - 1, image.y + image.height - 1});
+    Imf::Header header(display, data, 1, {0, 0}, 1, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
+    for (const auto& [name, value] : image.attributes) std::visit(AttributeWriter{header, name}, value);
+
+    /* A frame buffer begins where pixel (0, 0) would be */
+    const std::size_t pixel = image.channels.size() * sizeof(float), row = static_cast<std::size_t>(image.width) * pixel;
+    Imf::FrameBuffer buffer;
+    for (std::size_t c = 0; c < image.channels.size(); ++c) {
+        header.channels().insert(image.channels[c], Imf::Channel(Imf::FLOAT));
+        buffer.insert(image.channels[c], Imf::Slice::Make(Imf::FLOAT, image.values.data() + c, data, pixel, row));
+    }
+    std::vector<unsigned char> bytes;
+    {
+        MemoryStream stream(bytes);
+        Imf::OutputFile file(stream, header, 0);
+        file.setFrameBuffer(buffer);
+        file.writePixels(image.height);
+    }
+    return bytes;
+}
+
+}  // namespace eikonal

@@ -1,0 +1,70 @@
+#include "image/encode_png.h"
+
+#include <png.h>
+
+#include <algorithm>
+#include <csetjmp>
+#include <stdexcept>
+
+namespace eikonal {
+namespace {
+
+/// What libpng writes to and reports to: its errors leave by longjmp, past nothing that has to be destroyed.
+struct Encoding {
+    std::vector<unsigned char> bytes;
+    std::string error;
+};
+
+void append(png_structp png, png_bytep data, png_size_t count) {
+    auto& bytes = static_cast<Encoding*>(png_get_io_ptr(png))->bytes;
+    bytes.insert(bytes.end(), data, data + count);
+}
+
+void fail(png_structp png, png_const_charp message) {
+    static_cast<Encoding*>(png_get_error_ptr(png))->error = message;
+    png_longjmp(png, 1);
+}
+
+void ignore(png_structp, png_const_charp) {}
+
+bool writePng(png_structp png, png_infop info, const EncodedImage& image, std::vector<png_text>& texts, std::vector<png_bytep>& rows) {
+    if (setjmp(png_jmpbuf(png))) return false;
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_ABSOLUTE);
+    png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
+    png_write_info(png, info);
+    png_write_image(png, rows.data());
+    png_write_end(png, info);
+    return true;
+}
+
+}  // namespace
+
+std::vector<unsigned char> encodePng(const EncodedImage& image) {
+    const std::size_t row = 3 * static_cast<std::size_t>(image.width);
+    std::vector<png_byte> pixels(row * static_cast<std::size_t>(image.height));
+    std::ranges::transform(image.values, pixels.begin(), [](float value) { return static_cast<png_byte>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f); });
+    std::vector<png_bytep> rows;
+    for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) rows.push_back(&pixels[y * row]);
+    std::vector<png_text> texts;
+    for (const auto& [name, value] : image.attributes)
+        if (const auto* text = std::get_if<std::string>(&value)) {
+            png_text entry{};
+            entry.compression = PNG_TEXT_COMPRESSION_NONE;
+            entry.key = const_cast<png_charp>(name.c_str());
+            entry.text = const_cast<png_charp>(text->c_str());
+            texts.push_back(entry);
+        }
+
+    Encoding encoding;
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &encoding, fail, ignore);
+    png_infop info = png ? png_create_info_struct(png) : nullptr;
+    if (info) png_set_write_fn(png, &encoding, append, nullptr);
+    const bool isWritten = info && writePng(png, info, image, texts, rows);
+    png_destroy_write_struct(&png, &info);
+    if (!isWritten) throw std::runtime_error(encoding.error.empty() ? "there is not enough memory" : encoding.error);
+    return std::move(encoding.bytes);
+}
+
+}  // namespace eikonal

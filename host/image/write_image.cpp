@@ -1,0 +1,175 @@
+#include "image/image_file.h"
+
+#include "error.h"
+#include "image/atomic_file.h"
+#include "image/channels.h"
+#include "image/encode_exr.h"
+#include "image/encode_png.h"
+#include "color/primaries.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+
+namespace eikonal {
+namespace {
+
+enum class Content { layers, linear, screen8, screen16 };
+struct Format { const char *extension, *name; Content content; };
+
+constexpr std::array<Format, 11> formats{{{"exr", "openexr", Content::layers},
+                                          {"hdr", "hdr", Content::linear},
+                                          {"pfm", "pfm", Content::linear},
+                                          {"png", "png", Content::screen8},
+                                          {"jpg", "jpeg", Content::screen8},
+                                          {"jpeg", "jpeg", Content::screen8},
+                                          {"tif", "tiff", Content::screen16},
+                                          {"tiff", "tiff", Content::screen16},
+                                          {"tga", "targa", Content::screen8},
+                                          {"bmp", "bmp", Content::screen8},
+                                          {"webp", "webp", Content::screen8}}};
+
+[[noreturn]] void fail(const std::string& path, const std::string& reason) {
+    throw Error(ExitCode::scene, fmt::format("cannot write \"{}\": {}", path, reason));
+}
+
+std::string extensionOf(const std::string& path) {
+    std::string extension = std::filesystem::path(path).extension().string();
+    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
+    return extension;
+}
+
+/// The format that a name's extension stands for, in small or capital letters; null: none.
+const Format* findFormat(const std::string& path) {
+    const auto found = std::ranges::find_if(formats, [&](const Format& format) { return extensionOf(path) == std::string(".") + format.extension; });
+    return found == formats.end() ? nullptr : &*found;
+}
+
+const Format& formatOf(const std::string& path) {
+    if (const Format* format = findFormat(path)) return *format;
+    const std::string extension = extensionOf(path);
+    std::string known;
+    for (const Format& format : formats) known += std::string(" ") + format.extension;
+    fail(path,
+         (extension.empty() ? "its name has no extension" : "the extension \"" + extension + "\" is not known") + "; known are" + known);
+}
+
+/// Channel after channel of each pixel, as files have them.
+std::vector<float> interleave(const std::vector<ChannelView<const float>>& channels, std::size_t pixels) {
+    std::vector<float> values(pixels * channels.size());
+    tbb::parallel_for(std::size_t(0), pixels, [&](std::size_t i) {
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            const float value = channels[c][i];
+            values[i * channels.size() + c] = channels[c].isDepth && !std::isfinite(value) ? noDepth : value;
+        }
+    });
+    return values;
+}
+
+std::vector<float> toneMapped(const FilmImage& image, const ToneMapping& mapping) {
+    std::vector<float> values(3 * image.pixelCount());
+    tbb::parallel_for(std::size_t(0), image.pixelCount(), [&](std::size_t i) {
+        const glm::vec3 stored = toneMap(image.color[i], mapping);
+        for (int c = 0; c < 3; ++c) values[3 * i + static_cast<std::size_t>(c)] = stored[c];
+    });
+    return values;
+}
+
+void addAttributes(EncodedImage& file, const Metadata& metadata) {
+    const auto add = [&](const char* name, auto value) { file.attributes.emplace_back(name, value); };
+    const auto addText = [&](const char* name, const std::string& text) { if (!text.empty()) add(name, text); };
+    if (metadata.samples) add("samplesPerPixel", *metadata.samples);
+    if (metadata.meanSamples) add("meanSamplesPerPixel", static_cast<float>(*metadata.meanSamples));
+    if (metadata.targetError) add("targetError", static_cast<float>(*metadata.targetError));
+    if (metadata.renderSeconds) add("renderTimeSeconds", static_cast<float>(*metadata.renderSeconds));
+    if (metadata.seed) add("seed", *metadata.seed);
+    addText("Software", metadata.version);
+    addText("scene", metadata.scene);
+    addText("sceneHash", metadata.sceneHash);
+    addText("device", metadata.device);
+    addText("commandLine", metadata.commandLine);
+}
+
+EncodedImage::Values valuesOf(Content content) {
+    return content == Content::screen8 ? EncodedImage::Values::bytes : content == Content::screen16 ? EncodedImage::Values::words : EncodedImage::Values::floats;
+}
+
+/// The image as a file of that format has it, but for its values.
+EncodedImage describe(const Format& format, const FilmImage& image, const Metadata& metadata) {
+    EncodedImage file{.stored = valuesOf(format.content), .width = image.columns(), .height = image.rows(), .fullWidth = image.columns(), .fullHeight = image.rows(),
+                      .channels = {"R", "G", "B"}, .attributes = {}, .values = {}};
+    if (format.content == Content::layers) {
+        file.x = image.bounds.x0;
+        file.y = image.bounds.y0;
+        file.fullWidth = image.width;
+        file.fullHeight = image.height;
+        file.attributes.emplace_back("chromaticities", srgbPrimaries);
+        if (!image.spectrum.wavelengths.empty())
+            for (const auto& [attribute, text] : spectralAttributes) file.attributes.emplace_back(attribute, text);
+    }
+    addAttributes(file, metadata);
+    return file;
+}
+
+/// What is written at every render does not need OpenImageIO.
+std::vector<unsigned char> encode(const std::string& path, const Format& format, const EncodedImage& image) {
+    const std::string name = format.name;
+    try {
+        if (name == "openexr") return encodeExr(image);
+        if (name == "png") return encodePng(image);
+    } catch (const std::exception& error) { fail(path, error.what()); }
+    std::string error;
+    std::vector<unsigned char> bytes = imageFormats().encode(name, format.extension, image, error);
+    if (bytes.empty()) fail(path, error);
+    return bytes;
+}
+
+/// OpenImageIO 2.4 reads the Portable Float Map but does not write it: a header, then rows from the bottom; -1 means little endian.
+std::vector<unsigned char> encodePfm(const FilmImage& image) {
+    const std::string header =
+        fmt::format("PF\n{} {}\n{}\n", image.columns(), image.rows(), std::endian::native == std::endian::little ? "-1.0" : "1.0");
+    std::vector<unsigned char> bytes(header.begin(), header.end());
+    for (int y = image.bounds.y1 - 1; y >= image.bounds.y0; --y) {
+        const auto* row = reinterpret_cast<const unsigned char*>(&image.color[image.index(image.bounds.x0, y)]);
+        bytes.insert(bytes.end(), row, row + static_cast<std::size_t>(image.columns()) * sizeof(glm::vec3));
+    }
+    return bytes;
+}
+
+}  // namespace
+
+void writeImage(const std::string& path, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping) {
+    const Format& format = formatOf(path);
+    if (image.pixelCount() == 0) fail(path, "the image has no pixels");
+    if (std::string(format.name) == "pfm") { writeFileAtomically(path, encodePfm(image)); return; }
+    EncodedImage file = describe(format, image, metadata);
+    if (file.stored != EncodedImage::Values::floats) {
+        file.values = toneMapped(image, mapping);
+    } else {
+        auto channels = channelsOf<const float>(image);
+        if (format.content == Content::linear) channels.erase(channels.begin() + 3, channels.end());
+        file.channels.clear();
+        for (const auto& channel : channels) file.channels.push_back(channel.name);
+        file.values = interleave(channels, image.pixelCount());
+    }
+    writeFileAtomically(path, encode(path, format, file));
+}
+
+bool holdsChannels(const std::string& path) {
+    const Format* format = findFormat(path);
+    return format && format->content == Content::layers;
+}
+
+void checkWritable(const std::string& path, std::uint64_t bytes) {
+    formatOf(path);
+    checkFileWritable(path, bytes);
+}
+
+}  // namespace eikonal

@@ -1,0 +1,226 @@
+#include "read/formats/image.h"
+
+#include "color/primaries.h"
+#include "color/transfer.h"
+#include "image/formats/image_formats.h"
+#include "parallel_errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+#include <strings.h>
+
+namespace eikonal {
+namespace {
+
+const std::array<float, 256>& linearFromSrgbByte() {
+    static const std::array<float, 256> table = [] {
+        std::array<float, 256> values{};
+        for (int i = 0; i < 256; ++i) values[i] = static_cast<float>(linearFromSrgb(i / 255.));
+        return values;
+    }();
+    return table;
+}
+
+// ---- opening ----------------------------------------------------------------------------------------------------------------
+
+struct Problem { std::string message; };
+
+/// The extensions of still images that can be read, for error messages: "exr tif tiff jpg ...".
+std::string readableExtensions() {
+    std::string result;
+    std::istringstream formats(imageFormats().extensions());
+    for (std::string entry; std::getline(formats, entry, ';');) {
+        const std::size_t colon = entry.find(':');
+        const std::string format = entry.substr(0, colon);
+        if (colon == entry.npos || format == "null" || format == "term" || format == "ffmpeg" || format == "raw" || format == "openvdb")
+            continue;
+        std::string extensions = entry.substr(colon + 1);
+        std::ranges::replace(extensions, ',', ' ');
+        result += (result.empty() ? "" : " ") + extensions;
+    }
+    return result;
+}
+
+std::unique_ptr<ImageReader> open(const std::string& path) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) throw Problem{"there is no such file"};
+    if (std::filesystem::is_directory(path, error)) throw Problem{"it is a folder"};
+
+    std::string reason;
+    auto input = imageFormats().open(path, true, reason);
+    if (input) return input;
+    const bool unknown = reason.find("could not find a format reader") != reason.npos || reason.find("not recognized") != reason.npos;
+    throw Problem{unknown || reason.empty() ? "its format is not known; readable are " + readableExtensions() : reason};
+}
+
+/// Refuses a header that claims far more pixels than the file can hold: a damaged file should not take all memory.
+void checkPlausible(const std::string& path, const ImageReader::Header& header) {
+    if (header.width <= 0 || header.height <= 0 || header.depth > 1)
+        throw Problem{fmt::format("it is {} x {} x {} pixels", header.width, header.height, header.depth)};
+    constexpr double alwaysFine = 1 << 26, highestCompression = 2000;
+    const double claimed = static_cast<double>(header.bytes), size = static_cast<double>(std::filesystem::file_size(path));
+    if (claimed > alwaysFine && claimed > highestCompression * size)
+        throw Problem{fmt::format("it is damaged: {} bytes cannot be {} x {} pixels", size, header.width, header.height)};
+}
+
+/// Where R G B (A), or else the one channel, are in the file.
+std::vector<int> pickChannels(const ImageReader::Header& header) {
+    const auto find = [&](const char* name) {
+        const auto found =
+            std::ranges::find_if(header.channels, [&](const std::string& n) { return ::strcasecmp(n.c_str(), name) == 0; });
+        return found == header.channels.end() ? -1 : static_cast<int>(found - header.channels.begin());
+    };
+    if (header.channels.size() == 1) return {0};
+    const int r = find("R"), g = find("G"), b = find("B"), a = find("A");
+    if (r >= 0 && g >= 0 && b >= 0) return a >= 0 ? std::vector{r, g, b, a} : std::vector{r, g, b};
+    if (const int grey = find("Y"); grey >= 0) return {grey};
+    std::string names;
+    for (const std::string& name : header.channels) names += (names.empty() ? "" : " ") + name;
+    throw Problem{"it has none of the channels R G B or Y; its channels: " + names};
+}
+
+// ---- values -----------------------------------------------------------------------------------------------------------------
+
+template <class T> std::vector<T> readPicked(ImageReader& input, const std::vector<int>& picked) {
+    const std::size_t pixels = input.header().pixels(), channels = input.header().channels.size(), kept = picked.size();
+    std::vector<T> all(pixels * channels);
+    if (!input.read(all.data())) throw Problem{input.error()};
+    bool inPlace = kept == channels;
+    for (std::size_t k = 0; k < kept; ++k) inPlace = inPlace && picked[k] == static_cast<int>(k);
+    if (inPlace) return all;
+    std::vector<T> result(pixels * kept);
+    for (std::size_t i = 0; i < pixels; ++i)
+        for (std::size_t k = 0; k < kept; ++k) result[i * kept + k] = all[i * channels + static_cast<std::size_t>(picked[k])];
+    return result;
+}
+
+template <class T> void dropChannel3(std::vector<T>& values) {
+    for (std::size_t i = 0; i < values.size() / 4; ++i) std::copy_n(&values[4 * i], 3, &values[3 * i]);
+    values.resize(values.size() / 4 * 3);
+}
+
+template <class T> bool isOpaque(const std::vector<T>& values, T one) {
+    for (std::size_t i = 3; i < values.size(); i += 4)
+        if (values[i] != one) return false;
+    return true;
+}
+
+/// The matrix from the file's primaries to those of sRGB, if it names others.
+std::optional<glm::dmat3> conversion(const ImageReader& file) {
+    const std::optional<Primaries> primaries = file.chromaticities();
+    if (!primaries) return {};
+    const auto matrix = srgbFromPrimaries(*primaries);
+    if (matrix && !std::isfinite(glm::dot((*matrix)[0] + (*matrix)[1] + (*matrix)[2], glm::dvec3(1))))
+        throw Problem{"its chromaticities are not those of a colour space"};
+    return matrix;
+}
+
+void convert(std::vector<float>& values, std::size_t channels, const glm::dmat3& matrix) {
+    if (channels < 3) return;
+    for (std::size_t i = 0; i < values.size(); i += channels) {
+        const glm::dvec3 color = matrix * glm::dvec3(values[i], values[i + 1], values[i + 2]);
+        for (int c = 0; c < 3; ++c) values[i + static_cast<std::size_t>(c)] = static_cast<float>(color[c]);
+    }
+}
+
+std::size_t replaceNonFinite(std::vector<float>& values) {
+    std::size_t count = 0;
+    for (float& value : values) {
+        if (std::isfinite(value)) continue;
+        value = std::isnan(value) ? 0.f : std::copysign(65504.f, value);
+        ++count;
+    }
+    return count;
+}
+
+ImageData read(const ImageFile& file) {
+    const auto input = open(file.path);
+    const ImageReader::Header& header = input->header();
+    checkPlausible(file.path, header);
+    const std::vector<int> picked = pickChannels(header);
+
+    ImageData image;
+    image.width = header.width;
+    image.height = header.height;
+    image.channels = static_cast<int>(picked.size());
+    const bool isInteger = !header.isFloatingPoint;
+    const bool isLinear = file.encoding == ColorEncoding::linear;
+    if (header.isBytes && file.gamma <= 0) {
+        image.format = isLinear ? TexelFormat::linear8 : TexelFormat::srgb8;
+        image.bytes = readPicked<std::uint8_t>(*input, picked);
+        if (image.channels == 4 && isOpaque<std::uint8_t>(image.bytes, 255)) { dropChannel3(image.bytes); image.channels = 3; }
+        return image;
+    }
+    image.floats = readPicked<float>(*input, picked);
+    if (image.channels == 4 && isOpaque(image.floats, 1.f)) { dropChannel3(image.floats); image.channels = 3; }
+    image.replaced = replaceNonFinite(image.floats);
+    if (isInteger && file.gamma > 0)
+        for (float& value : image.floats) value = static_cast<float>(std::pow(value, file.gamma));
+    else if (isInteger && !isLinear)
+        for (float& value : image.floats) value = static_cast<float>(linearFromSrgb(value));
+    if (const auto matrix = conversion(*input)) convert(image.floats, static_cast<std::size_t>(image.channels), *matrix);
+    return image;
+}
+
+}  // namespace
+
+float ImageData::at(int x, int y, int channel) const {
+    const std::size_t i = (static_cast<std::size_t>(y) * width + x) * channels + channel;
+    if (format == TexelFormat::float32) return floats[i];
+    return format == TexelFormat::srgb8 ? linearFromSrgbByte()[bytes[i]] : bytes[i] / 255.f;
+}
+
+std::shared_ptr<const ImageData> loadImage(const ImageFile& file) {
+    if (file.pixels) return file.pixels;
+    try {
+        return std::make_shared<ImageData>(read(file));
+    } catch (const Problem& problem) {
+        throw SceneError(file.where, fmt::format("cannot read image \"{}\": {}", file.path, problem.message));
+    } catch (const std::bad_alloc&) {
+        throw SceneError(file.where, fmt::format("cannot read image \"{}\": there is not enough memory for it", file.path));
+    }
+}
+
+std::vector<std::shared_ptr<const ImageData>> loadImages(std::span<const ImageFile> files) {
+    std::vector<std::shared_ptr<const ImageData>> images(files.size());
+    forEachInParallel(files.size(), [&](std::size_t i) { images[i] = loadImage(files[i]); });
+    return images;
+}
+
+ImageData scalarImage(const ImageData& image) {
+    const std::size_t pixels = static_cast<std::size_t>(image.width) * image.height, channels = static_cast<std::size_t>(image.channels);
+    ImageData result{.width = image.width, .height = image.height, .channels = 1, .format = image.format, .replaced = image.replaced};
+    if (channels != 3) {
+        const std::size_t picked = channels - 1;
+        for (std::size_t i = 0; i < image.bytes.size(); i += channels) result.bytes.push_back(image.bytes[i + picked]);
+        for (std::size_t i = 0; i < image.floats.size(); i += channels) result.floats.push_back(image.floats[i + picked]);
+        return result;
+    }
+
+    // Grey stored as colour, as most bump and roughness maps are, needs no mean.
+    bool isGrey = !image.bytes.empty();
+    for (std::size_t i = 0; i < image.bytes.size() && isGrey; i += 3)
+        isGrey = image.bytes[i] == image.bytes[i + 1] && image.bytes[i] == image.bytes[i + 2];
+    if (isGrey) {
+        for (std::size_t i = 0; i < image.bytes.size(); i += 3) result.bytes.push_back(image.bytes[i]);
+        return result;
+    }
+    result.format = TexelFormat::float32;
+    result.floats.resize(pixels);
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x)
+            result.floats[static_cast<std::size_t>(y) * image.width + x] = (image.at(x, y, 0) + image.at(x, y, 1) + image.at(x, y, 2)) / 3;
+    return result;
+}
+
+}  // namespace eikonal

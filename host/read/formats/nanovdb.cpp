@@ -1,0 +1,215 @@
+#include "read/formats/nanovdb.h"
+
+/* Files may be compressed in either way */
+#define NANOVDB_USE_ZIP
+#define NANOVDB_USE_BLOSC
+#include <nanovdb/util/IO.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <map>
+
+namespace eikonal {
+namespace {
+
+using Tree = nanovdb::FloatTree;
+using Upper = Tree::Node2;
+using Lower = Tree::Node1;
+using Leaf = Tree::Node0;
+
+/// Blocks, of 512 voxels, within the bounds of the largest grid that is read.
+constexpr double mostBlocks = 1 << 28;
+
+/// A grid in a file: what its header says, and that the file stands where the grid's data begin.
+struct Found { nanovdb::io::MetaData meta; nanovdb::io::Codec codec; };
+
+void readRaw(std::istream& file, void* to, size_t size) {
+    file.read(static_cast<char*>(to), static_cast<std::streamsize>(size));
+    if (!file) throw ReadProblem("ends too early");
+}
+
+/// Walks through a file's headers, until `wanted` returns true for a name: then the file stands where that grid's data begin.
+bool findGrid(std::istream& file, const std::function<bool(const std::string&)>& wanted, Found& found) {
+    file.seekg(0, std::ios::end);
+    const auto end = static_cast<std::uint64_t>(file.tellg());
+    file.seekg(0);
+    for (std::uint64_t at = 0; at < end;) {
+        nanovdb::io::Header header;
+        file.seekg(static_cast<std::streamoff>(at));
+        readRaw(file, &header, sizeof header);
+        if (header.magic != NANOVDB_MAGIC_NUMBER) throw ReadProblem("is not a NanoVDB file");
+        if (header.version.getMajor() != NANOVDB_MAJOR_VERSION_NUMBER)
+            throw ReadProblem(fmt::format("is of NanoVDB's file version {}; {} is what the library reads", header.version.getMajor(), NANOVDB_MAJOR_VERSION_NUMBER));
+
+        /* All of a segment's headers stand before its data */
+        std::vector<std::pair<nanovdb::io::MetaData, std::string>> grids;
+        for (int i = 0; i < header.gridCount; ++i) {
+            nanovdb::io::MetaData meta;
+            readRaw(file, &meta, sizeof meta);
+            if (meta.nameSize > end || meta.fileSize > end) throw ReadProblem("is damaged: a size in its header is beyond its end");
+            std::string name(meta.nameSize, '\0');
+            readRaw(file, name.data(), name.size());
+            grids.emplace_back(meta, name.c_str());
+        }
+        at = static_cast<std::uint64_t>(file.tellg());
+        for (const auto& [meta, name] : grids) {
+            if (wanted(name)) {
+                found = {meta, header.codec};
+                file.seekg(static_cast<std::streamoff>(at));
+                return true;
+            }
+            at += meta.fileSize;
+        }
+    }
+    return false;
+}
+
+/// A node at an offset from another, which may say anything.
+template <class Node> const Node& nodeAt(const nanovdb::GridHandle<>& handle, const void* from, std::int64_t offset) {
+    const std::int64_t size = static_cast<std::int64_t>(handle.size()), here = static_cast<const std::uint8_t*>(from) - handle.data();
+    const std::int64_t at = std::clamp(offset, -size - 1, size + 1) + here;
+    if (at < 0 || at > size - static_cast<std::int64_t>(sizeof(Node)) || at % NANOVDB_DATA_ALIGNMENT) throw ReadProblem("is damaged: a node is outside of it");
+    return *reinterpret_cast<const Node*>(handle.data() + at);
+}
+
+/// Copies a tree's values, block by block.
+class Copy {
+public:
+    explicit Copy(const nanovdb::GridHandle<>& handle) : handle_(handle) {
+        const auto& grid = nodeAt<nanovdb::GridData>(handle_, handle_.data(), 0);
+        const auto& tree = nodeAt<nanovdb::TreeData<3>>(handle_, &grid, sizeof(nanovdb::GridData));
+        const auto& root = nodeAt<Tree::RootType::DataType>(handle_, &tree, tree.mNodeOffset[3]);
+        setBounds(root.mBBox, root.mBackground);
+        setMap(grid.mMap);
+
+        nodeAt<Tree::RootType::DataType::Tile>(handle_, &root, static_cast<std::int64_t>(sizeof root + (root.mTableSize - std::int64_t(1)) * std::int64_t(sizeof(*root.tile(0)))));
+        for (std::uint32_t i = 0; i < root.mTableSize; ++i) {
+            const auto& tile = *root.tile(i);
+            const glm::ivec3 origin(tile.origin()[0], tile.origin()[1], tile.origin()[2]);
+            if (!tile.isChild()) fill(origin, Upper::DIM, tile.value);
+            else copyInternal<Upper, Lower>(nodeAt<Upper::DataType>(handle_, &root, tile.child), origin);
+        }
+    }
+    SparseGrid result() { return std::move(grid_); }
+
+private:
+    void setBounds(const nanovdb::CoordBBox& box, float background) {
+        for (int a = 0; a < 3; ++a) {
+            grid_.low[a] = box.min()[a];
+            grid_.high[a] = box.max()[a];
+        }
+        if (glm::any(glm::lessThan(grid_.high, grid_.low))) grid_.low = grid_.high = glm::ivec3(0);   // no voxel is active
+        grid_.firstBlock = grid_.low >> 3;
+        const glm::dvec3 blocks = glm::dvec3(grid_.high >> 3) - glm::dvec3(grid_.firstBlock) + 1.;
+        if (blocks.x * blocks.y * blocks.z > mostBlocks)
+            throw ReadProblem(fmt::format("has a grid of {:.3g} blocks; {:.3g} is the most that is read", blocks.x * blocks.y * blocks.z, mostBlocks));
+        grid_.blocks = blocks;
+        grid_.blockOf.assign(static_cast<size_t>(grid_.blocks.x) * grid_.blocks.y * grid_.blocks.z, constantBlock(background));
+    }
+
+    void setMap(const nanovdb::Map& map) {
+        for (int row = 0; row < 3; ++row)
+            for (int column = 0; column < 3; ++column) {
+                grid_.voxelFromMedium[column][row] = map.mInvMatD[3 * row + column];
+                grid_.voxelFromMedium[3][row] -= map.mInvMatD[3 * row + column] * map.mVecD[column];
+            }
+        const double volume = glm::determinant(glm::dmat3(grid_.voxelFromMedium));
+        if (!std::isfinite(volume) || volume == 0) throw ReadProblem("is damaged: its voxels have no volume");
+    }
+
+    template <class Node, class Child> void copyInternal(const typename Node::DataType& node, glm::ivec3 origin) {
+        constexpr int log2 = Node::LOG2DIM, side = 1 << log2;
+        for (int n = 0; n < side * side * side; ++n) {
+            const glm::ivec3 at = origin + glm::ivec3(n >> (2 * log2), (n >> log2) & (side - 1), n & (side - 1)) * int(Child::DIM);
+            if (!node.mChildMask.isOn(n)) fill(at, Child::DIM, node.mTable[n].value);
+            else if constexpr (std::is_same_v<Child, Leaf>) copyLeaf(nodeAt<Leaf::DataType>(handle_, &node, node.mTable[n].child), at);
+            else copyInternal<Child, Leaf>(nodeAt<typename Child::DataType>(handle_, &node, node.mTable[n].child), at);
+        }
+    }
+
+    void copyLeaf(const Leaf::DataType& leaf, glm::ivec3 origin) {
+        std::uint32_t* block = blockAt(origin >> 3);
+        if (!block) return;
+        *block = static_cast<std::uint32_t>(grid_.values.size() / 512);
+        for (int z = 0; z < 8; ++z)
+            for (int y = 0; y < 8; ++y)
+                for (int x = 0; x < 8; ++x) grid_.values.push_back(checked(leaf.mValues[(x * 8 + y) * 8 + z]));
+    }
+
+    /// A cube of the same value everywhere.
+    void fill(glm::ivec3 origin, int side, float value) {
+        const std::uint32_t constant = constantBlock(value);
+        const glm::ivec3 low = glm::max(origin >> 3, grid_.firstBlock), high = glm::min((origin >> 3) + side / 8, grid_.firstBlock + grid_.blocks);
+        for (int z = low.z; z < high.z; ++z)
+            for (int y = low.y; y < high.y; ++y)
+                for (int x = low.x; x < high.x; ++x) *blockAt({x, y, z}) = constant;
+    }
+
+    std::uint32_t* blockAt(glm::ivec3 block) {
+        const glm::ivec3 at = block - grid_.firstBlock;
+        if (glm::any(glm::lessThan(at, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(at, grid_.blocks))) return nullptr;
+        return &grid_.blockOf[(static_cast<size_t>(at.z) * grid_.blocks.y + at.y) * grid_.blocks.x + at.x];
+    }
+
+    std::uint32_t constantBlock(float value) {
+        value = checked(value);
+        if (value == 0) return SparseGrid::empty;
+        const auto [place, isNew] = constants_.try_emplace(value, static_cast<std::uint32_t>(grid_.values.size() / 512));
+        if (isNew) grid_.values.insert(grid_.values.end(), 512, value);
+        return place->second;
+    }
+
+    static float checked(float value) {
+        if (!std::isfinite(value)) throw ReadProblem("has a value that is not finite");
+        return std::max(value, 0.f);
+    }
+
+    const nanovdb::GridHandle<>& handle_;
+    SparseGrid grid_;
+    std::map<float, std::uint32_t> constants_;
+};
+
+std::ifstream open(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw ReadProblem(std::string("cannot be opened: ") + std::strerror(errno));
+    return file;
+}
+
+}  // namespace
+
+std::vector<std::string> gridNames(const std::string& path) {
+    std::ifstream file = open(path);
+    std::vector<std::string> names;
+    Found found;
+    findGrid(file, [&](const std::string& name) { names.push_back(name); return false; }, found);
+    return names;
+}
+
+std::shared_ptr<const SparseGrid> readNanoVdb(const std::string& path, const std::string& name) {
+    std::ifstream file = open(path);
+    Found found;
+    if (!findGrid(file, [&](const std::string& other) { return other == name; }, found)) return nullptr;
+    if (found.meta.gridType != nanovdb::GridType::Float)
+        throw ReadProblem(fmt::format("has a grid \"{}\" of {}; grids of floats are read", name, found.meta.gridType < nanovdb::GridType::End ? nanovdb::toStr(found.meta.gridType) : "an unknown type"));
+    if (found.meta.gridClass == nanovdb::GridClass::LevelSet)
+        throw ReadProblem(fmt::format("has a grid \"{}\" that is a level set; fog volumes are rendered", name));
+    try {
+        /* No codec packs thousands of bytes into one */
+        if (found.meta.gridSize > 4096 * found.meta.fileSize || found.meta.gridSize == 0) throw ReadProblem("is damaged: the size of its grid cannot be");
+        nanovdb::GridHandle<> handle(nanovdb::HostBuffer::create(found.meta.gridSize));
+        if (!handle.data()) throw ReadProblem("has a grid that does not fit into memory");
+        nanovdb::io::Internal::read(file, handle, found.codec);
+        return std::make_shared<const SparseGrid>(Copy(handle).result());
+    } catch (const ReadProblem&) {
+        throw;
+    } catch (const std::exception& e) {
+        throw ReadProblem(std::string("cannot be read: ") + e.what());
+    }
+}
+
+}  // namespace eikonal

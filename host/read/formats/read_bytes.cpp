@@ -1,0 +1,40 @@
+#include "read/formats/read_bytes.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+namespace eikonal {
+
+std::vector<char> readBytes(const std::string& path) {
+    // zlib passes through what is not compressed.
+    errno = 0;
+    gzFile file = gzopen(path.c_str(), "rb");
+    if (!file) throw ReadProblem(std::string("cannot be opened: ") + std::strerror(errno));
+    gzbuffer(file, 1 << 20);
+    std::vector<char> bytes;
+    std::error_code unknown;
+    const std::uintmax_t expected = std::filesystem::file_size(path, unknown);
+    if (!unknown) bytes.reserve(expected + (1 << 16));
+    int got = 0;
+    do {
+        const std::size_t size = bytes.size();
+        const std::size_t room = std::clamp<std::size_t>(bytes.capacity() - size, 1 << 16, 1 << 24);
+        bytes.resize(size + room);
+        got = gzread(file, bytes.data() + size, static_cast<unsigned>(room));
+        bytes.resize(size + static_cast<std::size_t>(std::max(got, 0)));
+    } while (got > 0);
+    int error = Z_OK;
+    const std::string zlibReason = gzerror(file, &error);
+    const std::string reason = error == Z_ERRNO ? std::strerror(errno) : zlibReason;
+    gzclose(file);
+    if (error == Z_BUF_ERROR) throw ReadProblem("is truncated: its compressed data ends too early");
+    if (error != Z_OK) throw ReadProblem("cannot be read: " + reason);
+    return bytes;
+}
+
+}  // namespace eikonal

@@ -1,0 +1,132 @@
+#include "read/obj/mtl.h"
+
+#include "read/obj/lines.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <ranges>
+
+namespace eikonal {
+namespace {
+
+/// An option of a texture: how many words follow it (at most; further ones only while they are numbers).
+struct Option { std::string_view name; std::size_t least, most; };
+constexpr std::array<Option, 14> options{{{"-s", 1, 3}, {"-o", 1, 3}, {"-t", 1, 3}, {"-mm", 2, 2}, {"-bm", 1, 1}, {"-clamp", 1, 1}, {"-blendu", 1, 1},
+    {"-blendv", 1, 1}, {"-boost", 1, 1}, {"-texres", 1, 1}, {"-imfchan", 1, 1}, {"-type", 1, 1}, {"-colorspace", 1, 1}, {"-cc", 1, 1}}};
+
+std::string lower(std::string_view word) {
+    std::string result(word);
+    std::ranges::transform(result, result.begin(), [](unsigned char c) { return std::tolower(c); });
+    return result;
+}
+
+/// Word i of a statement as a number.
+double numberIn(const MtlMaterial::Statement& statement, std::size_t i) {
+    double value = 0;
+    if (!parseNumber(statement.words[i], value)) throw SceneError(statement.places[i], fmt::format("\"{}\" is not a finite number", statement.words[i]));
+    return value;
+}
+
+/// An option whose values are the statement's words from the first-th on.
+void applyOption(MtlTexture& texture, const MtlMaterial::Statement& statement, std::string_view name, std::size_t first, std::size_t count) {
+    const std::vector<std::string> values(statement.words.begin() + static_cast<std::ptrdiff_t>(first), statement.words.begin() + static_cast<std::ptrdiff_t>(first + count));
+    const auto number = [&](std::size_t i) { return numberIn(statement, first + i); };
+    const auto asWritten = [&] { return fmt::format("{} {}", name, fmt::join(values, " ")); };
+    if (name == "-s") texture.scale = {number(0), values.size() > 1 ? number(1) : 1};
+    else if (name == "-o") texture.offset = {number(0), values.size() > 1 ? number(1) : 0};
+    else if (name == "-mm") { texture.base = number(0); texture.gain = number(1); }
+    else if (name == "-bm") texture.bumpMultiplier = number(0);
+    else if (name == "-clamp") texture.clamp = values[0] == "on";
+    else if (name == "-t") { if (std::ranges::any_of(std::views::iota(std::size_t(0), count), [&](std::size_t i) { return number(i) != 0; })) texture.ignored.push_back(asWritten()); }
+    else if (name == "-imfchan") { if (values[0] != "m" && values[0] != "l") texture.ignored.push_back(asWritten()); }
+    else if (name == "-type" || name == "-colorspace" || (name == "-cc" && values[0] == "on")) texture.ignored.push_back(asWritten());
+    // -blendu, -blendv, -boost and -texres ask for filters, which are the renderer's business.
+}
+
+}  // namespace
+
+SourceLocation MtlMaterial::whereIs(const std::string& keyword) const {
+    const auto found = statements.find(keyword);
+    return found == statements.end() ? where : found->second.where;
+}
+
+std::optional<double> MtlMaterial::number(const std::string& keyword) const {
+    const auto found = statements.find(keyword);
+    if (found == statements.end()) return {};
+    const Statement& statement = found->second;
+    const std::size_t at = !statement.words.empty() && statement.words[0] == "-halo" ? 1 : 0;
+    if (statement.words.size() <= at) throw SceneError(statement.where, fmt::format("\"{}\" needs a number", keyword));
+    return numberIn(statement, at);
+}
+
+std::optional<glm::dvec3> MtlMaterial::color(const std::string& keyword) const {
+    const auto found = statements.find(keyword);
+    if (found == statements.end()) return {};
+    const Statement& statement = found->second;
+    const std::vector<std::string>& words = statement.words;
+    if (!words.empty() && (words[0] == "spectral" || words[0] == "xyz"))
+        throw SceneError(statement.where, fmt::format("\"{}\" as \"{}\" cannot be read; give red, green and blue", keyword, words[0]));
+    if (words.size() == 1) return glm::dvec3(numberIn(statement, 0));
+    if (words.size() < 3) throw SceneError(statement.where, fmt::format("\"{}\" needs three numbers, and has {}", keyword, words.size()));
+    return glm::dvec3(numberIn(statement, 0), numberIn(statement, 1), numberIn(statement, 2));
+}
+
+std::optional<MtlTexture> MtlMaterial::texture(const std::string& keyword) const {
+    const auto found = statements.find(keyword);
+    if (found == statements.end()) return {};
+    const Statement& statement = found->second;
+    const std::vector<std::string>& words = statement.words;
+
+    // Options stand before the name, or behind it; what is left is the name, spaces and all.
+    MtlTexture texture{.where = statement.where};
+    std::size_t searchFrom = 0, nameBegin = std::string::npos, nameEnd = 0;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const auto option = std::ranges::find(options, words[i], &Option::name);
+        const std::size_t at = statement.rest.find(words[i], searchFrom);
+        searchFrom = at + words[i].size();
+        if (option == options.end()) {
+            nameBegin = std::min(nameBegin, at);
+            nameEnd = searchFrom;
+            continue;
+        }
+        const std::size_t first = i + 1;
+        double ignored = 0;
+        while (i + 1 < first + option->most && i + 1 < words.size() && (i + 1 < first + option->least || parseNumber(words[i + 1], ignored))) {
+            ++i;
+            searchFrom = statement.rest.find(words[i], searchFrom) + words[i].size();
+        }
+        const std::size_t count = i + 1 - first;
+        if (count < option->least) throw SceneError(statement.where, fmt::format("\"{}\" needs {} more words", option->name, option->least));
+        applyOption(texture, statement, option->name, first, count);
+    }
+    if (nameBegin == std::string::npos) throw SceneError(statement.where, fmt::format("\"{}\" names no image", keyword));
+    texture.file = statement.rest.substr(nameBegin, nameEnd - nameBegin);
+    std::erase(texture.file, '"');
+    std::ranges::replace(texture.file, '\\', '/');
+    return texture;
+}
+
+std::vector<MtlMaterial> parseMtl(std::string_view text, const std::shared_ptr<const std::string>& file) {
+    std::vector<MtlMaterial> materials;
+    ObjLines lines(text, file);
+    while (lines.next()) {
+        const std::string keyword = lower(lines.words()[0]);
+        if (keyword == "newmtl") {
+            MtlMaterial material;
+            material.name = lines.rest(1);
+            material.where = lines.where();
+            materials.push_back(std::move(material));
+        } else if (!materials.empty()) {
+            MtlMaterial::Statement statement{{lines.words().begin() + 1, lines.words().end()}, lines.rest(1), lines.where()};
+            for (std::size_t i = 1; i < lines.words().size(); ++i) statement.places.push_back(lines.where(i));
+            materials.back().statements[keyword] = std::move(statement);
+        }
+    }
+    return materials;
+}
+
+}  // namespace eikonal

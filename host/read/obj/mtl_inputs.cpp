@@ -1,0 +1,54 @@
+#include "read/obj/mtl_inputs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace eikonal {
+
+Input MtlInputs::addTexture(Texture texture) {
+    texture.where = texture.where.file ? texture.where : mtl_.where;
+    scene_.textures.push_back(std::move(texture));
+    return {Spectrum::constant(0), static_cast<int>(scene_.textures.size()) - 1, scene_.textures.back().where};
+}
+
+Input MtlInputs::product(const Input& a, const Input& b, bool isFloat) {
+    return addTexture({.name = {}, .isFloat = isFloat, .kind = ScaleTexture{a, b}, .where = a.where});
+}
+
+int MtlInputs::addImage(ImageFile image) {
+    const auto found = std::ranges::find(scene_.images, image);
+    if (found != scene_.images.end()) return static_cast<int>(found - scene_.images.begin());
+    scene_.images.push_back(std::move(image));
+    return static_cast<int>(scene_.images.size()) - 1;
+}
+
+std::optional<std::pair<MtlTexture, ImageFile>> MtlInputs::image(const std::string& keyword, ColorEncoding encoding) {
+    auto texture = mtl_.texture(keyword);
+    if (!texture) return {};
+    for (const std::string& option : texture->ignored)
+        diagnostics_.unsupported("mtl " + option.substr(0, option.find(' ')), texture->where, fmt::format("the option \"{}\" is not supported", option));
+    const std::string path = files_.require(texture->file, texture->where);
+    if (path.empty()) return {};
+    usesUvs_ = true;
+    ImageFile file{.path = path, .encoding = encoding};
+    file.wrap = texture->clamp ? WrapMode::clamp : WrapMode::repeat;
+    file.where = texture->where;
+    return std::pair{std::move(*texture), std::move(file)};
+}
+
+std::optional<Input> MtlInputs::texture(const std::string& keyword, bool isFloat, double factor) {
+    auto found = image(keyword, isFloat ? ColorEncoding::linear : ColorEncoding::automatic);
+    if (!found) return {};
+    const auto& [options, file] = *found;
+    const Mapping mapping{.uScale = options.scale.x, .vScale = options.scale.y, .uOffset = options.offset.x, .vOffset = options.offset.y};
+    const auto add = [&](double scale) {
+        return addTexture({.name = file.path, .isFloat = isFloat, .kind = ImagemapTexture{addImage(file), mapping, scale}, .where = options.where});
+    };
+    if (options.base == 0) return add(factor * options.gain);
+    // From base at 0 to base + gain at 1.
+    const Input low = constant(factor * options.base, keyword), high = constant(factor * (options.base + options.gain), keyword);
+    return addTexture({.name = file.path, .isFloat = isFloat, .kind = MixTexture{low, high, add(1)}, .where = options.where});
+}
+
+}  // namespace eikonal

@@ -1,0 +1,169 @@
+#include "read/obj/obj.h"
+
+#include "read/obj/geometry.h"
+#include "read/obj/materials.h"
+#include "read/obj/meshes.h"
+#include "read/obj/mtl.h"
+#include "read/obj/sky.h"
+#include "read/obj/view.h"
+#include "read/formats/read_bytes.h"
+
+#include <fmt/format.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <sstream>
+
+namespace eikonal {
+namespace {
+
+using FileName = std::shared_ptr<const std::string>;
+
+std::string_view textOf(const std::vector<char>& bytes) { return {bytes.data(), bytes.size()}; }
+
+void checkOptions(const ObjOptions& options) {
+    if (options.fov && !(*options.fov > 0 && *options.fov < 180)) throw UsageError("the field of view must be between 0 and 180 degrees");
+    if (options.width.value_or(1) <= 0 || options.height.value_or(1) <= 0) throw UsageError("the resolution must be positive");
+    if (!(glm::length(options.up) > 0)) throw UsageError("the up direction must not be zero");
+    if (options.camera && options.lookAt && glm::distance(*options.camera, *options.lookAt) == 0)
+        throw UsageError("the camera and the point that it looks at must differ");
+}
+
+/// The materials of all libraries, by name; the first of a name counts.
+class Library {
+public:
+    Library(const std::vector<ObjLibrary>& files, const std::filesystem::path& obj, Diagnostics& diagnostics) : diagnostics_(diagnostics) {
+        for (const ObjLibrary& file : files) read(file, obj);
+    }
+
+    /// Null, and a warning once for each name, if there is none.
+    const MtlMaterial* find(const std::string& name, const SourceLocation& where) const {
+        const auto found = materials_.find(name);
+        if (found != materials_.end()) return &found->second;
+        if (!name.empty() && !isIncomplete_)
+            diagnostics_.warnOnce("obj material " + name, where, fmt::format("there is no material \"{}\"; its faces are grey", name));
+        return nullptr;
+    }
+
+private:
+    /// The line names one file, spaces and all, or several.
+    void read(const ObjLibrary& library, const std::filesystem::path& obj) {
+        if (readFile(ObjFiles::find(library.name, obj))) return;
+        std::istringstream names(library.name);
+        for (std::string name; names >> name;) {
+            if (readFile(ObjFiles::find(name, obj))) continue;
+            isIncomplete_ = true;
+            diagnostics_.warn(library.where, fmt::format("there is no material library \"{}\"; faces without a material are grey", name));
+        }
+    }
+
+    bool readFile(const std::string& path) {
+        if (path.empty()) return false;
+        const auto name = std::make_shared<const std::string>(path);
+        try {
+            const std::vector<char> bytes = readBytes(path);
+            for (MtlMaterial& material : parseMtl(textOf(bytes), name)) materials_.try_emplace(material.name, std::move(material));
+        } catch (const ReadProblem& problem) {
+            throw SceneError({name, 0, 0}, problem.what());
+        }
+        return true;
+    }
+
+    Diagnostics& diagnostics_;
+    std::map<std::string, MtlMaterial> materials_;
+    bool isIncomplete_ = false;
+};
+
+/// How long a side of the texture is on all surfaces with one material.
+std::map<std::string, double> textureSizes(const ObjGeometry& geometry, const ObjMeshes& meshes) {
+    std::map<std::string, std::pair<double, double>> areas;
+    for (std::size_t g = 0; g < geometry.groups.size(); ++g) {
+        areas[geometry.groups[g].material].first += meshes.groups[g].area;
+        areas[geometry.groups[g].material].second += meshes.groups[g].uvArea;
+    }
+    std::map<std::string, double> sizes;
+    for (const auto& [material, area] : areas) sizes[material] = area.second > 0 ? std::sqrt(area.first / area.second) : 1;
+    return sizes;
+}
+
+void addShapes(Scene& scene, const ObjGeometry& geometry, const ObjMeshes& meshes, const Library& library, const FileName& file,
+               Diagnostics& diagnostics) {
+    const std::map<std::string, double> sizes = textureSizes(geometry, meshes);
+    std::map<const MtlMaterial*, ObjMaterial> materials;
+    ObjFiles files;
+    for (std::size_t g = 0; g < geometry.groups.size(); ++g) {
+        const ObjGroup& group = geometry.groups[g];
+        const ObjMesh& mesh = meshes.groups[g];
+        if (!mesh.mesh) continue;
+        const SourceLocation where{file, group.line, 0};
+        const MtlMaterial* mtl = library.find(group.material, where);
+        if (!materials.contains(mtl))
+            materials[mtl] = mtl ? addMaterial(scene, *mtl, sizes.at(group.material), files, diagnostics) : addDefaultMaterial(scene);
+        const ObjMaterial& material = materials[mtl];
+        if (material.usesUvs && mesh.mesh->uvs.empty())
+            diagnostics.warnOnce("obj uv " + group.material, where,
+                                 fmt::format("material \"{}\" has textures, but \"{}\" has no texture coordinates", group.material, group.object));
+
+        Shape shape;
+        shape.kind = TriangleMesh{mesh.mesh};
+        shape.worldFromObject = glm::translate(glm::dmat4(1), meshes.offset);
+        shape.material = material.material;
+        shape.alpha = material.alpha;
+        if (material.areaLight != none) {
+            shape.areaLight = material.areaLight;
+            if (!mesh.isClosed) {
+                AreaLight light = scene.areaLights[static_cast<std::size_t>(material.areaLight)];
+                light.twoSided = true;
+                scene.areaLights.push_back(std::move(light));
+                shape.areaLight = static_cast<int>(scene.areaLights.size()) - 1;
+            }
+        }
+        shape.where = where;
+        scene.shapes.push_back(std::move(shape));
+    }
+    files.throwMissing();
+}
+
+void placeCamera(Scene& scene, const ObjOptions& options, View& view) {
+    view = chooseView(viewedTriangles(scene), {.eye = options.camera, .target = options.lookAt, .up = options.up, .fov = options.fov,
+                                               .width = options.width, .height = options.height});
+    scene.camera.worldFromCamera = worldFromCamera(view);
+    scene.camera.fov = view.fov;
+    scene.film.width = view.width;
+    scene.film.height = view.height;
+}
+
+}  // namespace
+
+Scene readObj(const std::string& path, const ObjOptions& options, Diagnostics& diagnostics) {
+    checkOptions(options);
+    const auto file = std::make_shared<const std::string>(path);
+    std::vector<char> bytes;
+    try {
+        bytes = readBytes(path);
+    } catch (const ReadProblem& problem) {
+        throw SceneError({file, 0, 0}, problem.what());
+    }
+    ObjGeometry geometry = parseObj(textOf(bytes), file, diagnostics);
+    if (geometry.faces.empty()) throw SceneError({file, 0, 0}, "there are no faces (\"f\") in this file");
+    completeNormals(geometry);
+    const ObjMeshes meshes = buildMeshes(geometry);
+    if (meshes.triangles == 0) throw SceneError({file, 0, 0}, "none of the faces has an area: a face needs three corners that are not on one line");
+    if (meshes.degenerate > 0)
+        diagnostics.warn({file, 0, 0}, fmt::format("{} of {} triangles have no area and are left out", meshes.degenerate, meshes.degenerate + meshes.triangles));
+
+    Scene scene;
+    scene.name = std::filesystem::path(path).stem().string();
+    scene.integrator.maxDepth = 10;
+    scene.sampler.pixelSamples = 64;
+    addShapes(scene, geometry, meshes, Library(geometry.libraries, path, diagnostics), file, diagnostics);
+    View view;
+    placeCamera(scene, options, view);
+    if (scene.areaLights.empty()) addSky(scene, options.up, view.eye - view.target);
+    return scene;
+}
+
+}  // namespace eikonal

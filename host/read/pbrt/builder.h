@@ -1,0 +1,76 @@
+#pragma once
+// Turns directives into a scene: keeps the graphics state, and hands what is described to the books.
+
+#include "read/pbrt/lights.h"
+#include "read/pbrt/materials.h"
+#include "read/pbrt/media.h"
+#include "read/pbrt/reading.h"
+#include "read/pbrt/settings.h"
+#include "read/pbrt/shapes.h"
+#include "read/pbrt/state.h"
+#include "read/pbrt/textures.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace eikonal::pbrt {
+
+struct Builder {
+    explicit Builder(Diagnostics& diagnostics, const std::string& folder) : reading(diagnostics, folder) {}
+
+    Reading reading;
+    TextureBook textures{reading};
+    MaterialBook materials{reading, textures};
+    MediumBook media{reading};
+    ShapeBook shapes{reading, textures, materials, media};
+    Settings settings{reading};
+    GraphicsState state;
+    bool inWorld = false;
+
+    // Transforms. Each throws SceneError where it makes no sense.
+    void concatenate(const Transform& transform);                       ///< onto the active ones
+    void setTransform(const Transform& transform);
+    void rotate(double degrees, glm::dvec3 axis, const SourceLocation& where);
+    void lookAt(glm::dvec3 eye, glm::dvec3 at, glm::dvec3 up, const SourceLocation& where);
+    void nameCoordinateSystem(const std::string& name) { coordinateSystems_[name] = state.transform; }
+    void nameCameraSystem();                                            ///< "camera": world from camera
+    void useCoordinateSystem(const std::string& name, const SourceLocation& where);
+
+    // Blocks.
+    void beginWorld();
+    void beginAttributes(const SourceLocation& where);
+    void endAttributes(const SourceLocation& where);
+    void beginObject(const std::string& name, const SourceLocation& where);
+    void endObject(const SourceLocation& where);
+
+    /// Parameters for all that follows of a target, with lower priority than its own.
+    void addAttributes(const std::string& target, ParameterList parameters, const SourceLocation& where);
+
+    /// Calls `body`, which reads another file, in a state of its own; blocks that it leaves open are closed, and noted.
+    template <class Body> void importing(Body&& body) {
+        const GraphicsState saved = state;
+        const auto savedSystems = coordinateSystems_;
+        std::vector<Block> outer;
+        std::swap(outer, blocks_);
+        body();
+        closeBlocks();
+        std::swap(outer, blocks_);
+        state = saved;
+        coordinateSystems_ = savedSystems;
+    }
+
+    /// Builds what could not be built before everything was read, and gives the scene away. Throws SceneError with all problems.
+    Scene finish(const SourceLocation& end);
+
+private:
+    struct Block { GraphicsState saved; SourceLocation where; bool isObject; };
+    void closeBlocks();
+
+    std::vector<Block> blocks_;
+    std::map<std::string, Motion> coordinateSystems_;
+};
+
+}  // namespace eikonal::pbrt

@@ -1,0 +1,57 @@
+#include "read/pbrt/hair.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal::pbrt {
+namespace {
+
+// Absorption of each concentration of melanin, per radius of a fiber: d'Eon et al. 2011, "An Energy-Conserving Hair Reflectance Model".
+const glm::dvec3 eumelaninAbsorption(0.419, 0.697, 1.37), pheomelaninAbsorption(0.187, 0.4, 1.05);
+constexpr double brown = 1.3;  // of eumelanin
+
+Input melanins(TextureBook& textures, const Arguments& arguments) {
+    const Input dark = textures.input(arguments, "eumelanin"), red = textures.input(arguments, "pheomelanin");
+    const SourceLocation& where = dark.where.file ? dark.where : red.where;
+    const auto amount = [](const Input& input) { return std::max(input.value.value(), 0.); };
+    if (dark.texture == none && red.texture == none)
+        return {Spectrum::rgb(amount(dark) * eumelaninAbsorption + amount(red) * pheomelaninAbsorption), none, where};
+    // The sum is half of each, doubled; colors of textures are at most 1, so that their scale comes as a number.
+    const auto part = [&](const Input& concentration, const glm::dvec3& absorption) {
+        const double most = std::max({absorption.x, absorption.y, absorption.z});
+        const Input color = textures.derive(ScaleTexture{concentration, {Spectrum::rgb(absorption / most)}}, where);
+        return textures.derive(ScaleTexture{color, {Spectrum::constant(2 * most)}}, where);
+    };
+    return textures.derive(MixTexture{part(dark, eumelaninAbsorption), part(red, pheomelaninAbsorption), {Spectrum::constant(0.5)}}, where);
+}
+
+/// Chiang et al. 2016, equation 9: the absorption that makes hair look like a color.
+Input absorptionOfColor(TextureBook& textures, const Input& color, const Input& betaN) {
+    if (color.texture != none || betaN.texture != none) return textures.derive(AbsorptionTexture{color, betaN}, color.where);
+    const double n = std::clamp(betaN.value.value(), 0.01, 1.);
+    const double scale = 5.969 + n * (-0.215 + n * (2.532 + n * (-10.73 + n * (5.574 + n * 0.245))));
+    const glm::dvec3 c = glm::clamp(color.value.albedo(), 1e-6, 1.), root = glm::log(c) / scale;
+    return {Spectrum::rgb(root * root), none, color.where};
+}
+
+}  // namespace
+
+void readHair(Reading& reading, TextureBook& textures, const Arguments& arguments, Material& material) {
+    const bool hasMelanin = arguments.has("eumelanin") || arguments.has("pheomelanin");
+    const char* const used = arguments.has("sigma_a") ? "sigma_a" : arguments.has("reflectance") ? "reflectance" : hasMelanin ? "melanin" : "";
+    for (const char* name : {"reflectance", "eumelanin", "pheomelanin"}) {
+        const bool counts = std::string(name).find(used) != std::string::npos;
+        if (*used && !counts && arguments.has(name))
+            reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored, since there is a \"" + used + "\" as well");
+    }
+    const Input& betaN = material.inputs.at("beta_n");
+    if (hasMelanin && std::string(used) == "melanin") material.inputs["sigma_a"] = melanins(textures, arguments);
+    else if (std::string(used) == "reflectance") material.inputs["sigma_a"] = absorptionOfColor(textures, textures.input(arguments, "reflectance"), betaN);
+    else if (!*used) material.inputs["sigma_a"] = {Spectrum::rgb(brown * eumelaninAbsorption)};
+
+    // From edge to edge of a curve, v goes from 0 to 1 and h from -1 to 1.
+    const Input left{Spectrum::constant(-1)}, right{Spectrum::constant(1)};
+    material.inputs["h"] = textures.derive(BilerpTexture{left, right, left, right, Mapping{}}, arguments.where());
+}
+
+}  // namespace eikonal::pbrt

@@ -1,0 +1,22 @@
+#pragma once
+// Light sources, and what makes a shape emit.
+
+#include "read/pbrt/arguments.h"
+#include "read/pbrt/state.h"
+#include "read/pbrt/textures.h"
+
+#include <string>
+
+namespace eikonal::pbrt {
+
+const KindTable& lightKinds();
+const KindTable& areaLightKinds();
+
+/// Adds a light to Scene::lights, if it is one that is rendered. Throws SceneError.
+void addLight(Reading& reading, TextureBook& textures, const std::string& kind, const GraphicsState& state, ParameterList parameters,
+              const SourceLocation& where);
+
+/// Adds an area light to Scene::areaLights and returns its index. Throws SceneError.
+int addAreaLight(Reading& reading, TextureBook& textures, const std::string& kind, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
+
+}  // namespace eikonal::pbrt

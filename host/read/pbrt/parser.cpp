@@ -1,0 +1,106 @@
+#include "read/pbrt/parser.h"
+
+#include "read/pbrt/directives.h"
+#include "read/pbrt/source.h"
+
+namespace eikonal::pbrt {
+
+Parser::Parser(Builder& builder, const Parser* outer) : builder_(builder), outer_(outer) {
+    tokens_.onInclude([this](const Token& word) {
+        if (auto file = openNamedFile(tokens_.locate(word), "Include")) tokens_.push(file->first, std::move(file->second));
+        else ++missingIncludes_;
+    });
+}
+
+SourceLocation Parser::read(const std::string& name, std::string text) {
+    tokens_.push(name, std::move(text));
+    while (true) {
+        tokens_.forget();
+        const Token token = next();
+        const SourceLocation where = tokens_.locate(token);
+        if (token.kind == Token::Kind::end) return where;
+        const Directive& directive = findDirective(token, where);
+        if (directive.place == Place::options && builder_.inWorld)
+            throw SceneError(where, std::string(directive.name) + " is only allowed before WorldBegin");
+        if (directive.place == Place::world && !builder_.inWorld)
+            throw SceneError(where, std::string(directive.name) + " is only allowed after WorldBegin");
+        directive.run(*this, builder_, where);
+    }
+}
+
+double Parser::number() { return tokens_.toNumber<double>(next(), "a number"); }
+
+Transform Parser::matrix() {
+    const auto expect = [&](Token::Kind kind, const char* what) {
+        const Token token = next();
+        if (token.kind != kind) throw SceneError(tokens_.locate(token), quote(token.text) + " found where \"" + what + "\" is expected");
+    };
+    expect(Token::Kind::open, "[");
+    Transform matrix;
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row) matrix[column][row] = number();
+    expect(Token::Kind::close, "]");
+    return matrix;
+}
+
+std::string Parser::word() {
+    const Token token = next();
+    if (token.kind != Token::Kind::word && token.kind != Token::Kind::quoted)
+        throw SceneError(tokens_.locate(token), "a word is expected here");
+    return std::string(token.text);
+}
+
+std::string Parser::quoted(const char* what) {
+    const Token token = next();
+    if (token.kind != Token::Kind::quoted)
+        throw SceneError(tokens_.locate(token), (token.kind == Token::Kind::end ? "the file ends" : quote(token.text) + " found") +
+                                                    " where " + what + " in quotes is expected");
+    return std::string(token.text);
+}
+
+std::string Parser::quotedOr(const std::string& otherwise) {
+    const Token token = next();
+    if (token.kind == Token::Kind::quoted) return std::string(token.text);
+    tokens_.putBack(token);
+    return otherwise;
+}
+
+ParameterList Parser::parameters() {
+    ParameterList list;
+    hasLostParameters_ = false;
+    while (true) {
+        const Token token = next();
+        if (token.kind != Token::Kind::quoted) {
+            tokens_.putBack(token);
+            return list;
+        }
+        const int missingBefore = missingIncludes_;
+        Parameter parameter = readParameter(tokens_, token);
+        if (missingIncludes_ > missingBefore) {
+            hasLostParameters_ = true;
+            continue;
+        }
+        if (parameter.isEmpty()) throw SceneError(parameter.where, "\"" + parameter.declaration() + "\" has no value");
+        parameter.space = builder_.state.space;
+        list.push_back(std::move(parameter));
+    }
+}
+
+/// The name and text of the file that comes next in quotes; nothing, noted, if it is missing.
+std::optional<std::pair<std::string, std::string>> Parser::openNamedFile(const SourceLocation& where, const char* directive) {
+    const Token token = tokens_.nextInText();
+    const SourceLocation place = tokens_.locate(token);
+    if (token.kind != Token::Kind::quoted) throw SceneError(place, std::string(directive) + " needs the name of a file in quotes");
+    const std::optional<std::string> path = builder_.reading.findFile(std::string(token.text), place);
+    if (!path) return std::nullopt;
+    if (isReading(*path)) throw SceneError(where, "\"" + *path + "\" includes itself");
+    return std::pair(*path, readTextFile(*path));
+}
+
+void Parser::import(const SourceLocation& where) {
+    auto file = openNamedFile(where, "Import");
+    if (!file) return;
+    builder_.importing([&] { Parser(builder_, this).read(file->first, std::move(file->second)); });
+}
+
+}  // namespace eikonal::pbrt

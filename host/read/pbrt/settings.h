@@ -1,0 +1,47 @@
+#pragma once
+// What is described before WorldBegin: camera, film, filter, sampler, integrator, accelerator, options.
+
+#include "read/pbrt/arguments.h"
+#include "read/pbrt/media.h"
+#include "read/pbrt/state.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace eikonal::pbrt {
+
+/// Gathers settings, and puts them into the scene when the world begins: of each sort the last counts.
+class Settings {
+public:
+    explicit Settings(Reading& reading) : reading_(reading) {}
+
+    enum class Sort { camera, film, filter, sampler, integrator, accelerator };
+
+    /// Notes a setting. Throws SceneError if there is no such kind.
+    void set(Sort sort, const std::string& kind, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
+    /// An Option directive; `value` as it is written, without quotes. Throws SceneError.
+    void setOption(const std::string& name, const std::string& value, const SourceLocation& where, const SourceLocation& valueWhere);
+
+    /// Fills in the scene's camera, film, filter, sampler and integrator. The camera's medium comes with finish().
+    void apply();
+    void finish(MediumBook& media);
+
+private:
+    void applyCamera(const Arguments& arguments);
+    void applyMapping(const Arguments& arguments);
+    void applyLens(const Arguments& arguments);
+    void applyFilm(const Arguments& arguments);
+    void applyFilter(const Arguments& arguments);
+    void applySampler(const Arguments& arguments);
+    void applyLightSampler(const Arguments&);
+    void applyIntegrator(const Arguments& arguments);
+
+    Reading& reading_;
+    std::map<Sort, std::unique_ptr<Arguments>> given_;
+    int cameraMedium_ = none;  ///< a number of MediumBook
+    int seed_ = 0;             ///< Option "seed"
+};
+
+}  // namespace eikonal::pbrt

@@ -1,0 +1,158 @@
+#include "read/pbrt/subsurface.h"
+
+#include "color/diffuse_albedo.h"
+#include "read/formats/image.h"
+#include "read/pbrt/medium_presets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+
+namespace eikonal::pbrt {
+
+/// Diffuse albedos for a phase function and an index, and the same as an image of one row.
+struct AlbedoTable {
+    DiffuseAlbedoTable table;
+    std::shared_ptr<const ImageData> row;
+};
+
+namespace {
+
+const AlbedoTable& albedoTable(Reading& reading, double g, double eta) {
+    std::shared_ptr<const AlbedoTable>& kept = reading.albedoTables[{g, eta}];
+    if (kept) return *kept;
+    const DiffuseAlbedoTable table(g, eta);
+    auto row = std::make_shared<ImageData>();
+    row->width = static_cast<int>(table.albedos().size());
+    row->height = 1;
+    row->floats.assign(table.albedos().begin(), table.albedos().end());
+    kept = std::make_shared<AlbedoTable>(AlbedoTable{table, row});
+    return *kept;
+}
+
+void warnOfIgnored(Reading& reading, const Arguments& arguments, std::initializer_list<const char*> names, const std::string& since) {
+    for (const char* name : names)
+        if (arguments.has(name)) reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored, since there is " + since);
+}
+
+Spectrum spectrumOf(const DenseCurve& values) {
+    SampledCurve curve;
+    for (size_t i = 0; i < values.size(); ++i) {
+        curve.wavelengths.push_back(shortestWavelength + static_cast<double>(i));
+        curve.values.push_back(values[i]);
+    }
+    return Spectrum::sampled(std::move(curve));
+}
+
+/// f of the values of two spectra, at each wavelength; colours by their channels.
+template <class F> Spectrum combine(const Spectrum& a, const Spectrum& b, const F& f) {
+    if (a.kind() == Spectrum::Kind::rgb && b.kind() == Spectrum::Kind::rgb) {
+        const glm::dvec3 x = a.albedo(), y = b.albedo();
+        return Spectrum::rgb({f(x.r, y.r), f(x.g, y.g), f(x.b, y.b)});
+    }
+    DenseCurve x = a.dense();
+    const DenseCurve y = b.dense();
+    for (size_t i = 0; i < x.size(); ++i) x[i] = f(x[i], y[i]);
+    return spectrumOf(x);
+}
+
+/// d of the profile for a mean free path, scattering reduced, a diffuse albedo A and an index: of the path, one over 1.85 - A + 7 |A - 0.8|^3 (Christensen and Burley
+/// 2015, equation 5: light that enters perpendicularly, and nothing that reflects it from inside). A boundary that does keeps light inside for longer:
+/// walks behind one have profiles of the same shape that are eta^2 as wide, less at low albedos (fitted to them by us, docs/subsurface.md).
+double profileLength(double path, double A, double eta) {
+    const double stretch = 1 + (std::max(eta * eta, 1.0) - 1) * std::min(3 * A, 0.9);
+    return path * stretch / (1.85 - A + 7 * std::pow(std::abs(A - 0.8), 3));
+}
+
+DiffusionProfile profileOf(const Spectrum& albedo, const Medium& medium, double eta) {
+    const Spectrum reduced = combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return a + s * (1 - medium.g); });
+    return {albedo, combine(albedo, reduced, [&](double A, double sigma) { return profileLength(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), eta); })};
+}
+
+/// Of a body of which the coefficients are known. At wavelengths colours are made spectra of first, as in pbrt-v4: what they make of light is far from linear.
+DiffusionProfile profileOf(Medium medium, const DiffuseAlbedoTable& table, double eta) {
+    const auto profile = [&] {
+        return profileOf(combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return table.diffuse(s / std::max(s + a, 1e-30)); }), medium, eta);
+    };
+    DiffusionProfile result = profile();
+    if (medium.sigmaA.kind() != Spectrum::Kind::rgb || medium.sigmaS.kind() != Spectrum::Kind::rgb || (medium.sigmaA.isFlat() && medium.sigmaS.isFlat())) return result;
+    medium.sigmaA = spectrumOf(medium.sigmaA.dense());
+    medium.sigmaS = spectrumOf(medium.sigmaS.dense());
+    result.atWavelengths = std::make_shared<DiffusionProfile>(profile());
+    return result;
+}
+
+/// Of a body of which a texture says the albedo or the free paths. Scattering that is not reduced counts as that of an albedo of 0.5.
+DiffusionProfile texturedProfile(const Input& albedo, const Input& path, const DiffuseAlbedoTable& table, double g, double scale) {
+    const double reduced = 1 - g * table.singleScattering(0.5);
+    return {albedo.texture == none ? albedo.value : Spectrum::constant(1), (path.texture == none ? path.value : Spectrum::constant(1)) * (scale / reduced), albedo.texture, path.texture};
+}
+
+/// Of a body of which textures say the coefficients.
+DiffusionProfile texturedProfile(TextureBook& textures, const Input& sigmaA, const Input& sigmaS, const AlbedoTable& albedos, double g) {
+    const SourceLocation& where = (sigmaA.texture == none ? sigmaS : sigmaA).where;
+    const Input albedo = textures.derive(DiffuseAlbedoTexture{sigmaA, sigmaS, g, textures.image({.path = {}, .pixels = albedos.row, .where = where})}, where);
+    return {Spectrum::constant(1), Spectrum::constant(1), albedo.texture, textures.derive(FreePathTexture{sigmaA, sigmaS, g}, where).texture};
+}
+
+}  // namespace
+
+void readInterior(Reading& reading, const Arguments& arguments, Material& material, TextureBook& textures) {
+    const double eta = material.inputs.at("eta").value.value();
+    const std::string method = arguments.text("method");
+    const auto* known = std::ranges::find(subsurfaceMethodNames, method, &std::pair<const char*, SubsurfaceMethod>::first);
+    if (known == std::end(subsurfaceMethodNames))
+        throw SceneError(arguments.whereOf("method"), "there is no method \"" + method + "\"; it can be \"diffusion\" or \"randomwalk\"");
+    material.method = known->second;
+
+    std::optional<Spectrum> albedo;
+    auto medium = std::make_shared<Medium>();
+    medium->where = arguments.where();
+    medium->g = std::clamp(arguments.number("g"), -0.99, 0.99);
+    const double scale = arguments.number("scale");
+    const bool hasA = arguments.has("sigma_a"), hasS = arguments.has("sigma_s");
+    if (const std::string name = arguments.text("name"); !name.empty()) {
+        const MediumPreset* measured = mediumPreset(name);
+        if (!measured) {
+            const std::string near = nearestWord(name, mediumPresetNames());
+            throw SceneError(arguments.whereOf("name"), "there is no substance \"" + name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+        }
+        warnOfIgnored(reading, arguments, {"sigma_a", "sigma_s", "reflectance", "mfp"}, "a \"name\"");
+        if (medium->g != 0) warnOfIgnored(reading, arguments, {"g"}, "a \"name\": what is known of substances is their reduced scattering");
+        medium->g = 0;
+        medium->sigmaA = Spectrum::rgb(measured->sigmaA) * scale;
+        medium->sigmaS = Spectrum::rgb(measured->reducedSigmaS) * scale;
+    } else if (hasA || hasS) {
+        if (!hasA || !hasS)
+            throw SceneError(arguments.whereOf(hasA ? "sigma_a" : "sigma_s"), std::string("\"") + (hasA ? "sigma_a" : "sigma_s") + "\" needs a \"" + (hasA ? "sigma_s" : "sigma_a") + "\" as well");
+        warnOfIgnored(reading, arguments, {"reflectance", "mfp"}, "a \"sigma_a\"");
+        const Input sigmaA = textures.scaled(textures.input(arguments, "sigma_a"), scale), sigmaS = textures.scaled(textures.input(arguments, "sigma_s"), scale);
+        if (sigmaA.texture != none || sigmaS.texture != none) {
+            material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(textures, sigmaA, sigmaS, albedoTable(reading, medium->g, eta), medium->g));
+            return;
+        }
+        medium->sigmaA = sigmaA.value;
+        medium->sigmaS = sigmaS.value;
+    } else if (arguments.has("reflectance")) {
+        const Input reflectance = textures.input(arguments, "reflectance"), mfp = textures.input(arguments, "mfp", Spectrum::constant(1));
+        const DiffuseAlbedoTable& table = albedoTable(reading, medium->g, eta).table;
+        if (reflectance.texture != none || mfp.texture != none) {
+            material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(reflectance, mfp, table, medium->g, scale));
+            return;
+        }
+        /* rho of 1 / mfp scatters, the rest absorbs */
+        const auto all = [&](double length) { return 1 / std::max(length * scale, 1e-9); };
+        albedo = reflectance.value;
+        medium->sigmaA = combine(*albedo, mfp.value, [&](double A, double length) { return (1 - table.singleScattering(A)) * all(length); });
+        medium->sigmaS = combine(*albedo, mfp.value, [&](double A, double length) { return table.singleScattering(A) * all(length); });
+    } else {
+        warnOfIgnored(reading, arguments, {"mfp"}, "no \"reflectance\"");
+        medium->sigmaA = Spectrum::rgb({0.0011, 0.0024, 0.014}) * scale;   // pbrt-v4's default: whole milk
+        medium->sigmaS = Spectrum::rgb({2.55, 3.21, 3.77}) * scale;
+    }
+    material.interior = medium;
+    material.diffusion = std::make_shared<DiffusionProfile>(albedo ? profileOf(*albedo, *medium, eta) : profileOf(*medium, albedoTable(reading, medium->g, eta).table, eta));
+}
+
+}  // namespace eikonal::pbrt

@@ -1,0 +1,104 @@
+#include "render/kernel_workers.h"
+
+#include "render/session.h"
+
+#include <fmt/format.h>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <thread>
+
+namespace eikonal {
+namespace {
+
+/// A worker takes about as long to start as to compile one stage.
+constexpr int stagesWorthAWorker = 2, mostWorkers = 8;
+
+std::string bitsOf(const Features& features) {
+    std::string bits;
+    for (size_t i = 0; i < featureCount; ++i) bits += features.has(static_cast<Feature>(i)) ? '1' : '0';
+    return bits;
+}
+
+Features featuresOf(const std::string& bits) {
+    Features features;
+    for (size_t i = 0; i < std::min(bits.size(), featureCount); ++i)
+        if (bits[i] == '1') features.require(static_cast<Feature>(i));
+    return features;
+}
+
+/// This program, with other arguments, saying nothing. Returns its process, or 0.
+pid_t startSelf(const std::vector<std::string>& arguments) {
+    std::vector<char*> words;
+    for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
+    words.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+    pid_t process = 0;
+    const int status = posix_spawn(&process, "/proc/self/exe", &actions, nullptr, words.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    return status == 0 ? process : 0;
+}
+
+/// Has this process end when that one does, whatever ends it: nobody waits for its kernels then. Says whether it is still there.
+bool endWith(pid_t parent) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    return ::getppid() == parent;
+}
+
+/// Tables of zeros, as long as kernels that run over nothing may read: straight-line kernels do read, and use nothing of it.
+PackedScene emptyScene(const CompileRequest& request) {
+    PackedScene scene;
+    scene.features = featuresOf(request.features);
+    scene.constants = SceneConstants::fromText(request.constants);
+    constexpr size_t elements = std::max(1024, 2 * FILTER_CELLS);
+#define FILL_WITH_ZEROS(type, name) scene.tables.name.resize(elements);
+    SCENE_TABLES(FILL_WITH_ZEROS)
+#undef FILL_WITH_ZEROS
+    return scene;
+}
+
+}  // namespace
+
+void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int missing) {
+    const int cores = o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency());
+    const int workers = std::min({cores, missing / stagesWorthAWorker, mostWorkers});
+    if (workers < 2) return;
+    std::vector<pid_t> processes;
+    for (int i = 0; i < workers; ++i) {
+        std::vector<std::string> arguments{"eikonal", "compile-kernels", bitsOf(scene.features), scene.constants.text(), std::to_string(i), std::to_string(workers),
+                                           std::to_string(::getpid()), "--contraction", o.contraction ? "on" : "off", "--nthreads", "1"};
+        if (!o.buildOptions.empty()) arguments.push_back("--build-options=" + o.buildOptions);
+        if (!o.device.empty()) arguments.insert(arguments.end(), {"--device", o.device});
+        if (o.localSize) arguments.insert(arguments.end(), {"--local-size", std::to_string(*o.localSize)});
+        if (o.run) arguments.insert(arguments.end(), {"--run", std::to_string(*o.run)});
+        if (o.wavePaths) arguments.insert(arguments.end(), {"--wave-paths", std::to_string(*o.wavePaths)});
+        if (const pid_t process = startSelf(arguments)) processes.push_back(process);
+    }
+    for (const pid_t process : processes) ::waitpid(process, nullptr, 0);
+}
+
+int compileKernelsCommand(const Options& o) {
+    if (o.compile.parent && !endWith(o.compile.parent)) return static_cast<int>(ExitCode::success);
+    prepareOpenCl(o.device);
+    const Context context(chooseDevice(o.device.device));
+    Compiler compiler(context, findKernelFolders(), cacheFolderFor(o.device));
+    const PackedScene scene = emptyScene(o.compile);
+    const StageShape shape = shapeFor(context.device(), o.device);
+    const DeviceScene tables(context, scene);
+    Profile profile;
+    Stages stages(compiler, scene, shape, buildSettingsFor(o.device), {o.compile.part, o.compile.parts});
+    Wave wave(context, tables, stages, shape, scene.features, profile);
+    wave.warmUp();
+    stages.keep(compiler);
+    return static_cast<int>(ExitCode::success);
+}
+
+}  // namespace eikonal

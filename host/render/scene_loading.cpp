@@ -1,0 +1,72 @@
+#include "render/scene_loading.h"
+
+#include "read/obj/obj.h"
+#include "read/pbrt/read_pbrt.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace eikonal {
+
+/// The ending that tells what a file holds: that before .gz, in lower case.
+static std::string kindOf(const std::string& path) {
+    std::filesystem::path name = std::filesystem::path(path).filename();
+    if (name.extension() == ".gz") name = name.stem();
+    std::string kind = name.extension().string();
+    for (char& c : kind) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return kind;
+}
+
+static Scene loadObj(const SceneOptions& o, Diagnostics& diagnostics) {
+    ObjOptions obj;
+    obj.camera = o.camera;
+    obj.lookAt = o.lookAt;
+    if (o.up) obj.up = *o.up;
+    obj.fov = o.fov;
+    if (o.resolution) { obj.width = (*o.resolution)[0]; obj.height = (*o.resolution)[1]; }
+    return readObj(o.path, obj, diagnostics);
+}
+
+static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
+    const char* name = o.camera ? "--camera" : o.lookAt ? "--look-at" : o.up ? "--up" : o.fov ? "--fov" : nullptr;
+    if (name) throw UsageError(fmt::format("{} is for OBJ files: the camera of a pbrt scene is in \"{}\" itself", name, o.path));
+    Scene scene = readPbrt(o.path, diagnostics);
+    if (o.resolution) {
+        /* A part that the file gives in pixels means nothing at another resolution */
+        scene.film.width = (*o.resolution)[0];
+        scene.film.height = (*o.resolution)[1];
+        if (scene.film.pixelBounds) diagnostics.warn(scene.film.where, "\"pixelbounds\" does not count with --resolution; --cropwindow selects a part");
+        scene.film.pixelBounds.reset();
+    }
+    return scene;
+}
+
+Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
+    const std::string kind = kindOf(o.path);
+    if (kind != ".pbrt" && kind != ".obj")
+        throw SceneError({}, fmt::format("\"{}\" is no scene that can be read: its name should end in .pbrt or .obj, or either with .gz", o.path));
+    Scene scene = kind == ".obj" ? loadObj(o, diagnostics) : loadPbrt(o, diagnostics);
+    if (o.spp) scene.sampler.pixelSamples = *o.spp;
+    if (o.seed) scene.sampler.seed = *o.seed;
+    if (o.sampler) scene.sampler.kind = *o.sampler;
+    if (o.integrator) {
+        scene.integrator.kind = *o.integrator;
+        scene.integrator.standsFor.clear();
+    }
+    if (o.subsurface)
+        for (Material& m : scene.materials) m.method = *o.subsurface;
+    if (o.maxDepth) scene.integrator.maxDepth = *o.maxDepth;
+    if (o.roulette || o.rouletteScale || o.rouletteDepth) {
+        const Roulette usual;
+        scene.integrator.roulette = Roulette{o.roulette.value_or(usual.rule), o.rouletteScale.value_or(usual.scale), o.rouletteDepth.value_or(usual.depth)};
+    }
+    if (o.colorMode) scene.colorMode = *o.colorMode;
+    if (o.lightSampler) scene.integrator.lightSampler = *o.lightSampler;
+    if (o.environmentGuide) scene.integrator.environmentGuide = *o.environmentGuide;
+    if (o.cropWindow) { scene.film.cropWindow = o.cropWindow; scene.film.pixelBounds.reset(); }
+    if (o.pixelBounds) { scene.film.pixelBounds = o.pixelBounds; scene.film.cropWindow.reset(); }
+    return scene;
+}
+
+}  // namespace eikonal

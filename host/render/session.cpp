@@ -1,0 +1,198 @@
+#include "render/session.h"
+
+#include "render/kernel_workers.h"
+#include "render/scene_loading.h"
+#include "app/wait_notice.h"
+#include "film/exposure.h"
+#include "image/formats/image_formats.h"
+#include "pack/packer.h"
+#include "render/displacement.h"
+#include "render/path_loop.h"
+#include "render/roulette_pilot.h"
+#include "render/wave_queues.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <future>
+#include <thread>
+
+namespace eikonal {
+
+void prepareOpenCl(const DeviceOptions& options) {
+    preparePocl(ProgramCache::defaultFolder());
+    if (options.threads > 0) setenv("POCL_MAX_PTHREAD_COUNT", std::to_string(options.threads).c_str(), 1);
+}
+
+/// Says if kernels are kept elsewhere than they ought to be.
+static void reportCacheFolder(Diagnostics& diagnostics) {
+    const CacheFolder cache = ProgramCache::chooseFolder();
+    if (cache.refused.empty()) return;
+    diagnostics.warnOnce("cache folder", {}, fmt::format("compiled kernels are {}: {} {}; EIKONAL_CACHE_DIR may name another folder",
+                                                         cache.path.empty() ? "not kept" : "kept in " + cache.path, cache.refused, cache.reason));
+}
+
+std::string cacheFolderFor(const DeviceOptions& options) { return options.cache ? ProgramCache::defaultFolder() : std::string(); }
+
+StageShape shapeFor(const DeviceInfo& device, const DeviceOptions& options) {
+    StageShape shape = StageShape::forDevice(device);
+    if (options.localSize && *options.localSize > device.largestGroup)
+        throw UsageError(fmt::format("--local-size: \"{}\" has work-groups of at most {} items, not {}", device.name, device.largestGroup, *options.localSize));
+    if (options.localSize) shape.localSize = *options.localSize;
+    if (options.run) shape.run = *options.run;
+    if (options.wavePaths) shape.wavePaths = *options.wavePaths;
+    return shape;
+}
+
+BuildSettings buildSettingsFor(const DeviceOptions& options) {
+    BuildSettings settings;
+    settings.contraction = options.contraction;
+    settings.more = options.buildOptions;
+    settings.dumpFolder = options.dumpFolder;
+    return settings;
+}
+
+void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& diagnostics) {
+    const auto shines = [](const Medium& m) { return m.Le.illuminant() != glm::dvec3(0) || !m.temperature.values.empty() || m.sparseTemperature || !m.colors.Le.empty(); };
+    if (!countsMaterials(scene.integrator) || packed.counts.lights > 0) return;
+    if (packed.features.has(Feature::MEDIA) && std::ranges::any_of(scene.media, shines)) return;
+    diagnostics.warn({}, "the scene has no light: the image will be black");
+}
+
+Session::Session(const Options& options, Diagnostics& diagnostics, bool profiling)
+    : options_(options), diagnostics_(diagnostics), profiling_(profiling) {
+    times_.start = secondsSinceStart();
+    prepareOpenCl(options.device);
+    if (options.device.threads > 0) hostThreads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(options.device.threads));
+}
+
+Session::~Session() = default;
+
+void Session::load(bool withDevice) {
+    /* Opening a device reads a whole compiler from disk: time to read the scene meanwhile, and to load what decodes its images. The device is opened on the thread that uses
+       it: Oclgrind 21.10 keeps its memory apart for each thread */
+    auto loaded = std::async(std::launch::async, [this] {
+        const Stopwatch time;
+        scene_ = loadScene(options_.scene, diagnostics_);
+        if (!scene_.images.empty()) imageFormats();
+        times_.load = time.seconds();
+    });
+    if (withDevice) openDevice();
+    loaded.get();
+}
+
+void Session::openDevice() {
+    const Stopwatch time;
+    context_ = std::make_unique<Context>(chooseDevice(options_.device.device), profiling_);
+    if (options_.device.cache) reportCacheFolder(diagnostics_);
+    compiler_ = std::make_unique<Compiler>(*context_, findKernelFolders(), cacheFolderFor(options_.device));
+    shape_ = shapeFor(context_->device(), options_.device);
+    times_.device = time.seconds();
+}
+
+void Session::displace() {
+    if (!hasDisplacedMeshes(scene_)) return;
+    if (!context_) openDevice();
+    const WaitNotice notice("displacing meshes", options_.log < LogLevel::warning);
+    const Stopwatch time;
+    displaceMeshes(scene_, *context_, *compiler_, shape_, buildSettingsFor(options_.device), diagnostics_);
+    times_.displace = time.seconds();
+}
+
+void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
+    const Stopwatch time;
+    if (scene_.film.spectrum && !keepsSpectrum) {
+        /* It forces wavelengths all the same */
+        scene_.film.spectrum.reset();
+        if (scene_.colorMode == ColorMode::automatic) scene_.colorMode = ColorMode::spectral;
+    }
+    displace();
+    Packing packing = packTables(scene_, diagnostics_);
+    packed_ = std::move(packing.scene);
+    warnOfDarkness(scene_, packed_, diagnostics_);
+    scene_.shapes.clear();
+    scene_.objects.clear();
+    scene_.images.clear();
+    if (aovs.ofSurfaces()) packed_.require(Feature::AOVS, "--aov, or a film \"gbuffer\"");
+    if (aovs.motion && packed_.features.has(Feature::MOTION)) packed_.require(Feature::MOTION_VECTORS, "--aov, or a film \"gbuffer\"");
+    times_.pack = time.seconds();
+    /* What the scene requires is known: kernels get ready while its hierarchies are built */
+    auto built = std::async(std::launch::async, [&] { packing.hierarchies.build(packed_, diagnostics_); });
+    if (context_) buildKernels();
+    built.get();
+    times_.build = packed_.counts.buildSeconds;
+}
+
+void Session::buildKernels() {
+    const Stopwatch time;
+    const BuildSettings settings = buildSettingsFor(options_.device);
+    missing_ = Stages::missing(*compiler_, packed_, shape_, settings);
+    const WaitNotice notice(fmt::format("compiling {} kernel{} for this device{}", missing_, missing_ == 1 ? "" : "s", compiler_->cache().folder().empty() ? "" : "; they are kept for the next time"),
+                            missing_ == 0 || options_.log < LogLevel::warning);
+    if (options_.device.cache && context_->device().isCpu) compileInWorkers(options_.device, packed_, missing_);
+    times_.workers = time.seconds();
+    stages_ = std::make_unique<Stages>(*compiler_, packed_, shape_, settings);
+    times_.compile = time.seconds();
+}
+
+MemoryPlan Session::plan() const {
+    const size_t pixels = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height());
+    const size_t onDevice = std::min<size_t>(pixels, shape_.wavePaths);
+    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape_), (pixels + onDevice) * Film::bytes(packed_), pixels * Film::developedBytes(packed_)};
+}
+
+void Session::prepare() {
+    const Stopwatch uploadTime;
+    deviceScene_ = std::make_unique<DeviceScene>(*context_, packed_);
+    times_.upload = uploadTime.seconds();
+    const Stopwatch launchTime;
+    const size_t paths = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height()) * static_cast<size_t>(packed_.samples);
+    wave_ = std::make_unique<Wave>(*context_, *deviceScene_, *stages_, shape_, packed_.features, profile_, paths < shape_.wavePaths ? PageSize::small : PageSize::large);
+    wave_->warmUp();
+    times_.launch = launchTime.seconds();
+    const Stopwatch keepTime;
+    stages_->keep(*compiler_);
+    times_.keep = keepTime.seconds();
+    times_.firstRay = secondsSinceStart();
+}
+
+void Session::survey() {
+    surveyEnvironment(*context_, *deviceScene_, packed_, *stages_, shape_);
+    chosenRoulette_ = pilotRoulette(*context_, *deviceScene_, packed_, *wave_);
+    profile_.collect();
+    profile_.reset();
+}
+
+FilmImage Session::develop(const Film& film) const {
+    FilmImage image = film.develop(packed_);
+    if (!packed_.features.has(Feature::SPECTRAL)) expose(image, scene_.film);
+    return image;
+}
+
+void Session::setSeed(int seed) {
+    packed_.frame().seed = static_cast<uint>(seed);
+    deviceScene_->setFrame(*context_, packed_.frame());
+}
+
+std::unique_ptr<Tracer> Session::makeLoop(Profile& profile) {
+    return std::make_unique<PathLoop>(*context_, *compiler_, *deviceScene_, packed_, shape_, buildSettingsFor(options_.device), profile);
+}
+
+std::string sceneHash(const PackedScene& scene) {
+    settings frame = scene.frame();
+    frame.seed = 0;
+    frame.sequence_sample_bits = frame.sequence_tile_bits = 0;  /* follow from the samples and the image */
+    std::uint64_t hash = hashBytes({reinterpret_cast<const char*>(&frame), sizeof frame});
+    const auto add = [&](const auto& table) {
+        using Element = typename std::decay_t<decltype(table)>::value_type;
+        if constexpr (!std::is_same_v<Element, settings>)
+            hash = hashBytes({reinterpret_cast<const char*>(table.data()), table.size() * sizeof(Element)}, hash);
+    };
+#define HASH_TABLE(type, name) add(scene.tables.name);
+    SCENE_TABLES(HASH_TABLE)
+#undef HASH_TABLE
+    return fmt::format("{:016x}", hash);
+}
+
+}  // namespace eikonal

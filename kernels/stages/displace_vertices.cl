@@ -1,0 +1,15 @@
+/* How far a texture moves each vertex of a mesh. Before a scene is packed whole, and so no stage of its waves (host/render/displacement.cpp). */
+#include "stages/stage.clh"
+#include "texture/texture.clh"
+
+#define DISPLACE_VERTICES(TABLE, ARGUMENT) \
+    TEXTURE_TABLES(TABLE) \
+    ARGUMENT(__global const vec3 *, vertex_points) ARGUMENT(__global const vec3 *, vertex_normals) ARGUMENT(__global const vec2 *, vertex_uvs) \
+    ARGUMENT(uint, program) ARGUMENT(__global float *, heights)
+TRACING_STAGE(displace_vertices, DISPLACE_VERTICES) {
+    texture_tables tables = BIND_TEXTURES;
+    for (size_t i = run_start; i < RUN_END; ++i) {
+        texture_point at = {vertex_points[i], vertex_normals[i], vertex_uvs[i]};
+        heights[i] = eval_number(tables, program, &at);
+    }
+}

@@ -1,0 +1,109 @@
+/* path -> film.  Adds a wave's samples to their pixels, in the order of the samples. A run of pixels of the wave's blocks for each work-item. */
+#include "shade/color.clh"
+#include "stages/queue.clh"
+#include "stages/stage.clh"
+#include "film/buckets.clh"
+#include "film/compensated.clh"
+#include "film/pixel.clh"
+#include "eikonal/film.h"
+DEFINE_ITEM(film, FILM_FIELDS, 0)
+
+/* One more vote: the candidate that is left in the end is the one that has a majority, if any has (Boyer and Moore 1991). */
+typedef struct { uint id, lead; } candidate;
+FN candidate vote(uint id, uint lead, uint for_id) {
+    candidate c = {id, lead};
+    if (lead == 0u) c.id = for_id;
+    c.lead = lead == 0u || id == for_id ? lead + 1u : lead - 1u;
+    return c;
+}
+
+/* Its square is still a number. */
+#define MOST_DISTANCE 1e18f
+
+/* One more luminance, of so large a square weight: the mean moves towards it, and the spread grows by its distances from the mean before and
+   after (West 1979). Unlike a sum of squares, this keeps its digits where samples hardly differ. */
+FN film_item add_luminance(film_item f, float y, float square_weight) {
+    float before = y - f.mean;
+    f.square_weight += square_weight;
+    if (f.square_weight > 0.0f) f.mean += before * (square_weight / f.square_weight);
+    float after = y - f.mean;
+    float grown = f.spread + square_weight * (clamp1(before, -MOST_DISTANCE, MOST_DISTANCE) * clamp1(after, -MOST_DISTANCE, MOST_DISTANCE));
+    f.spread = min1(grown, MOST_SPREAD);
+    return f;
+}
+
+/* What the film receives of a sample, and what its sensor makes of that; both scaled down if the latter is brighter than it may be. */
+typedef struct { spectrum light; rgb color; } exposure;
+FN exposure expose(path_item p, palette colors, __global const settings *frame) {
+    exposure e;
+    e.light = HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L;
+    e.color = color_seen(colors, frame->sensor_curves, e.light);
+    float most = frame->max_component_value, brightest = max_component(e.color);
+    if (most > 0.0f && brightest > most) {
+        e.light = mul(e.light, most / brightest);
+        e.color = mul(e.color, most / brightest);
+    }
+    return e;
+}
+
+FN film_item add_sample(film_item f, path_item p, rgb L, palette colors, __global const settings *frame) {
+    rgb x = mul(L, p.weight);
+    compensated r = add_compensated(f.sum.r, f.compensation.r, x.r);
+    compensated g = add_compensated(f.sum.g, f.compensation.g, x.g);
+    compensated b = add_compensated(f.sum.b, f.compensation.b, x.b);
+    f.sum = make_rgb(r.sum, g.sum, b.sum);
+    f.compensation = make_rgb(r.compensation, g.compensation, b.compensation);
+    compensated w = add_compensated(f.weight, f.weight_excess, p.weight);
+    f.weight = w.sum;
+    f.weight_excess = w.compensation;
+    f = add_luminance(f, luminance(L), square(p.weight));
+    f.count += 1;
+    if (HAS_AOVS) f.albedo = add(f.albedo, mul(color_seen(colors, frame->albedo_curves, p.albedo), p.weight));
+    f.normal = mul_add(p.normal, p.weight, f.normal);
+    f.ng = mul_add(p.ng, p.weight, f.ng);
+    f.position = add(f.position, p.position);
+    f.uv = make_vec2(f.uv.x + p.uv.x, f.uv.y + p.uv.y);
+    f.opening = add(f.opening, p.opening);
+    f.closing = add(f.closing, p.closing);
+    f.distance += p.distance < FAR_AWAY ? p.distance : 0.0f;
+    f.seen += p.distance < FAR_AWAY ? 1.0f : 0.0f;
+    candidate object = vote(f.object, f.object_lead, p.object), material = vote(f.material, f.material_lead, p.material);
+    f.object = object.id; f.object_lead = object.lead;
+    f.material = material.id; f.material_lead = material.lead;
+    return f;
+}
+
+/* A path, with what all rays of its tree have gathered. */
+FN path_item gather_path(__global const settings *frame, __global const uint *path, uint path_capacity, uint index) {
+    uint first = state_of_path(frame, index);
+    path_item p = load_path(path, path_capacity, first);
+    for (uint branch = 1; HAS_TREE && branch < 1u << frame->tree_forks; ++branch) {
+        p.L = add(p.L, LOAD_FIELD(path, spectrum, L, path, path_capacity, first + branch));
+        if (HAS_AOVS) p.albedo = add(p.albedo, LOAD_FIELD(path, spectrum, albedo, path, path_capacity, first + branch));
+    }
+    return p;
+}
+
+#define RESOLVE_FILM(TABLE, ARGUMENT) \
+    COLOR_TABLES(TABLE) \
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, path) ARGUMENT(uint, first_path) \
+    ARGUMENT(__global uint *, film) ARGUMENT(__global const layer_range *, block_layers) ARGUMENT(uint, block_log2_width) \
+    ARGUMENT(uint, block_log2_height)
+TRACING_STAGE(resolve_film, RESOLVE_FILM) {
+    color_tables color_set = BIND_COLORS;
+    uint log2_pixels = block_log2_width + block_log2_height;
+    for (size_t pixel = run_start; pixel < RUN_END; ++pixel) {
+        film_item f = load_film(film, count, pixel);
+        layer_range range = block_layers[pixel >> log2_pixels];
+        for (uint s = range.first; s < range.first + range.layers; ++s) {
+            path_item p = gather_path(frame, path, path_capacity, first_path + (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u)));
+            if (p.weight == 0.0f && is_black(p.L)) continue;
+            if (!is_finite(p.L) || max_component(p.L) > MOST_RADIANCE) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
+            palette colors = path_palette(color_set, p.seed, p.sample);
+            exposure e = expose(p, colors, frame);
+            f = add_sample(f, p, e.color, colors, frame);
+            if (HAS_SPECTRAL_FILM) add_to_buckets(film, film_words, count, pixel, frame, colors, mul(e.light, p.weight));
+        }
+        store_film(film, count, pixel, f);
+    }
+}

@@ -1,0 +1,13 @@
+/* emission -> path.  Adds what the surfaces that were hit emit. Straight-line. */
+#include "shade/emission.clh"
+#include "stages/stage.clh"
+
+#define SHADE_EMITTERS(TABLE, ARGUMENT) \
+    ARGUMENT(__global const uint *, emission) ARGUMENT(__global uint *, path)
+STAGE(shade_emitters, SHADE_EMITTERS) {
+    FOR_EACH_SLOT(i, count) {
+        emission_item e = load_emission(emission, capacity, i);
+        spectrum L = weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light);
+        add_radiance(path, path_capacity, i < count ? e.path : NOBODYS_PATH(i), L);
+    }
+}
