@@ -3,7 +3,7 @@
 #include "app/efficiency.h"
 #include "render/session.h"
 #include "app/statistics.h"
-#include "app/traffic.h"
+#include "app/bandwidth.h"
 #include "eikonal/stages.h"
 #include "image/atomic_file.h"
 #include "image/image_file.h"
@@ -58,7 +58,7 @@ double occupancyOf(const std::string& stage, const Repeat& r, std::uint64_t slot
     const auto share = [&](std::uint64_t real) { return slots ? static_cast<double>(real) / static_cast<double>(slots) : 1; };
     if (queue == "pixels") return share(r.paths);
     if (queue == "path") return occupancyOf("generate_rays", r, r.stages.at("generate_rays").slots);  // of the same tiles
-    if (queue == "ray" || queue == "flight") return share(r.rays);
+    if (queue == "ray" || queue == "intersection") return share(r.rays);
     if (queue == "shadow") return share(r.shadowRays);
     return 1;
 }
@@ -72,7 +72,7 @@ nlohmann::ordered_json measure(const Options& o, const Session& session, const s
     const double seconds = medianSeconds(repeats);
     nlohmann::ordered_json json{{"scene", o.scene.path}, {"sceneHash", sceneHash(session.packed())}, {"device", session.context().device().name}, {"version", EIKONAL_VERSION},
                                 {"samples", session.packed().samples}, {"repeats", repeats.size()}, {"wavePaths", session.shape().wavePaths},
-                                {"localSize", session.shape().localSize}, {"run", session.shape().run}};
+                                {"localSize", session.shape().localSize}, {"run", session.shape().itemsPerWorkItem}};
     const SessionTimes& t = session.times();
     json["loadSeconds"] = t.load;
     json["packSeconds"] = t.pack;

@@ -48,7 +48,7 @@ void addDevice(CLI::App* app, Options& o) {
     app->add_option("--dump-kernels", d.dumpFolder, "Write the text and options of each kernel into this folder")->type_name("DIR")->group(group);
     value(app, "--wave-paths", d.wavePaths, "N", "Paths in flight at once; changes speed and memory, never the image", integer(1, 1 << 26))->group(group);
     value(app, "--local-size", d.localSize, "N", "Work-items in a group, a power of two; changes speed, never the image", parsePowerOfTwo)->group(group);
-    value(app, "--run", d.run, "N", "Neighbouring slots of a queue for each work-item, a power of two; changes speed, never the image", parsePowerOfTwo)->group(group);
+    value(app, "--items-per-work-item", d.itemsPerWorkItem, "N", "Neighbouring slots of a queue for each work-item, a power of two; changes speed, never the image", parsePowerOfTwo)->group(group);
     addListDevices(app, o)->group(group);
     value(app, "--contraction", d.contraction, "on|off", "Whether a*b+c may be rounded once (default: on)", oneOf<bool>({{"on", true}, {"off", false}}))->group(group);
     app->add_option("--build-options", d.buildOptions, "More options for OpenCL's compiler, such as --build-options=-cl-fast-relaxed-math")->type_name("TEXT")->group(group);

@@ -44,7 +44,7 @@ struct DeviceOptions {
     bool list = false;                                ///< print the devices instead of what the command does
     bool cache = true;
     std::string dumpFolder;                           ///< not empty: each program's text goes there
-    std::optional<unsigned> wavePaths, localSize, run;
+    std::optional<unsigned> wavePaths, localSize, itemsPerWorkItem;
     bool contraction = true;
     std::string buildOptions;                         ///< for OpenCL's compiler, besides its own
 };

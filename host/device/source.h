@@ -21,7 +21,7 @@ struct KernelFolders {
 };
 KernelFolders findKernelFolders();
 
-/// Numbers that are fixed when a program is built, by macro name: LOCAL_SIZE, RUN, ENVIRONMENTS ...
+/// Numbers that are fixed when a program is built, by macro name: LOCAL_SIZE, ITEMS_PER_WORK_ITEM, ENVIRONMENTS ...
 using Constants = std::map<std::string, int>;
 
 /// A few lines that include files, and all that they reach, as one text: a compiler needs no folder to look in, whose name would have to

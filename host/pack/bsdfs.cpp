@@ -4,15 +4,15 @@
 
 namespace eikonal {
 
-static hop packDiffuse(InputWriter& in) {
+static next_queue packDiffuse(InputWriter& in) {
     in.spectrum(slot_diffuse::reflectance, "reflectance");
-    return hop_diffuse;
+    return next_diffuse;
 }
 
-static hop packDiffuseTransmission(InputWriter& in) {
+static next_queue packDiffuseTransmission(InputWriter& in) {
     in.spectrum(slot_diffuse_transmission::reflectance, "reflectance");
     in.spectrum(slot_diffuse_transmission::transmittance, "transmittance");
-    return hop_diffuse_transmission;
+    return next_diffuse_transmission;
 }
 
 /// A metal's indices: measured, textured, or those that give a reflectance at normal incidence (pbrt-v4: eta = 1). Measured ones are
@@ -31,32 +31,32 @@ static void packMetal(InputWriter& in, uint etaSlot, uint kSlot, const char* eta
     }
 }
 
-static hop packConductor(InputWriter& in) {
+static next_queue packConductor(InputWriter& in) {
     if (in.isSmooth()) {
         packMetal(in, slot_specular_conductor::eta, slot_specular_conductor::k);
-        return hop_specular_conductor;
+        return next_specular_conductor;
     }
     packMetal(in, slot_conductor::eta, slot_conductor::k);
     in.widths(slot_conductor::alpha_x, slot_conductor::alpha_y);
-    return hop_conductor;
+    return next_conductor;
 }
 
-static hop packDielectric(InputWriter& in) {
+static next_queue packDielectric(InputWriter& in) {
     if (in.isSmooth()) {
         in.index(slot_specular_dielectric::eta, "eta");
-        return hop_specular_dielectric;
+        return next_specular_dielectric;
     }
     in.index(slot_dielectric::eta, "eta");
     in.widths(slot_dielectric::alpha_x, slot_dielectric::alpha_y);
-    return hop_dielectric;
+    return next_dielectric;
 }
 
-static hop packThinDielectric(InputWriter& in) {
+static next_queue packThinDielectric(InputWriter& in) {
     in.index(slot_thin_dielectric::eta, "eta");
-    return hop_thin_dielectric;
+    return next_thin_dielectric;
 }
 
-static hop packCoatedDiffuse(InputWriter& in) {
+static next_queue packCoatedDiffuse(InputWriter& in) {
     in.spectrum(slot_coated_diffuse::reflectance, "reflectance");
     in.index(slot_coated_diffuse::eta, "eta");
     in.widths(slot_coated_diffuse::alpha_x, slot_coated_diffuse::alpha_y);
@@ -65,10 +65,10 @@ static hop packCoatedDiffuse(InputWriter& in) {
     in.number(slot_coated_diffuse::g, "g");
     in.count(slot_coated_diffuse::max_depth, "maxdepth");
     in.count(slot_coated_diffuse::samples, "nsamples");
-    return hop_coated_diffuse;
+    return next_coated_diffuse;
 }
 
-static hop packCoatedConductor(InputWriter& in) {
+static next_queue packCoatedConductor(InputWriter& in) {
     const double index = in.get("eta").value.value();
     packMetal(in, slot_coated_conductor::metal_eta, slot_coated_conductor::metal_k, "metal_eta", "metal_k", index > 0 ? index : 1);
     in.widths(slot_coated_conductor::metal_alpha_x, slot_coated_conductor::metal_alpha_y, "metal_uroughness", "metal_vroughness");
@@ -79,10 +79,10 @@ static hop packCoatedConductor(InputWriter& in) {
     in.number(slot_coated_conductor::g, "g");
     in.count(slot_coated_conductor::max_depth, "maxdepth");
     in.count(slot_coated_conductor::samples, "nsamples");
-    return hop_coated_conductor;
+    return next_coated_conductor;
 }
 
-static hop packHair(InputWriter& in) {
+static next_queue packHair(InputWriter& in) {
     in.coefficient(slot_hair::sigma_a, "sigma_a");
     in.number(slot_hair::h, "h");
     in.number(slot_hair::eta, "eta");
@@ -90,16 +90,16 @@ static hop packHair(InputWriter& in) {
     in.number(slot_hair::beta_n, "beta_n");
     in.number(slot_hair::scale_tilt, "alpha");
     in.packer().packed.require(Feature::ANISOTROPY, in.why());
-    return hop_hair;
+    return next_hair;
 }
 
-static hop packMeasuredMaterial(InputWriter& in) {
+static next_queue packMeasuredMaterial(InputWriter& in) {
     in.file(slot_measured::file);
     in.packer().packed.require(Feature::ANISOTROPY, in.why());
-    return hop_measured;
+    return next_measured;
 }
 
-static hop packPrincipled(InputWriter& in) {
+static next_queue packPrincipled(InputWriter& in) {
     in.spectrum(slot_principled::base, "base");
     in.number(slot_principled::metallic, "metallic");
     in.number(slot_principled::eta, "eta");
@@ -107,10 +107,10 @@ static hop packPrincipled(InputWriter& in) {
     in.number(slot_principled::coat, "coat");
     in.width(slot_principled::coat_alpha, "coatroughness");
     in.number(slot_principled::sheen, "sheen");
-    return hop_principled;
+    return next_principled;
 }
 
-hop packBsdf(InputWriter& in, MaterialKind kind) {
+next_queue packBsdf(InputWriter& in, MaterialKind kind) {
     switch (kind) {
         case MaterialKind::diffuse: return packDiffuse(in);
         case MaterialKind::diffuseTransmission: return packDiffuseTransmission(in);
@@ -123,10 +123,10 @@ hop packBsdf(InputWriter& in, MaterialKind kind) {
         case MaterialKind::hair: return packHair(in);
         case MaterialKind::measured: return packMeasuredMaterial(in);
         case MaterialKind::principled: return packPrincipled(in);
-        case MaterialKind::interface: return hop_passage;
-        case MaterialKind::mix: return hop_mix;
+        case MaterialKind::interface: return next_crossing;
+        case MaterialKind::mix: return next_mix;
     }
-    return hop_none;
+    return next_none;
 }
 
 }  // namespace eikonal

@@ -6,6 +6,6 @@
 namespace eikonal {
 
 /// Writes the parameters, and says which BSDF they are of: a smooth material has another than a rough one. For interfaces and mixes, what those do.
-hop packBsdf(InputWriter&, MaterialKind);
+next_queue packBsdf(InputWriter&, MaterialKind);
 
 }  // namespace eikonal

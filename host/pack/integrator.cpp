@@ -62,8 +62,8 @@ void packIntegrator(Packer& packer, bool hasUnusedMedia) {
         case IntegratorKind::whitted:
             depth = std::min(depth, mostTreeDepth);
             packer.packed.require(Feature::TREE, why);
-            frame.tree_forks = static_cast<uint>(std::countr_zero(static_cast<unsigned>(integrator.rays)));
-            frame.tree_bundle = integrator.bundle ? static_cast<uint>(std::countr_zero(static_cast<unsigned>(integrator.bundle))) : NONE;
+            frame.tree_splits = static_cast<uint>(std::countr_zero(static_cast<unsigned>(integrator.rays)));
+            frame.rough_splits = integrator.bundle ? static_cast<uint>(std::countr_zero(static_cast<unsigned>(integrator.bundle))) : NONE;
             frame.tree_threshold = static_cast<float>(integrator.threshold);
             break;
     }

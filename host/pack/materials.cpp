@@ -6,19 +6,19 @@
 
 namespace eikonal {
 
-bool transmits(hop h) { return h == hop_dielectric || h == hop_specular_dielectric || h == hop_diffuse_transmission || h == hop_hair; }
+bool transmits(next_queue h) { return h == next_dielectric || h == next_specular_dielectric || h == next_diffuse_transmission || h == next_hair; }
 
-static constexpr material blank{hop_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0, 0};
+static constexpr material blank{next_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0, 0};
 
-/// Which features a hop's BSDF brings.
-static void requireBsdf(Packer& packer, hop h, const std::string& why) {
-#define REQUIRE_BSDF(name, FEATURE, PARAMETERS) if (h == hop_##name) packer.packed.require(Feature::FEATURE, why);
+/// Which features the BSDF of a queue brings.
+static void requireBsdf(Packer& packer, next_queue h, const std::string& why) {
+#define REQUIRE_BSDF(name, FEATURE, PARAMETERS) if (h == next_##name) packer.packed.require(Feature::FEATURE, why);
     BSDFS(REQUIRE_BSDF)
 #undef REQUIRE_BSDF
     if (transmits(h)) packer.packed.require(Feature::TRANSMISSION, why);
-    if (h == hop_passage)
-        for (Feature feature : {Feature::INTERFACE, Feature::PASSAGES}) packer.packed.require(feature, why);
-    if (h == hop_mix) packer.packed.require(Feature::MIX, why);
+    if (h == next_crossing)
+        for (Feature feature : {Feature::INTERFACE, Feature::CROSSINGS}) packer.packed.require(feature, why);
+    if (h == next_mix) packer.packed.require(Feature::MIX, why);
 }
 
 /// What refracts light exactly lets nobody aim at a light from inside; those that have no size are not found otherwise.
@@ -38,16 +38,16 @@ static uint packProfile(Packer& packer, InputWriter& in, const Material& descrip
     SceneTables& tables = packer.packed.tables;
     const auto [place, isNew] = packer.profiles.try_emplace(description.diffusion.get(), static_cast<uint>(tables.profiles.size()));
     if (!isNew) return place->second;
-    for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, Feature::PASSAGES, Feature::BSDF_EMERGENCE}) packer.packed.require(feature, in.why());
+    for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, Feature::CROSSINGS, Feature::BSDF_SUBSURFACE_EXIT}) packer.packed.require(feature, in.why());
     const DiffusionProfile& profile = profileIn(packer, description);
     const color albedo = packReflectance(packer, profile.albedo);
     material surface = blank;
-    surface.hop = hop_emergence;
+    surface.next_queue = next_subsurface_exit;
     surface.first_input = static_cast<uint>(tables.material_inputs.size());
     const double eta = in.get("eta").value.value();
-    in.color(slot_emergence::albedo, albedo);
-    in.number(slot_emergence::eta, eta);
-    in.number(slot_emergence::passing, boundaryTransmittance(eta));
+    in.color(slot_subsurface_exit::albedo, albedo);
+    in.number(slot_subsurface_exit::eta, eta);
+    in.number(slot_subsurface_exit::passing, boundaryTransmittance(eta));
     surface.input_count = static_cast<uint>(tables.material_inputs.size()) - surface.first_input;
     const auto textureOf = [&](int texture, TextureUse use) {
         if (texture == none) return NONE;
@@ -76,12 +76,12 @@ static Material coatOver(Packer& packer, const Material& body) {
 static void packMaterial(Packer& packer, const Material& description, material& m, bool regularize = false) {
     SceneTables& tables = packer.packed.tables;
     const bool isSurface = description.kind != MaterialKind::interface && description.kind != MaterialKind::mix;
-    if (isSurface && !countsMaterials(packer.scene.integrator)) { m.hop = hop_occlusion; return; }
+    if (isSurface && !countsMaterials(packer.scene.integrator)) { m.next_queue = next_occlusion; return; }
     if (description.kind == MaterialKind::subsurface && packer.scene.integrator.kind == IntegratorKind::whitted) return packMaterial(packer, coatOver(packer, description), m, regularize);
     InputWriter inputs(packer, description, regularize);
     m.first_input = static_cast<uint>(tables.material_inputs.size());
-    const hop h = packBsdf(inputs, description.kind);
-    m.hop = h;
+    const next_queue h = packBsdf(inputs, description.kind);
+    m.next_queue = h;
     m.transmits = transmits(h) ? 1 : 0;
     m.disperses = inputs.disperses() ? 1 : 0;
     m.input_count = static_cast<uint>(tables.material_inputs.size()) - m.first_input;
@@ -94,7 +94,7 @@ static void packMaterial(Packer& packer, const Material& description, material& 
     }
     if (description.kind == MaterialKind::subsurface && walks) {
         m.interior = packInterior(packer, description.interior, inputs.why());
-        if (h == hop_specular_dielectric) warnOfPoints(packer);
+        if (h == next_specular_dielectric) warnOfPoints(packer);
     }
     if (description.displacement != none) {
         packer.packed.require(Feature::BUMP, inputs.why());
@@ -133,7 +133,7 @@ uint packedMaterial(Packer& packer, int index) {
         m.mix_amount = packInput(packer, description.inputs.at("amount"));
     }
     m.regular = here;
-    if (packer.scene.integrator.regularize && m.hop != hop_occlusion && description.inputs.count("uroughness")) {
+    if (packer.scene.integrator.regularize && m.next_queue != next_occlusion && description.inputs.count("uroughness")) {
         packer.packed.require(Feature::REGULARIZE, packer.scene.integrator.where.toString());
         m.regular = static_cast<uint>(materials.size());
         material rougher = blank;

@@ -191,14 +191,14 @@ uint packInterior(Packer& packer, const std::shared_ptr<const Medium>& interior,
     return place->second;
 }
 
-void packFoci(Packer& packer) {
+void packEquiangularLights(Packer& packer) {
     SceneTables& tables = packer.packed.tables;
     std::vector<std::pair<float, vec3>> points;
     for (const light& l : tables.lights)
         if (l.kind == kind_point_light || l.kind == kind_spot_light || l.kind == kind_goniometric_light || l.kind == kind_projection_light)
             points.emplace_back(greatestSum(packer, &l.L, nullptr), l.p);
     std::ranges::stable_sort(points, [](const auto& a, const auto& b) { return a.first > b.first; });
-    points.resize(std::min(points.size(), size_t{MOST_FOCI}));
+    points.resize(std::min(points.size(), size_t{MOST_EQUIANGULAR_LIGHTS}));
     float sum = 0;
     for (const auto& [intensity, p] : points) sum += intensity;
     if (!(sum > 0)) return;
@@ -206,11 +206,11 @@ void packFoci(Packer& packer) {
     const size_t open = packer.hasMedia ? packer.scene.media.size() : 0;
     for (medium& m : std::span(tables.media).first(open)) {
         if (m.kind != kind_homogeneous_medium || greatestSum(packer, &m.sigma_s, nullptr) <= 0) continue;
-        m.focus_count = static_cast<uint>(points.size());
-        packer.packed.require(Feature::FOCI, "the scene has a light that is a point, and a medium that scatters");
+        m.equiangular_lights = static_cast<uint>(points.size());
+        packer.packed.require(Feature::EQUIANGULAR, "the scene has a light that is a point, and a medium that scatters");
     }
-    if (!packer.packed.features.has(Feature::FOCI)) return;
-    for (const auto& [intensity, p] : points) tables.foci.push_back({p, intensity / sum});
+    if (!packer.packed.features.has(Feature::EQUIANGULAR)) return;
+    for (const auto& [intensity, p] : points) tables.point_lights.push_back({p, intensity / sum});
 }
 
 }  // namespace eikonal

@@ -77,7 +77,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     packMaterials(packer);
     result.hierarchies = packGeometry(packer);
     packLights(packer);
-    packFoci(packer);
+    packEquiangularLights(packer);
 
     settings& frame = packed.frame();
     frame.seed = static_cast<uint>(scene.sampler.seed);

@@ -60,7 +60,7 @@ Hierarchies packGeometry(Packer&);
 /// Everything but area lights, which geometry brings; then the light sampler.
 void packLights(Packer&);
 /// Lights that are points, for media; after the lights.
-void packFoci(Packer&);
+void packEquiangularLights(Packer&);
 
 /// What becomes of a texture's value.
 enum class TextureUse { asItIs, coefficient /* colours are no reflectances, and may be larger than 1 */, reflectance /* brought into [0, 1] */, regularWidth /* a microfacet width, regularized */, regularRoughness /* the same of a roughness */, roughness /* its square root */, metal /* a reflectance to an index of refraction */, displacement /* world units to scene units */ };
@@ -82,7 +82,7 @@ uint packMeasured(Packer&, const std::string& path, const SourceLocation& where)
 uint packedMaterial(Packer&, int material);
 
 /// Whether a surface with this BSDF scatters light from behind it, or lets it through with another index of refraction.
-bool transmits(hop h);
+bool transmits(next_queue h);
 
 /// The lights of a shape that emits, one for each of its elements; sets its first_light. `m` takes its object space to scene space.
 void packAreaLight(Packer&, const Shape&, shape& packed, const glm::dmat4& m, size_t elements);

@@ -27,7 +27,7 @@ public:
 
     void add(Group& group, const Shape& s, const glm::dmat4& worldFromObject, bool inObject, bool instanceSwaps, uint id) {
         const uint materialIndex = packedMaterial(packer_, s.material);
-        const bool isInterface = tables_.materials[materialIndex].hop == hop_passage;
+        const bool isInterface = tables_.materials[materialIndex].next_queue == next_crossing;
         const bool emits = s.areaLight != none && !inObject && countsMaterials(packer_.scene.integrator);
         if (s.areaLight != none && inObject)
             packer_.diagnostics.unsupported("area light in object", s.where, "area lights in instanced objects do not emit (as in pbrt-v4)");

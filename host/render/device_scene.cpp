@@ -4,14 +4,14 @@
 
 namespace eikonal {
 
-Branching Branching::of(const PackedScene& scene) {
+RaySplitting RaySplitting::of(const PackedScene& scene) {
     if (!scene.features.has(Feature::TREE)) return {};
     const settings& frame = scene.frame();
-    const unsigned branches = std::max(2u, frame.tree_bundle == NONE ? 0 : 1u << std::min(frame.tree_bundle, frame.tree_forks));
-    return {frame.tree_forks, branches, std::max(branches, frame.tree_lights)};
+    const unsigned raysPerHit = std::max(2u, frame.rough_splits == NONE ? 0 : 1u << std::min(frame.rough_splits, frame.tree_splits));
+    return {frame.tree_splits, raysPerHit, std::max(raysPerHit, frame.tree_lights)};
 }
 
-DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : branching_(Branching::of(scene)) {
+DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : splitting_(RaySplitting::of(scene)) {
     const auto upload = [&](const auto& table, const char* name) {
         Buffer& buffer = buffers_[name];
         buffer = Buffer::sharing(context, table, std::string("table ") + name);

@@ -78,7 +78,7 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
         if (!o.buildOptions.empty()) arguments.push_back("--build-options=" + o.buildOptions);
         if (!o.device.empty()) arguments.insert(arguments.end(), {"--device", o.device});
         if (o.localSize) arguments.insert(arguments.end(), {"--local-size", std::to_string(*o.localSize)});
-        if (o.run) arguments.insert(arguments.end(), {"--run", std::to_string(*o.run)});
+        if (o.itemsPerWorkItem) arguments.insert(arguments.end(), {"--items-per-work-item", std::to_string(*o.itemsPerWorkItem)});
         if (o.wavePaths) arguments.insert(arguments.end(), {"--wave-paths", std::to_string(*o.wavePaths)});
         if (const pid_t process = startSelf(arguments)) processes.push_back(process);
     }

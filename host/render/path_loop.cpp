@@ -22,11 +22,11 @@ static std::string loopText(const Features& features) {
 
 PathLoop::PathLoop(const Context& context, Compiler& compiler, const DeviceScene& deviceScene, const PackedScene& scene, const StageShape& shape,
                    const BuildSettings& settings, Profile& profile)
-    : context_(context), scene_(deviceScene), shape_(shape), mostPaths_(std::max(shape.wavePaths >> deviceScene.branching().forks, 1u)), profile_(profile), tables_(context) {
+    : context_(context), scene_(deviceScene), shape_(shape), mostPaths_(std::max(shape.wavePaths >> deviceScene.splitting().splits, 1u)), profile_(profile), tables_(context) {
     const BuildSettings complete = completeSettings(settings, scene, shape);
     loop_ = Kernel(compiler.build(loopText(complete.features), "loop", complete));
     resolve_ = Kernel(compiler.build("#include \"stages/resolve_film.cl\"\n", "resolve_film", complete));
-    const unsigned capacity = shape.padded(mostPaths_ << deviceScene.branching().forks);
+    const unsigned capacity = shape.padded(mostPaths_ << deviceScene.splitting().splits);
     const auto words = [&](int count) { return static_cast<size_t>(capacity) * static_cast<size_t>(count) * sizeof(cl_uint); };
     hit_ = Buffer(context, words(queueLayout("hit", complete.features).words + bsdfWords(complete.features)), "hits");
     path_ = Buffer(context, words(queueLayout("path", complete.features).words), "paths");
@@ -34,14 +34,14 @@ PathLoop::PathLoop(const Context& context, Compiler& compiler, const DeviceScene
     bindings_.set("path", path_);
     for (const char* name : {"capacity", "path_capacity"}) bindings_.set(name, capacity);
     bindings_.set("first_path", 0u);
-    bindings_.set("turns", deviceScene.branching().turns);
+    bindings_.set("shading_passes", deviceScene.splitting().shadingPasses);
 }
 
 void PathLoop::trace(const BatchStream& stream) {
     while (const std::optional<Batch> batch = stream.next()) {
         tables_.write(context_, *batch, stream.endX, stream.endY);
         const unsigned paths = batch->paths();
-        if (scene_.branching().forks) path_.clear(context_, 0, path_.size());
+        if (scene_.splitting().splits) path_.clear(context_, 0, path_.size());
         bindings_.set("count", paths);
         profile_.add("loop", paths, loop_.launch(context_, {&scene_.bindings(), &bindings_, &tables_.bindings()}, paths, shape_.group()));
         context_.finish();

@@ -40,7 +40,7 @@ StageShape shapeFor(const DeviceInfo& device, const DeviceOptions& options) {
     if (options.localSize && *options.localSize > device.largestGroup)
         throw UsageError(fmt::format("--local-size: \"{}\" has work-groups of at most {} items, not {}", device.name, device.largestGroup, *options.localSize));
     if (options.localSize) shape.localSize = *options.localSize;
-    if (options.run) shape.run = *options.run;
+    if (options.itemsPerWorkItem) shape.itemsPerWorkItem = *options.itemsPerWorkItem;
     if (options.wavePaths) shape.wavePaths = *options.wavePaths;
     return shape;
 }

@@ -11,7 +11,7 @@ StageShape StageShape::forDevice(const DeviceInfo& device) {
     shape.widensGroups = device.widensGroups;
     if (!device.isCpu) {
         shape.localSize = 64;
-        shape.run = 1;
+        shape.itemsPerWorkItem = 1;
         shape.wavePaths = 1u << 20;
         shape.batches = 2;
     }
@@ -19,19 +19,19 @@ StageShape StageShape::forDevice(const DeviceInfo& device) {
     return shape;
 }
 
-struct StageRequest { std::string name, kernel, text; uint hop; };
+struct StageRequest { std::string name, kernel, text; uint next_queue; };
 
 /// What a scene requires, in the order in which it runs.
 static std::vector<StageRequest> requiredStages(const PackedScene& scene) {
     std::vector<StageRequest> list;
     const auto add = [&](const std::string& name, bool required) {
         if (!required) return;
-        if (name != "shade_hits") { list.push_back({name, name, fmt::format("#include \"stages/{}.cl\"\n", name), hop_none}); return; }
-        const auto shading = [&](const std::string& bsdf, Feature feature, uint hop) {
+        if (name != "shade_hits") { list.push_back({name, name, fmt::format("#include \"stages/{}.cl\"\n", name), next_none}); return; }
+        const auto shading = [&](const std::string& bsdf, Feature feature, uint next_queue) {
             if (scene.features.has(feature))
-                list.push_back({"shade_hits " + bsdf, name, fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"stages/{1}.cl\"\n", bsdf, name), hop});
+                list.push_back({"shade_hits " + bsdf, name, fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"stages/{1}.cl\"\n", bsdf, name), next_queue});
         };
-#define SHADE_BSDF(bsdf, FEATURE, PARAMETERS) shading(#bsdf, Feature::FEATURE, hop_##bsdf);
+#define SHADE_BSDF(bsdf, FEATURE, PARAMETERS) shading(#bsdf, Feature::FEATURE, next_##bsdf);
         BSDFS(SHADE_BSDF)
 #undef SHADE_BSDF
     };
@@ -48,7 +48,7 @@ static std::vector<StageRequest> requiredStages(const PackedScene& scene) {
 BuildSettings completeSettings(BuildSettings settings, const PackedScene& scene, const StageShape& shape) {
     settings.features = settings.features | scene.features;
     settings.constants["LOCAL_SIZE"] = static_cast<int>(shape.localSize);
-    settings.constants["RUN"] = static_cast<int>(shape.run);
+    settings.constants["ITEMS_PER_WORK_ITEM"] = static_cast<int>(shape.itemsPerWorkItem);
     settings.constants["WIDENS_GROUPS"] = shape.widensGroups;
     scene.constants.forEach([&](const char* name, int number) { settings.constants[name] = number; });
     return settings;
@@ -57,9 +57,9 @@ BuildSettings completeSettings(BuildSettings settings, const PackedScene& scene,
 /// Strides of queues are constants where waves have their usual size; others are not worth kernels of their own.
 static BuildSettings stageSettings(BuildSettings settings, const PackedScene& scene, const StageShape& shape) {
     settings = completeSettings(std::move(settings), scene, shape);
-    const Branching branching = Branching::of(scene);
-    if (branching.forks || shape.wavePaths != StageShape().wavePaths) return settings;
-    const WaveSize size(shape, branching);
+    const RaySplitting splitting = RaySplitting::of(scene);
+    if (splitting.splits || shape.wavePaths != StageShape().wavePaths) return settings;
+    const WaveSize size(shape, splitting);
     settings.constants["QUEUE_CAPACITY"] = static_cast<int>(size.capacity);
     settings.constants["PATH_CAPACITY"] = static_cast<int>(size.pathCapacity);
     return settings;
@@ -82,7 +82,7 @@ Stages::Stages(Compiler& compiler, const PackedScene& scene, const StageShape& s
         stage.name = request.name;
         stage.kernel = Kernel(compiler.build(request.text, request.kernel, settings));
         stage.compileSeconds = stage.kernel.program().seconds;
-        if (request.hop < hops) shading_[request.hop] = static_cast<int>(stages_.size());
+        if (request.next_queue < next_queues) shading_[request.next_queue] = static_cast<int>(stages_.size());
         stages_.push_back(std::move(stage));
     }
 }

@@ -14,12 +14,12 @@ namespace eikonal {
 /// How stages are laid over a device. None of this changes a bit of the image.
 struct StageShape {
     unsigned localSize = 1;    ///< work-items in a group, a power of two
-    unsigned run = 64;         ///< slots that a work-item handles, a power of two: on a CPU SIMD is inside of the work-item,
+    unsigned itemsPerWorkItem = 64; ///< slots that a work-item handles, a power of two: on a CPU SIMD is inside of the work-item,
     bool widensGroups = false; ///< unless this is set; then a work-item of a straight-line stage handles one (kernels/stages/stage.clh)
     unsigned wavePaths = 131008;  ///< rays in flight: a path is one, or more with trees of rays
     unsigned batches = 8;      ///< whose paths are in flight together, at most MOST_BATCHES: the last paths of one leave room for the first of the next
     /// Slots of a group: segments of queues begin at multiples of it.
-    unsigned group() const { return localSize * run; }
+    unsigned group() const { return localSize * itemsPerWorkItem; }
     /// `slots`, rounded up to whole groups.
     unsigned padded(unsigned slots) const { return (slots + group() - 1) / group() * group(); }
     /// What measured best for a kind of device (docs/performance.md).
@@ -48,8 +48,8 @@ public:
 
     /// The stage called so; null if the scene does not require it.
     const Stage* find(const std::string& name) const;
-    /// shade_hits for the BSDF of a hop.
-    const Stage* shading(uint hop) const { return shading_[hop] < 0 ? nullptr : &stages_[static_cast<size_t>(shading_[hop])]; }
+    /// shade_hits for the BSDF of a queue.
+    const Stage* shading(uint next_queue) const { return shading_[next_queue] < 0 ? nullptr : &stages_[static_cast<size_t>(shading_[next_queue])]; }
     /// Keeps their programs in the compiler's cache, once each has been launched (Compiler::keep).
     void keep(const Compiler& compiler) const;
     std::vector<Stage>& all() { return stages_; }
@@ -57,7 +57,7 @@ public:
 
 private:
     std::vector<Stage> stages_;
-    std::array<int, hops> shading_;
+    std::array<int, next_queues> shading_;
 };
 
 }  // namespace eikonal

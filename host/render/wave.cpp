@@ -6,7 +6,7 @@ namespace eikonal {
 
 Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, const StageShape& shape, const Features& features, Profile& profile,
            PageSize queuePages)
-    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), branching_(scene.branching()), size_(shape, branching_) {
+    : context_(context), scene_(scene.bindings()), stages_(stages), shape_(shape), profile_(profile), splitting_(scene.splitting()), size_(shape, splitting_) {
     for (const PlannedQueue& queue : queuesFor(features, stages.find("shade_misses"), size_)) {
         addQueue(queue.layout, queue.items, queue.name, queuePages);
         if (queue.name == "ray") { rays_[0] = &buffers_.back(); rayLayout_ = queue.layout; }
@@ -22,7 +22,7 @@ Wave::Wave(const Context& context, const DeviceScene& scene, Stages& stages, con
     bindings_.set("shadow_count", shadowCount_);
     bindings_.set("capacity", size_.capacity);
     bindings_.set("path_capacity", size_.pathCapacity);
-    bindings_.set("log2_batch_paths", size_.log2BatchPaths + branching_.forks);
+    bindings_.set("log2_batch_paths", size_.log2BatchPaths + splitting_.splits);
 }
 
 void Wave::addQueue(const QueueLayout& layout, size_t items, const std::string& name, PageSize pages) {
@@ -47,7 +47,7 @@ static Bindings segment(unsigned first, unsigned count) {
 Wave::Counts Wave::countAndRoute(unsigned rays) {
     counts_.clear(context_, 0, sizeof(Counts));
     cursors_.clear(context_, 0, sizeof(Counts));
-    run(stages_.find("classify_flights"), rays, segment(0, rays));
+    run(stages_.find("classify_intersections"), rays, segment(0, rays));
     Counts counts;
     cl_uint shadowRays = 0;
     cl_event done = nullptr;
@@ -55,38 +55,38 @@ Wave::Counts Wave::countAndRoute(unsigned rays) {
     check(clEnqueueReadBuffer(context_.queue(), counts_.handle(), CL_FALSE, 0, sizeof counts, counts.data(), 0, nullptr, &done), "reading the counts");
     const Owned<cl_event, clReleaseEvent> owner(done);
     /* While the counts travel, the device routes */
-    run(stages_.find("route_flights"), rays, segment(0, rays));
+    run(stages_.find("route_intersections"), rays, segment(0, rays));
     context_.flush();
     check(clWaitForEvents(1, &done), "waiting for the counts");
     countShadowRays(shadowRays);
     return counts;
 }
 
-/// Everything that scatters: the `turn`-th ray on from each point, and light from one light, or with trees of rays from the `turn`-th. (Where there
+/// Everything that scatters: the `pass`-th ray on from each point, and light from one light, or with trees of rays from the `pass`-th. (Where there
 /// are trees there are no media, and so no rays that pass an interface.)
-void Wave::shadeTurn(const Counts& counts, unsigned turn, unsigned slots) {
+void Wave::shadingPass(const Counts& counts, unsigned pass, unsigned slots) {
     unsigned first = 0;
-    for (uint hop = 0; hop < hop_miss; ++hop) {
-        const Stage* stage = hop == hop_scatter ? stages_.find("shade_scatters") : hop == hop_occlusion ? stages_.find("shade_occlusions") : stages_.shading(hop);
-        Bindings own = segment(first, counts[hop]);
-        own.set("turn", turn);
-        own.set("turn_slots", slots);
+    for (uint next_queue = 0; next_queue < next_miss; ++next_queue) {
+        const Stage* stage = next_queue == next_scatter ? stages_.find("shade_scatters") : next_queue == next_occlusion ? stages_.find("shade_occlusions") : stages_.shading(next_queue);
+        Bindings own = segment(first, counts[next_queue]);
+        own.set("shading_pass", pass);
+        own.set("pass_slots", slots);
         /* More lights than rays: what is written as rays on must not be read */
-        if (turn >= branching_.branches) { own.set("turn_slots", 0); own.set("next_ray", *rays_[0]); }
-        if (counts[hop]) run(stage, counts[hop], own);
-        first += shape_.padded(counts[hop]);
+        if (pass >= splitting_.raysPerHit) { own.set("pass_slots", 0); own.set("next_ray", *rays_[0]); }
+        if (counts[next_queue]) run(stage, counts[next_queue], own);
+        first += shape_.padded(counts[next_queue]);
     }
     run(slots ? stages_.find("test_shadows") : nullptr, slots, segment(0, slots));
 }
 
 /// Returns how many slots of the queue of rays may hold one.
 unsigned Wave::shade(const Counts& counts) {
-    run(counts[hop_miss] ? stages_.find("shade_misses") : nullptr, counts[hop_miss], segment(0, counts[hop_miss]));
-    run(counts[hop_emission] ? stages_.find("shade_emitters") : nullptr, counts[hop_emission], segment(0, counts[hop_emission]));
+    run(counts[next_miss] ? stages_.find("shade_misses") : nullptr, counts[next_miss], segment(0, counts[next_miss]));
+    run(counts[next_emission] ? stages_.find("shade_emitters") : nullptr, counts[next_emission], segment(0, counts[next_emission]));
     unsigned slots = 0;
-    for (uint hop = 0; hop < hop_miss; ++hop) slots += shape_.padded(counts[hop]);
-    for (unsigned turn = 0; turn < branching_.turns; ++turn) shadeTurn(counts, turn, slots);
-    return slots * branching_.branches;
+    for (uint next_queue = 0; next_queue < next_miss; ++next_queue) slots += shape_.padded(counts[next_queue]);
+    for (unsigned pass = 0; pass < splitting_.shadingPasses; ++pass) shadingPass(counts, pass, slots);
+    return slots * splitting_.raysPerHit;
 }
 
 void Wave::bindRays() {
@@ -100,11 +100,11 @@ void Wave::countShadowRays(cl_uint now) {
 }
 
 /// Every ray goes to where it ends, and from there on. Of `slots` of the queue that may hold one; afterwards it is those of the next.
-Wave::Counts Wave::hop(unsigned& slots) {
+Wave::Counts Wave::bounce(unsigned& slots) {
     if (!slots) return {};
-    run(stages_.find("intersect_rays"), slots, segment(0, slots));     // ray -> flight
-    run(stages_.find("extinguish_rays"), slots, segment(0, slots));    // flight -> flight, if there are media
-    const Counts counts = countAndRoute(slots);                        // flight -> hit, scatter, miss, emission, next ray
+    run(stages_.find("intersect_rays"), slots, segment(0, slots));     // ray -> intersection
+    run(stages_.find("extinguish_rays"), slots, segment(0, slots));    // intersection -> intersection, if there are media
+    const Counts counts = countAndRoute(slots);                        // intersection -> hit, scatter, miss, emission, next ray
     slots = shade(counts);                                             // -> path, next ray, shadow -> path
     std::swap(rays_[0], rays_[1]);
     bindRays();
@@ -114,7 +114,7 @@ Wave::Counts Wave::hop(unsigned& slots) {
 
 /// For how many new rays there is room, or none where it is not worth a launch. With trees of rays nobody knows how many those in flight become.
 unsigned Wave::room(unsigned slots) const {
-    if (branching_.forks) return slots ? 0 : size_.paths;
+    if (splitting_.splits) return slots ? 0 : size_.paths;
     const unsigned most = shape_.padded(size_.paths), left = most - std::min(slots, most);
     return left < most / 16 ? 0 : left;
 }
@@ -127,7 +127,7 @@ bool Wave::admit(const BatchStream& stream) {
     tables_[nextPlace_].write(context_, *batch, stream.endX, stream.endY);
     flying_.push_back({std::move(*batch), nextPlace_});
     nextPlace_ = (nextPlace_ + 1) % static_cast<unsigned>(tables_.size());
-    if (branching_.forks) paths_->clear(context_, 0, paths_->size());
+    if (splitting_.splits) paths_->clear(context_, 0, paths_->size());
     return true;
 }
 
@@ -157,9 +157,9 @@ void Wave::trace(const BatchStream& stream) {
     unsigned slots = refill(0, stream);
     while (!flying_.empty()) {
         const bool moves = slots > 0;
-        const Counts counts = hop(slots);
+        const Counts counts = bounce(slots);
         if (moves && stream.bounced && !stream.bounced({*rays_[0], rayLayout_, size_.capacity, 0, slots}, pathsOf(flying_.front()))) slots = 0;
-        /* Batches that had no ray at this hop are done */
+        /* Batches that had no ray at this bounce are done */
         while (!flying_.empty() && flying_.front().isBegun() && !counts[count_of_batches + flying_.front().place]) {
             stream.traced(flying_.front().batch);
             flying_.pop_front();
@@ -183,7 +183,7 @@ void Wave::resolve(const Batch& batch, const Buffer& film) {
 void Wave::warmUp() {
     const Buffer film(context_, 1024, "film");
     Bindings nothing = tables_.front().bindings();
-    for (const char* name : {"first", "count", "turn", "turn_slots", "begun", "first_path", "representatives"}) nothing.set(name, 0u);
+    for (const char* name : {"first", "count", "shading_pass", "pass_slots", "begun", "first_path", "representatives"}) nothing.set(name, 0u);
     nothing.set("film", film);
     for (const char* name : {"survey_points", "survey_normals", "survey_weights"}) nothing.set(name, film);
     bindRays();

@@ -1,5 +1,5 @@
 #pragma once
-// A wave: the paths that are in flight at once, and the queues that they travel through. Where paths end, new ones begin: at the next hop, so
+// A wave: the paths that are in flight at once, and the queues that they travel through. Where paths end, new ones begin: at the next bounce, so
 // that the queues stay full while there is work.
 
 #include "device/layout.h"
@@ -26,7 +26,7 @@ public:
     void warmUp();
 
     unsigned mostPaths() const override { return size_.paths; }
-    /// Waits only for one small read a hop.
+    /// Waits only for one small read a bounce.
     void trace(const BatchStream& stream) override;
     void resolve(const Batch& batch, const Buffer& film) override;
 
@@ -45,8 +45,8 @@ private:
     void run(const Stage* stage, unsigned items, const Bindings& extra);
     Counts countAndRoute(unsigned rays);
     unsigned shade(const Counts& counts);
-    void shadeTurn(const Counts& counts, unsigned turn, unsigned slots);
-    Counts hop(unsigned& slots);
+    void shadingPass(const Counts& counts, unsigned pass, unsigned slots);
+    Counts bounce(unsigned& slots);
     unsigned room(unsigned slots) const;
     bool admit(const BatchStream& stream);
     unsigned refill(unsigned slots, const BatchStream& stream);
@@ -60,7 +60,7 @@ private:
     Stages& stages_;
     StageShape shape_;
     Profile& profile_;
-    Branching branching_;
+    RaySplitting splitting_;
     WaveSize size_;
     std::list<Buffer> buffers_;
     Buffer counts_, cursors_, shadowCount_;

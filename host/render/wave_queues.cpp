@@ -5,12 +5,12 @@
 
 namespace eikonal {
 
-WaveSize::WaveSize(const StageShape& shape, const Branching& branching) {
-    paths = std::max(shape.wavePaths >> branching.forks, 1u);
-    batches = branching.forks ? 1 : shape.batches;
+WaveSize::WaveSize(const StageShape& shape, const RaySplitting& splitting) {
+    paths = std::max(shape.wavePaths >> splitting.splits, 1u);
+    batches = splitting.splits ? 1 : shape.batches;
     log2BatchPaths = static_cast<unsigned>(std::bit_width(shape.padded(paths) - 1));
-    capacity = branching.branches * (shape.padded(paths << branching.forks) + hops * shape.group()) + shape.group();
-    pathCapacity = (batches << (log2BatchPaths + branching.forks)) + shape.group();
+    capacity = splitting.raysPerHit * (shape.padded(paths << splitting.splits) + next_queues * shape.group()) + shape.group();
+    pathCapacity = (batches << (log2BatchPaths + splitting.splits)) + shape.group();
 }
 
 std::vector<PlannedQueue> queuesFor(const Features& features, bool hasMisses, const WaveSize& size) {
@@ -28,7 +28,7 @@ std::vector<PlannedQueue> queuesFor(const Features& features, bool hasMisses, co
 
 size_t plannedWaveBytes(const PackedScene& scene, const StageShape& shape) {
     size_t bytes = 0;
-    for (const PlannedQueue& q : queuesFor(scene.features, scene.constants.environments > 0, WaveSize(shape, Branching::of(scene))))
+    for (const PlannedQueue& q : queuesFor(scene.features, scene.constants.environments > 0, WaveSize(shape, RaySplitting::of(scene))))
         bytes += q.items * static_cast<size_t>(q.layout.words) * sizeof(cl_uint);
     return bytes;
 }

@@ -17,7 +17,7 @@ struct WaveSize {
     unsigned log2BatchPaths;   ///< from the first path of a batch to that of the next
     unsigned capacity;         ///< of queues: every ray of every path, segments that begin at multiples of a group, as often as rays may leave a surface
     unsigned pathCapacity;     ///< the states of paths of all batches, and those that nobody has
-    WaveSize(const StageShape& shape, const Branching& branching);
+    WaveSize(const StageShape& shape, const RaySplitting& splitting);
 };
 
 struct PlannedQueue { QueueLayout layout; size_t items; std::string name; };

@@ -91,7 +91,7 @@
     F(q, uint,     file,          ALWAYS)    /* in `measured_files` */
 
 /* The surface of a body where light leaves it that was diffused inside: Lambertian below the boundary. */
-#define EMERGENCE_PARAMETERS(F, q) \
+#define SUBSURFACE_EXIT_PARAMETERS(F, q) \
     F(q, spectrum, weight,        ALWAYS)    /* what the profile says over the density with which this point was found */ \
     F(q, spectrum, albedo,        ALWAYS)    /* of the body, in [0, 1] */ \
     F(q, float,    eta,           ALWAYS)    /* index inside over index outside */ \
@@ -110,7 +110,7 @@
     B(principled,           BSDF_PRINCIPLED,           PRINCIPLED_PARAMETERS) \
     B(hair,                 BSDF_HAIR,                 HAIR_PARAMETERS) \
     B(measured,             BSDF_MEASURED,             MEASURED_PARAMETERS) \
-    B(emergence,            BSDF_EMERGENCE,            EMERGENCE_PARAMETERS)
+    B(subsurface_exit,            BSDF_SUBSURFACE_EXIT,            SUBSURFACE_EXIT_PARAMETERS)
 
 /* Microfacets narrower than this are numerically a mirror (pbrt-v4's limit for "effectively smooth"). */
 #define MIN_ALPHA 1e-3f

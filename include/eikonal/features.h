@@ -18,9 +18,9 @@
     F(SUBSURFACE,       "a body that light enters, wanders in and leaves") \
     F(DIFFUSION,        "such a body, whose light leaves by a diffusion profile") \
     F(BODY_TEXTURES,    "such a body, of which a texture says what is inside") \
-    F(FOCI,             "a light that is a point, and a homogeneous medium that scatters") \
+    F(EQUIANGULAR,             "a light that is a point, and a homogeneous medium that scatters") \
     F(INTERFACE,        "a surface of material \"interface\"") \
-    F(PASSAGES,         "a surface of material \"interface\", or a body whose light leaves by a diffusion profile") \
+    F(CROSSINGS,         "a surface of material \"interface\", or a body whose light leaves by a diffusion profile") \
     F(INSTANCES,        "object instances") \
     F(ALPHA,            "shapes cut out by an alpha texture") \
     F(MIX,              "a mix of materials") \

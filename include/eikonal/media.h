@@ -40,15 +40,15 @@ typedef struct {
 typedef struct {
     vec3 p;
     float share;               /* probability of being the one that is chosen */
-} focus;
-#define MOST_FOCI 8
+} point_light_position;
+#define MOST_EQUIANGULAR_LIGHTS 8
 
 typedef struct {
     uint kind;                 /* enum medium_kind */
     color sigma_a, sigma_s;    /* per unit of scene space; what varies multiplies them */
     color Le;                  /* emitted radiance per unit of sigma_a; what varies multiplies it */
     float g;                   /* Henyey-Greenstein: mean cosine, in [-0.99, 0.99] */
-    uint focus_count;          /* homogeneous ones that scatter: how many of `foci` there are; 0: none, or none that matters */
+    uint equiangular_lights;   /* homogeneous ones that scatter: how many of `point_lights` there are; 0: none, or none that matters */
 
     /* All but homogeneous ones: they fill the unit cube, and nothing else */
     affine box_from_scene;

@@ -1,4 +1,4 @@
-/* Every queue, field by field: what one hop of a path carries from the stage that fills the queue to the stage that
+/* Every queue, field by field: what a path carries from the stage that fills the queue to the stage that
    drains it. This is the only place; the structs, slot numbers, loads and stores of both languages are made from it.
 
    A queue is one buffer of 32-bit words, slot-major: word[slot * capacity + i] holds word `slot` of item i, so that
@@ -19,10 +19,10 @@
     F(q, uint,     depth,      ALWAYS)       /* scattering events so far; interfaces do not count. With TREE: dimension.clh */ \
     F(q, spectrum, beta,       ALWAYS)       /* throughput: contribution of the path so far over its density */ \
     F(q, float,    time,       MOTION)       /* in [0, 1]: between the start and the end of all motion */ \
-    F(q, uint,     seen,       AOVS)         /* 1 from where something other than mirrors and clear glass was met */ \
-    F(q, uint,     blurred,    REGULARIZE)   /* whether it has been scattered by anything but delta distributions */ \
-    F(q, uint,     one_wave,   DISPERSION)   /* 1: only the first wavelength is left, and stands for all */ \
-    F(q, uint,     forks,      TREE)         /* how often it may still fork in two: it owns 2^forks path states, from `path` on */ \
+    F(q, uint,     has_nonspecular_vertex, AOVS) /* 1 from where something other than mirrors and clear glass was met */ \
+    F(q, uint,     regularized, REGULARIZE)  /* whether it has been scattered by anything but delta distributions */ \
+    F(q, uint,     secondary_terminated,   DISPERSION)   /* 1: only the first wavelength is left, and stands for all */ \
+    F(q, uint,     splits,     TREE)         /* how often it may still split in two: it owns 2^splits path states, from `path` on */ \
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices, undone for Russian roulette */ \
     F(q, spectrum, r_u,        MEDIA)        /* density of this path under its own strategy, per channel, relative */ \
     F(q, uint,     within,     SUBSURFACE)   /* 1: inside of a body that light wanders in; of a hit: bit 0 on the side of ng, bit 1 on the other */ \
@@ -46,7 +46,7 @@
     F(q, float,    t_max,      ALWAYS)       /* < 0: this slot is dead */ \
     F(q, float,    pdf,        ALWAYS)       /* density over solid angle with which d was sampled; 0: no light could sample it */ \
     F(q, float,    traveled,   INTERFACE)    /* from where d was sampled to o: interfaces passed on the way */ \
-    F(q, uint,     passed,     PASSAGES)     /* how many surfaces it has passed since d was sampled */ \
+    F(q, uint,     passed,     CROSSINGS)     /* how many surfaces it has passed since d was sampled */ \
     F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* as in hit, of where d was sampled */ \
     F(q, vec3,     n,          LIGHT_TREE)   /* shading normal where d was sampled, on the side of wo; zero: not on a surface */ \
     F(q, spectrum, r_l,        MEDIA)        /* density of this path had a light been sampled instead, but for the light's own */ \
@@ -62,18 +62,18 @@
     F(q, spectrum, body_albedo, BODY_TEXTURES) /* of a probe: what is said of the body at `entry`, as in hit */ \
     F(q, spectrum, body_length, BODY_TEXTURES)
 
-/* Where a ray ends: slot i belongs to ray i. Filled by intersect_rays, refined by extinguish_rays and classify_flights. */
-#define FLIGHT_FIELDS(F, q) \
+/* Where a ray ends: slot i belongs to ray i. Filled by intersect_rays, refined by extinguish_rays and classify_intersections. */
+#define INTERSECTION_FIELDS(F, q) \
     F(q, float,    t,          ALWAYS)       /* distance to the end; < 0: dead */ \
     F(q, uint,     element,    ALWAYS)       /* which is hit, or NONE */ \
     F(q, uint,     instance,   INSTANCES)    /* in which instance, or NONE */ \
     F(q, float,    u,          ALWAYS)       /* parameters of the point on the element */ \
     F(q, float,    v,          ALWAYS) \
-    F(q, uint,     hop,        ALWAYS)       /* which queue comes next: enum hop */ \
+    F(q, uint,     next_queue,        ALWAYS)       /* which queue comes next: enum next_queue */ \
     F(q, uint,     material,   ALWAYS)       /* of a hit, mixes resolved */ \
     F(q, uint,     emits,      EMITTERS)     /* 1: a hit on something that emits, which shade_emitters wants as well */
 
-/* A point on a surface, to be scattered at: filled by route_flights, drained by shade_hits. Dense, one segment for each
+/* A point on a surface, to be scattered at: filled by route_intersections, drained by shade_hits. Dense, one segment for each
    BSDF, which adds its own parameters (bsdfs.h) after these words. */
 #define HIT_FIELDS(F, q) \
     TRAVEL_FIELDS(F, q) \
@@ -93,7 +93,7 @@
     F(q, spectrum, body_length, BODY_TEXTURES) /*   and d of its profile */ \
     LIGHT_CHOICE_FIELDS(F, q)
 
-/* A point in a medium, to be scattered at: filled by route_flights, drained by shade_scatters. Dense. */
+/* A point in a medium, to be scattered at: filled by route_intersections, drained by shade_scatters. Dense. */
 #define SCATTER_FIELDS(F, q) \
     TRAVEL_FIELDS(F, q) \
     F(q, vec3,     p,          ALWAYS) \
@@ -102,7 +102,7 @@
     F(q, float,    g,          ALWAYS)       /* mean cosine of the phase function */ \
     LIGHT_CHOICE_FIELDS(F, q)
 
-/* A ray that left the scene: filled by route_flights, drained by shade_misses. Dense. */
+/* A ray that left the scene: filled by route_intersections, drained by shade_misses. Dense. */
 #define MISS_FIELDS(F, q) \
     F(q, uint,     path,       ALWAYS) \
     F(q, uint,     seed,       SPECTRAL) \
@@ -116,7 +116,7 @@
     F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* as in ray */ \
     F(q, vec3,     o,          PORTALS)      /* from where d was sampled */
 
-/* A hit on something that emits: filled by route_flights, drained by shade_emitters. Dense. */
+/* A hit on something that emits: filled by route_intersections, drained by shade_emitters. Dense. */
 #define EMISSION_FIELDS(F, q) \
     F(q, uint,     path,       ALWAYS) \
     F(q, spectrum, beta,       ALWAYS) \
@@ -135,7 +135,7 @@
     F(q, float,    time,       MOTION)       /* as in ray */ \
     F(q, spectrum, Ld,         ALWAYS)       /* contribution, weights included (in media: all but the two densities) */ \
     F(q, uint,     element,    LIGHT_PATTERN) /* which is sampled of a light whose pattern Ld leaves out; otherwise NONE */ \
-    F(q, uint,     color_seed, LIGHT_PATTERN) /* for the palette that the pattern is read through */ \
+    F(q, uint,     color_seed, LIGHT_PATTERN) /* for the sampled_wavelengths that the pattern is read through */ \
     F(q, uint,     color_sample, LIGHT_PATTERN) \
     F(q, uint,     medium,     MEDIA) \
     F(q, spectrum, r_u,        MEDIA)        /* density of the path had its own direction been sampled, relative */ \
@@ -178,7 +178,7 @@
 
 #define QUEUES(Q) \
     Q(ray,      RAY_FIELDS) \
-    Q(flight,   FLIGHT_FIELDS) \
+    Q(intersection,   INTERSECTION_FIELDS) \
     Q(hit,      HIT_FIELDS) \
     Q(scatter,  SCATTER_FIELDS) \
     Q(miss,     MISS_FIELDS) \

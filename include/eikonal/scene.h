@@ -15,13 +15,13 @@ CONTRACT_BEGIN
 
 /* A material: which BSDF, and where its parameters come from. */
 typedef struct {
-    uint hop;            /* enum hop (stages.h): its BSDF's queue, or hop_passage for an interface, or hop_mix */
+    uint next_queue;            /* enum next_queue (stages.h): its BSDF's queue, or next_crossing for an interface, or next_mix */
     uint first_input;    /* in `material_inputs`: one for each parameter of its BSDF */
     uint input_count;
     uint displacement;   /* in `programs`: bump map; NONE: none */
     uint normal_map;     /* in `images`; NONE: none */
-    uint mix_a, mix_b;   /* hop_mix: in `materials` */
-    uint mix_amount;     /* hop_mix: in `programs`: the probability of b */
+    uint mix_a, mix_b;   /* next_mix: in `materials` */
+    uint mix_amount;     /* next_mix: in `programs`: the probability of b */
     uint regular;        /* with REGULARIZE: in `materials`: the same, rougher, for paths that are blurred already; itself: nothing is to be roughened */
     uint interior;       /* with SUBSURFACE: in `media`: what is inside of it; NONE: nothing of its own */
     uint profile;        /* with DIFFUSION: in `profiles`: how light that has entered spreads; NONE: it goes on as a ray */
@@ -36,7 +36,7 @@ typedef struct {
     uint albedo_texture; /* with BODY_TEXTURES: in `programs`: the albedo where light enters; NONE: `albedo` everywhere */
     uint path_texture;   /* the same of the mean free path */
     float stretch;       /* how much wider the boundary makes a profile, at most: eta^2 - 1, at least 0 */
-    uint emergence;      /* in `materials`: how its surface lets light out */
+    uint subsurface_exit;      /* in `materials`: how its surface lets light out */
 } diffusion_profile;
 
 enum input_kind { input_number, input_count, input_spectrum, input_hero /* a number: the value at the path's first wavelength */ };
@@ -109,7 +109,7 @@ typedef struct {
     T(float,          brick_values) \
     T(color,          medium_colors)         /* of rgbgrid media */ \
     T(float,          majorants) \
-    T(focus,          foci)                  /* MOST_FOCI at most */ \
+    T(point_light_position, point_lights)    /* MOST_EQUIANGULAR_LIGHTS at most */ \
     T(blackbody_color, blackbodies)          /* BLACKBODY_STEPS + 1, or none */
 
 /* The wavelengths that a film keeps a spectrum of, and how they are sampled: `share` of the samples evenly within the range, the others evenly in
@@ -151,7 +151,7 @@ typedef struct {
     GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) BSDF_TABLES(T) MEDIUM_TABLES(T) COLOR_TABLES(T) CAMERA_TABLES(T) \
     T(settings,       frame)
 
-/* The most rays that a camera ray may become (kernels/shade/tree.clh). */
+/* The most rays that a camera ray may become (kernels/shade/ray_splitting.clh). */
 #define MOST_TREE_RAYS 64
 /* With so many lights it looks at all of them at each surface, otherwise at one that it chooses. */
 #define MOST_TREE_LIGHTS 16
@@ -171,8 +171,8 @@ typedef struct {
     color ambient;         /* AMBIENT_OCCLUSION: what arrives from where nothing is near */
     float ambient_distance; /* how near that is, scene units */
     uint ambient_cosine;   /* 1: directions follow the cosine; 0: they are uniform */
-    uint tree_forks;       /* TREE: a camera ray may become 2^tree_forks rays */
-    uint tree_bundle;      /* 2^tree_bundle rays leave a rough surface; NONE: none */
+    uint tree_splits;       /* TREE: a camera ray may become 2^tree_splits rays */
+    uint rough_splits;      /* 2^rough_splits rays leave a rough surface; NONE: none */
     uint tree_lights;      /* so many lights are looked at, each of pmf 1; 0: one is chosen */
     float tree_threshold;  /* rays of less weight are not followed */
     uint light_count;      /* entries of `light_aliases`; 0: there is a light tree instead, or nothing to sample */

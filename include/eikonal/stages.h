@@ -11,10 +11,10 @@ CONTRACT_BEGIN
 
 #define STAGES(S) \
     S(generate_rays,    "pixels",     "ray path",           ALWAYS) \
-    S(intersect_rays,   "ray",        "flight",             ALWAYS) \
-    S(extinguish_rays,  "flight ray", "ray flight path",    MEDIA) \
-    S(classify_flights, "flight ray", "flight",             ALWAYS) \
-    S(route_flights,    "flight ray", "hit scatter miss emission ray shadow path", ALWAYS) \
+    S(intersect_rays,   "ray",        "intersection",             ALWAYS) \
+    S(extinguish_rays,  "intersection ray", "ray intersection path",    MEDIA) \
+    S(classify_intersections, "intersection ray", "intersection",             ALWAYS) \
+    S(route_intersections,    "intersection ray", "hit scatter miss emission ray shadow path", ALWAYS) \
     S(shade_misses,     "miss",       "path",               ALWAYS) \
     S(shade_emitters,   "emission",   "path",               EMITTERS) \
     S(shade_hits,       "hit",        "ray shadow path walk", ALWAYS) \
@@ -23,23 +23,23 @@ CONTRACT_BEGIN
     S(test_shadows,     "shadow",     "path",               ALWAYS) \
     S(resolve_film,     "path",       "film",               ALWAYS)
 
-/* Where a flight goes next. One segment of the hit queue for each, in this order. */
-#define HOP_OF_BSDF(name, FEATURE, PARAMETERS) hop_##name,
-enum hop {
-    hop_passage,             /* straight on: an interface between media */
-    hop_scatter,             /* shade_scatters */
-    hop_occlusion,           /* shade_occlusions */
-    BSDFS(HOP_OF_BSDF)       /* shade_hits, built for that BSDF */
-    hop_miss,                /* shade_misses */
-    hop_emission,            /* shade_emitters; besides another hop */
-    hops,
-    hop_mix,                 /* a material to be resolved to one of the above; no queue */
-    hop_absorbed,            /* ended in a medium */
-    hop_none                 /* the path ends, or goes where its element says */
+/* Which queue an intersection goes to next. One segment of the hit queue for each, in this order. */
+#define NEXT_OF_BSDF(name, FEATURE, PARAMETERS) next_##name,
+enum next_queue {
+    next_crossing,             /* straight on: an interface between media */
+    next_scatter,             /* shade_scatters */
+    next_occlusion,           /* shade_occlusions */
+    BSDFS(NEXT_OF_BSDF)       /* shade_hits, built for that BSDF */
+    next_miss,                /* shade_misses */
+    next_emission,            /* shade_emitters; besides another queue */
+    next_queues,
+    next_mix,                 /* a material to be resolved to one of the above; no queue */
+    next_absorbed,            /* ended in a medium */
+    next_none                 /* the path ends, or goes where its element says */
 };
 
-/* What a wave counts at each hop, real rays only: how many go to each queue, and how many each batch in flight has. */
-enum wave_count { count_of_batches = hops, wave_counts = count_of_batches + MOST_BATCHES };
+/* What a wave counts at each next_queue, real rays only: how many go to each queue, and how many each batch in flight has. */
+enum wave_count { count_of_batches = next_queues, wave_counts = count_of_batches + MOST_BATCHES };
 
 CONTRACT_END
 #endif

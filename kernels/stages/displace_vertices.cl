@@ -8,7 +8,7 @@
     ARGUMENT(uint, program) ARGUMENT(__global float *, heights)
 TRACING_STAGE(displace_vertices, DISPLACE_VERTICES) {
     texture_tables tables = BIND_TEXTURES;
-    for (size_t i = run_start; i < RUN_END; ++i) {
+    for (size_t i = first_slot; i < SLOTS_END; ++i) {
         texture_point at = {vertex_points[i], vertex_normals[i], vertex_uvs[i]};
         heights[i] = eval_number(tables, program, &at);
     }

@@ -1,4 +1,4 @@
-/* ray, flight -> ray, flight, path, slot i to slot i.  What media do to rays on their way: absorb them, scatter them before they arrive,
+/* ray, intersection -> ray, intersection, path, slot i to slot i.  What media do to rays on their way: absorb them, scatter them before they arrive,
    or let them pass with less; and what media emit. Tracing: a run of slots for each work-item, those in vacuum skipped. */
 #include "stages/queue.clh"
 #include "math/dimension.clh"
@@ -6,9 +6,9 @@
 #include "eikonal/stages.h"
 #include "stages/stage.clh"
 
-typedef struct { ray_item ray; flight_item flight; spectrum L; } extinguished;
+typedef struct { ray_item ray; intersection_item intersection; spectrum L; } extinguished;
 
-FN extinguished extinguish_ray(medium_tables media, color_tables colors, ray_item r, flight_item f) {
+FN extinguished extinguish_ray(medium_tables media, color_tables colors, ray_item r, intersection_item f) {
     tracked_path path = {hero_channel(r.seed, r.sample), r.beta, r.r_u, r.r_l, uniform_spectrum(0.0f)};
     /* Behind an interface the way goes on: with other numbers, which depend on where it does */
     random_stream more = make_stream(r.seed, r.sample, bounce_dimension_of(r.depth, dimension_distance));
@@ -17,10 +17,10 @@ FN extinguished extinguish_ray(medium_tables media, color_tables colors, ray_ite
         more.key = hash_uint(more.key, as_uint(r.traveled));
         first = next_random(&more);
     }
-    track end = sample_medium(media, path_palette(colors, r.seed, r.sample), r.medium, r.o, r.d, f.t, first, &more, &path);
+    track end = sample_medium(media, path_wavelengths(colors, r.seed, r.sample), r.medium, r.o, r.d, f.t, first, &more, &path);
     r.beta = path.beta; r.r_u = path.r_u; r.r_l = path.r_l;
     if (end.end != track_passes) {
-        f.hop = end.end == track_scattered ? hop_scatter : hop_absorbed;
+        f.next_queue = end.end == track_scattered ? next_scatter : next_absorbed;
         f.t = end.t;
         f.element = NONE;
     }
@@ -31,16 +31,16 @@ FN extinguished extinguish_ray(medium_tables media, color_tables colors, ray_ite
 #ifndef AS_LIBRARY
 #define EXTINGUISH_RAYS(TABLE, ARGUMENT) \
     MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE) \
-    ARGUMENT(__global uint *, ray) ARGUMENT(__global uint *, flight) ARGUMENT(__global uint *, path)
+    ARGUMENT(__global uint *, ray) ARGUMENT(__global uint *, intersection) ARGUMENT(__global uint *, path)
 TRACING_STAGE(extinguish_rays, EXTINGUISH_RAYS) {
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;
-    for (size_t i = run_start; i < RUN_END; ++i) {
+    for (size_t i = first_slot; i < SLOTS_END; ++i) {
         if (LOAD_FIELD(ray, float, t_max, ray, capacity, i) < 0.0f) continue;
         if (LOAD_FIELD(ray, uint, medium, ray, capacity, i) == NONE) continue;
-        extinguished e = extinguish_ray(medium_set, color_set, load_ray(ray, capacity, i), load_flight(flight, capacity, i));
+        extinguished e = extinguish_ray(medium_set, color_set, load_ray(ray, capacity, i), load_intersection(intersection, capacity, i));
         store_ray(ray, capacity, i, e.ray);
-        store_flight(flight, capacity, i, e.flight);
+        store_intersection(intersection, capacity, i, e.intersection);
         if (!is_black(e.L)) add_radiance(path, path_capacity, e.ray.path, e.L);
     }
 }

@@ -1,14 +1,14 @@
-/* ray -> flight, slot i to slot i.  Where each ray ends. Tracing: a run of slots for each work-item, dead ones skipped. */
+/* ray -> intersection, slot i to slot i.  Where each ray ends. Tracing: a run of slots for each work-item, dead ones skipped. */
 #include "stages/queue.clh"
 #include "trace/bvh.clh"
 #include "eikonal/stages.h"
 #include "stages/stage.clh"
 
-FN flight_item intersect_ray(geometry g, texture_tables tables, ray_item r) {
+FN intersection_item intersect_ray(geometry g, texture_tables tables, ray_item r) {
     nearest_hit best;
     best.t_max = r.t_max;
     walk_bvh(g, tables, r.o, r.d, r.time, walk_nearest, &best);
-    flight_item f = new_flight();
+    intersection_item f = new_intersection();
     f.t = best.t_max;
     f.element = best.element;
     f.instance = best.instance;
@@ -20,18 +20,18 @@ FN flight_item intersect_ray(geometry g, texture_tables tables, ray_item r) {
 #ifndef AS_LIBRARY
 #define INTERSECT_RAYS(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) \
-    ARGUMENT(__global const uint *, ray) ARGUMENT(__global uint *, flight)
+    ARGUMENT(__global const uint *, ray) ARGUMENT(__global uint *, intersection)
 TRACING_STAGE(intersect_rays, INTERSECT_RAYS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
-    for (size_t i = run_start; i < RUN_END; ++i) {
+    for (size_t i = first_slot; i < SLOTS_END; ++i) {
         if (LOAD_FIELD(ray, float, t_max, ray, capacity, i) < 0.0f) {
-            STORE_FIELD(flight, float, t, flight, capacity, i, -1.0f);
+            STORE_FIELD(intersection, float, t, intersection, capacity, i, -1.0f);
             continue;
         }
-        flight_item f = intersect_ray(g, tables, load_ray(ray, capacity, i));
-        f.hop = hop_none; f.material = NONE; f.emits = 0u;
-        store_flight(flight, capacity, i, f);
+        intersection_item f = intersect_ray(g, tables, load_ray(ray, capacity, i));
+        f.next_queue = next_none; f.material = NONE; f.emits = 0u;
+        store_intersection(intersection, capacity, i, f);
     }
 }
 #endif

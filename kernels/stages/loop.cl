@@ -12,8 +12,8 @@
 #include "stages/test_shadows.cl"
 #include "stages/stage.clh"
 
-#define SHADE_CASE(name) if (hop == hop_##name) return JOIN(shade_, name)(lights, colors, frame, h, bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, path_palette(colors, h.seed, h.sample)), turn, 1);
-FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables colors, __global const settings *frame, __global const uint *hit, uint capacity, uint slot, uint hop, hit_item h, uint turn) {
+#define SHADE_CASE(name) if (next_queue == next_##name) return JOIN(shade_, name)(lights, colors, frame, h, bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, path_wavelengths(colors, h.seed, h.sample)), pass, 1);
+FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables colors, __global const settings *frame, __global const uint *hit, uint capacity, uint slot, uint next_queue, hit_item h, uint pass) {
     SCENE_BSDFS(SHADE_CASE)
     scattering nothing;
     nothing.ray.t_max = -1.0f;
@@ -23,8 +23,8 @@ FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables co
 
 /* Whether there is an albedo to be kept, and which. */
 typedef struct { spectrum albedo; int is; } kept_albedo;
-#define ALBEDO_CASE(name) if (hop == hop_##name && !JOIN(name, _is_delta)) { k.albedo = JOIN(albedo_, name)(bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, colors)); k.is = 1; }
-FN kept_albedo albedo_any(bsdf_tables tables, palette colors, __global const uint *hit, uint capacity, uint slot, uint hop) {
+#define ALBEDO_CASE(name) if (next_queue == next_##name && !JOIN(name, _is_delta)) { k.albedo = JOIN(albedo_, name)(bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, colors)); k.matches = 1; }
+FN kept_albedo albedo_any(bsdf_tables tables, sampled_wavelengths colors, __global const uint *hit, uint capacity, uint slot, uint next_queue) {
     kept_albedo k = {uniform_spectrum(0.0f), 0};
     SCENE_BSDFS(ALBEDO_CASE)
     return k;
@@ -40,7 +40,7 @@ FN void meet_light(geometry g, texture_tables tables, medium_tables media, color
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) LIGHT_TABLES(TABLE) BSDF_TABLES(TABLE) MEDIUM_TABLES(TABLE) \
     COLOR_TABLES(TABLE) CAMERA_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global uint *, hit) ARGUMENT(__global uint *, path) BATCH_ARGUMENTS(ARGUMENT) \
-    ARGUMENT(uint, turns)
+    ARGUMENT(uint, shading_passes)
 TRACING_STAGE(loop, LOOP) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
@@ -50,7 +50,7 @@ TRACING_STAGE(loop, LOOP) {
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;
     camera_tables camera_set = BIND_CAMERA;
-    for (uint slot = (uint)run_start; slot < RUN_END; ++slot) {
+    for (uint slot = (uint)first_slot; slot < SLOTS_END; ++slot) {
         pixel_sample at = LOCATE_PATH(slot);
         camera_path started = start_path(camera_set, frame, at.x, at.y, at.sample, slot, at.is);
         store_path(path, path_capacity, started.ray.path, started.path);
@@ -63,17 +63,17 @@ TRACING_STAGE(loop, LOOP) {
             ray_item r = waiting[--rays];
             while (r.t_max >= 0.0f) {
                 /* Where the ray ends, and what comes next */
-                flight_item f = intersect_ray(g, tables, r);
-                f.hop = hop_none;
+                intersection_item f = intersect_ray(g, tables, r);
+                f.next_queue = next_none;
                 f.material = NONE;
                 if (HAS_MEDIA && r.medium != NONE) {
                     extinguished e = extinguish_ray(medium_set, color_set, r, f);
                     r = e.ray;
-                    f = e.flight;
+                    f = e.intersection;
                     if (!is_black(e.L)) add_radiance(path, path_capacity, r.path, e.L);
                 }
-                next_hop next = classify_flight(g, tables, material_set, frame, r, f);
-                f.hop = next.hop;
+                next_step next = classify_intersection(g, tables, material_set, frame, r, f);
+                f.next_queue = next.next_queue;
                 f.material = next.material;
 
                 /* Shade it */
@@ -81,49 +81,49 @@ TRACING_STAGE(loop, LOOP) {
                 out.ray = r;
                 out.ray.t_max = -1.0f;
                 out.shadow = no_shadow(r.path);
-                if (ENVIRONMENTS && f.hop == hop_miss) add_radiance(path, path_capacity, r.path, shade_miss(light_set, color_set, make_miss(r)));
-                else if (HAS_MEDIA && f.hop == hop_scatter) out = shade_scatter(light_set, color_set, frame, choose_scatters_light(light_set, frame, make_scatter(medium_set, r, f)), 1);
-                else if (HAS_DIFFUSION && r.body != NONE && f.hop < hop_miss) {
-                    if (f.hop == hop_passage) out.ray = make_probe(g, tables, material_set, r, f, flight_surface(g, tables, r, f));
+                if (ENVIRONMENTS && f.next_queue == next_miss) add_radiance(path, path_capacity, r.path, shade_miss(light_set, color_set, make_miss(r)));
+                else if (HAS_MEDIA && f.next_queue == next_scatter) out = shade_scatter(light_set, color_set, frame, choose_scatters_light(light_set, frame, make_scatter(medium_set, r, f)), 1);
+                else if (HAS_DIFFUSION && r.body != NONE && f.next_queue < next_miss) {
+                    if (f.next_queue == next_crossing) out.ray = make_probe(g, tables, material_set, r, f, intersection_surface(g, tables, r, f));
                     else {
-                        way_out e = make_way_out(material_set, color_set, r);
+                        exit_vertex e = make_exit_vertex(material_set, color_set, r);
                         e.hit = choose_hits_light(light_set, frame, e.hit, 0);
-                        store_way_out(hit, capacity, slot, tables, color_set, material_set, material_set.materials[f.material], e);
-                        out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, e.hit, 0u);
-                        if (HAS_AOVS && !e.hit.seen) {
-                            kept_albedo k = albedo_any(bsdf_set, path_palette(color_set, e.hit.seed, e.hit.sample), hit, capacity, slot, f.hop);
+                        store_exit_vertex(hit, capacity, slot, tables, color_set, material_set, material_set.materials[f.material], e);
+                        out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.next_queue, e.hit, 0u);
+                        if (HAS_AOVS && !e.hit.has_nonspecular_vertex) {
+                            kept_albedo k = albedo_any(bsdf_set, path_wavelengths(color_set, e.hit.seed, e.hit.sample), hit, capacity, slot, f.next_queue);
                             if (k.is) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(e.hit, k.albedo));
                         }
                     }
                 }
                 else if (f.element != NONE) {
-                    surface s = flight_surface(g, tables, r, f);
+                    surface s = intersection_surface(g, tables, r, f);
                     if (HAS_EMITTERS && next.emits) {
                         emission_item e = make_emission(g, tables, light_set, color_set, r, f, s);
                         add_radiance(path, path_capacity, r.path, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
                     }
-                    if (HAS_INTERFACE && f.hop == hop_passage) out.ray = make_passage(g, r, f, s);
-                    else if (HAS_AMBIENT_OCCLUSION && f.hop == hop_occlusion) {
+                    if (HAS_INTERFACE && f.next_queue == next_crossing) out.ray = make_crossing(g, r, f, s);
+                    else if (HAS_AMBIENT_OCCLUSION && f.next_queue == next_occlusion) {
                         hit_item h = make_hit(g, r, f, s, material_set.materials[f.material]);
                         out.shadow = shade_occlusion(color_set, frame, h, 1);
                         if (HAS_AOVS) store_first_surface(g, frame, path, path_capacity, r, f, s);
                         if (HAS_AOVS) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(h, uniform_spectrum(1.0f)));
-                    } else if (f.hop < hop_miss) {
+                    } else if (f.next_queue < next_miss) {
                         material m = material_set.materials[f.material];
-                        s = relieve_surface(tables, m, s);
+                        s = perturb_normal(tables, m, s);
                         hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m), (int)m.transmits);
                         if (HAS_DIFFUSION) h = place_probe(tables, material_set, color_set, m, h, s);
                         store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
-                        out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h, 0u);
+                        out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.next_queue, h, 0u);
                         if (HAS_TREE) { meet_light(g, tables, medium_set, color_set, path, path_capacity, out.shadow); out.shadow.t_max = -1.0f; }
-                        for (uint turn = 1; HAS_TREE && turn < turns; ++turn) {
-                            scattering more = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.hop, h, turn);
+                        for (uint pass = 1; HAS_TREE && pass < shading_passes; ++pass) {
+                            scattering more = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.next_queue, h, pass);
                             if (more.ray.t_max >= 0.0f) waiting[rays++] = more.ray;
                             meet_light(g, tables, medium_set, color_set, path, path_capacity, more.shadow);
                         }
                         if (HAS_AOVS && r.depth == 0) store_first_surface(g, frame, path, path_capacity, r, f, s);
-                        if (HAS_AOVS && !h.seen) {
-                            kept_albedo k = albedo_any(bsdf_set, path_palette(color_set, h.seed, h.sample), hit, capacity, slot, f.hop);
+                        if (HAS_AOVS && !h.has_nonspecular_vertex) {
+                            kept_albedo k = albedo_any(bsdf_set, path_wavelengths(color_set, h.seed, h.sample), hit, capacity, slot, f.next_queue);
                             if (k.is) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(h, k.albedo));
                         }
                     }

@@ -34,7 +34,7 @@ FN film_item add_luminance(film_item f, float y, float square_weight) {
 
 /* What the film receives of a sample, and what its sensor makes of that; both scaled down if the latter is brighter than it may be. */
 typedef struct { spectrum light; rgb color; } exposure;
-FN exposure expose(path_item p, palette colors, __global const settings *frame) {
+FN exposure expose(path_item p, sampled_wavelengths colors, __global const settings *frame) {
     exposure e;
     e.light = HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L;
     e.color = color_seen(colors, frame->sensor_curves, e.light);
@@ -46,7 +46,7 @@ FN exposure expose(path_item p, palette colors, __global const settings *frame) 
     return e;
 }
 
-FN film_item add_sample(film_item f, path_item p, rgb L, palette colors, __global const settings *frame) {
+FN film_item add_sample(film_item f, path_item p, rgb L, sampled_wavelengths colors, __global const settings *frame) {
     rgb x = mul(L, p.weight);
     compensated r = add_compensated(f.sum.r, f.compensation.r, x.r);
     compensated g = add_compensated(f.sum.g, f.compensation.g, x.g);
@@ -77,7 +77,7 @@ FN film_item add_sample(film_item f, path_item p, rgb L, palette colors, __globa
 FN path_item gather_path(__global const settings *frame, __global const uint *path, uint path_capacity, uint index) {
     uint first = state_of_path(frame, index);
     path_item p = load_path(path, path_capacity, first);
-    for (uint branch = 1; HAS_TREE && branch < 1u << frame->tree_forks; ++branch) {
+    for (uint branch = 1; HAS_TREE && branch < 1u << frame->tree_splits; ++branch) {
         p.L = add(p.L, LOAD_FIELD(path, spectrum, L, path, path_capacity, first + branch));
         if (HAS_AOVS) p.albedo = add(p.albedo, LOAD_FIELD(path, spectrum, albedo, path, path_capacity, first + branch));
     }
@@ -92,14 +92,14 @@ FN path_item gather_path(__global const settings *frame, __global const uint *pa
 TRACING_STAGE(resolve_film, RESOLVE_FILM) {
     color_tables color_set = BIND_COLORS;
     uint log2_pixels = block_log2_width + block_log2_height;
-    for (size_t pixel = run_start; pixel < RUN_END; ++pixel) {
+    for (size_t pixel = first_slot; pixel < SLOTS_END; ++pixel) {
         film_item f = load_film(film, count, pixel);
         layer_range range = block_layers[pixel >> log2_pixels];
         for (uint s = range.first; s < range.first + range.layers; ++s) {
             path_item p = gather_path(frame, path, path_capacity, first_path + (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u)));
             if (p.weight == 0.0f && is_black(p.L)) continue;
             if (!is_finite(p.L) || max_component(p.L) > MOST_RADIANCE) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
-            palette colors = path_palette(color_set, p.seed, p.sample);
+            sampled_wavelengths colors = path_wavelengths(color_set, p.seed, p.sample);
             exposure e = expose(p, colors, frame);
             f = add_sample(f, p, e.color, colors, frame);
             if (HAS_SPECTRAL_FILM) add_to_buckets(film, film_words, count, pixel, frame, colors, mul(e.light, p.weight));

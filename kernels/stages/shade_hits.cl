@@ -1,9 +1,9 @@
 /* hit -> ray, shadow, walk, slot i to slot i; path.  Scatters each path at a surface: a shadow ray to one light, and a ray on. With trees of rays
-   it runs in turns: turn r makes the r-th ray that leaves, in slot i + r * turn_slots, and the shadow ray to the r-th light.
+   it runs in passes: pass r makes the r-th ray that leaves, in slot i + r * pass_slots, and the shadow ray to the r-th light.
    Built once for each BSDF (the macro BSDF), over that BSDF's own segment of the hit queue. Straight-line, unless the BSDF loops; where its walks
    go in step (BSDF_walks), so is each step. */
 #include "shade/scatter.clh"
-#include "shade/tree.clh"
+#include "shade/ray_splitting.clh"
 #include "stages/stage.clh"
 
 #ifndef JOIN
@@ -19,17 +19,17 @@
 #define BSDF_LOOPS    JOIN(BSDF, _loops)
 #define BSDF_IS_MATTE JOIN(BSDF, _is_matte)
 #define SPLIT_BSDF    JOIN(split_, BSDF)
-#define BRANCH_OF     JOIN(branch_, BSDF)
+#define SPLIT_RAY_OF     JOIN(split_ray_, BSDF)
 #endif
 
 /* Ray `which` of those that leave in a tree of rays. */
-FN tree_branch BRANCH_OF(__global const settings *frame, hit_item h, BSDF_BOUND b, vec3 wo, uint which, float lobe, vec2 u) {
+FN split_ray SPLIT_RAY_OF(__global const settings *frame, hit_item h, BSDF_BOUND b, vec3 wo, uint which, float lobe, vec2 u) {
 #if BSDF_IS_DELTA
-    return fork_branch(frame, h, SPLIT_BSDF(b, wo), which, lobe, u);
+    return split_delta(frame, h, SPLIT_BSDF(b, wo), which, lobe, u);
 #elif BSDF_IS_MATTE
-    return no_branch();
+    return no_split_ray();
 #else
-    return bundle_branch(frame, h, which, lobe, u);
+    return split_rough(frame, h, which, lobe, u);
 #endif
 }
 
@@ -42,13 +42,13 @@ FN bsdf_sample JOIN(scatter_uniformly_, BSDF)(BSDF_BOUND b, vec3 wo, vec2 u) {
     return s;
 }
 
-FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __global const settings *frame, hit_item h, BSDF_BOUND b, uint turn, int alive) {
+FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __global const settings *frame, hit_item h, BSDF_BOUND b, uint shading_pass, int alive) {
     frame3 shading = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
     vec3 wo = to_local(shading, h.wo);
     float lobe = sample_1d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_lobe));
     vec2 u = sample_2d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_direction));
-    tree_branch way = no_branch();
-    if (HAS_TREE) { way = BRANCH_OF(frame, h, b, wo, turn, lobe, u); lobe = way.lobe; u = way.u; }
+    split_ray way = no_split_ray();
+    if (HAS_TREE) { way = SPLIT_RAY_OF(frame, h, b, wo, shading_pass, lobe, u); lobe = way.lobe; u = way.u; }
     scattering out;
 
     /* Light from one light, seen by the BSDF */
@@ -56,8 +56,8 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
     if (!BSDF_IS_DELTA && HAS_LIGHTS) {
         LIGHT_CHOICE_OF(h, alive, found)
         vec3 seen_from = light_origin(h);
-        palette wavelengths = path_palette(colors, h.seed, h.sample);
-        l = HAS_TREE ? sample_tree_light(lights, wavelengths, frame, h, seen_from, found, turn)
+        sampled_wavelengths wavelengths = path_wavelengths(colors, h.seed, h.sample);
+        l = HAS_TREE ? sample_tree_light(lights, wavelengths, frame, h, seen_from, found, shading_pass)
                      : sample_light_at(lights, wavelengths, frame, h.seed, h.sample, h.depth, seen_from, found);
         vec3 wi = to_local(shading, l.wi);
         spectrum f = mul(EVAL_BSDF(b, wo, wi), fabs(wi.z));
@@ -71,13 +71,13 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
     bsdf_sample s = HAS_UNIFORM_DIRECTIONS ? JOIN(scatter_uniformly_, BSDF)(b, wo, u) : SAMPLE_BSDF(b, wo, lobe, u);
     if (HAS_TREE) s.weight = mul(s.weight, way.weight);
     out.ray = ray_from_surface(frame, h, from_local(shading, s.wi), s, alive);
-    if (HAS_TREE) out.ray = grow_branch(frame, out.ray, way);
-    if (BSDF_IS_DELTA) out.ray.seen = h.seen;
+    if (HAS_TREE) out.ray = follow_split_ray(frame, out.ray, way);
+    if (BSDF_IS_DELTA) out.ray.has_nonspecular_vertex = h.has_nonspecular_vertex;
     return out;
 }
 
 /* Whether the slots of a run go through it in step. Where a work-item has one slot, each goes its own way. */
-#if JOIN(BSDF, _walks) && RUN > 1 && !WIDENS_GROUPS && !HAS_TREE && !HAS_UNIFORM_DIRECTIONS && !defined AS_LIBRARY
+#if JOIN(BSDF, _walks) && ITEMS_PER_WORK_ITEM > 1 && !WIDENS_GROUPS && !HAS_TREE && !HAS_UNIFORM_DIRECTIONS && !defined AS_LIBRARY
 #define WALKS_IN_STEP 1
 #include "shade/shade_walks.clh"
 #else
@@ -89,7 +89,7 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
     LIGHT_TABLES(TABLE) BSDF_TABLES(TABLE) COLOR_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, hit) ARGUMENT(__global uint *, next_ray) \
     ARGUMENT(__global uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(__global uint *, walk) ARGUMENT(uint, first) \
-    ARGUMENT(uint, turn) ARGUMENT(uint, turn_slots)
+    ARGUMENT(uint, shading_pass) ARGUMENT(uint, pass_slots)
 STAGE(shade_hits, SHADE_HITS) {
     light_tables light_set = BIND_LIGHTS;
     bsdf_tables bsdf_set = BIND_BSDFS;
@@ -97,13 +97,13 @@ STAGE(shade_hits, SHADE_HITS) {
 #if WALKS_IN_STEP
     if (count == 0u) return;
     if (HAS_LIGHTS) {
-        aim_walks(light_set, color_set, frame, shadow, hit, walk, capacity, first, count, run_start);
-        eval_walks(hit, walk, capacity, first, count, run_start);
+        aim_walks(light_set, color_set, frame, shadow, hit, walk, capacity, first, count, first_slot);
+        eval_walks(hit, walk, capacity, first, count, first_slot);
     }
-    sample_walks(hit, walk, capacity, first, count, run_start);
+    sample_walks(hit, walk, capacity, first, count, first_slot);
 #endif
     FOR_EACH_SLOT(at, count) {
-        size_t i = first + at, to = HAS_TREE ? i + turn * turn_slots : i;
+        size_t i = first + at, to = HAS_TREE ? i + shading_pass * pass_slots : i;
         int alive = at < count;
         if (BSDF_LOOPS && !WALKS_IN_STEP && !alive) {
             /* Nobody knows what such a slot would have it do */
@@ -112,7 +112,7 @@ STAGE(shade_hits, SHADE_HITS) {
             continue;
         }
         hit_item h = load_hit(hit, capacity, i);
-        BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_palette(color_set, h.seed, h.sample));
+        BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
 #if WALKS_IN_STEP
         layers between = layers_of(b);
         walked_surface seen = see_surface(h);
@@ -120,12 +120,12 @@ STAGE(shade_hits, SHADE_HITS) {
         store_ray(next_ray, capacity, to, finish_ray(frame, &between, h, seen, walked, alive));
         if (HAS_LIGHTS) finish_light(shadow, capacity, i, &between, seen, walked);
 #else
-        scattering out = JOIN(shade_, BSDF)(light_set, color_set, frame, h, b, turn, alive);
+        scattering out = JOIN(shade_, BSDF)(light_set, color_set, frame, h, b, shading_pass, alive);
         store_ray(next_ray, capacity, to, out.ray);
         if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
 #endif
         if (BSDF_IS_DELTA || !HAS_LIGHTS) STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
-        if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.seen) STORE_FIELD(path, spectrum, albedo, path, path_capacity, h.path, seen_albedo(h, ALBEDO_BSDF(b)));
+        if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.has_nonspecular_vertex) STORE_FIELD(path, spectrum, albedo, path, path_capacity, h.path, seen_albedo(h, ALBEDO_BSDF(b)));
     }
 }
 #endif

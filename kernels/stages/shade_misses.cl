@@ -5,7 +5,7 @@
 #include "stages/stage.clh"
 
 FN spectrum shade_miss(light_tables lights, color_tables color_set, miss_item m) {
-    palette colors = path_palette(color_set, m.seed, m.sample);
+    sampled_wavelengths colors = path_wavelengths(color_set, m.seed, m.sample);
     spectrum sum = uniform_spectrum(0.0f);
     _Pragma("unroll")
     for (int e = 0; e < ENVIRONMENTS; ++e) {
@@ -13,24 +13,24 @@ FN spectrum shade_miss(light_tables lights, color_tables color_set, miss_item m)
         spectrum L = eval_color(colors, l.L), Le = uniform_spectrum(0.0f);
         float pdf = 0.0f;
         if (HAS_LIGHT_CONSTANT_ENVIRONMENT) {
-            int is = l.kind == kind_constant_environment;
+            int matches = l.kind == kind_constant_environment;
             Le = choose(is, eval_constant_environment(L), Le);
             float density = HAS_ENVIRONMENT_GUIDE ? pdf_guided_environment(lights, m.guide, m.d) : pdf_constant_environment();
-            pdf = is ? density : pdf;
+            pdf = matches ? density : pdf;
         }
         if (HAS_LIGHT_IMAGE_ENVIRONMENT) {
-            int is = l.kind == kind_image_environment;
+            int matches = l.kind == kind_image_environment;
             spectrum texel = eval_image_environment(lights, colors, l, L, m.d);
             float density = pdf_image_environment(lights, l, m.d);
             Le = choose(is, texel, Le);
-            pdf = is ? density : pdf;
+            pdf = matches ? density : pdf;
         }
         if (HAS_LIGHT_PORTAL_ENVIRONMENT && HAS_PORTALS) {
-            int is = l.kind == kind_portal_environment;
+            int matches = l.kind == kind_portal_environment;
             portal_light seen = eval_portal_environment(lights, colors, l, L, m.o, m.d);
             float density = seen.pdf;
             Le = choose(is, seen.Le, Le);
-            pdf = is ? density : pdf;
+            pdf = matches ? density : pdf;
         }
         sum = add(sum, weigh_emission(m.beta, Le, m.r_u, m.r_l, m.pdf, pdf * l.pmf));
     }

@@ -19,7 +19,7 @@ FN shadow_item shade_occlusion(color_tables colors, __global const settings *fra
     s.d = wi;
     s.t_max = alive ? frame->ambient_distance : -1.0f;
     /* cos / pi over the density: a point that sees everything has 1 */
-    s.Ld = mul(mul(h.beta, eval_color(path_palette(colors, h.seed, h.sample), frame->ambient)), cosine ? 1.0f : 2.0f * w.z);
+    s.Ld = mul(mul(h.beta, eval_color(path_wavelengths(colors, h.seed, h.sample), frame->ambient)), cosine ? 1.0f : 2.0f * w.z);
     s.element = NONE; s.color_seed = h.seed; s.color_sample = h.sample;
     s.medium = dot3(h.ng, wi) > 0.0f ? h.outside : h.inside;
     s.r_u = h.r_u;

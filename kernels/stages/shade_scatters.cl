@@ -12,7 +12,7 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     shadow_item shadow = no_shadow(s.path);
     if (HAS_LIGHTS) {
         LIGHT_CHOICE_OF(s, alive, found)
-        light_sample l = sample_light_at(lights, path_palette(colors, s.seed, s.sample), frame, s.seed, s.sample, s.depth, s.p, found);
+        light_sample l = sample_light_at(lights, path_wavelengths(colors, s.seed, s.sample), frame, s.seed, s.sample, s.depth, s.p, found);
         float phase = eval_phase(s.g, s.wo, l.wi);
         shadow.seed = s.seed; shadow.sample = s.sample; shadow.depth = s.depth;
         shadow.time = s.time;
@@ -29,8 +29,8 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     roulette game = play_roulette(frame, s.beta, s.r_u, HAS_TRANSMISSION ? s.eta_scale : 1.0f, s.depth, roll);
     ray_item r = new_ray(s);
     r.depth += 1;
-    r.seen = 1u;
-    r.blurred = 1u;
+    r.has_nonspecular_vertex = 1u;
+    r.regularized = 1u;
     r.beta = game.beta;
     r.o = s.p;
     r.d = wi;

@@ -13,7 +13,7 @@
 TRACING_STAGE(survey_environment, SURVEY_ENVIRONMENT) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
-    for (uint i = (uint)run_start; i < RUN_END; ++i) {
+    for (uint i = (uint)first_slot; i < SLOTS_END; ++i) {
         uint bin = i % (GUIDE_SIDE * GUIDE_SIDE), map = i / (GUIDE_SIDE * GUIDE_SIDE);
         random_stream numbers = make_stream(1u, i, 0u);
         float sum = 0.0f;

@@ -10,8 +10,8 @@
 /* Boundaries that one path passes, at most. */
 #define MOST_SURVEY_PASSAGES 8
 
-FN int passes_straight(uint hop) {
-    return hop == hop_passage || hop == hop_dielectric || hop == hop_specular_dielectric || hop == hop_thin_dielectric;
+FN int passes_straight(uint next_queue) {
+    return next_queue == next_crossing || next_queue == next_dielectric || next_queue == next_specular_dielectric || next_queue == next_thin_dielectric;
 }
 
 #define SURVEY_VERTICES_ARGUMENTS(TABLE, ARGUMENT) \
@@ -22,17 +22,17 @@ TRACING_STAGE(survey_vertices, SURVEY_VERTICES_ARGUMENTS) {
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
     camera_tables camera_set = BIND_CAMERA;
-    for (uint path = (uint)run_start; path < RUN_END; ++path) {
+    for (uint path = (uint)first_slot; path < SLOTS_END; ++path) {
         random_stream numbers = make_stream(0u, path, 0u);
         uint x = (uint)(next_random(&numbers) * (float)frame->width), y = (uint)(next_random(&numbers) * (float)frame->height);
         ray_item r = generate_ray(camera_set, frame, min(x, frame->width - 1u), min(y, frame->height - 1u), 0u, path).ray;
         uint found = 0u;
         for (int step = 0; step < SURVEY_VERTICES + MOST_SURVEY_PASSAGES && found < SURVEY_VERTICES && r.t_max >= 0.0f; ++step) {
-            flight_item f = intersect_ray(g, tables, r);
+            intersection_item f = intersect_ray(g, tables, r);
             if (f.element == NONE) break;
-            surface s = flight_surface(g, tables, r, f);
+            surface s = intersection_surface(g, tables, r, f);
             vec3 n = face_forward(s.ns, negate(r.d)), away = n;
-            if (passes_straight(material_set.materials[g.shapes[g.element_shapes[f.element]].material].hop)) away = r.d;
+            if (passes_straight(material_set.materials[g.shapes[g.element_shapes[f.element]].material].next_queue)) away = r.d;
             else {
                 uint at = path * SURVEY_VERTICES + found++;
                 survey_points[at] = offset_origin(s.p, surface_offset(s), s.ng, n);

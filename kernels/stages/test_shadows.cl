@@ -13,7 +13,7 @@
 /* The light that is left after the media on the way; nothing else is in the way. Surfaces of glass block, as in pbrt-v4. */
 FN spectrum attenuate_shadow(geometry g, texture_tables tables, medium_tables media, color_tables color_set, shadow_item s) {
     tracked_path path = {hero_channel(s.seed, s.sample), s.Ld, s.r_u, s.r_l, uniform_spectrum(0.0f)};
-    palette colors = path_palette(color_set, s.seed, s.sample);
+    sampled_wavelengths colors = path_wavelengths(color_set, s.seed, s.sample);
     random_stream more = make_stream(s.seed, s.sample, bounce_dimension_of(s.depth, dimension_transmittance));
     vec3 o = s.o;
     float left = s.t_max;
@@ -41,7 +41,7 @@ FN spectrum test_shadow(geometry g, texture_tables tables, medium_tables media, 
     nearest_hit any;
     any.t_max = s.t_max;
     if (walk_bvh(g, tables, s.o, s.d, s.time, walk_blocker, &any)) return uniform_spectrum(0.0f);
-    if (HAS_LIGHT_PATTERN && s.element != NONE) s.Ld = mul(s.Ld, light_pattern(g, tables, path_palette(colors, s.color_seed, s.color_sample), s));
+    if (HAS_LIGHT_PATTERN && s.element != NONE) s.Ld = mul(s.Ld, light_pattern(g, tables, path_wavelengths(colors, s.color_seed, s.color_sample), s));
     return HAS_MEDIA ? attenuate_shadow(g, tables, media, colors, s) : s.Ld;
 }
 
@@ -55,7 +55,7 @@ TRACING_STAGE(test_shadows, TEST_SHADOWS) {
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;
     uint tested = 0;
-    for (size_t i = run_start; i < RUN_END; ++i) {
+    for (size_t i = first_slot; i < SLOTS_END; ++i) {
         if (LOAD_FIELD(shadow, float, t_max, shadow, capacity, i) < 0.0f) continue;
         ++tested;
         shadow_item s = load_shadow(shadow, capacity, i);

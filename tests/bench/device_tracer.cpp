@@ -31,7 +31,7 @@ DeviceTracer::DeviceTracer(const Context& context, const BenchMesh& mesh, const 
     Compiler compiler(context, findKernelFolders(), "");
     BuildSettings settings;
     settings.features = features_;
-    settings.constants = {{"LOCAL_SIZE", shape.localSize}, {"RUN", shape.run}, {"WIDENS_GROUPS", context.device().widensGroups}};
+    settings.constants = {{"LOCAL_SIZE", shape.localSize}, {"ITEMS_PER_WORK_ITEM", shape.itemsPerWorkItem}, {"WIDENS_GROUPS", context.device().widensGroups}};
     intersect_ = Kernel(compiler.build("#include \"stages/intersect_rays.cl\"\n", "intersect_rays", settings));
     occlude_ = Kernel(compiler.build("#include \"stages/test_shadows.cl\"\n", "test_shadows", settings));
 }
@@ -65,7 +65,7 @@ void DeviceTracer::uploadRays(const std::vector<BenchRay>& rays, size_t batch, b
     shadows_ = shadows;
     for (size_t first = 0; first < rays.size(); first += batch) {
         const size_t count = std::min(batch, rays.size() - first);
-        QueueWords in(shadows ? "shadow" : "ray", features_, batch), out(shadows ? "path" : "flight", features_, batch);
+        QueueWords in(shadows ? "shadow" : "ray", features_, batch), out(shadows ? "path" : "intersection", features_, batch);
         for (size_t i = 0; i < count; ++i) {
             in.set("o", i, rays[first + i].o);
             in.set("d", i, rays[first + i].d);
@@ -81,11 +81,11 @@ void DeviceTracer::trace() {
     for (const Batch& b : batches_) {
         Bindings queues;
         queues.set(shadows_ ? "shadow" : "ray", b.in);
-        queues.set(shadows_ ? "path" : "flight", b.out);
+        queues.set(shadows_ ? "path" : "intersection", b.out);
         const auto capacity = static_cast<cl_uint>(b.in.size() / sizeof(uint) / static_cast<size_t>(queueLayout(shadows_ ? "shadow" : "ray", features_).words));
         for (const char* name : {"capacity", "path_capacity"}) queues.set(name, capacity);
         queues.set("count", static_cast<cl_uint>(b.count));
-        (shadows_ ? occlude_ : intersect_).launch(context_, {&scene_, &queues}, b.count, static_cast<size_t>(shape_.localSize) * static_cast<size_t>(shape_.run));
+        (shadows_ ? occlude_ : intersect_).launch(context_, {&scene_, &queues}, b.count, static_cast<size_t>(shape_.localSize) * static_cast<size_t>(shape_.itemsPerWorkItem));
     }
     context_.finish();
 }
@@ -93,7 +93,7 @@ void DeviceTracer::trace() {
 std::vector<BenchHit> DeviceTracer::download() const {
     std::vector<BenchHit> hits;
     for (const Batch& b : batches_) {
-        const std::string name = shadows_ ? "path" : "flight";
+        const std::string name = shadows_ ? "path" : "intersection";
         QueueWords out(name, features_, b.out.size() / sizeof(uint) / static_cast<size_t>(queueLayout(name, features_).words));
         b.out.read(context_, out.words.data(), out.words.size() * sizeof(uint));
         for (size_t i = 0; i < b.count; ++i) {

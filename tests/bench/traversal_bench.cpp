@@ -142,7 +142,7 @@ int main(int argc, char** argv) {
     app.add_option("--repeats", options.repeats);
     app.add_option("--width", options.width, "of the square image of primary rays");
     app.add_option("--local-size", options.shape.localSize);
-    app.add_option("--run", options.shape.run, "slots that a work-item handles");
+    app.add_option("--items-per-work-item", options.shape.itemsPerWorkItem, "slots that a work-item handles");
     app.add_option("--device", options.device, "as eikonal takes it");
     app.add_flag("--robust", options.robust, "Embree's robust mode, as watertight as ours");
     app.add_flag("--high", options.high, "Embree's spatial splits");
@@ -150,7 +150,7 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
 
     const Context context(chooseDevice(options.device));
-    nlohmann::json report{{"device", context.device().name}, {"robust", options.robust}, {"local_size", options.shape.localSize}, {"run", options.shape.run}};
+    nlohmann::json report{{"device", context.device().name}, {"robust", options.robust}, {"local_size", options.shape.localSize}, {"run", options.shape.itemsPerWorkItem}};
     for (const std::string& name : options.scenes) runScene(context, name, options, report);
     if (options.json) fmt::print("{}\n", report.dump(2));
 }

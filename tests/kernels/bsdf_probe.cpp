@@ -54,7 +54,7 @@ std::vector<uint> drawParameters(const BsdfKind& kind, Range range, Random& rand
             if (p.type == "uint") { words.push_back(p.name == "file" ? 0 : p.name == "samples" ? 1 : range == Range::smooth ? 10 : 1 + random.below(100)); continue; }
             float value = drawFloat(p, range, random);
             /* Total reflection from outside cuts the density off, which the tests' grids of directions do not resolve */
-            if (kind.name == "emergence" && p.name == "eta" && range == Range::smooth) value = std::max(value, 1 / value);
+            if (kind.name == "subsurface_exit" && p.name == "eta" && range == Range::smooth) value = std::max(value, 1 / value);
             if (p.name == "transmittance") value *= room;
             else if (p.name == "reflectance") room = std::min(room, 1 - value);
             words.push_back(std::bit_cast<uint>(value));
@@ -135,7 +135,7 @@ FN float split_{0}({0}_bound b, vec3 wo) {{ return 0.0f; }}
     text.body = fmt::format(R"(
     bsdf_tables tables = BIND_BSDFS;
     color_tables colors = BIND_COLORS;
-    {0}_bound b = bind_tables(parameters, tables, path_palette(colors, 0, 0));
+    {0}_bound b = bind_tables(parameters, tables, path_wavelengths(colors, 0, 0));
     bsdf_sample s = sample_{0}(b, wo, lobe, u);
     result.wi = s.wi; result.weight = three_of(s.weight); result.pdf = s.pdf; result.is_delta = s.is_delta; result.eta = s.eta;
     result.f = three_of(eval_{0}(b, wo, s.wi));

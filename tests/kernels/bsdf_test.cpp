@@ -64,7 +64,7 @@ protected:
 /// The light tree leaves out what is behind a surface, unless it is known to transmit.
 TEST_P(EveryBsdf, IsDarkFromBehindUnlessItTransmits) {
     bool known = false;
-#define IS_KNOWN(bsdf, FEATURE, PARAMETERS) if (kind().name == #bsdf) known = transmits(hop_##bsdf);
+#define IS_KNOWN(bsdf, FEATURE, PARAMETERS) if (kind().name == #bsdf) known = transmits(next_##bsdf);
     BSDFS(IS_KNOWN)
 #undef IS_KNOWN
     BsdfInputs in = various(4000, Range::smooth, 1e-2f);

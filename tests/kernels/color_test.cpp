@@ -31,7 +31,7 @@ struct Colors {
 /// Values of colours at wavelengths.
 std::vector<Four> evaluate(const PackedScene& scene, const std::vector<color>& colors, const std::vector<Four>& lambda) {
     static const DeviceFunction<Four> function({.include = "shade/color.clh", .type = "spectrum", .body = R"(
-        palette p = {curves, uplift, lambda};
+        sampled_wavelengths p = {curves, uplift, lambda};
         result = eval_color(p, c);)", .inputs = {"color c", "spectrum lambda"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::allSpectral()});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, colors, lambda);
@@ -59,7 +59,7 @@ TEST(Color, OfATexelIsThatOfTheTable) {
     Colors tables;
     packUplift(tables.packer);
     static const DeviceFunction<Four> function({.include = "shade/color.clh", .type = "spectrum", .body = R"(
-        palette p = {curves, uplift, lambda};
+        sampled_wavelengths p = {curves, uplift, lambda};
         result = uplift_albedo(p, c.x, c.y, c.z);)", .inputs = {"vec3 c", "spectrum lambda"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::allSpectral()});
     Random random(61);
     std::vector<vec3> colors = generate(500, [&] { return vec3{random.unit(), random.unit(), random.unit()}; });
@@ -81,7 +81,7 @@ TEST(Color, ComesBackFromItsWavelengths) {
     Colors tables;
     static const DeviceFunction<vec3> function({.include = "shade/color.clh", .type = "rgb", .body = R"(
         color_tables set = BIND_COLORS;
-        palette p = path_palette(set, 77u, sample);
+        sampled_wavelengths p = path_wavelengths(set, 77u, sample);
         result = color_seen(p, from, eval_color(p, c));)", .inputs = {"color c", "uint sample", "uint from"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::allSpectral()});
     const uint light = tables.packed.frame().sensor_curves, surface = tables.packed.frame().albedo_curves;
     struct Case { color c; uint from; glm::dvec3 expected; };
@@ -109,7 +109,7 @@ TEST(Color, WavelengthsOfAFilmAreEven) {
     struct Sampled { Four lambda, inverse_pdf; };
     static const DeviceFunction<Sampled> function({.include = "shade/color.clh", .type = "sampled", .body = R"(
         color_tables set = BIND_COLORS;
-        palette p = path_palette(set, 77u, sample);
+        sampled_wavelengths p = path_wavelengths(set, 77u, sample);
         result.lambda = p.lambda;
         result.inverse_pdf = MAP_SPECTRUM(INVERSE_PDF_OF, p.lambda);)", .inputs = {"uint sample"}, .declarations = "typedef struct { spectrum lambda, inverse_pdf; } sampled;",
         .tables = "COLOR_TABLES(TABLE)", .features = Features::everything()});
@@ -130,7 +130,7 @@ TEST(Color, WavelengthsOfAFilmAreEven) {
                 const double lambda = (&s.lambda.r)[channel], width = (&s.inverse_pdf.r)[channel] / (4.0 * samples);
                 ASSERT_TRUE(lambda >= 360 && lambda <= 830) << lambda;
                 const bool is = lambda >= c.first && lambda <= c.last;
-                (is ? widthWithin : lambda < c.first ? widthBefore : widthAfter) += width;
+                (matches ? widthWithin : lambda < c.first ? widthBefore : widthAfter) += width;
                 if (is) ++count[std::min(static_cast<int>((lambda - c.first) / (c.last - c.first) * buckets), buckets - 1)];
             }
         }

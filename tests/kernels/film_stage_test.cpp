@@ -118,7 +118,7 @@ TEST(ResolveFilm, FillsBuckets) {
                                        "Sampler \"sobol\"\nWorldBegin\nLightSource \"infinite\"\nShape \"sphere\"");
     static const DeviceFunction<Four> wavelengths({.include = "shade/color.clh", .type = "spectrum", .body = R"(
         color_tables set = BIND_COLORS;
-        result = path_palette(set, seed, sample).lambda;)", .inputs = {"uint seed", "uint sample"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::everything()});
+        result = path_wavelengths(set, seed, sample).lambda;)", .inputs = {"uint seed", "uint sample"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::everything()});
     StageBench bench(scene, paths, true, side * side);
     bench.set(wholeImage, side, side);
     bench.run("generate_rays", paths);

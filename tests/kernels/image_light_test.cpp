@@ -46,7 +46,7 @@ std::vector<ImageLightResult> sample(const PackedScene& scene, const std::vector
     static const DeviceFunction<ImageLightResult> function({.include = "light/choose.clh", .type = "image_light_result", .body = R"(
         light_tables tables = BIND_LIGHTS;
         color_tables color_set = BIND_COLORS;
-        palette colors = path_palette(color_set, 0u, 0u);
+        sampled_wavelengths colors = path_wavelengths(color_set, 0u, 0u);
         light l = fetch(tables.lights);
         light_choice found = no_choice();
         found.pmf = 1.0f;
@@ -260,7 +260,7 @@ TEST(PortalEnvironment, IsDarkElsewhere) {
     static const DeviceFunction<float> here({.include = "light/choose.clh", .type = "float", .body = R"(
         light_tables tables = BIND_LIGHTS;
         color_tables color_set = BIND_COLORS;
-        portal_light seen = eval_portal_environment(tables, path_palette(color_set, 0u, 0u), fetch(tables.lights), uniform_spectrum(1.0f), p, d);
+        portal_light seen = eval_portal_environment(tables, path_wavelengths(color_set, 0u, 0u), fetch(tables.lights), uniform_spectrum(1.0f), p, d);
         result = seen.pdf + max_component(seen.Le);)", .inputs = {"vec3 p", "vec3 d"}, .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     const DeviceScene onDevice(testContext(), scene);
     const glm::dvec3 p = portalPoints()[0];

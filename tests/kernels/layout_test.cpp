@@ -15,7 +15,7 @@ namespace {
 
 /// Members of the structs of the scene's tables, all of them but those of a light, which are listed in lights.h.
 #define STRUCT_MEMBERS(M) \
-    M(material, hop) M(material, first_input) M(material, input_count) M(material, displacement) M(material, normal_map) M(material, mix_a) M(material, mix_b) \
+    M(material, next_queue) M(material, first_input) M(material, input_count) M(material, displacement) M(material, normal_map) M(material, mix_a) M(material, mix_b) \
     M(material, mix_amount) M(material, disperses) M(material, regular) M(material_input, texture) M(material_input, slot) M(material_input, kind) M(material_input, count) M(material_input, value) M(color, c0) M(color, c1) M(color, c2) M(color, scale) M(color, curve) \
     M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) M(settings, sequence_sample_bits) M(settings, sequence_tile_bits) M(settings, max_depth) M(settings, light_count) \
     M(settings, first_infinite) M(settings, infinite_count) M(settings, lights_in_tree) M(settings, world_scale) M(settings, sensor_curves) M(settings, albedo_curves) M(settings, bucket_count) M(settings, max_component_value) \
@@ -38,7 +38,7 @@ namespace {
     M(texture_instruction, kind) M(texture_instruction, mapping) M(texture_instruction, flags) M(texture_instruction, image) M(texture_instruction, value) \
     M(texture_instruction, texture_from_scene) M(texture_program, first) M(texture_program, count) \
     M(image, width) M(image, height) M(image, channels) M(image, format) M(image, wrap) M(image, filter) M(image, first) \
-    M(medium, kind) M(medium, sigma_a) M(medium, sigma_s) M(medium, Le) M(medium, g) M(medium, focus_count) M(medium, box_from_scene) \
+    M(medium, kind) M(medium, sigma_a) M(medium, sigma_s) M(medium, Le) M(medium, g) M(medium, equiangular_lights) M(medium, box_from_scene) \
     M(medium, majorants_x) M(medium, majorants_y) M(medium, majorants_z) M(medium, first_majorant) M(medium, density) M(medium, temperature) M(medium, Le_scale) \
     M(medium, temperature_offset) M(medium, temperature_scale) M(medium, nx) M(medium, ny) M(medium, nz) M(medium, first_sigma_a) M(medium, first_sigma_s) \
     M(medium, first_Le) M(medium, low) M(medium, extent) M(medium, cloud_density) M(medium, wispiness) M(medium, frequency)
@@ -83,7 +83,7 @@ DEFINE_ITEM(film, FILM_FIELDS, 0)
 #define LAYOUT_PROBE(TABLE, ARGUMENT) ARGUMENT(__global uint *, words)
 TRACING_STAGE(layout_probe, LAYOUT_PROBE) {
     uint n = 0;
-    if (run_start > 0) return;
+    if (first_slot > 0) return;
     QUEUES(PUT_QUEUE)
     PUT_QUEUE(film, FILM_FIELDS)
     SCENE_TABLES(PUT_SIZE)

@@ -9,7 +9,7 @@ static const DeviceFunction<LightResult>& sampler() {
     static const DeviceFunction<LightResult> function({.include = "trace/route_items.clh", .type = "light_result", .body = R"(
         light_tables tables = BIND_LIGHTS;
         color_tables color_set = BIND_COLORS;
-        palette colors = path_palette(color_set, 0u, 0u);
+        sampled_wavelengths colors = path_wavelengths(color_set, 0u, 0u);
         light_choice found = choose_this_light(tables, no_choice(), (uint)sample_light_index(tables, count, u).i);
         if (tables.lights[found.light].kind == kind_portal_environment) found = sample_portal(tables, fetch(tables.lights + found.light), p, v, found);
         light_sample s = sample_light(tables, colors, found, p, v);
@@ -26,7 +26,7 @@ static const DeviceFunction<LightResult>& sampler() {
         if (l.kind == kind_bilinear_light) at.ng = normalize3(cross3(mul_add(l.c, v.y, l.a), mul_add(l.c, v.x, l.b)));
         ray_item r = new_ray();
         r.o = p; r.d = s.wi; r.traveled = 0.0f;
-        flight_item f = new_flight();
+        intersection_item f = new_intersection();
         f.t = s.distance; f.u = v.x; f.v = v.y;
         result.pdf_hit = pdf_light_here(l, r, f, at);
         int image = l.kind == kind_image_environment;

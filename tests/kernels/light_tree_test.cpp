@@ -60,7 +60,7 @@ const DeviceFunction<Sent>& sender() {
         light_choice c = no_choice();
         c.light = light_index; c.pmf = 1.0f;
         color_tables color_set = BIND_COLORS;
-        light_sample s = sample_light(tables, path_palette(color_set, 0u, 0u), c, p, v);
+        light_sample s = sample_light(tables, path_wavelengths(color_set, 0u, 0u), c, p, v);
         int on_surface = length_squared(n) > 0.0f;
         result.contribution = s.pdf > 0.0f ? max_component(s.L) * (on_surface ? fabs(dot3(n, s.wi)) : 1.0f) / s.pdf : 0.0f;
         light l = fetch(tables.lights + light_index);

@@ -33,7 +33,7 @@ void setTravel(QueueWords& q, unsigned i, unsigned depth) {
     q.set("depth", i, depth);
     q.set("beta", i, spectrum{0.25f, 0.5f, 1});
     for (const char* field : {"time", "eta_scale"}) q.set(field, i, 1.0f);
-    for (const char* field : {"seen", "blurred", "within", "uncounted", "around"}) q.set(field, i, 0u);
+    for (const char* field : {"has_nonspecular_vertex", "regularized", "within", "uncounted", "around"}) q.set(field, i, 0u);
     q.set("r_u", i, spectrum{1, 1, 1});
 }
 
@@ -46,7 +46,7 @@ double lengthOf(vec3 v) { return std::sqrt(double(v.x) * v.x + double(v.y) * v.y
 /// Of four rays each: two in fog, one in vacuum, one dead. Shares of what becomes of those in fog are Beer's; all others stay what they were, word by word.
 TEST(MediumStages, ExtinguishRaysTakesWhatIsInMedia) {
     StageBench bench(scene(), items, true, items);
-    QueueWords rays = bench.empty("ray"), flights = bench.empty("flight");
+    QueueWords rays = bench.empty("ray"), intersections = bench.empty("intersection");
     for (unsigned i = 0; i < items; ++i) {
         setTravel(rays, i, 1);
         rays.set("o", i, vec3{0, 0, 0});
@@ -56,37 +56,37 @@ TEST(MediumStages, ExtinguishRaysTakesWhatIsInMedia) {
         rays.set("traveled", i, 0.0f);
         rays.set("r_l", i, spectrum{2, 2, 2});
         rays.set("medium", i, i % 4 == 2 ? NONE : 0u);
-        flights.set("t", i, way);
-        flights.set("element", i, 0u);
-        flights.set("u", i, 0.25f);
-        flights.set("v", i, 0.75f);
-        flights.set("hop", i, static_cast<uint>(hop_none));
-        flights.set("material", i, 0u);
+        intersections.set("t", i, way);
+        intersections.set("element", i, 0u);
+        intersections.set("u", i, 0.25f);
+        intersections.set("v", i, 0.75f);
+        intersections.set("next_queue", i, static_cast<uint>(next_none));
+        intersections.set("material", i, 0u);
     }
     bench.write("ray", rays);
-    bench.write("flight", flights);
+    bench.write("intersection", intersections);
     bench.clear("path", 0);
     bench.run("extinguish_rays", 0);
-    EXPECT_EQ(bench.read("flight").words(), flights.words()) << "no slot was to be touched";
+    EXPECT_EQ(bench.read("intersection").words(), intersections.words()) << "no slot was to be touched";
     bench.run("extinguish_rays", items);
 
-    const QueueWords raysOut = bench.read("ray"), flightsOut = bench.read("flight"), states = bench.read("path");
+    const QueueWords raysOut = bench.read("ray"), intersectionsOut = bench.read("intersection"), states = bench.read("path");
     std::vector<double> counts(3);
     double emitted = 0;
     for (unsigned i = 0; i < items; ++i) {
         const spectrum L = states.get<spectrum>("L", items - 1 - i);
         if (i % 4 >= 2) {
             for (int w = 0; w < rays.layout().words; ++w) ASSERT_EQ(raysOut.word(w, i), rays.word(w, i)) << i;
-            for (int w = 0; w < flights.layout().words; ++w) ASSERT_EQ(flightsOut.word(w, i), flights.word(w, i)) << i;
+            for (int w = 0; w < intersections.layout().words; ++w) ASSERT_EQ(intersectionsOut.word(w, i), intersections.word(w, i)) << i;
             ASSERT_EQ(L.g, 0);
             continue;
         }
-        const uint hop = flightsOut.get<uint>("hop", i);
-        const bool scattered = hop == hop_scatter, absorbed = hop == hop_absorbed;
+        const uint next_queue = intersectionsOut.get<uint>("next_queue", i);
+        const bool scattered = next_queue == next_scatter, absorbed = next_queue == next_absorbed;
         ++counts[scattered ? 2 : absorbed ? 1 : 0];
         emitted += L.g;
-        ASSERT_EQ(flightsOut.get<uint>("element", i), scattered || absorbed ? NONE : 0u);
-        ASSERT_EQ(flightsOut.get<float>("t", i) < way, scattered || absorbed);
+        ASSERT_EQ(intersectionsOut.get<uint>("element", i), scattered || absorbed ? NONE : 0u);
+        ASSERT_EQ(intersectionsOut.get<float>("t", i) < way, scattered || absorbed);
         /* A grey medium changes neither throughput nor densities; light sampling would have passed for certain */
         ASSERT_NEAR(raysOut.get<spectrum>("beta", i).g, 0.5, 1e-5);
         ASSERT_NEAR(raysOut.get<spectrum>("r_u", i).b, 1, 1e-5);

@@ -75,12 +75,12 @@ TEST_P(EveryMedium, IsBounded) {
     const DeviceFunction<Both> function({.include = "medium/medium.clh", .type = "both", .body = R"(
         medium_tables medium_set = BIND_MEDIA;
         color_tables color_set = BIND_COLORS;
-        palette colors = path_palette(color_set, 0u, 0u);
+        sampled_wavelengths colors = path_wavelengths(color_set, 0u, 0u);
         medium m = medium_set.media[0];
         medium_spectra c = eval_medium(colors, m);
         medium_spectra at = eval_medium_point(medium_set, colors, m, c, p);
         result.sigma_t = add(at.sigma_a, at.sigma_s);
-        result.bound = mul(bounded_extinction(m, c), walk_majorant(medium_set, m, start_walk(m, p, make_vec3(0.0f, 0.0f, 1.0f), 1.0f)));)",
+        result.bound = mul(bounded_extinction(m, c), current_majorant(medium_set, m, start_majorant(m, p, make_vec3(0.0f, 0.0f, 1.0f), 1.0f)));)",
         .inputs = {"vec3 p"}, .declarations = "typedef struct { spectrum sigma_t, bound; } both;", .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     const DeviceScene onDevice(testContext(), packed);
     Random random(7);

@@ -53,7 +53,7 @@ const DeviceFunction<Integrals>& integrate() {
     static const DeviceFunction<Integrals> function({.include = "medium/medium.clh", .type = "integrals", .body = R"(
         medium_tables medium_set = BIND_MEDIA;
         color_tables color_set = BIND_COLORS;
-        palette colors = path_palette(color_set, 0u, 0u);
+        sampled_wavelengths colors = path_wavelengths(color_set, 0u, 0u);
         medium m = medium_set.media[0];
         medium_spectra c = eval_medium(colors, m);
         result.tau = result.absorbed = result.scattered = result.emitted = uniform_spectrum(0.0f);
@@ -81,7 +81,7 @@ const DeviceFunction<Integrals>& integrate() {
 
 static FunctionText walkText(const std::string& body) {
     return {.include = "medium/medium.clh", .type = "walked",
-            .body = "medium_tables medium_set = BIND_MEDIA; color_tables color_set = BIND_COLORS; palette colors = path_palette(color_set, 0u, 0u); random_stream more = make_stream(seed, 1u, 2u); spectrum zero = uniform_spectrum(0.0f), one = uniform_spectrum(1.0f); track end = {track_passes, t};" + body +
+            .body = "medium_tables medium_set = BIND_MEDIA; color_tables color_set = BIND_COLORS; sampled_wavelengths colors = path_wavelengths(color_set, 0u, 0u); random_stream more = make_stream(seed, 1u, 2u); spectrum zero = uniform_spectrum(0.0f), one = uniform_spectrum(1.0f); track end = {track_passes, t};" + body +
                     "result.end = end.end; result.t = end.t; result.beta = path.beta; result.r_u = path.r_u; result.r_l = path.r_l; result.L = path.L;",
             .inputs = {"vec3 o", "vec3 d", "float t", "uint hero", "uint seed"},
             .declarations = "typedef struct { uint end; float t; spectrum beta, r_u, r_l, L; } walked;", .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"};

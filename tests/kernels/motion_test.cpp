@@ -118,7 +118,7 @@ TEST(Motion, RaysMeetWhatIsThereAtTheirTime) {
         bench.resetCounters();
         bench.run("intersect_rays", n);
         bench.run("test_shadows", n);
-        const QueueWords flights = bench.read("flight"), paths = bench.read("path");
+        const QueueWords intersections = bench.read("intersection"), paths = bench.read("path");
 
         PackedScene then = scene;
         for (instance& i : then.tables.instances) {
@@ -131,9 +131,9 @@ TEST(Motion, RaysMeetWhatIsThereAtTheirTime) {
         const BruteForce truth(then);
         for (size_t i = 0; i < n; ++i) {
             const auto all = truth.meet(queue.get<vec3>("o", i), queue.get<vec3>("d", i));
-            const uint element = flights.get<uint>("element", i);
+            const uint element = intersections.get<uint>("element", i);
             hits += element != NONE;
-            ASSERT_EQ(judgeHit(all, element, flights.get<uint>("instance", i), static_cast<double>(flights.get<float>("t", i))), "") << "time " << time << " ray " << i;
+            ASSERT_EQ(judgeHit(all, element, intersections.get<uint>("instance", i), static_cast<double>(intersections.get<float>("t", i))), "") << "time " << time << " ray " << i;
             ASSERT_EQ(judgeShadow(all, 0.5, paths.get<spectrum>("L", i).b == 0), "") << "time " << time << " shadow ray " << i;
         }
     }

@@ -61,21 +61,21 @@ TEST_F(StageTest, GenerateRaysOfSeveralBlocks) {
 TEST_F(StageTest, IntersectRaysEmptyOneAndFull) {
     generate();
     bench.run("intersect_rays", 0);
-    QueueWords flights = bench.read("flight");
-    EXPECT_EQ(flights.words(), bench.empty("flight").words()) << "nothing to do, yet something was written";
+    QueueWords intersections = bench.read("intersection");
+    EXPECT_EQ(intersections.words(), bench.empty("intersection").words()) << "nothing to do, yet something was written";
 
     bench.run("intersect_rays", 1);
-    flights = bench.read("flight");
-    expectClean(flights, 0);
-    for (size_t i = 1; i < flights.capacity(); ++i) ASSERT_EQ(flights.get<uint>("t", i), poison) << i;
+    intersections = bench.read("intersection");
+    expectClean(intersections, 0);
+    for (size_t i = 1; i < intersections.capacity(); ++i) ASSERT_EQ(intersections.get<uint>("t", i), poison) << i;
 
     bench.run("intersect_rays", paths);
-    flights = bench.read("flight");
+    intersections = bench.read("intersection");
     size_t hit = 0;
     for (size_t i = 0; i < paths; ++i) {
-        expectClean(flights, i);
-        ASSERT_GT(flights.get<float>("t", i), 0);
-        hit += flights.get<uint>("element", i) != NONE;
+        expectClean(intersections, i);
+        ASSERT_GT(intersections.get<float>("t", i), 0);
+        hit += intersections.get<uint>("element", i) != NONE;
     }
     EXPECT_GT(hit, paths / 4);
     EXPECT_LT(hit, paths);
@@ -84,8 +84,8 @@ TEST_F(StageTest, IntersectRaysEmptyOneAndFull) {
 TEST_F(StageTest, IntersectRaysPassesOverDeadSlots) {
     generate(paths, 10, 7);
     bench.run("intersect_rays", paths);
-    const QueueWords rays = bench.read("ray"), flights = bench.read("flight");
-    for (size_t i = 0; i < paths; ++i) ASSERT_EQ(flights.get<float>("t", i) < 0, rays.get<float>("t_max", i) < 0) << i;
+    const QueueWords rays = bench.read("ray"), intersections = bench.read("intersection");
+    for (size_t i = 0; i < paths; ++i) ASSERT_EQ(intersections.get<float>("t", i) < 0, rays.get<float>("t_max", i) < 0) << i;
 }
 
 }  // namespace

@@ -8,50 +8,50 @@
 namespace eikonal {
 namespace {
 
-/// The counts are those of the hops that the flights were given; nothing is counted twice, and dead flights not at all.
-TEST_F(StageTest, ClassifyFlightsCountsItsHops) {
+/// The counts are those of the queues that the intersections were given; nothing is counted twice, and dead intersections not at all.
+TEST_F(StageTest, ClassifyIntersectionsCountsByQueue) {
     intersect();
     bench.resetCounters();
-    bench.run("classify_flights", 0);
+    bench.run("classify_intersections", 0);
     for (uint n : bench.counts()) EXPECT_EQ(n, 0u);
-    bench.run("classify_flights", 1);
+    bench.run("classify_intersections", 1);
     EXPECT_EQ(bench.rays(), 1u);
 
     bench.resetCounters();
-    bench.run("classify_flights", paths);
-    const QueueWords flights = bench.read("flight");
-    std::vector<uint> found(hops);
+    bench.run("classify_intersections", paths);
+    const QueueWords intersections = bench.read("intersection");
+    std::vector<uint> found(next_queues);
     for (size_t i = 0; i < paths; ++i) {
-        expectClean(flights, i);
-        const uint hop = flights.get<uint>("hop", i), element = flights.get<uint>("element", i);
-        if (hop < hops) ++found[hop];
-        ASSERT_EQ(hop == hop_miss, element == NONE);
+        expectClean(intersections, i);
+        const uint next_queue = intersections.get<uint>("next_queue", i), element = intersections.get<uint>("element", i);
+        if (next_queue < next_queues) ++found[next_queue];
+        ASSERT_EQ(next_queue == next_miss, element == NONE);
         if (element != NONE) {
             const shape& s = sceneOfEverything().tables.shapes[sceneOfEverything().tables.element_shapes[element]];
-            found[hop_emission] += s.first_light != NONE;
-            ASSERT_LT(hop, static_cast<uint>(hop_miss)) << "a surface scatters";
-            ASSERT_EQ(sceneOfEverything().tables.materials[flights.get<uint>("material", i)].hop, hop) << "mixes are resolved";
+            found[next_emission] += s.first_light != NONE;
+            ASSERT_LT(next_queue, static_cast<uint>(next_miss)) << "a surface scatters";
+            ASSERT_EQ(sceneOfEverything().tables.materials[intersections.get<uint>("material", i)].next_queue, next_queue) << "mixes are resolved";
         }
     }
     EXPECT_EQ(bench.counts(), found);
     EXPECT_EQ(bench.rays(), paths);
-    EXPECT_GT(found[hop_emission], 0u);
-    EXPECT_GT(found[hop_diffuse], 0u);
+    EXPECT_GT(found[next_emission], 0u);
+    EXPECT_GT(found[next_diffuse], 0u);
 }
 
-/// Every flight arrives once, in the queue of its hop, in a segment of its own; nothing else is written.
-TEST_F(StageTest, RouteFlightsDeliversEveryFlightOnce) {
+/// Every intersection arrives once, in the queue of its next_queue, in a segment of its own; nothing else is written.
+TEST_F(StageTest, RouteIntersectionsDeliversEveryIntersectionOnce) {
     classify();
     const auto counts = bench.counts();
-    bench.run("route_flights", paths);
-    const QueueWords flights = bench.read("flight"), hits = bench.read("hit"), misses = bench.read("miss"), emissions = bench.read("emission");
+    bench.run("route_intersections", paths);
+    const QueueWords intersections = bench.read("intersection"), hits = bench.read("hit"), misses = bench.read("miss"), emissions = bench.read("emission");
 
-    std::vector<std::set<uint>> wanted(hops), found(hops);
+    std::vector<std::set<uint>> wanted(next_queues), found(next_queues);
     for (size_t i = 0; i < paths; ++i) {
-        const uint hop = flights.get<uint>("hop", i);
-        if (hop < hops) wanted[hop].insert(static_cast<uint>(i));
-        const uint element = flights.get<uint>("element", i);
-        if (element != NONE && sceneOfEverything().tables.shapes[sceneOfEverything().tables.element_shapes[element]].first_light != NONE) wanted[hop_emission].insert(static_cast<uint>(i));
+        const uint next_queue = intersections.get<uint>("next_queue", i);
+        if (next_queue < next_queues) wanted[next_queue].insert(static_cast<uint>(i));
+        const uint element = intersections.get<uint>("element", i);
+        if (element != NONE && sceneOfEverything().tables.shapes[sceneOfEverything().tables.element_shapes[element]].first_light != NONE) wanted[next_emission].insert(static_cast<uint>(i));
     }
     const std::vector<int> parameterWords{
 #define WORDS_OF(q, type, name, FEATURE) +WORDS_##type
@@ -62,17 +62,17 @@ TEST_F(StageTest, RouteFlightsDeliversEveryFlightOnce) {
     };
     const int common = queueLayout("hit", sceneOfEverything().features).words;
     size_t covered = 0;
-    for (uint hop = 0; hop < hops; ++hop) {
-        const QueueWords& queue = hop == hop_miss ? misses : hop == hop_emission ? emissions : hits;
-        const unsigned start = hop < hop_miss ? segmentStart(hop) : 0;
-        for (unsigned i = start; i < start + counts[hop]; ++i) {
-            const int words = hop < hop_miss && hop >= hop_diffuse ? common + parameterWords[hop - hop_diffuse] : -1;
+    for (uint next_queue = 0; next_queue < next_queues; ++next_queue) {
+        const QueueWords& queue = next_queue == next_miss ? misses : next_queue == next_emission ? emissions : hits;
+        const unsigned start = next_queue < next_miss ? segmentStart(next_queue) : 0;
+        for (unsigned i = start; i < start + counts[next_queue]; ++i) {
+            const int words = next_queue < next_miss && next_queue >= next_diffuse ? common + parameterWords[next_queue - next_diffuse] : -1;
             expectClean(queue, i, words);
-            found[hop].insert(queue.get<uint>("path", i));
+            found[next_queue].insert(queue.get<uint>("path", i));
         }
-        EXPECT_EQ(found[hop], wanted[hop]) << "hop " << hop;
-        EXPECT_EQ(found[hop].size(), counts[hop]) << "hop " << hop << ": some path is there twice";
-        if (hop < hop_miss) covered += counts[hop];
+        EXPECT_EQ(found[next_queue], wanted[next_queue]) << "queue " << next_queue;
+        EXPECT_EQ(found[next_queue].size(), counts[next_queue]) << "queue " << next_queue << ": some path is there twice";
+        if (next_queue < next_miss) covered += counts[next_queue];
     }
     size_t written = 0;
     for (size_t i = 0; i < hits.capacity(); ++i) written += hits.get<uint>("path", i) != poison;
@@ -93,11 +93,11 @@ TEST_F(StageTest, RouteFlightsDeliversEveryFlightOnce) {
     }
 }
 
-TEST_F(StageTest, RouteFlightsOfNothingWritesNothing) {
+TEST_F(StageTest, RouteIntersectionsOfNothingWritesNothing) {
     intersect();
     bench.resetCounters();
-    bench.run("classify_flights", 0);
-    bench.run("route_flights", 0);
+    bench.run("classify_intersections", 0);
+    bench.run("route_intersections", 0);
     for (const char* queue : {"hit", "miss", "emission", "next_ray"}) EXPECT_EQ(bench.read(queue).words(), bench.empty(queue).words()) << queue;
 }
 

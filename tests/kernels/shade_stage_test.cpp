@@ -12,7 +12,7 @@ namespace {
 /// A camera ray (pdf 0: no light could have sampled it) that leaves the scene brings the whole radiance of the environment.
 TEST_F(StageTest, ShadeMissesAddsTheEnvironment) {
     route();
-    const unsigned count = bench.counts()[hop_miss];
+    const unsigned count = bench.counts()[next_miss];
     const QueueWords misses = bench.read("miss");
     bench.run("shade_misses", count);
     const QueueWords states = bench.read("path");
@@ -32,7 +32,7 @@ TEST_F(StageTest, ShadeMissesAddsTheEnvironment) {
 
 TEST_F(StageTest, ShadeEmittersAddsWhatIsEmittedTowardsThePath) {
     route();
-    const unsigned count = bench.counts()[hop_emission];
+    const unsigned count = bench.counts()[next_emission];
     const QueueWords emissions = bench.read("emission");
     bench.run("shade_emitters", count);
     const QueueWords states = bench.read("path");
@@ -51,10 +51,10 @@ TEST_F(StageTest, ShadeHitsAnswersSlotBySlot) {
     const auto counts = bench.counts();
     const QueueWords hits = bench.read("hit");
     size_t rays = 0, shadows = 0;
-    const auto shade = [&](const std::string& bsdf, uint hop, Feature feature) {
+    const auto shade = [&](const std::string& bsdf, uint next_queue, Feature feature) {
         const std::string stage = "shade_hits " + bsdf;
         if (!sceneOfEverything().features.has(feature) || !hasKernelFile("bsdf/" + bsdf + ".clh")) return;
-        const unsigned start = segmentStart(hop), count = counts[hop], end = (count + testGroup - 1) / testGroup * testGroup;
+        const unsigned start = segmentStart(next_queue), count = counts[next_queue], end = (count + testGroup - 1) / testGroup * testGroup;
         for (unsigned n : {0u, std::min(count, 1u), count}) {
             bench.clear("next_ray");
             bench.clear("shadow");
@@ -83,7 +83,7 @@ TEST_F(StageTest, ShadeHitsAnswersSlotBySlot) {
             }
         }
     };
-#define SHADE(bsdf, FEATURE, PARAMETERS) shade(#bsdf, hop_##bsdf, Feature::FEATURE);
+#define SHADE(bsdf, FEATURE, PARAMETERS) shade(#bsdf, next_##bsdf, Feature::FEATURE);
     BSDFS(SHADE)
 #undef SHADE
     EXPECT_GT(rays, 100u);

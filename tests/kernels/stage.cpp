@@ -41,7 +41,7 @@ std::vector<std::string> allStages() {
 }
 
 StageBench::StageBench(const PackedScene& scene, unsigned paths, bool poisonItems, unsigned filmPixels)
-    : scene_(scene), capacity_((paths + testGroup - 1) / testGroup * testGroup + (hops + 1) * testGroup), poisonItems_(poisonItems), onDevice_(testContext(), scene) {
+    : scene_(scene), capacity_((paths + testGroup - 1) / testGroup * testGroup + (next_queues + 1) * testGroup), poisonItems_(poisonItems), onDevice_(testContext(), scene) {
     for (QueueLayout layout : queueLayouts(scene.features)) {
         if (layout.name == "hit") layout.words += bsdfWords(scene.features);
         layouts_[layout.name] = {layout, capacity_};
@@ -58,7 +58,7 @@ StageBench::StageBench(const PackedScene& scene, unsigned paths, bool poisonItem
         bindings_.set(name, buffers_[name]);
     }
     for (const char* name : {"capacity", "path_capacity"}) bindings_.set(name, capacity_);
-    for (const char* name : {"turn", "turn_slots", "begun", "first_path"}) bindings_.set(name, 0u);
+    for (const char* name : {"shading_pass", "pass_slots", "begun", "first_path"}) bindings_.set(name, 0u);
     bindings_.set("log2_batch_paths", 31u);
 }
 

@@ -4,7 +4,7 @@
 //     StageBench bench(scene, 256);
 //     bench.write("ray", rays);
 //     bench.run("intersect_rays", 256);
-//     QueueWords flights = bench.read("flight");
+//     QueueWords intersections = bench.read("intersection");
 
 #include "queue_words.h"
 #include "test_device.h"
@@ -33,7 +33,7 @@ public:
     /// film (of as many pixels as there are paths, or `filmPixels`), which hold zeros. poisonItems: the device poisons new items, too.
     StageBench(const PackedScene& scene, unsigned paths, bool poisonItems = true, unsigned filmPixels = 0);
 
-    /// "ray" "next_ray" "flight" "hit" "scatter" "miss" "emission" "shadow" "path" "film" as on the host.
+    /// "ray" "next_ray" "intersection" "hit" "scatter" "miss" "emission" "shadow" "path" "film" as on the host.
     QueueWords read(const std::string& queue) const;
     void write(const std::string& queue, const QueueWords& words);
     /// One with the layout of a queue, all poison.
@@ -47,8 +47,8 @@ public:
     /// Sets `first` and `count`, and runs the stage over `count` slots. "shade_hits diffuse" is that stage for a BSDF.
     void run(const std::string& stage, unsigned count, unsigned first = 0);
 
-    /// What classify_flights found for each hop, and how many rays; and how many shadow rays test_shadows.
-    std::vector<uint> counts() const { return readWords("counts", hops); }
+    /// What classify_intersections found for each next_queue, and how many rays; and how many shadow rays test_shadows.
+    std::vector<uint> counts() const { return readWords("counts", next_queues); }
     uint rays() const { return readWords("counts", wave_counts)[count_of_batches]; }
     uint shadowRays() const { return readWords("shadow_count", 1)[0]; }
     /// Zeroes these, and the cursors.

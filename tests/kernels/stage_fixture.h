@@ -25,13 +25,13 @@ protected:
         bench.run("generate_rays", count);
     }
     void intersect() { generate(); bench.run("intersect_rays", paths); }
-    void classify() { intersect(); bench.resetCounters(); bench.run("classify_flights", paths); }
-    void route() { classify(); bench.run("route_flights", paths); }
+    void classify() { intersect(); bench.resetCounters(); bench.run("classify_intersections", paths); }
+    void route() { classify(); bench.run("route_intersections", paths); }
 
-    /// First slot of a hop's segment of the hit queue, as the host finds it.
-    unsigned segmentStart(uint hop) const {
+    /// First slot of a queue's segment of the hit queue, as the host finds it.
+    unsigned segmentStart(uint next_queue) const {
         unsigned start = 0;
-        for (uint h = 0; h < hop; ++h) start += (bench.counts()[h] + testGroup - 1) / testGroup * testGroup;
+        for (uint h = 0; h < next_queue; ++h) start += (bench.counts()[h] + testGroup - 1) / testGroup * testGroup;
         return start;
     }
 };

@@ -5,7 +5,7 @@
 namespace eikonal {
 
 std::vector<TextureResult> evaluate(const PackedScene& scene, const std::vector<uint>& program, const std::vector<vec2>& uv, const std::vector<vec3>& p) {
-    static const DeviceFunction<TextureResult> function({.include = "texture/relief.clh", .type = "texture_result", .body = R"(
+    static const DeviceFunction<TextureResult> function({.include = "texture/bump.clh", .type = "texture_result", .body = R"(
         texture_tables tables = BIND_TEXTURES;
         color_tables colors = BIND_COLORS;
         surface at;
@@ -15,7 +15,7 @@ std::vector<TextureResult> evaluate(const PackedScene& scene, const std::vector<
         at.dpdu = make_vec3(2.0f, 0.0f, 0.0f);
         at.dpdv = make_vec3(0.0f, 3.0f, 0.0f);
         texture_point here = textured_point(at);
-        result.value = eval_texture(tables, path_palette(colors, 0u, 0u), program, &here);
+        result.value = eval_texture(tables, path_wavelengths(colors, 0u, 0u), program, &here);
         result.bumped = displace_normal(tables, program, at).ns;
         result.mapped = map_normal(tables, 0u, at).ns;)",
         .inputs = {"uint program", "vec2 uv", "vec3 p"}, .declarations = "typedef struct { spectrum value; vec3 bumped, mapped; } texture_result;", .tables = "TEXTURE_TABLES(TABLE) COLOR_TABLES(TABLE)"});

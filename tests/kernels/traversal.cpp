@@ -21,11 +21,11 @@ std::vector<Hit> trace(const PackedScene& scene, const std::vector<Ray>& rays) {
     }
     bench.write("ray", queue);
     bench.run("intersect_rays", static_cast<unsigned>(rays.size()));
-    const QueueWords flights = bench.read("flight");
+    const QueueWords intersections = bench.read("intersection");
     std::vector<Hit> hits;
     for (size_t i = 0; i < rays.size(); ++i)
-        hits.push_back({flights.get<float>("t", i), flights.get<uint>("element", i), scene.features.has(Feature::INSTANCES) ? flights.get<uint>("instance", i) : NONE,
-                        flights.get<float>("u", i), flights.get<float>("v", i)});
+        hits.push_back({intersections.get<float>("t", i), intersections.get<uint>("element", i), scene.features.has(Feature::INSTANCES) ? intersections.get<uint>("instance", i) : NONE,
+                        intersections.get<float>("u", i), intersections.get<float>("v", i)});
     return hits;
 }
 

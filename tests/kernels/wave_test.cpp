@@ -13,31 +13,31 @@ std::vector<uint> traceWave(StageBench& bench) {
     bench.set(wholeImage, side, side);
     bench.run("generate_rays", paths);
     const bool media = bench.scene().features.has(Feature::MEDIA);
-    std::vector<uint> all(hops);
+    std::vector<uint> all(next_queues);
     unsigned rays = paths;
     for (int bounce = 0; bounce < 64 && rays > 0; ++bounce) {
-        for (const char* queue : {"flight", "hit", "scatter", "miss", "emission", "next_ray", "shadow"}) bench.clear(queue);
+        for (const char* queue : {"intersection", "hit", "scatter", "miss", "emission", "next_ray", "shadow"}) bench.clear(queue);
         bench.run("intersect_rays", rays);
         if (media) bench.run("extinguish_rays", rays);
         bench.resetCounters();
-        bench.run("classify_flights", rays);
-        bench.run("route_flights", rays);
+        bench.run("classify_intersections", rays);
+        bench.run("route_intersections", rays);
         const auto counts = bench.counts();
-        for (uint h = 0; h < hops; ++h) all[h] += counts[h];
-        if (counts[hop_miss]) bench.run("shade_misses", counts[hop_miss]);
-        if (counts[hop_emission]) bench.run("shade_emitters", counts[hop_emission]);
-        /* Segments of the hops in order; what passes straight on is in its own already */
+        for (uint h = 0; h < next_queues; ++h) all[h] += counts[h];
+        if (counts[next_miss]) bench.run("shade_misses", counts[next_miss]);
+        if (counts[next_emission]) bench.run("shade_emitters", counts[next_emission]);
+        /* Segments of the next_queues in order; what passes straight on is in its own already */
         const QueueWords scatters = bench.read("scatter");
         unsigned first = 0;
-        for (uint hop = 0; hop < hop_miss; ++hop) {
+        for (uint next_queue = 0; next_queue < next_miss; ++next_queue) {
             std::string stage;
-            if (hop == hop_scatter) stage = "shade_scatters";
-#define NAME_STAGE(bsdf, FEATURE, PARAMETERS) if (hop == hop_##bsdf) stage = "shade_hits " #bsdf;
+            if (next_queue == next_scatter) stage = "shade_scatters";
+#define NAME_STAGE(bsdf, FEATURE, PARAMETERS) if (next_queue == next_##bsdf) stage = "shade_hits " #bsdf;
             BSDFS(NAME_STAGE)
 #undef NAME_STAGE
-            if (hop == hop_scatter) for (unsigned i = first; i < first + counts[hop]; ++i) expectClean(scatters, i);
-            if (counts[hop] && !stage.empty()) bench.run(stage, counts[hop], first);
-            first += (counts[hop] + testGroup - 1) / testGroup * testGroup;
+            if (next_queue == next_scatter) for (unsigned i = first; i < first + counts[next_queue]; ++i) expectClean(scatters, i);
+            if (counts[next_queue] && !stage.empty()) bench.run(stage, counts[next_queue], first);
+            first += (counts[next_queue] + testGroup - 1) / testGroup * testGroup;
         }
         rays = first;
         bench.run("test_shadows", rays);
@@ -63,13 +63,13 @@ std::vector<uint> traceWave(StageBench& bench) {
 }
 
 template <class Items> void expectVisited(const Items& items, std::initializer_list<int> wanted) {
-    for (int hop : wanted) EXPECT_GT(items[static_cast<size_t>(hop)], 0u) << "hop " << hop << " was not visited";
+    for (int next_queue : wanted) EXPECT_GT(items[static_cast<size_t>(next_queue)], 0u) << "queue " << next_queue << " was not visited";
 }
 
 TEST(Wave, EndsFiniteAndClean) {
     StageBench bench(sceneOfEverything(), paths);
     const auto items = traceWave(bench);
-    expectVisited(items, {hop_diffuse, hop_conductor, hop_specular_conductor, hop_dielectric, hop_specular_dielectric, hop_thin_dielectric, hop_diffuse_transmission, hop_miss, hop_emission});
+    expectVisited(items, {next_diffuse, next_conductor, next_specular_conductor, next_dielectric, next_specular_dielectric, next_thin_dielectric, next_diffuse_transmission, next_miss, next_emission});
 }
 
 /// With an integrator that regularizes, polished things are polished for paths that come straight from the camera or off other mirrors,
@@ -91,7 +91,7 @@ TEST(Wave, RegularizedEndsFiniteAndClean) {
     ASSERT_TRUE(polished.features.has(Feature::REGULARIZE));
     StageBench bench(polished, paths);
     const auto items = traceWave(bench);
-    expectVisited(items, {hop_diffuse, hop_specular_conductor, hop_conductor, hop_specular_dielectric, hop_dielectric, hop_coated_conductor, hop_hair});
+    expectVisited(items, {next_diffuse, next_specular_conductor, next_conductor, next_specular_dielectric, next_dielectric, next_coated_conductor, next_hair});
 }
 
 /// The same through two nested media with an interface between them, lamps inside and outside.
@@ -124,7 +124,7 @@ TEST(Wave, ThroughMediaEndsFiniteAndClean) {
     ASSERT_TRUE(fog.features.has(Feature::MEDIA));
     StageBench bench(fog, paths);
     const auto items = traceWave(bench);
-    expectVisited(items, {hop_passage, hop_scatter, hop_miss, hop_emission});
+    expectVisited(items, {next_crossing, next_scatter, next_miss, next_emission});
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ TEST_F(Bench, CountsRealRaysOnly) {
     };
     EXPECT_LT(occupancy("generate_rays"), 1);
     EXPECT_EQ(occupancy("resolve_film"), occupancy("generate_rays")) << "of the same tiles";
-    EXPECT_EQ(occupancy("classify_flights"), occupancy("intersect_rays"));
-    EXPECT_EQ(occupancy("route_flights"), occupancy("intersect_rays"));
+    EXPECT_EQ(occupancy("classify_intersections"), occupancy("intersect_rays"));
+    EXPECT_EQ(occupancy("route_intersections"), occupancy("intersect_rays"));
 }
 
 // Independent samples: four times as many have a quarter of the variance. 192 pixels and 8 seeds know each to about 6 %.

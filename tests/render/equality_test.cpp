@@ -73,7 +73,7 @@ AttributeBegin AreaLightSource "diffuse" "rgb L" [20 20 20] Material "diffuse" M
 Features allButMethods() {
     using enum Feature;
     Features methods;
-    for (Feature f : {SPECTRAL, SPECTRAL_FILM, DISPERSION, ANISOTROPY, SHAPE_CURVE, SHAPE_IMPLICIT, FILTER, SOBOL, JOINT_PAIRS, LENS, CAMERA_MOTION, MEDIA, FOCI,
+    for (Feature f : {SPECTRAL, SPECTRAL_FILM, DISPERSION, ANISOTROPY, SHAPE_CURVE, SHAPE_IMPLICIT, FILTER, SOBOL, JOINT_PAIRS, LENS, CAMERA_MOTION, MEDIA, EQUIANGULAR,
                       AMBIENT_OCCLUSION, TREE, UNIFORM_DIRECTIONS}) methods.require(f);
 #define REQUIRE(name, FEATURE) methods.require(Feature::FEATURE);
     MEDIA_KINDS(REQUIRE) CAMERAS(REQUIRE)
@@ -196,7 +196,7 @@ using SlowKernels = OtherKernels;
 TEST_F(SlowKernels, LocalSizeAndRunDoNotShow) {
     RenderSetup setup = plain();
     setup.shape.localSize = 16;
-    setup.shape.run = 8;
+    setup.shape.itemsPerWorkItem = 8;
     expectSameBits(reference.image, render(text, setup).image, "groups of 16, runs of 8");
 }
 

@@ -115,7 +115,7 @@ TEST_F(Image, tgaKeepsItsRowsInBothOrders) {
     EXPECT_EQ(load(write("down.tga", tga(0x20, "\x40\xc0"))).bytes, (std::vector<std::uint8_t>{0x40, 0xc0}));
 }
 
-TEST_F(Image, palettesAreLookedUp) {
+TEST_F(Image, wavelengthsAreLookedUp) {
     // A 2 x 1 GIF89a with the palette (10, 20, 30), (40, 50, 60) and pixels 1, 0.
     const unsigned char gif[] = {'G', 'I', 'F', '8', '9', 'a', 2,  0, 1, 0, 0x80, 0, 0,    10,   20, 30, 40,  50,
                                  60,  0x2c, 0,  0,   0,   0,   2,  0, 1, 0, 0,    2, 2,    0x0c, 0x0a, 0,  0x3b};

@@ -37,7 +37,7 @@ TEST(Options, WhatIsNotGivenStaysTheScenes) {
     EXPECT_EQ(o.command, Command::render);
     EXPECT_EQ(o.scene.path, "a.pbrt");
     EXPECT_FALSE(o.scene.spp || o.scene.seed || o.scene.sampler || o.scene.integrator || o.scene.maxDepth || o.scene.resolution || o.scene.cropWindow || o.scene.pixelBounds);
-    EXPECT_FALSE(o.scene.camera || o.scene.lookAt || o.scene.up || o.scene.fov || o.output.timeLimit || o.device.wavePaths || o.device.localSize || o.device.run);
+    EXPECT_FALSE(o.scene.camera || o.scene.lookAt || o.scene.up || o.scene.fov || o.output.timeLimit || o.device.wavePaths || o.device.localSize || o.device.itemsPerWorkItem);
     EXPECT_TRUE(o.output.files.empty());
     EXPECT_EQ(o.log, LogLevel::warning);
     EXPECT_TRUE(o.device.cache && o.device.contraction);
@@ -58,7 +58,7 @@ TEST(Options, PbrtsSpellingsMeanWhatTheyMeanThere) {
 
 TEST(Options, ValuesOfEveryKindAreRead) {
     const Options o = parse("render a.obj --camera -1,2.5,3e1 --look-at=0,0,0 --up 0,0,1 --fov 35 --resolution 640x480 --sampler independent --integrator whitted --max-depth 0 --roulette throughput --roulette-scale 2.5 --roulette-depth 1 "
-                            "--time-limit 1.5 --aov albedo,depth --tonemap filmic --exposure -1 --wave-paths 4096 --local-size 32 --run 8 --contraction off --no-cache --build-options=-cl-mad-enable "
+                            "--time-limit 1.5 --aov albedo,depth --tonemap filmic --exposure -1 --wave-paths 4096 --local-size 32 --items-per-work-item 8 --contraction off --no-cache --build-options=-cl-mad-enable "
                             "--dump-kernels k --device gpu --strict --stats -o a.exr -o b.png --seed -3");
     EXPECT_EQ(o.scene.camera, glm::dvec3(-1, 2.5, 30));
     EXPECT_EQ(o.scene.lookAt, glm::dvec3(0));
@@ -79,7 +79,7 @@ TEST(Options, ValuesOfEveryKindAreRead) {
     EXPECT_EQ(o.output.toneMapping.exposure, -1);
     EXPECT_EQ(o.device.wavePaths, 4096u);
     EXPECT_EQ(o.device.localSize, 32u);
-    EXPECT_EQ(o.device.run, 8u);
+    EXPECT_EQ(o.device.itemsPerWorkItem, 8u);
     EXPECT_FALSE(o.device.contraction || o.device.cache);
     EXPECT_EQ(o.device.buildOptions, "-cl-mad-enable");
     EXPECT_EQ(o.device.dumpFolder, "k");

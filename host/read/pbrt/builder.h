@@ -22,10 +22,10 @@ struct Builder {
     explicit Builder(Diagnostics& diagnostics, const std::string& folder) : reading(diagnostics, folder) {}
 
     Reading reading;
-    TextureBook textures{reading};
-    MaterialBook materials{reading, textures};
-    MediumBook media{reading};
-    ShapeBook shapes{reading, textures, materials, media};
+    TextureRegistry textures{reading};
+    MaterialRegistry materials{reading, textures};
+    MediumRegistry media{reading};
+    ShapeRegistry shapes{reading, textures, materials, media};
     Settings settings{reading};
     GraphicsState state;
     bool inWorld = false;

@@ -10,7 +10,7 @@ namespace {
 const glm::dvec3 eumelaninAbsorption(0.419, 0.697, 1.37), pheomelaninAbsorption(0.187, 0.4, 1.05);
 constexpr double brown = 1.3;  // of eumelanin
 
-Input melanins(TextureBook& textures, const Arguments& arguments) {
+Input melanins(TextureRegistry& textures, const Arguments& arguments) {
     const Input dark = textures.input(arguments, "eumelanin"), red = textures.input(arguments, "pheomelanin");
     const SourceLocation& where = dark.where.file ? dark.where : red.where;
     const auto amount = [](const Input& input) { return std::max(input.value.value(), 0.); };
@@ -26,7 +26,7 @@ Input melanins(TextureBook& textures, const Arguments& arguments) {
 }
 
 /// Chiang et al. 2016, equation 9: the absorption that makes hair look like a color.
-Input absorptionOfColor(TextureBook& textures, const Input& color, const Input& betaN) {
+Input absorptionOfColor(TextureRegistry& textures, const Input& color, const Input& betaN) {
     if (color.texture != none || betaN.texture != none) return textures.derive(AbsorptionTexture{color, betaN}, color.where);
     const double n = std::clamp(betaN.value.value(), 0.01, 1.);
     const double scale = 5.969 + n * (-0.215 + n * (2.532 + n * (-10.73 + n * (5.574 + n * 0.245))));
@@ -36,7 +36,7 @@ Input absorptionOfColor(TextureBook& textures, const Input& color, const Input& 
 
 }  // namespace
 
-void readHair(Reading& reading, TextureBook& textures, const Arguments& arguments, Material& material) {
+void readHair(Reading& reading, TextureRegistry& textures, const Arguments& arguments, Material& material) {
     const bool hasMelanin = arguments.has("eumelanin") || arguments.has("pheomelanin");
     const char* const used = arguments.has("sigma_a") ? "sigma_a" : arguments.has("reflectance") ? "reflectance" : hasMelanin ? "melanin" : "";
     for (const char* name : {"reflectance", "eumelanin", "pheomelanin"}) {

@@ -8,6 +8,6 @@ namespace eikonal::pbrt {
 
 /// The inputs "sigma_a" and "h" of material "hair", whose parameters are `arguments`: of "sigma_a", "reflectance" (or "color") and the melanins
 /// the first that is given counts, as in pbrt-v4; warns of the others. None of them: brown hair.
-void readHair(Reading& reading, TextureBook& textures, const Arguments& arguments, Material& material);
+void readHair(Reading& reading, TextureRegistry& textures, const Arguments& arguments, Material& material);
 
 }  // namespace eikonal::pbrt

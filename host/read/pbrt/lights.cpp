@@ -49,7 +49,7 @@ void readDistant(const Arguments& arguments, Light& light) {
 }
 
 /// The image of a light that needs one; none: the file is missing, which is noted.
-int readImage(TextureBook& textures, const Arguments& arguments, WrapMode wrap) {
+int readImage(TextureRegistry& textures, const Arguments& arguments, WrapMode wrap) {
     if (!arguments.has("filename")) throw SceneError(arguments.where(), arguments.kind().title() + " needs an image: \"string filename\"");
     const std::optional<std::string> path = arguments.file("filename");
     if (!path) return none;
@@ -59,12 +59,12 @@ int readImage(TextureBook& textures, const Arguments& arguments, WrapMode wrap) 
     return textures.image(file);
 }
 
-void readGoniometric(TextureBook& textures, const Arguments& arguments, Light& light) {
+void readGoniometric(TextureRegistry& textures, const Arguments& arguments, Light& light) {
     light.kind = GoniometricLight{arguments.spectrum("I", whiteOf(arguments)), readImage(textures, arguments, WrapMode::octahedral)};
     if (const double power = arguments.number("power"); power > 0) light.power = power;
 }
 
-void readProjection(TextureBook& textures, const Arguments& arguments, Light& light) {
+void readProjection(TextureRegistry& textures, const Arguments& arguments, Light& light) {
     light.kind = ProjectionLight{readImage(textures, arguments, WrapMode::clamp), arguments.number("fov")};
     if (const double power = arguments.number("power"); power > 0) light.power = power;
 }
@@ -84,7 +84,7 @@ std::array<glm::dvec3, 4> readPortal(const Arguments& arguments) {
 }
 
 /// False: it has an image that is missing.
-bool readInfinite(TextureBook& textures, const Arguments& arguments, Light& light) {
+bool readInfinite(TextureRegistry& textures, const Arguments& arguments, Light& light) {
     const double illuminance = arguments.number("illuminance");
     if (arguments.has("filename") && arguments.has("L"))
         throw SceneError(arguments.whereOf("L"), "light \"infinite\" has either \"L\" or \"filename\", not both");
@@ -123,7 +123,7 @@ const KindTable& areaLightKinds() {
     return table;
 }
 
-void addLight(Reading& reading, TextureBook& textures, const std::string& kindName, const GraphicsState& state, ParameterList parameters,
+void addLight(Reading& reading, TextureRegistry& textures, const std::string& kindName, const GraphicsState& state, ParameterList parameters,
               const SourceLocation& where) {
     const Kind& kind = lightKinds().find(kindName, where);
     const Arguments arguments(reading, kind, where, std::move(parameters), state.attributesOf(Target::light), state.space);
@@ -153,7 +153,7 @@ void addLight(Reading& reading, TextureBook& textures, const std::string& kindNa
     reading.scene.lights.push_back(std::move(light));
 }
 
-int addAreaLight(Reading& reading, TextureBook& textures, const std::string& kindName, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
+int addAreaLight(Reading& reading, TextureRegistry& textures, const std::string& kindName, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
     const Kind& kind = areaLightKinds().find(kindName, where);
     const Arguments arguments(reading, kind, where, std::move(parameters), state.attributesOf(Target::light), state.space);
     if (arguments.has("filename") && arguments.has("L"))

@@ -13,10 +13,10 @@ const KindTable& lightKinds();
 const KindTable& areaLightKinds();
 
 /// Adds a light to Scene::lights, if it is one that is rendered. Throws SceneError.
-void addLight(Reading& reading, TextureBook& textures, const std::string& kind, const GraphicsState& state, ParameterList parameters,
+void addLight(Reading& reading, TextureRegistry& textures, const std::string& kind, const GraphicsState& state, ParameterList parameters,
               const SourceLocation& where);
 
 /// Adds an area light to Scene::areaLights and returns its index. Throws SceneError.
-int addAreaLight(Reading& reading, TextureBook& textures, const std::string& kind, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
+int addAreaLight(Reading& reading, TextureRegistry& textures, const std::string& kind, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
 
 }  // namespace eikonal::pbrt

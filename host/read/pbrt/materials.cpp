@@ -56,13 +56,13 @@ const KindTable& materialKinds() {
     return table;
 }
 
-int MaterialBook::numberOf(const std::string& name) {
+int MaterialRegistry::numberOf(const std::string& name) {
     const auto [place, isNew] = numbers_.try_emplace(name, static_cast<int>(entries_.size()));
     if (isNew) entries_.push_back({name});
     return place->second;
 }
 
-int MaterialBook::define(const std::string& name, const std::string& kindName, const GraphicsState& state, ParameterList parameters,
+int MaterialRegistry::define(const std::string& name, const std::string& kindName, const GraphicsState& state, ParameterList parameters,
                          const SourceLocation& where) {
     const Kind& kind = materialKinds().find(kindName, where);
     auto arguments = std::make_unique<Arguments>(reading_, kind, where, std::move(parameters), state.attributesOf(Target::material), state.space);
@@ -79,7 +79,7 @@ int MaterialBook::define(const std::string& name, const std::string& kindName, c
     return number;
 }
 
-int MaterialBook::resolve(int number, const SourceLocation& where) {
+int MaterialRegistry::resolve(int number, const SourceLocation& where) {
     if (number == none) return none;
     Entry& entry = entries_[number];
     if (entry.index != none) return entry.index;
@@ -105,12 +105,12 @@ int MaterialBook::resolve(int number, const SourceLocation& where) {
     return entry.index = static_cast<int>(reading_.scene.materials.size()) - 1;
 }
 
-void MaterialBook::finish() {
+void MaterialRegistry::finish() {
     for (size_t number = 0; number < entries_.size(); ++number)
         if (entries_[number].arguments) resolve(static_cast<int>(number), entries_[number].arguments->where());
 }
 
-void MaterialBook::build(Entry& entry, Material& material) {
+void MaterialRegistry::build(Entry& entry, Material& material) {
     const Arguments& arguments = *entry.arguments;
     readInputs(arguments, material);
     material.remapRoughness = arguments.flag("remaproughness");
@@ -129,7 +129,7 @@ void MaterialBook::build(Entry& entry, Material& material) {
     if (material.kind == MaterialKind::hair) readHair(reading_, textures_, arguments, material);
 }
 
-void MaterialBook::preferReflectance(const Arguments& arguments, Material& material, const std::array<std::string, 2>& indices) {
+void MaterialRegistry::preferReflectance(const Arguments& arguments, Material& material, const std::array<std::string, 2>& indices) {
     if (!arguments.has("reflectance")) return;
     for (const Rule& rule : arguments.kind().rules)
         if (std::ranges::count(indices, rule.as) && arguments.has(rule.name))
@@ -137,7 +137,7 @@ void MaterialBook::preferReflectance(const Arguments& arguments, Material& mater
     for (const std::string& index : indices) material.inputs.erase(index);
 }
 
-void MaterialBook::readInputs(const Arguments& arguments, Material& material) {
+void MaterialRegistry::readInputs(const Arguments& arguments, Material& material) {
     for (const Rule& rule : arguments.kind().rules) {
         if (rule.as == "-" || (rule.fallback.empty() && !arguments.has(rule.name))) continue;
         Input input;
@@ -152,7 +152,7 @@ void MaterialBook::readInputs(const Arguments& arguments, Material& material) {
     }
 }
 
-void MaterialBook::readMix(const Arguments& arguments, Material& material) {
+void MaterialRegistry::readMix(const Arguments& arguments, Material& material) {
     const std::vector<std::string> names = arguments.texts("materials");
     const SourceLocation& where = arguments.whereOf("materials");
     if (names.size() != 2) throw SceneError(where, "material \"mix\" needs the names of two materials in \"string materials\"");
@@ -163,14 +163,14 @@ void MaterialBook::readMix(const Arguments& arguments, Material& material) {
     }
 }
 
-void MaterialBook::readMeasured(const Arguments& arguments, Material& material) {
+void MaterialRegistry::readMeasured(const Arguments& arguments, Material& material) {
     const std::optional<std::string> path = arguments.file("filename");
     if (!path && !arguments.has("filename")) throw SceneError(arguments.where(), "material \"measured\" needs a \"string filename\": a .bsdf file of the RGL material database");
     material.file = path.value_or("");  // missing: a problem that is noted already
     material.where = arguments.whereOf("filename");
 }
 
-int MaterialBook::normalMap(const Arguments& arguments) {
+int MaterialRegistry::normalMap(const Arguments& arguments) {
     const std::optional<std::string> path = arguments.file("normalmap");
     if (!path) return none;
     ImageFile file{*path};

@@ -17,9 +17,9 @@ const KindTable& materialKinds();
 
 /// The materials of a scene. Named ones may be used before they are made, and their textures too, so a material is a number of
 /// this book at first, which becomes an index of Scene::materials at the end.
-class MaterialBook {
+class MaterialRegistry {
 public:
-    MaterialBook(Reading& reading, TextureBook& textures) : reading_(reading), textures_(textures) {}
+    MaterialRegistry(Reading& reading, TextureRegistry& textures) : reading_(reading), textures_(textures) {}
 
     /// The number of a named material.
     int numberOf(const std::string& name);
@@ -50,7 +50,7 @@ private:
     int normalMap(const Arguments& arguments);
 
     Reading& reading_;
-    TextureBook& textures_;
+    TextureRegistry& textures_;
     std::map<std::string, int> numbers_;
     std::deque<Entry> entries_;  ///< by number; never moved, since building one may add another
 };

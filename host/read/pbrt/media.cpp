@@ -171,14 +171,14 @@ const KindTable& mediumKinds() {
     return table;
 }
 
-int MediumBook::numberOf(const std::string& name) {
+int MediumRegistry::numberOf(const std::string& name) {
     if (name.empty()) return none;
     const auto [place, isNew] = numbers_.try_emplace(name, static_cast<int>(entries_.size()));
     if (isNew) entries_.push_back({name});
     return place->second;
 }
 
-void MediumBook::define(const std::string& name, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
+void MediumRegistry::define(const std::string& name, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
     const int number = numberOf(name);
     if (number == none) throw SceneError(where, "a medium needs a name; \"\" means vacuum");
     if (entries_[number].made) throw SceneError(where, "there is already a medium \"" + name + "\", at " + entries_[number].where.toString());
@@ -206,7 +206,7 @@ void MediumBook::define(const std::string& name, const GraphicsState& state, Par
     reading_.scene.media.push_back(std::move(medium));
 }
 
-int MediumBook::resolve(int number, const SourceLocation& where) {
+int MediumRegistry::resolve(int number, const SourceLocation& where) {
     if (number == none) return none;
     Entry& entry = entries_[number];
     if (!entry.made && !std::exchange(entry.missed, true)) {

@@ -14,9 +14,9 @@ const KindTable& mediumKinds();
 
 /// The media of a scene. They may be named before they are made, so names become numbers of this book, and those become
 /// indices of Scene::media at the end.
-class MediumBook {
+class MediumRegistry {
 public:
-    explicit MediumBook(Reading& reading) : reading_(reading) {}
+    explicit MediumRegistry(Reading& reading) : reading_(reading) {}
 
     /// The number of a name; none for the empty one, which is vacuum.
     int numberOf(const std::string& name);

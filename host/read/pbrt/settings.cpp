@@ -75,6 +75,6 @@ void Settings::apply() {
     film.exposureTime = reading_.scene.camera.shutterClose - reading_.scene.camera.shutterOpen;
 }
 
-void Settings::finish(MediumBook& media) { reading_.scene.camera.medium = media.resolve(cameraMedium_, reading_.scene.camera.where); }
+void Settings::finish(MediumRegistry& media) { reading_.scene.camera.medium = media.resolve(cameraMedium_, reading_.scene.camera.where); }
 
 }  // namespace eikonal::pbrt

@@ -26,7 +26,7 @@ public:
 
     /// Fills in the scene's camera, film, filter, sampler and integrator. The camera's medium comes with finish().
     void apply();
-    void finish(MediumBook& media);
+    void finish(MediumRegistry& media);
 
 private:
     void applyCamera(const Arguments& arguments);
@@ -40,7 +40,7 @@ private:
 
     Reading& reading_;
     std::map<Sort, std::unique_ptr<Arguments>> given_;
-    int cameraMedium_ = none;  ///< a number of MediumBook
+    int cameraMedium_ = none;  ///< a number of MediumRegistry
     int seed_ = 0;             ///< Option "seed"
 };
 

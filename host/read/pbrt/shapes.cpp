@@ -62,7 +62,7 @@ const KindTable& shapeKinds() {
     return table;
 }
 
-void ShapeBook::add(const std::string& kindName, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
+void ShapeRegistry::add(const std::string& kindName, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
     const Kind& kind = shapeKinds().find(kindName, where);
     const Arguments arguments(reading_, kind, where, std::move(parameters), state.attributesOf(Target::shape), state.space);
 
@@ -100,7 +100,7 @@ void ShapeBook::add(const std::string& kindName, const GraphicsState& state, Par
 }
 
 /// Fills in what the shape is. False: its file is missing.
-bool ShapeBook::readKind(const Arguments& arguments, Pending& pending) {
+bool ShapeRegistry::readKind(const Arguments& arguments, Pending& pending) {
     const auto quadric = [&](const auto& shape) {
         pending.shape.kind = shape;
         if (!hasArea(shape)) reading_.diagnostics.warn(arguments.where(), arguments.kind().title() + " has no area, by its radii and ranges; it is left out");
@@ -134,7 +134,7 @@ bool ShapeBook::readKind(const Arguments& arguments, Pending& pending) {
     return true;
 }
 
-int ShapeBook::objectNamed(const std::string& name) {
+int ShapeRegistry::objectNamed(const std::string& name) {
     const auto [place, isNew] = objectNumbers_.try_emplace(name, static_cast<int>(reading_.scene.objects.size()));
     if (isNew) {
         reading_.scene.objects.push_back({name, {}, {}});
@@ -143,7 +143,7 @@ int ShapeBook::objectNamed(const std::string& name) {
     return place->second;
 }
 
-void ShapeBook::beginObject(const std::string& name, const SourceLocation& where) {
+void ShapeRegistry::beginObject(const std::string& name, const SourceLocation& where) {
     if (openObject_ != none)
         throw SceneError(where, "ObjectBegin inside of the object \"" + reading_.scene.objects[openObject_].name + "\"; ObjectEnd must come first");
     const int object = objectNamed(name);
@@ -154,12 +154,12 @@ void ShapeBook::beginObject(const std::string& name, const SourceLocation& where
     openObject_ = object;
 }
 
-void ShapeBook::endObject(const SourceLocation& where) {
+void ShapeRegistry::endObject(const SourceLocation& where) {
     if (openObject_ == none) throw SceneError(where, "ObjectEnd without an ObjectBegin before it");
     openObject_ = none;
 }
 
-void ShapeBook::addInstance(const std::string& name, const GraphicsState& state, const SourceLocation& where) {
+void ShapeRegistry::addInstance(const std::string& name, const GraphicsState& state, const SourceLocation& where) {
     if (openObject_ != none)
         throw SceneError(where, "ObjectInstance inside of the object \"" + reading_.scene.objects[openObject_].name + "\"; objects cannot hold instances");
     if (!isInvertible(state.transform)) {
@@ -169,7 +169,7 @@ void ShapeBook::addInstance(const std::string& name, const GraphicsState& state,
     reading_.scene.instances.push_back({objectNamed(name), state.transform[0], endOfMotion(state, where), where});
 }
 
-void ShapeBook::finish() {
+void ShapeRegistry::finish() {
     std::vector<std::string> made;
     for (const Object& object : reading_.scene.objects)
         if (objectIsMade_[objectNumbers_.at(object.name)]) made.push_back(object.name);
@@ -186,7 +186,7 @@ void ShapeBook::finish() {
     pending_.clear();
 }
 
-void ShapeBook::place(Pending pending) {
+void ShapeRegistry::place(Pending pending) {
     Shape& shape = pending.shape;
     shape.material = materials_.resolve(pending.material, shape.where);
     const MediumInterface media{media_.resolve(pending.inside, shape.where), media_.resolve(pending.outside, shape.where)};

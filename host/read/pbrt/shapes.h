@@ -18,9 +18,9 @@ namespace eikonal::pbrt {
 const KindTable& shapeKinds();
 
 /// The shapes of a scene. What they refer to (materials, media, alpha textures, PLY files) is known at the end.
-class ShapeBook {
+class ShapeRegistry {
 public:
-    ShapeBook(Reading& reading, TextureBook& textures, MaterialBook& materials, MediumBook& media)
+    ShapeRegistry(Reading& reading, TextureRegistry& textures, MaterialRegistry& materials, MediumRegistry& media)
         : reading_(reading), textures_(textures), materials_(materials), media_(media), plyFiles_(reading) {}
 
     /// Notes a shape, in the object that is open if there is one. Throws SceneError.
@@ -52,9 +52,9 @@ private:
     int objectNamed(const std::string& name);
 
     Reading& reading_;
-    TextureBook& textures_;
-    MaterialBook& materials_;
-    MediumBook& media_;
+    TextureRegistry& textures_;
+    MaterialRegistry& materials_;
+    MediumRegistry& media_;
     PlyFiles plyFiles_;
     std::vector<Pending> pending_;
     std::map<std::string, int> objectNumbers_;

@@ -28,9 +28,9 @@ struct GraphicsState {
     std::array<bool, 2> active{true, true};    ///< which of them transform directives change
     bool reverseOrientation = false;
     ColorSpace space = ColorSpace::srgb;
-    int material = none;                       ///< in MaterialBook
+    int material = none;                       ///< in MaterialRegistry
     int areaLight = none;                      ///< in Scene::areaLights
-    int inside = none, outside = none;         ///< in MediumBook
+    int inside = none, outside = none;         ///< in MediumRegistry
     std::array<std::shared_ptr<const ParameterList>, targetCount> attributes;  ///< null: none
 
     bool moves() const { return transform[0] != transform[1]; }

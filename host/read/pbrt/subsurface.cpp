@@ -90,7 +90,7 @@ DiffusionProfile texturedProfile(const Input& albedo, const Input& path, const D
 }
 
 /// Of a body of which textures say the coefficients.
-DiffusionProfile texturedProfile(TextureBook& textures, const Input& sigmaA, const Input& sigmaS, const AlbedoTable& albedos, double g) {
+DiffusionProfile texturedProfile(TextureRegistry& textures, const Input& sigmaA, const Input& sigmaS, const AlbedoTable& albedos, double g) {
     const SourceLocation& where = (sigmaA.texture == none ? sigmaS : sigmaA).where;
     const Input albedo = textures.derive(DiffuseAlbedoTexture{sigmaA, sigmaS, g, textures.image({.path = {}, .pixels = albedos.row, .where = where})}, where);
     return {Spectrum::constant(1), Spectrum::constant(1), albedo.texture, textures.derive(FreePathTexture{sigmaA, sigmaS, g}, where).texture};
@@ -98,7 +98,7 @@ DiffusionProfile texturedProfile(TextureBook& textures, const Input& sigmaA, con
 
 }  // namespace
 
-void readInterior(Reading& reading, const Arguments& arguments, Material& material, TextureBook& textures) {
+void readInterior(Reading& reading, const Arguments& arguments, Material& material, TextureRegistry& textures) {
     const double eta = material.inputs.at("eta").value.value();
     const std::string method = arguments.text("method");
     const auto* known = std::ranges::find(subsurfaceMethodNames, method, &std::pair<const char*, SubsurfaceMethod>::first);

@@ -12,6 +12,6 @@ namespace eikonal::pbrt {
 /// "reflectance" with "mfp" (scene/diffuse_albedo.h), or, given none of them, pbrt-v4's default; "scale" multiplies coefficients or the mean free path.
 /// Warns of parameters that something else overrides. Throws SceneError if there is one sigma only, no such method, or no substance of that name. If a
 /// texture says what is inside, there is no `interior`: walks need one that is the same everywhere.
-void readInterior(Reading& reading, const Arguments& arguments, Material& material, TextureBook& textures);
+void readInterior(Reading& reading, const Arguments& arguments, Material& material, TextureRegistry& textures);
 
 }  // namespace eikonal::pbrt

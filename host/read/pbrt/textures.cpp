@@ -123,7 +123,7 @@ std::string textureStandIn(const Kind& kind) {
     return (kind.rule(kind.standIn) ? "its \"" + std::string(kind.standIn) + "\"" : "a constant " + std::string(kind.standIn)) + " stands in for it";
 }
 
-void TextureBook::define(const std::string& name, bool isFloat, const std::string& kindName, const GraphicsState& state,
+void TextureRegistry::define(const std::string& name, bool isFloat, const std::string& kindName, const GraphicsState& state,
                          ParameterList parameters, const SourceLocation& where) {
     const Kind& kind = textureKinds(isFloat).find(kindName, where);
     Arguments arguments(reading_, kind, where, std::move(parameters), state.attributesOf(Target::texture), state.space);
@@ -136,7 +136,7 @@ void TextureBook::define(const std::string& name, bool isFloat, const std::strin
         reading_.unsupported("moving texture", where, "a texture that moves is not rendered yet; it stays where it is when the shutter opens");
 }
 
-int TextureBook::find(const std::string& name, bool isFloat, const SourceLocation& where) {
+int TextureRegistry::find(const std::string& name, bool isFloat, const SourceLocation& where) {
     const auto found = definitions_.find({name, isFloat});
     if (found != definitions_.end()) {
         if (found->second.beingBuilt) throw SceneError(where, "the texture \"" + name + "\" is made of itself");
@@ -152,50 +152,50 @@ int TextureBook::find(const std::string& name, bool isFloat, const SourceLocatio
     throw SceneError(where, wanted + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
 }
 
-Input TextureBook::input(const Arguments& arguments, const std::string& name, const Spectrum& fallback) {
+Input TextureRegistry::input(const Arguments& arguments, const std::string& name, const Spectrum& fallback) {
     const Parameter* parameter = arguments.given(name);
     if (!parameter) return {arguments.spectrum(name, fallback)};
     if (parameter->type != ParameterType::texture) return {arguments.spectrum(name), none, parameter->where};
     return {Spectrum(), textureOf(arguments, name), parameter->where};
 }
 
-int TextureBook::textureOf(const Arguments& arguments, const std::string& name) {
+int TextureRegistry::textureOf(const Arguments& arguments, const std::string& name) {
     const Parameter* parameter = arguments.given(name);
     if (!parameter || parameter->type != ParameterType::texture) return none;
     const Wanted wanted = arguments.kind().rule(name)->wanted;
     return textureOf(*parameter, wanted == Wanted::floatMap || wanted == Wanted::floatTexture);
 }
 
-int TextureBook::textureOf(const Parameter& parameter, bool isFloat) {
+int TextureRegistry::textureOf(const Parameter& parameter, bool isFloat) {
     const auto& names = std::get<std::vector<std::string>>(parameter.values);
     if (names.size() != 1)
         throw SceneError(parameter.where, "\"" + parameter.declaration() + "\" names " + std::to_string(names.size()) + " textures; one is expected");
     return find(names.front(), isFloat, parameter.where);
 }
 
-int TextureBook::image(const ImageFile& file) {
+int TextureRegistry::image(const ImageFile& file) {
     const auto found = std::ranges::find(reading_.scene.images, file);
     if (found != reading_.scene.images.end()) return static_cast<int>(found - reading_.scene.images.begin());
     reading_.scene.images.push_back(file);
     return static_cast<int>(reading_.scene.images.size()) - 1;
 }
 
-Input TextureBook::scaled(const Input& input, double factor) {
+Input TextureRegistry::scaled(const Input& input, double factor) {
     if (input.texture == none) return {input.value * factor, none, input.where};
     if (factor == 1) return input;
     return derive(ScaleTexture{input, {Spectrum::constant(factor)}}, input.where);
 }
 
-Input TextureBook::derive(decltype(Texture::kind) kind, const SourceLocation& where) {
+Input TextureRegistry::derive(decltype(Texture::kind) kind, const SourceLocation& where) {
     reading_.scene.textures.push_back({.name = {}, .isFloat = false, .kind = std::move(kind), .where = where});
     return {Spectrum(), static_cast<int>(reading_.scene.textures.size()) - 1, where};
 }
 
-void TextureBook::finish() {
+void TextureRegistry::finish() {
     for (const Key& key : order_) build(key, definitions_.at(key));
 }
 
-int TextureBook::build(const Key& key, Definition& definition) {
+int TextureRegistry::build(const Key& key, Definition& definition) {
     if (definition.index != none) return definition.index;
     Texture texture{key.first, key.second, ConstantTexture{}, definition.arguments.where()};
     definition.beingBuilt = true;
@@ -205,7 +205,7 @@ int TextureBook::build(const Key& key, Definition& definition) {
     return definition.index = static_cast<int>(reading_.scene.textures.size()) - 1;
 }
 
-decltype(Texture::kind) TextureBook::makeKind(const Definition& definition) {
+decltype(Texture::kind) TextureRegistry::makeKind(const Definition& definition) {
     const Arguments& arguments = definition.arguments;
     switch (arguments.kind().value) {
         case constantKind: return ConstantTexture{{arguments.spectrum("value"), none, arguments.whereOf("value")}};
@@ -236,7 +236,7 @@ decltype(Texture::kind) TextureBook::makeKind(const Definition& definition) {
     }
 }
 
-decltype(Texture::kind) TextureBook::makeImagemap(const Definition& definition) {
+decltype(Texture::kind) TextureRegistry::makeImagemap(const Definition& definition) {
     const Arguments& arguments = definition.arguments;
     if (!arguments.has("filename")) throw SceneError(arguments.where(), "texture \"imagemap\" needs a \"string filename\"");
     const std::optional<std::string> path = arguments.file("filename");
@@ -250,7 +250,7 @@ decltype(Texture::kind) TextureBook::makeImagemap(const Definition& definition) 
     return ImagemapTexture{image(file), readMapping(arguments, definition.worldFromTexture), arguments.number("scale"), arguments.flag("invert")};
 }
 
-Input TextureBook::standIn(const Arguments& arguments) {
+Input TextureRegistry::standIn(const Arguments& arguments) {
     const Kind& kind = arguments.kind();
     reading_.unsupported(kind.title(), arguments.where(), kind.title() + " is not rendered yet; " + textureStandIn(kind));
     return kind.rule(kind.standIn) ? input(arguments, kind.standIn) : Input{Spectrum::constant(std::stod(kind.standIn))};

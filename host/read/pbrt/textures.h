@@ -17,9 +17,9 @@ const KindTable& textureKinds(bool isFloat);
 std::string textureStandIn(const Kind& kind);
 
 /// The textures of a scene. They may be used before they are defined, so they are built at the end, each when it is first used.
-class TextureBook {
+class TextureRegistry {
 public:
-    explicit TextureBook(Reading& reading) : reading_(reading) {}
+    explicit TextureRegistry(Reading& reading) : reading_(reading) {}
 
     /// Notes a texture. Throws SceneError if there is one of that name and type, or no such kind.
     void define(const std::string& name, bool isFloat, const std::string& kind, const GraphicsState& state, ParameterList parameters,

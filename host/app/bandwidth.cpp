@@ -1,4 +1,4 @@
-#include "app/traffic.h"
+#include "app/bandwidth.h"
 
 #include "device/kernel.h"
 #include "device/layout.h"
@@ -42,7 +42,7 @@ double queueBytesPerSlot(const std::string& stage, const Features& features) {
         words += written;
     };
 #define ADD_STAGE(name, reads, writes, FEATURE) \
-    if (stage.substr(0, stage.find(' ')) == #name && stage != "resolve_film") add(reads, writes, stage == "route_flights");
+    if (stage.substr(0, stage.find(' ')) == #name && stage != "resolve_film") add(reads, writes, stage == "route_intersections");
     STAGES(ADD_STAGE)
 #undef ADD_STAGE
     return words * static_cast<double>(sizeof(cl_uint));
@@ -54,7 +54,7 @@ double queueCopyRate(const Context& context, Compiler& compiler, const StageShap
                        "STAGE(copy_queue, COPY_QUEUE) {\n    FOR_EACH_SLOT(i, count) {\n";
     for (unsigned w = 0; w < words; ++w) text += "        to[" + std::to_string(w) + "ul * capacity + i] = from[" + std::to_string(w) + "ul * capacity + i];\n";
     BuildSettings settings;
-    settings.constants = {{"LOCAL_SIZE", static_cast<int>(shape.localSize)}, {"RUN", static_cast<int>(shape.run)}, {"WIDENS_GROUPS", shape.widensGroups}};
+    settings.constants = {{"LOCAL_SIZE", static_cast<int>(shape.localSize)}, {"ITEMS_PER_WORK_ITEM", static_cast<int>(shape.itemsPerWorkItem)}, {"WIDENS_GROUPS", shape.widensGroups}};
     const Kernel copy(compiler.build(text + "    }\n}\n", "copy_queue", settings));
 
     const unsigned slots = shape.padded(1u << 20), capacity = slots + shape.group();
