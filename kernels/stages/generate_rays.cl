@@ -37,7 +37,7 @@ STAGE(generate_rays, GENERATE_RAYS) {
     FOR_EACH_SLOT(i, count) {
         uint of_batch = begun + (uint)i;
         pixel_sample at = LOCATE_PATH(of_batch);
-        camera_path p = start_path(tables, frame, at.x, at.y, at.sample, first_path + of_batch, at.is);
+        camera_path p = start_path(tables, frame, at.x, at.y, at.sample, first_path + of_batch, at.in_image);
         store_ray(ray, capacity, first + i, p.ray);
         store_path(path, path_capacity, HAS_TREE ? p.ray.path : first_path + begun + i, p.path);
     }

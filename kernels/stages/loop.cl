@@ -22,8 +22,8 @@ FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables co
 }
 
 /* Whether there is an albedo to be kept, and which. */
-typedef struct { spectrum albedo; int is; } kept_albedo;
-#define ALBEDO_CASE(name) if (next_queue == next_##name && !JOIN(name, _is_delta)) { k.albedo = JOIN(albedo_, name)(bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, colors)); k.matches = 1; }
+typedef struct { spectrum albedo; int found; } kept_albedo;
+#define ALBEDO_CASE(name) if (next_queue == next_##name && !JOIN(name, _is_delta)) { k.albedo = JOIN(albedo_, name)(bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, colors)); k.found = 1; }
 FN kept_albedo albedo_any(bsdf_tables tables, sampled_wavelengths colors, __global const uint *hit, uint capacity, uint slot, uint next_queue) {
     kept_albedo k = {uniform_spectrum(0.0f), 0};
     SCENE_BSDFS(ALBEDO_CASE)
@@ -52,7 +52,7 @@ TRACING_STAGE(loop, LOOP) {
     camera_tables camera_set = BIND_CAMERA;
     for (uint slot = (uint)first_slot; slot < SLOTS_END; ++slot) {
         pixel_sample at = LOCATE_PATH(slot);
-        camera_path started = start_path(camera_set, frame, at.x, at.y, at.sample, slot, at.is);
+        camera_path started = start_path(camera_set, frame, at.x, at.y, at.sample, slot, at.in_image);
         store_path(path, path_capacity, started.ray.path, started.path);
 
         /* Rays that are still to be followed: several in a tree of rays */
@@ -92,7 +92,7 @@ TRACING_STAGE(loop, LOOP) {
                         out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.next_queue, e.hit, 0u);
                         if (HAS_AOVS && !e.hit.has_nonspecular_vertex) {
                             kept_albedo k = albedo_any(bsdf_set, path_wavelengths(color_set, e.hit.seed, e.hit.sample), hit, capacity, slot, f.next_queue);
-                            if (k.is) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(e.hit, k.albedo));
+                            if (k.found) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(e.hit, k.albedo));
                         }
                     }
                 }
@@ -124,7 +124,7 @@ TRACING_STAGE(loop, LOOP) {
                         if (HAS_AOVS && r.depth == 0) store_first_surface(g, frame, path, path_capacity, r, f, s);
                         if (HAS_AOVS && !h.has_nonspecular_vertex) {
                             kept_albedo k = albedo_any(bsdf_set, path_wavelengths(color_set, h.seed, h.sample), hit, capacity, slot, f.next_queue);
-                            if (k.is) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(h, k.albedo));
+                            if (k.found) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(h, k.albedo));
                         }
                     }
                 }

@@ -14,7 +14,7 @@ FN spectrum shade_miss(light_tables lights, color_tables color_set, miss_item m)
         float pdf = 0.0f;
         if (HAS_LIGHT_CONSTANT_ENVIRONMENT) {
             int matches = l.kind == kind_constant_environment;
-            Le = choose(is, eval_constant_environment(L), Le);
+            Le = choose(matches, eval_constant_environment(L), Le);
             float density = HAS_ENVIRONMENT_GUIDE ? pdf_guided_environment(lights, m.guide, m.d) : pdf_constant_environment();
             pdf = matches ? density : pdf;
         }
@@ -22,14 +22,14 @@ FN spectrum shade_miss(light_tables lights, color_tables color_set, miss_item m)
             int matches = l.kind == kind_image_environment;
             spectrum texel = eval_image_environment(lights, colors, l, L, m.d);
             float density = pdf_image_environment(lights, l, m.d);
-            Le = choose(is, texel, Le);
+            Le = choose(matches, texel, Le);
             pdf = matches ? density : pdf;
         }
         if (HAS_LIGHT_PORTAL_ENVIRONMENT && HAS_PORTALS) {
             int matches = l.kind == kind_portal_environment;
             portal_light seen = eval_portal_environment(lights, colors, l, L, m.o, m.d);
             float density = seen.pdf;
-            Le = choose(is, seen.Le, Le);
+            Le = choose(matches, seen.Le, Le);
             pdf = matches ? density : pdf;
         }
         sum = add(sum, weigh_emission(m.beta, Le, m.r_u, m.r_l, m.pdf, pdf * l.pmf));
