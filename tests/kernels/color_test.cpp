@@ -130,7 +130,7 @@ TEST(Color, WavelengthsOfAFilmAreEven) {
                 const double lambda = (&s.lambda.r)[channel], width = (&s.inverse_pdf.r)[channel] / (4.0 * samples);
                 ASSERT_TRUE(lambda >= 360 && lambda <= 830) << lambda;
                 const bool is = lambda >= c.first && lambda <= c.last;
-                (matches ? widthWithin : lambda < c.first ? widthBefore : widthAfter) += width;
+                (is ? widthWithin : lambda < c.first ? widthBefore : widthAfter) += width;
                 if (is) ++count[std::min(static_cast<int>((lambda - c.first) / (c.last - c.first) * buckets), buckets - 1)];
             }
         }
