@@ -1,5 +1,6 @@
 #include "device/source.h"
 
+#include "device/kind_files.h"
 #include "error.h"
 
 #include <fmt/format.h>
@@ -105,6 +106,7 @@ void KernelSource::append(const std::string& text, const std::string& name) {
 }
 
 void KernelSource::include(const std::string& name) {
+    if (const std::optional<std::string> kinds = kindFiles(name)) return append(*kinds, name);
     for (const std::string& folder : {folders_.kernels, folders_.include}) {
         const auto content = contentOf(fs::path(folder) / name);
         if (content) return append(*content, name);

@@ -11,13 +11,7 @@ namespace {
 
 bool isMeasured(const Spectrum& s) { return s.kind() != Spectrum::Kind::rgb; }
 
-bool isMeasured(const Light& light) {
-    return std::visit([](const auto& kind) {
-        if constexpr (requires { kind.I; }) return isMeasured(kind.I);
-        else if constexpr (requires { kind.L; }) return isMeasured(kind.L);
-        else return false;
-    }, light.kind);
-}
+bool isMeasured(const Light& light) { return isMeasured(light.spectrum); }
 
 bool isIndexOfMetal(const Material& m, const std::string& name) {
     return name == "k" || name == "metal_eta" || name == "metal_k" || (name == "eta" && m.kind == MaterialKind::conductor);

@@ -22,6 +22,11 @@ struct LightBounds {
     bool twoSided = false;      ///< some shine on both sides
 };
 
+/// A light that does not fade towards its edge still needs some room there, since the tree bounds emission by cosines. Radians.
+constexpr double leastEmission = 0.05, mostFallOff = 1.4;
+/// Radians between two unit vectors.
+double angleBetween(glm::dvec3 a, glm::dvec3 b);
+
 /// Those of a packed light that is not infinitely far away and emits `power` in all.
 LightBounds boundsOfLight(const light& l, double power);
 /// Those of both. Either may be without intensity.

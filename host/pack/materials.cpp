@@ -1,5 +1,6 @@
 // Materials: a BSDF, and what lies in and on the surface.
 
+#include "kinds/light_kind.h"
 #include "pack/bsdfs.h"
 
 #include "color/diffuse_albedo.h"
@@ -21,10 +22,10 @@ static void requireBsdf(Packer& packer, next_queue h, const std::string& why) {
     if (h == next_mix) packer.packed.require(Feature::MIX, why);
 }
 
-/// What refracts light exactly lets nobody aim at a light from inside; those that have no size are not found otherwise.
+/// Smooth dielectrics block next-event estimation; lights without a size behind them are never found.
 static void warnOfPoints(Packer& packer) {
     for (const Light& l : packer.scene.lights)
-        if (std::holds_alternative<PointLight>(l.kind) || std::holds_alternative<SpotLight>(l.kind) || std::holds_alternative<DistantLight>(l.kind))
+        if (const LightPlace place = l.kind->place; place == LightPlace::POINT || place == LightPlace::DISTANT)
             packer.diagnostics.warnOnce("lights without a size", l.where,
                                         "light from a point or of one direction does not get below the smooth surface of material \"subsurface\"; with a \"roughness\" it does");
 }

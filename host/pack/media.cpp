@@ -1,5 +1,6 @@
 // Participating media: coefficients per unit of scene space, what varies in them, and bounds on it.
 
+#include "kinds/light_kind.h"
 #include "pack/grids.h"
 #include "pack/packer.h"
 
@@ -195,8 +196,7 @@ void packEquiangularLights(Packer& packer) {
     SceneTables& tables = packer.packed.tables;
     std::vector<std::pair<float, vec3>> points;
     for (const light& l : tables.lights)
-        if (l.kind == kind_point_light || l.kind == kind_spot_light || l.kind == kind_goniometric_light || l.kind == kind_projection_light)
-            points.emplace_back(greatestSum(packer, &l.L, nullptr), l.p);
+        if (kindOf(l).place == LightPlace::POINT) points.emplace_back(greatestSum(packer, &l.L, nullptr), l.p);
     std::ranges::stable_sort(points, [](const auto& a, const auto& b) { return a.first > b.first; });
     points.resize(std::min(points.size(), size_t{MOST_EQUIANGULAR_LIGHTS}));
     float sum = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The image of an infinite light as it is seen through a portal (kernels/light/portal_environment.clh).
+// The image of an infinite light as it is seen through a portal (kernels/light/portal_infinite.clh).
 
 #include "eikonal/lights.h"
 

@@ -1,5 +1,6 @@
 #include "render/survey.h"
 
+#include "kinds/light_kind.h"
 #include "pack/alias_table.h"
 #include "pack/environment_guide.h"
 
@@ -31,7 +32,7 @@ static void sampleEnvironments(const Context& context, DeviceScene& scene, const
     double lamps = 0;
     for (const light& l : lights) lamps += l.pmf;
     std::vector<double> weights;
-    for (const light& l : lights) weights.push_back(l.kind == kind_constant_environment ? (lamps > 0 ? lamps : 1) : l.pmf);
+    for (const light& l : lights) weights.push_back(kindOf(l).traits.isLeftToBsdfs ? (lamps > 0 ? lamps : 1) : l.pmf);
     const auto aliases = makeAliasTable(weights);
     for (size_t i = 0; i < lights.size(); ++i) lights[i].pmf = aliases[i].pmf;
     scene.replace(context, "lights", lights);

@@ -1,27 +1,31 @@
-/* Every light. One triangle, patch, sphere, ellipsoid, disk or cylinder that emits is one light.
-   L(name, FEATURE).  A light called x is kernels/light/x.clh, which defines sample_x and pdf_x; environments also eval_x. */
+/* Every kind of light. L(name, FEATURE, PLACE): a light called x is kernels/light/x.clh beside host/kinds/light/x.cpp.
+   Each kind defines sample_x_light. PLACE says what else:
+     POINT      one point: only light sampling finds it
+     DISTANT    one direction: only light sampling finds it
+     AREA       a shape, or one element of a mesh: pdf_x_light, for paths that hit it
+     INFINITE   all directions: eval_x_light, for paths that leave the scene */
 #ifndef EIKONAL_LIGHTS_H
 #define EIKONAL_LIGHTS_H
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
 
 #define LIGHTS(L) \
-    L(point_light,       LIGHT_POINT) \
-    L(spot_light,        LIGHT_SPOT) \
-    L(distant_light,     LIGHT_DISTANT) \
-    L(triangle_light,    LIGHT_TRIANGLE) \
-    L(bilinear_light,    LIGHT_BILINEAR) \
-    L(sphere_light,      LIGHT_SPHERE) \
-    L(ellipsoid_light,   LIGHT_ELLIPSOID) \
-    L(disk_light,        LIGHT_DISK) \
-    L(cylinder_light,    LIGHT_CYLINDER) \
-    L(goniometric_light, LIGHT_GONIOMETRIC) \
-    L(projection_light,  LIGHT_PROJECTION) \
-    L(constant_environment, LIGHT_CONSTANT_ENVIRONMENT) \
-    L(image_environment, LIGHT_IMAGE_ENVIRONMENT) \
-    L(portal_environment, LIGHT_PORTAL_ENVIRONMENT)
+    L(point,            LIGHT_POINT,            POINT) \
+    L(spot,             LIGHT_SPOT,             POINT) \
+    L(distant,          LIGHT_DISTANT,          DISTANT) \
+    L(triangle,         LIGHT_TRIANGLE,         AREA) \
+    L(bilinear,         LIGHT_BILINEAR,         AREA) \
+    L(sphere,           LIGHT_SPHERE,           AREA) \
+    L(ellipsoid,        LIGHT_ELLIPSOID,        AREA) \
+    L(disk,             LIGHT_DISK,             AREA) \
+    L(cylinder,         LIGHT_CYLINDER,         AREA) \
+    L(goniometric,      LIGHT_GONIOMETRIC,      POINT) \
+    L(projection,       LIGHT_PROJECTION,       POINT) \
+    L(uniform_infinite, LIGHT_UNIFORM_INFINITE, INFINITE) \
+    L(image_infinite,   LIGHT_IMAGE_INFINITE,   INFINITE) \
+    L(portal_infinite,  LIGHT_PORTAL_INFINITE,  INFINITE)
 
-#define LIGHT_KIND(name, FEATURE) kind_##name,
+#define LIGHT_KIND(name, FEATURE, PLACE) kind_##name##_light,
 enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
 
 /* One light, whatever its kind: a straight-line kernel reads the same words for all. Which are meaningful:
@@ -38,9 +42,9 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
                   emits: 1 that of dp/dphi x c, or -1), inverse_area (of all of it), L
      goniometric  p, a, b, n (rows of image-from-scene), first_texel, resolution, L (intensity where the image is 1)
      projection   p, a, b, n (rows of image-from-scene: the slide fills |x / z| <= 1, |y / z| <= 1), first_texel, resolution, rows, L (intensity)
-     constant     L
-     image        a, b, n (rows of light-from-scene), first_texel, first_alias, resolution, L (scale)
-     portal       p, c (opposite corners), a, b, n (its sides and the normal that points out), first_texel, first_sum, resolution, L (scale)
+     uniform_infinite   L
+     image_infinite     a, b, n (rows of light-from-scene), first_texel, first_alias, resolution, L (scale)
+     portal_infinite    p, c (opposite corners), a, b, n (its sides and the normal that points out), first_texel, first_sum, resolution, L (scale)
    Areas emit on the side of n, on both with `two_sided`. */
 #define LIGHT_FIELDS(F) \
     F(uint,     kind)         /* enum light_kind */ \

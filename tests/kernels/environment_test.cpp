@@ -1,5 +1,6 @@
 // Light from infinitely far away, all around: samples follow what the environment looks like.
 
+#include "kinds/light_kind.h"
 #include "light_sampling.h"
 #include "pack/pack.h"
 #include "random_inputs.h"
@@ -19,7 +20,7 @@ TEST(ConstantEnvironment, IsUniformOverTheSphere) {
     Random random(45);
     const auto v = generate(65536, [&] { return random.square(); });
     std::vector<double> counts(256), expected(256, 256.0);
-    for (const LightResult& r : sample(sceneOf(newLight(kind_constant_environment)), {0, 0, 0}, std::vector<float>(v.size(), 0.5f), v)) {
+    for (const LightResult& r : sample(sceneOf(newLight(kind_uniform_infinite_light)), {0, 0, 0}, std::vector<float>(v.size(), 0.5f), v)) {
         ASSERT_NEAR(r.pdf, 1 / (4 * M_PI), 1e-8);
         ASSERT_EQ(r.pdfEnvironment, r.pdf);
         ASSERT_EQ(r.Le.b, 3);
@@ -42,7 +43,8 @@ PackedScene imageScene(int resolution) {
     file.pixels = pixels;
     scene.images.push_back(file);
     Light l;
-    l.kind = ImageInfiniteLight{0};
+    l.kind = &kindOf(kind_image_infinite_light);
+    l.image = 0;
     l.scale = 2;
     const double c = std::cos(0.7), s = std::sin(0.7);
     l.worldFromLight = glm::dmat4(glm::dmat3(c, s, 0, -s, c, 0, 0, 0, 1) * glm::dmat3(1, 0, 0, 0, c, s, 0, -s, c));
@@ -102,9 +104,10 @@ TEST(ImageEnvironment, BesideOtherLights) {
     description.images.push_back(file);
     for (int i = 0; i < 3; ++i) {
         Light l;
-        if (i == 0) l.kind = PointLight{Spectrum::constant(1), {0, 0, 5}};
-        else if (i == 1) l.kind = ConstantInfiniteLight{Spectrum::constant(1)};
-        else l.kind = ImageInfiniteLight{0};
+        l.spectrum = Spectrum::constant(1);
+        l.kind = &kindOf(i == 0 ? kind_point_light : i == 1 ? kind_uniform_infinite_light : kind_image_infinite_light);
+        if (i == 0) l.from = {0, 0, 5};
+        if (i == 2) l.image = 0;
         description.lights.push_back(l);
     }
     description.integrator.kind = IntegratorKind::simplePath;
@@ -137,10 +140,14 @@ TEST(ImageEnvironment, BesideLargerImages) {
         description.images.push_back(file);
     }
     Light sky, slide, lamp, window;
-    sky.kind = ImageInfiniteLight{0};
-    slide.kind = ProjectionLight{1, 90};
-    lamp.kind = GoniometricLight{Spectrum::constant(1), 1};
-    window.kind = PortalInfiniteLight{Spectrum::constant(1), 1, {glm::dvec3{-1, -1, 2}, {-1, 1, 2}, {1, 1, 2}, {1, -1, 2}}};
+    sky.kind = &kindOf(kind_image_infinite_light);
+    slide.kind = &kindOf(kind_projection_light);
+    lamp.kind = &kindOf(kind_goniometric_light);
+    window.kind = &kindOf(kind_portal_infinite_light);
+    sky.image = 0;
+    slide.image = lamp.image = window.image = 1;
+    lamp.spectrum = window.spectrum = Spectrum::constant(1);
+    window.portal = {glm::dvec3{-1, -1, 2}, {-1, 1, 2}, {1, 1, 2}, {1, -1, 2}};
     description.lights = {slide, sky, lamp, window};
     description.integrator.lightSampler = LightSampler::power;
     Diagnostics diagnostics(LogLevel::silent);

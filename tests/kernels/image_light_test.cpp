@@ -1,5 +1,6 @@
 // Lights whose directions are an image's texels: goniometric and projection lights, and infinite lights with a portal.
 
+#include "kinds/light_kind.h"
 #include "device_function.h"
 #include "pack/pack.h"
 #include "pack/packer.h"
@@ -50,9 +51,9 @@ std::vector<ImageLightResult> sample(const PackedScene& scene, const std::vector
         light l = fetch(tables.lights);
         light_choice found = no_choice();
         found.pmf = 1.0f;
-        if (l.kind == kind_portal_environment) found = sample_portal(tables, l, p, v, found);
+        if (l.kind == kind_portal_infinite_light) found = sample_portal(tables, l, p, v, found);
         light_sample s = sample_light(tables, colors, found, p, v);
-        portal_light seen = eval_portal_environment(tables, colors, l, eval_color(colors, l.L), p, s.wi);
+        light_emission seen = eval_portal_infinite_light(tables, colors, l, eval_color(colors, l.L), p, s.wi, 0u);
         result.L = s.L; result.wi = s.wi; result.pdf = s.pdf; result.is_delta = s.is_delta; result.Le = seen.Le; result.pdf_here = seen.pdf;)",
         .inputs = {"vec3 p", "vec2 v"},
         .declarations = "typedef struct { spectrum L; vec3 wi; float pdf; int is_delta; spectrum Le; float pdf_here; } image_light_result;",
@@ -73,7 +74,9 @@ glm::dmat4 somewhere() {
 TEST(GoniometricLight, FollowsItsImage) {
     constexpr int n = 16;
     Light l;
-    l.kind = GoniometricLight{Spectrum::rgb({1, 2, 3}, ColorSpace::srgb), 0};
+    l.kind = &kindOf(kind_goniometric_light);
+    l.spectrum = Spectrum::rgb({1, 2, 3}, ColorSpace::srgb);
+    l.image = 0;
     l.scale = 5;
     l.worldFromLight = somewhere();
     const PackedScene scene = packLight(l, n, n);
@@ -101,7 +104,9 @@ TEST(GoniometricLight, FollowsItsImage) {
 TEST(ProjectionLight, ProjectsItsImage) {
     for (const auto& [width, height] : {std::pair{12, 8}, std::pair{6, 10}}) {
         Light l;
-        l.kind = ProjectionLight{0, 50};
+        l.kind = &kindOf(kind_projection_light);
+        l.image = 0;
+        l.fov = 50;
         l.scale = 5;
         l.worldFromLight = somewhere();
         const PackedScene scene = packLight(l, width, height);
@@ -132,7 +137,8 @@ TEST(ImageLights, AnIlluminanceIsHalfOfWhatArrives) {
     file.pixels = std::make_shared<ImageData>(equalAreaImage(128, 1, [](glm::dvec3) { return glm::dvec3(0.3); }));
     scene.images.push_back(file);
     scene.lights.resize(1);
-    scene.lights[0].kind = ImageInfiniteLight{0};
+    scene.lights[0].kind = &kindOf(kind_image_infinite_light);
+    scene.lights[0].image = 0;
     scene.lights[0].illuminance = 10;
     Diagnostics diagnostics(LogLevel::silent);
     for (float texel : packScene(scene, diagnostics).tables.environment_texels) ASSERT_NEAR(texel, 20 / M_PI, 0.02);
@@ -141,8 +147,12 @@ TEST(ImageLights, AnIlluminanceIsHalfOfWhatArrives) {
 /// With a "power" the luminance, integrated over all directions, is that.
 TEST(ImageLights, EmitTheirPower) {
     Light lamp, slide;
-    lamp.kind = GoniometricLight{Spectrum::constant(1), 0};
-    slide.kind = ProjectionLight{0, 70};
+    lamp.kind = &kindOf(kind_goniometric_light);
+    lamp.spectrum = Spectrum::constant(1);
+    lamp.image = 0;
+    slide.kind = &kindOf(kind_projection_light);
+    slide.image = 0;
+    slide.fov = 70;
     for (Light l : {lamp, slide}) {
         l.power = 30;
         const PackedScene scene = packLight(l, 12, 12);
@@ -166,7 +176,10 @@ Portal portal() {
 }
 PackedScene portalScene(int n) {
     Light l;
-    l.kind = PortalInfiniteLight{Spectrum::constant(2), n > 0 ? 0 : none, portal().corners};
+    l.kind = &kindOf(kind_portal_infinite_light);
+    l.spectrum = Spectrum::constant(2);
+    l.image = n > 0 ? 0 : none;
+    l.portal = portal().corners;
     l.scale = 3;
     l.worldFromLight = glm::inverse(somewhere());
     return packLight(l, std::max(n, 1), std::max(n, 1));
@@ -233,7 +246,10 @@ TEST(PortalEnvironment, ShowsTheEnvironment) {
     file.pixels = std::make_shared<ImageData>(equalAreaImage(64, 2, radiance));
     description.images.push_back(file);
     Light l;
-    l.kind = PortalInfiniteLight{Spectrum::constant(1), 0, portal().corners};
+    l.kind = &kindOf(kind_portal_infinite_light);
+    l.spectrum = Spectrum::constant(1);
+    l.image = 0;
+    l.portal = portal().corners;
     l.scale = 3;
     l.worldFromLight = glm::inverse(somewhere());
     description.lights.push_back(l);
@@ -260,7 +276,7 @@ TEST(PortalEnvironment, IsDarkElsewhere) {
     static const DeviceFunction<float> here({.include = "light/choose.clh", .type = "float", .body = R"(
         light_tables tables = BIND_LIGHTS;
         color_tables color_set = BIND_COLORS;
-        portal_light seen = eval_portal_environment(tables, path_wavelengths(color_set, 0u, 0u), fetch(tables.lights), uniform_spectrum(1.0f), p, d);
+        light_emission seen = eval_portal_infinite_light(tables, path_wavelengths(color_set, 0u, 0u), fetch(tables.lights), uniform_spectrum(1.0f), p, d, 0u);
         result = seen.pdf + max_component(seen.Le);)", .inputs = {"vec3 p", "vec3 d"}, .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     const DeviceScene onDevice(testContext(), scene);
     const glm::dvec3 p = portalPoints()[0];

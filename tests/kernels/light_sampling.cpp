@@ -11,7 +11,7 @@ static const DeviceFunction<LightResult>& sampler() {
         color_tables color_set = BIND_COLORS;
         sampled_wavelengths colors = path_wavelengths(color_set, 0u, 0u);
         light_choice found = choose_this_light(tables, no_choice(), (uint)sample_light_index(tables, count, u).i);
-        if (tables.lights[found.light].kind == kind_portal_environment) found = sample_portal(tables, fetch(tables.lights + found.light), p, v, found);
+        if (tables.lights[found.light].kind == kind_portal_infinite_light) found = sample_portal(tables, fetch(tables.lights + found.light), p, v, found);
         light_sample s = sample_light(tables, colors, found, p, v);
         result.L = s.L; result.wi = s.wi; result.distance = s.distance; result.pdf = s.pdf; result.is_delta = s.is_delta;
         result.index = (uint)sample_light_index(tables, count, u).i;
@@ -28,16 +28,9 @@ static const DeviceFunction<LightResult>& sampler() {
         r.o = p; r.d = s.wi; r.traveled = 0.0f;
         intersection_item f = new_intersection();
         f.t = s.distance; f.u = v.x; f.v = v.y;
-        result.pdf_hit = pdf_light_here(l, r, f, at);
-        int image = l.kind == kind_image_environment;
-        result.Le = eval_constant_environment(eval_color(colors, l.L));
-        result.pdf_environment = pdf_constant_environment();
-        if (image) { result.Le = eval_image_environment(tables, colors, l, eval_color(colors, l.L), s.wi); result.pdf_environment = pdf_image_environment(tables, l, s.wi); }
-        if (l.kind == kind_portal_environment) {
-            portal_light seen = eval_portal_environment(tables, colors, l, eval_color(colors, l.L), p, s.wi);
-            result.Le = seen.Le;
-            result.pdf_environment = seen.pdf;
-        })",
+        result.pdf_hit = pdf_light(l, hit_light(r, f, at));
+        light_emission emission = eval_infinite_light(tables, colors, l, p, s.wi, 0u);
+        result.Le = emission.Le; result.pdf_environment = emission.pdf;)",
         .inputs = {"vec3 p", "float u", "vec2 v", "uint count"},
         .declarations = "typedef struct { spectrum L; vec3 wi; float distance, pdf; int is_delta; uint index; float pdf_hit; spectrum Le; float pdf_environment; } light_result;",
         .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});

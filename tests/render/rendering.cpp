@@ -55,7 +55,7 @@ Features surfaceFeatures() {
     using enum Feature;
     const Features others = Features().require(SHAPE_CURVE).require(SHAPE_IMPLICIT).require(SPECTRAL).require(SPECTRAL_FILM).require(DISPERSION).require(MEDIA).require(AOVS).require(MOTION_VECTORS).require(SOBOL).require(JOINT_PAIRS).require(AMBIENT_OCCLUSION).require(TREE).require(UNIFORM_DIRECTIONS).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
         .require(CAMERA_ORTHOGRAPHIC).require(CAMERA_SPHERICAL).require(CAMERA_REALISTIC).require(APERTURE).require(CAMERA_MOTION).require(MOTION)
-        .require(LIGHT_IMAGE_ENVIRONMENT).require(TEXTURE_IMAGEMAP).require(TEXTURE_FBM).require(TEXTURE_WRINKLED).require(TEXTURE_WINDY).require(TEXTURE_MARBLE)
+        .require(LIGHT_IMAGE_INFINITE).require(TEXTURE_IMAGEMAP).require(TEXTURE_FBM).require(TEXTURE_WRINKLED).require(TEXTURE_WINDY).require(TEXTURE_MARBLE)
         .require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID).require(MEDIUM_RGBGRID).require(MEDIUM_CLOUD).require(MEDIUM_NANOVDB);
     Features features;
     for (size_t i = 0; i < featureCount; ++i)

@@ -1,5 +1,6 @@
 // Where an OBJ file is seen from, and what lights it, when nobody said.
 
+#include "kinds/light_kind.h"
 #include "read/obj/sky.h"
 #include "unit/obj_fixture.h"
 
@@ -106,7 +107,7 @@ TEST_F(ObjView, isNotMirrored) {
 TEST_F(ObjView, isLitByASkyIfNothingEmits) {
     const Scene scene = load(corners(1, 1, 1) + outwards);
     ASSERT_EQ(scene.lights.size(), 1u);
-    EXPECT_TRUE(std::holds_alternative<ImageInfiniteLight>(scene.lights[0].kind));
+    EXPECT_EQ(scene.lights[0].kind->value, kind_image_infinite_light);
     EXPECT_GT(scene.lights[0].worldFromLight[2].y, .999);  // its zenith is up
 
     glm::dvec3 irradiance(0);

@@ -84,11 +84,11 @@ TEST_F(PbrtParameters, spectraThatCannotBeMeantAreNamed) {
     EXPECT_THAT(warningOf("[.4 1 .7 1]"), HasSubstr("is black: it is 0 at 360, 361, ... 830 nm"));  // micrometres
     EXPECT_THAT(warningOf("[550 1]"), HasSubstr("is black"));
     EXPECT_THAT(warningOf("[400 1 500 -2 600 -3]"), HasSubstr("is -3 at 600 nm; what is below 0 counts as 0"));
-    EXPECT_EQ(std::get<PointLight>(world("LightSource \"point\" \"spectrum I\" [550 1]").lights[0].kind).I.illuminant(), glm::dvec3(0));
+    EXPECT_EQ(world("LightSource \"point\" \"spectrum I\" [550 1]").lights[0].spectrum.illuminant(), glm::dvec3(0));
 }
 
 TEST_F(PbrtParameters, blackbodiesAreReddishBelowSunlight) {
-    const Spectrum spectrum = std::get<PointLight>(world("LightSource \"point\" \"blackbody I\" 3000").lights[0].kind).I;
+    const Spectrum spectrum = world("LightSource \"point\" \"blackbody I\" 3000").lights[0].spectrum;
     EXPECT_EQ(spectrum.kelvin(), 3000);
     EXPECT_GT(spectrum.illuminant().x, spectrum.illuminant().z);
     EXPECT_THAT(errorOfWorld("LightSource \"point\" \"blackbody I\" 0"), HasSubstr("not above 0 K"));

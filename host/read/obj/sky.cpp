@@ -1,3 +1,4 @@
+#include "kinds/light_kind.h"
 #include "read/obj/sky.h"
 
 #include "image/equal_area.h"
@@ -45,7 +46,8 @@ void addSky(Scene& scene, glm::dvec3 up, glm::dvec3 towardsViewer) {
     image.pixels = std::make_shared<ImageData>(equalAreaImage(512, 3, skyRadiance));
     scene.images.push_back(std::move(image));
     Light light;
-    light.kind = ImageInfiniteLight{static_cast<int>(scene.images.size()) - 1};
+    light.kind = &kindOf(kind_image_infinite_light);
+    light.image = static_cast<int>(scene.images.size()) - 1;
     light.worldFromLight = Transform(glm::dvec4(x, 0), glm::dvec4(glm::cross(z, x), 0), glm::dvec4(z, 0), glm::dvec4(0, 0, 0, 1));
     scene.lights.push_back(std::move(light));
 }

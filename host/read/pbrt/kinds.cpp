@@ -120,7 +120,7 @@ std::vector<std::string> Kind::parameters() const {
     return names;
 }
 
-KindTable::KindTable(const char* noun, const char* common, std::initializer_list<Row> rows) : noun_(noun) {
+KindTable::KindTable(const char* noun, const char* common, const std::vector<Row>& rows) : noun_(noun) {
     for (const Row& row : rows) {
         if (!row.name) continue;
         Kind kind{noun, row.name, row.value, {}, row.standIn};

@@ -4,7 +4,6 @@
 
 #include "read/pbrt/parameters.h"
 
-#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,7 +68,7 @@ struct Row {
 class KindTable {
 public:
     /// common: parameters that all rows have.
-    KindTable(const char* noun, const char* common, std::initializer_list<Row> rows);
+    KindTable(const char* noun, const char* common, const std::vector<Row>& rows);
 
     /// The kind of that name. Throws SceneError, or Version3Error for a name that pbrt-v3 used.
     const Kind& find(const std::string& name, const SourceLocation& where) const;

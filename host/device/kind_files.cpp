@@ -1,0 +1,23 @@
+#include "device/kind_files.h"
+
+#include "eikonal/lights.h"
+
+#include <fmt/format.h>
+
+namespace eikonal {
+
+std::optional<std::string> kindFiles(const std::string& name) {
+    std::string includes, features;
+    const auto add = [&](const char* family, const char* kind, const char* feature) {
+        if (name != fmt::format("{}/kinds.clh", family)) return;
+        includes += fmt::format("#include \"{}/{}.clh\"\n", family, kind);
+        features += fmt::format(" HAS_{}", feature);
+    };
+#define ADD_LIGHT(kind, FEATURE, PLACE) add("light", #kind, #FEATURE);
+    LIGHTS(ADD_LIGHT)
+#undef ADD_LIGHT
+    if (includes.empty()) return std::nullopt;
+    return fmt::format("{}/* features of these kinds:{} */\n", includes, features);
+}
+
+}  // namespace eikonal

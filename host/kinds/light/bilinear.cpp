@@ -1,0 +1,49 @@
+// A bilinear patch that emits (kernels/light/bilinear.clh).
+
+#include "kinds/light_packing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace eikonal {
+
+static light packElement(const AreaElement& e, const color& L) {
+    const uint* corner = &e.tables.indices[e.packed.first_index + 4 * e.element];
+    const vec3* p = &e.tables.positions[e.packed.first_vertex];
+    const glm::dvec3 p00 = toGlm(p[corner[0]]), p10 = toGlm(p[corner[1]]), p01 = toGlm(p[corner[2]]), p11 = toGlm(p[corner[3]]);
+    light l = newLight(kind_bilinear_light, L);
+    l.p = toVec3(p00); l.a = toVec3(p10 - p00); l.b = toVec3(p01 - p00); l.c = toVec3(p11 - p10 - p01 + p00);
+    glm::dvec3 n = glm::cross(p10 + p11 - p00 - p01, p01 + p11 - p00 - p10);
+    /* The area by quadrature: what the sampler's probability needs */
+    double area = 0;
+    constexpr int steps = 16;
+    for (int i = 0; i < steps * steps; ++i) {
+        const double u = (i % steps + 0.5) / steps, v = (i / steps + 0.5) / steps;
+        area += glm::length(glm::cross(toGlm(l.a) + v * toGlm(l.c), toGlm(l.b) + u * toGlm(l.c))) / (steps * steps);
+    }
+    if (area > 0) {
+        n = glm::normalize(n);
+        l.n = toVec3(emittingNormal(e, n, corner, 4));
+        l.inverse_area = static_cast<float>(1 / area);
+    } else l.pmf = 0;
+    return l;
+}
+
+static void bound(const light& l, double, LightBounds& bounds) {
+    const glm::dvec3 p = toGlm(l.p), x = toGlm(l.a), y = toGlm(l.b);
+    /* Normals are linear in u and in v, so those at the corners bound them; on which side it shines is as in sample_bilinear_light */
+    const glm::dvec3 c = toGlm(l.c);
+    for (int i = 0; i < 4; ++i) {
+        const double u = i & 1, v = i >> 1;
+        bounds.box.grow(p + u * x + v * y + u * v * c);
+        const glm::dvec3 n = glm::cross(x + v * c, y + u * c);
+        const double length = glm::length(n);
+        if (length > 0) bounds.normals = std::max(bounds.normals, angleBetween(n / length * (glm::dot(n, bounds.axis) < 0 ? -1.0 : 1.0), bounds.axis));
+    }
+    if (bounds.normals > std::numbers::pi / 4) boundAllDirections(bounds);
+}
+
+const LightTraits bilinear_light{.packElement = packElement, .bound = bound};
+
+}  // namespace eikonal

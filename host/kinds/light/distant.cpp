@@ -1,0 +1,25 @@
+// Parallel light (kernels/light/distant.clh).
+
+#include "kinds/light_packing.h"
+#include "kinds/light_reading.h"
+
+#include <cmath>
+
+namespace eikonal {
+
+static bool read(const pbrt::LightReading& in, Light& light) {
+    light.spectrum = in.arguments.spectrum("L", whiteOf(in.arguments));
+    readDirection(in.arguments, light);
+    if (const double illuminance = in.arguments.number("illuminance"); illuminance > 0) light.scale *= illuminance;
+    return true;
+}
+
+static PackedLight pack(Packer& packer, const Light& d) {
+    light l = newLight(kind_distant_light, packEmission(packer, d.spectrum, d.scale));
+    l.n = toVec3(glm::normalize(transformVector(d.worldFromLight, d.from - d.to)));
+    return {l, M_PI * sceneRadius(packer) * sceneRadius(packer) * luminanceOf(d.spectrum, d.scale)};
+}
+
+const LightTraits distant_light{.directive = "distant", .parameters = "spectrum L; float illuminance = -1; point3 from; point3 to", .read = read, .pack = pack};
+
+}  // namespace eikonal

@@ -1,0 +1,36 @@
+// A point whose intensity is I times an image over the sphere of directions, square, in the equal-area mapping (kernels/light/goniometric.clh).
+// Its +z is +y of light space; the mean of R, G and B is the image, as in pbrt-v4.
+
+#include "kinds/light_packing.h"
+#include "kinds/light_reading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal {
+
+static bool read(const pbrt::LightReading& in, Light& light) {
+    light.spectrum = in.arguments.spectrum("I", whiteOf(in.arguments));
+    if (const double power = powerOf(in.arguments); power > 0) light.power = power;
+    return readImage(in, WrapMode::octahedral, light);
+}
+
+static PackedLight pack(Packer& packer, const Light& d) {
+    const ImageData& image = sphereImage(packer, d);
+    light l = newPointLight(packer, d, kind_goniometric_light);
+    l.first_texel = packLightImage(packer, d.image, true);
+    double mean = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) mean += greyOf(texelOf(image, x, y)) / (static_cast<double>(image.width) * image.height);
+    const double watts = d.power ? *d.power / std::max(4 * M_PI * mean, 1e-30) : 1;
+    const double factor = d.scale * watts * intensityScale(packer);
+    l.L = packEmission(packer, d.spectrum, factor);
+    const glm::dmat3 m = rotationOf(d);
+    l.a = toVec3(m[0]); l.b = toVec3(m[2]); l.n = toVec3(m[1]);
+    l.resolution = static_cast<uint>(image.width);
+    return {l, 4 * M_PI * mean * luminanceOf(d.spectrum, factor)};
+}
+
+const LightTraits goniometric_light{.directive = "goniometric", .parameters = "spectrum I; file filename; float power = -1", .read = read, .pack = pack, .bound = boundPoint};
+
+}  // namespace eikonal

@@ -1,0 +1,46 @@
+// An image over the sphere of directions, square, in the equal-area octahedral mapping of Clarberg 2008 (kernels/light/image_infinite.clh).
+
+#include "color/luminance.h"
+#include "kinds/light_packing.h"
+#include "pack/alias_table.h"
+
+#include <cmath>
+
+namespace eikonal {
+
+/// Radiance of each texel, and alias tables over rows and within each row. Returns the mean luminance.
+static double addTexels(Packer& packer, const ImageData& image, const Light& d) {
+    const int n = image.width;
+    double scale = d.scale, sum = 0;
+    std::vector<glm::vec3> texels;
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) texels.emplace_back(texelOf(image, x, y));
+    if (d.illuminance) scale *= *d.illuminance / upwardIlluminance(image);
+    std::vector<double> weights;
+    for (glm::vec3& t : texels) {
+        t = {static_cast<float>(t.r * scale), static_cast<float>(t.g * scale), static_cast<float>(t.b * scale)};
+        weights.push_back((t.r + t.g + t.b) / 3);
+        sum += luminance(t);
+    }
+    SceneTables& tables = packer.packed.tables;
+    const Table<alias_entry> aliases = makeAliasSquare(weights, static_cast<size_t>(n));
+    tables.environment_aliases.insert(tables.environment_aliases.end(), aliases.begin(), aliases.end());
+    packTexels(packer, texels);
+    return sum / (static_cast<double>(n) * n);
+}
+
+static PackedLight pack(Packer& packer, const Light& d) {
+    const ImageData& image = sphereImage(packer, d);
+    light l = newLight(kind_image_infinite_light, packWhite(packer));
+    l.resolution = static_cast<uint>(image.width);
+    l.first_texel = nextTexel(packer);
+    l.first_alias = static_cast<uint>(packer.packed.tables.environment_aliases.size());
+    const glm::dmat3 m = rotationOf(d);
+    l.a = toVec3(m[0]); l.b = toVec3(m[1]); l.n = toVec3(m[2]);
+    const double mean = addTexels(packer, image, d);
+    return {l, 4 * M_PI * M_PI * sceneRadius(packer) * sceneRadius(packer) * mean};
+}
+
+const LightTraits image_infinite_light{.pack = pack};
+
+}  // namespace eikonal

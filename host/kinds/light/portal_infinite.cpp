@@ -1,0 +1,48 @@
+// An infinite light as far as it comes in through a rectangle: an image, or the same radiance from all directions (kernels/light/portal_infinite.clh).
+
+#include "image/equal_area.h"
+#include "kinds/light_packing.h"
+#include "pack/portal.h"
+
+#include <cmath>
+
+namespace eikonal {
+
+/// Interpolated; beyond an edge of the square lies another part of it.
+static glm::dvec3 lookUp(const ImageData& image, glm::dvec2 square) {
+    const int n = image.width;
+    const auto texel = [&](int x, int y) {
+        if (x < 0 || x >= n) { x = x < 0 ? -x - 1 : 2 * n - 1 - x; y = n - 1 - y; }
+        if (y < 0 || y >= n) { y = y < 0 ? -y - 1 : 2 * n - 1 - y; x = n - 1 - x; }
+        return texelOf(image, x, y);
+    };
+    const double s = square.x * n - 0.5, t = square.y * n - 0.5;
+    const int x = static_cast<int>(std::floor(s)), y = static_cast<int>(std::floor(t));
+    return glm::mix(glm::mix(texel(x, y), texel(x + 1, y), s - x), glm::mix(texel(x, y + 1), texel(x + 1, y + 1), s - x), t - y);
+}
+
+static PackedLight pack(Packer& packer, const Light& d) {
+    const ImageData* image = d.image == none ? nullptr : &sphereImage(packer, d);
+    const glm::dvec3 x = glm::normalize(d.portal[3] - d.portal[0]), y = glm::normalize(d.portal[1] - d.portal[0]), n = glm::cross(x, y);
+    const glm::dmat3 lightFromPortal = glm::transpose(rotationOf(d)) * glm::dmat3(x, y, n);
+    const auto radianceFrom = [&](glm::dvec3 w) { return image ? lookUp(*image, squareFromDirection(lightFromPortal * w)) : glm::dvec3(1); };
+    const PortalImage portal = makePortalImage(image ? image->width : 1, radianceFrom);
+    const double scale = d.scale * (image && d.illuminance ? *d.illuminance / upwardIlluminance(*image) : 1);
+    light l = newLight(kind_portal_infinite_light, image ? packWhite(packer, scale) : packEmission(packer, d.spectrum, scale));
+    l.a = toVec3(x); l.b = toVec3(y); l.n = toVec3(n);
+    l.p = toVec3(transformPoint(packer.space.sceneFromWorld(), d.portal[0]));
+    l.c = toVec3(transformPoint(packer.space.sceneFromWorld(), d.portal[2]));
+    SceneTables& tables = packer.packed.tables;
+    l.resolution = static_cast<uint>(portal.resolution);
+    l.first_texel = nextTexel(packer);
+    l.first_sum = static_cast<uint>(tables.portal_sums.size());
+    packTexels(packer, {portal.texels.begin(), portal.texels.end()});
+    tables.portal_sums.insert(tables.portal_sums.end(), portal.sums.begin(), portal.sums.end());
+    packer.packed.require(Feature::PORTALS, d.where.toString());
+    const double area = glm::length(d.portal[3] - d.portal[0]) * glm::length(d.portal[1] - d.portal[0]) * packer.space.scale * packer.space.scale;
+    return {l, area * portal.fluence * (image ? scale : luminanceOf(d.spectrum, scale))};
+}
+
+const LightTraits portal_infinite_light{.pack = pack};
+
+}  // namespace eikonal

@@ -1,0 +1,14 @@
+#include "kinds/light_kind.h"
+
+namespace eikonal {
+
+std::span<const LightKind> lightKindList() {
+    static const LightKind entries[] = {
+#define ADD_ENTRY(name, FEATURE, PLACE) {#name, kind_##name##_light, Feature::FEATURE, LightPlace::PLACE, name##_light},
+        LIGHTS(ADD_ENTRY)
+#undef ADD_ENTRY
+    };
+    return entries;
+}
+
+}  // namespace eikonal

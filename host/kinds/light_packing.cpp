@@ -1,0 +1,103 @@
+#include "kinds/light_packing.h"
+
+#include "color/luminance.h"
+#include "image/equal_area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace eikonal {
+
+light newLight(light_kind kind, const color& L) {
+    light l{};
+    l.kind = kind;
+    l.L = L;
+    l.pmf = 1;
+    l.extent = 1;
+    l.element = l.leaf = NONE;
+    l.resolution = l.rows = 1;
+    return l;
+}
+
+light newPointLight(Packer& packer, const Light& d, light_kind kind) {
+    light l = newLight(kind, packWhite(packer));
+    l.p = toVec3(transformPoint(packer.space.sceneFromWorld() * d.worldFromLight, glm::dvec3(0)));
+    return l;
+}
+
+double intensityScale(const Packer& packer) { return packer.space.scale * packer.space.scale; }
+
+double sceneRadius(const Packer& packer) { return packer.bounds.empty() ? 1 : std::max(packer.bounds.radius() * packer.space.scale, 1e-6); }
+
+glm::dmat3 rotationOf(const Light& d) {
+    const glm::dmat3 m(d.worldFromLight);
+    return {glm::normalize(m[0]), glm::normalize(m[1]), glm::normalize(m[2])};
+}
+
+double greyOf(glm::dvec3 rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
+
+const ImageData& imageOf(const Packer& packer, const Light& d) { return *packer.images[static_cast<size_t>(d.image)]; }
+
+const ImageData& sphereImage(const Packer& packer, const Light& d) {
+    const ImageData& image = imageOf(packer, d);
+    if (image.width != image.height)
+        throw SceneError(d.where, "the image of this light is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                                      "; it must be square, in the equal-area mapping. pbrt-v4's `imgtool makeequiarea` converts latitude-longitude images.");
+    return image;
+}
+
+glm::dvec3 texelOf(const ImageData& image, int x, int y) {
+    const auto channel = [&](int c) { return std::max<double>(image.at(x, y, image.channels == 1 ? 0 : c), 0); };
+    return {channel(0), channel(1), channel(2)};
+}
+
+uint nextTexel(const Packer& packer) {
+    return static_cast<uint>(packer.packed.tables.environment_texels.size() / (packer.spectral ? TEXEL_WORDS_SPECTRAL : TEXEL_WORDS_RGB));
+}
+
+double upwardIlluminance(const ImageData& image) {
+    const int n = image.width;
+    double sum = 0;
+    for (int y = 0; y < n; ++y)
+        for (int x = 0; x < n; ++x) {
+            const double z = directionFromSquare({(x + 0.5) / n, (y + 0.5) / n}).z;
+            if (z > 0) sum += luminance(texelOf(image, x, y)) * z;
+        }
+    return std::max(sum * 2 * M_PI / (static_cast<double>(n) * n), 1e-30);
+}
+
+uint packLightImage(Packer& packer, int index, bool inGrey) {
+    const auto [found, isNew] = packer.lightTexels.try_emplace({index, inGrey}, nextTexel(packer));
+    if (!isNew) return found->second;
+    const ImageData& image = *packer.images[static_cast<size_t>(index)];
+    std::vector<glm::vec3> texels;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) texels.emplace_back(inGrey ? glm::dvec3(greyOf(texelOf(image, x, y))) : texelOf(image, x, y));
+    packTexels(packer, texels);
+    return found->second;
+}
+
+glm::dvec3 emittingNormal(const AreaElement& e, glm::dvec3 n, const uint* corners, int count) {
+    const shape& s = e.packed;
+    if (s.first_normal == NONE) return s.flags & shape_reversed ? -n : n;
+    glm::dvec3 sum(0);
+    for (int i = 0; i < count; ++i) sum += toGlm(e.tables.normals[s.first_normal + corners[i]]);
+    return glm::dot(sum, n) < 0 ? -n : n;
+}
+
+double shareOfCircle(double phiMax) { return std::clamp(phiMax, 0.0, 360.0) / 360; }
+
+vec3 sideOf(const AreaElement& e) { return {((e.packed.flags & shape_reversed) != 0) != swapsHandedness(e.sceneFromObject) ? -1.0f : 1.0f, 0, 0}; }
+
+void boundAllDirections(LightBounds& bounds) {
+    bounds.axis = {0, 0, 1};
+    bounds.normals = std::numbers::pi;
+}
+
+void boundPoint(const light&, double power, LightBounds& bounds) {
+    boundAllDirections(bounds);
+    bounds.intensity = power / (4 * std::numbers::pi);
+}
+
+}  // namespace eikonal

@@ -1,0 +1,32 @@
+#include "kinds/light_reading.h"
+
+#include <fmt/format.h>
+
+namespace eikonal::pbrt {
+
+Spectrum whiteOf(const Arguments& arguments) { return Spectrum::rgb({1, 1, 1}, arguments.space()); }
+
+double powerOf(const Arguments& arguments) { return std::max(arguments.number("power"), 0.0); }
+
+void readDirection(const Arguments& arguments, Light& light) {
+    light.from = arguments.vector("from");
+    light.to = arguments.vector("to", {0, 0, 1});
+    if (light.from == light.to)
+        throw SceneError(arguments.has("to") ? arguments.whereOf("to") : arguments.whereOf("from"),
+                         fmt::format("{}: \"from\" and \"to\" are the same point, ({:g}, {:g}, {:g}); the light shines from one to the other", arguments.kind().title(),
+                                     light.to.x, light.to.y, light.to.z));
+}
+
+bool readImage(const LightReading& in, WrapMode wrap, Light& light) {
+    const Arguments& arguments = in.arguments;
+    if (!arguments.has("filename")) throw SceneError(arguments.where(), arguments.kind().title() + " needs an image: \"string filename\"");
+    const std::optional<std::string> path = arguments.file("filename");
+    if (!path) return false;
+    ImageFile file{*path};
+    file.wrap = wrap;
+    file.where = arguments.whereOf("filename");
+    light.image = in.textures.image(file);
+    return true;
+}
+
+}  // namespace eikonal::pbrt
