@@ -22,8 +22,8 @@ enum bounce_dimension {
     dimension_roulette,        /* 1D: Russian roulette */
     dimension_mix,             /* 1D: choice of a material in a mix */
     dimension_walk,            /* seed of a random stream: the random walk of layered BSDFs */
-    dimension_distance,        /* seed of a random stream: delta tracking along the ray */
-    dimension_transmittance,   /* seed of a random stream: ratio tracking along a shadow ray */
+    dimension_distance,        /* seed of a random stream: distance sampling in media */
+    dimension_transmittance,   /* seed of a random stream: transmittance of a shadow ray through media */
     dimension_alpha,           /* seed: alpha tests */
     dimension_probe_axis,      /* 1D: axis of the probe ray and channel of the diffusion profile */
     dimension_probe,           /* 2D: distance and azimuth of the probe ray */

@@ -1,6 +1,5 @@
 /* Measured BSDFs: layout of a file of the RGL database (Dupuy and Jakob 2018, "An Adaptive Parameterization for Efficient Material
-   Acquisition and
-   Rendering") in one table of floats, `measured_values`. All offsets count elements of that table. */
+   Acquisition and Rendering") in one table of floats, `measured_values`. All offsets count elements of that table. */
 #ifndef EIKONAL_MEASURED_H
 #define EIKONAL_MEASURED_H
 #include "eikonal/portable.h"

@@ -38,8 +38,7 @@ typedef struct { float r, g, b; } spectrum;
 typedef struct { float r, g, b; } rgb;
 
 /* A spectrum as a table stores it; eval_color (kernels/shade/color.clh) makes a spectrum of it. A number (the same at all wavelengths) can
-   be read
-   from `scale` alone. */
+   be read from `scale` alone. */
 typedef struct {
     float c0, c1, c2;    /* linear sRGB; with SPECTRAL: coefficients of a smooth spectrum, see eval_smooth */
     float scale;         /* with SPECTRAL: a factor */

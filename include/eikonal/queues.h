@@ -22,12 +22,10 @@
     F(q, uint,     has_nonspecular_vertex, AOVS) /* 1 once the path has met anything but mirrors and clear glass */ \
     F(q, uint,     regularized, REGULARIZE)  /* 1 once the path has been scattered by anything but delta distributions */ \
     F(q, uint,     secondary_terminated,   DISPERSION)   /* 1: only the first wavelength is left, and counts for all */ \
-    F(q, uint,     splits,     TREE)         /* how often the ray may still split in two; it owns 2^splits path states, starting at `path` \
-                                                */ \
+    F(q, uint,     splits,     TREE)         /* how often the ray may still split in two; it owns 2^splits path states from `path` on */ \
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices; Russian roulette multiplies by it */ \
-    F(q, spectrum, r_u,        MEDIA)        /* rescaled path probability of unidirectional sampling, per channel (r_u in pbrt-v4) */ \
-    F(q, uint,     within,     SUBSURFACE)   /* 1: inside a subsurface body. In a hit: bit 0 for the side of ng, bit 1 for the other side \
-                                                */ \
+    F(q, spectrum, r_u,        MEDIA)        /* rescaled path probability of unidirectional sampling, per channel (pbrt-v4's r_u) */ \
+    F(q, uint,     within,     SUBSURFACE)   /* 1: inside a subsurface body; in a hit: bit 0 for the side of ng, bit 1 for the other */ \
     F(q, uint,     uncounted,  SUBSURFACE)   /* scattering events inside the body; not counted against maxdepth */ \
     F(q, uint,     around,     SUBSURFACE)   /* medium around the subsurface body entered last, or NONE */
 
@@ -51,11 +49,9 @@
     F(q, uint,     passed,     CROSSINGS)     /* number of surfaces passed since d was sampled */ \
     F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* as in hit, at the point where d was sampled */ \
     F(q, vec3,     n,          LIGHT_TREE)   /* shading normal where d was sampled, on the side of wo; zero: not on a surface */ \
-    F(q, spectrum, r_l,        MEDIA)        /* rescaled path probability of light sampling, without the light's own density (r_l in \
-                                                pbrt-v4) */ \
+    F(q, spectrum, r_l,        MEDIA)        /* rescaled path probability of light sampling (pbrt-v4's r_l), without the light's pdf */ \
     F(q, uint,     medium,     MEDIA)        /* medium at o, or NONE */ \
-    F(q, uint,     body,       DIFFUSION)    /* in `profiles`: a probe ray, which looks for exit points on this body up to t_max; NONE: a \
-                                                light path */ \
+    F(q, uint,     body,       DIFFUSION)    /* in `profiles`: a probe ray, looking for exit points on this body; NONE: a light path */ \
     F(q, uint,     found,      DIFFUSION)    /* probe: number of exit points found so far */ \
     F(q, vec3,     entry,      DIFFUSION)    /* probe: where the path entered the body */ \
     F(q, vec3,     entry_n,    DIFFUSION)    /* and the shading normal there */ \
@@ -78,7 +74,7 @@
     F(q, uint,     emits,      EMITTERS)     /* 1: the surface emits; the intersection also goes to shade_emitters */
 
 /* A surface point to shade: filled by route_intersections, drained by shade_hits. Dense, one segment for each BSDF, which appends its own
-   parameters (bsdfs.h) to these words. */
+   parameters (bsdfs.h). */
 #define HIT_FIELDS(F, q) \
     TRAVEL_FIELDS(F, q) \
     F(q, vec3,     p,          ALWAYS) \
@@ -90,7 +86,7 @@
     F(q, uint,     inside,     MEDIA)        /* medium on the side away from ng */ \
     F(q, uint,     outside,    MEDIA)        /* medium on the side of ng */ \
     F(q, uint,     body,       DIFFUSION)    /* in `profiles`: the body below the surface; NONE: no diffusion profile */ \
-    F(q, vec3,     probe_o,    DIFFUSION)    /* probe ray to trace if the path enters the body */ \
+    F(q, vec3,     probe_o,    DIFFUSION)    /* probe ray to trace if the path enters the body: origin, direction and length */ \
     F(q, vec3,     probe_d,    DIFFUSION) \
     F(q, float,    probe_length, DIFFUSION) \
     F(q, spectrum, body_albedo, BODY_TEXTURES) /* of the body where the path enters: fraction of the light that leaves again */ \
@@ -138,8 +134,7 @@
     F(q, float,    t_max,      ALWAYS)       /* < 0: dead slot */ \
     F(q, float,    time,       MOTION)       /* as in ray */ \
     F(q, spectrum, Ld,         ALWAYS)       /* contribution, all weights included; with MEDIA not yet divided by mean(r_u + r_l) */ \
-    F(q, uint,     element,    LIGHT_PATTERN) /* the sampled element, if the light has an image or alpha, which Ld leaves out; otherwise \
-                                                 NONE */ \
+    F(q, uint,     element,    LIGHT_PATTERN) /* the element sampled, if its light has an image or alpha, which Ld lacks; else NONE */ \
     F(q, uint,     color_seed, LIGHT_PATTERN) /* seed and sample of the path's wavelengths, which the image is read with */ \
     F(q, uint,     color_sample, LIGHT_PATTERN) \
     F(q, uint,     medium,     MEDIA) \
@@ -170,8 +165,7 @@
     F(q, spectrum, L,          ALWAYS)       /* radiance so far */ \
     F(q, float,    weight,     ALWAYS)       /* filter weight of this sample; 0: outside the image */ \
     F(q, float,    importance, IMPORTANCE)   /* film response to a radiance of 1 */ \
-    F(q, spectrum, albedo,     AOVS)         /* of the first surface that is not a mirror or clear glass, times the throughput before it \
-                                                */ \
+    F(q, spectrum, albedo,     AOVS)         /* of the first surface other than mirrors and clear glass, times the throughput before it */ \
     F(q, vec3,     normal,     AOVS)         /* of the first surface: shading normal */ \
     F(q, vec3,     ng,         AOVS)         /* of the first surface: geometric normal, on the same side */ \
     F(q, vec3,     position,   AOVS)         /* of the first surface: the point hit */ \

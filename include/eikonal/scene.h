@@ -34,7 +34,7 @@ typedef struct {
 typedef struct {
     color albedo;        /* fraction of the entering light that leaves again, in [0, 1] */
     color length;        /* d of the profile, scene units, > 0; with a texture: the mean free path, or the factor of path_texture */
-    uint albedo_texture; /* with BODY_TEXTURES: in `programs`: the albedo where light enters; NONE: `albedo` everywhere */
+    uint albedo_texture; /* with BODY_TEXTURES: in `programs`: the albedo where light enters; NONE: `albedo` */
     uint path_texture;   /* with BODY_TEXTURES: in `programs`: the mean free path where light enters; NONE: `length` everywhere */
     float stretch;       /* at most how much the boundary widens a profile: eta^2 - 1, at least 0 */
     uint subsurface_exit;      /* in `materials`: the material of exit points, whose BSDF is subsurface_exit */
@@ -92,8 +92,7 @@ typedef struct {
     T(uint,           environments)          /* indices in `lights` of the infinite lights */ \
     T(float,          environment_texels)    /* TEXEL_WORDS per texel */ \
     T(alias_entry,    environment_aliases) \
-    T(uint,           portal_sums)           /* summed-area table: weights of the texels above and left of each texel corner; below 2^31 \
-                                                */ \
+    T(uint,           portal_sums)           /* summed-area table: weights of the texels above and left of each corner; below 2^31 */ \
     T(light_node,     light_nodes)           /* the light tree, root first */ \
     /* ENVIRONMENT_GUIDE: upper cell bounds along x, then y, then z: GUIDE_INTERVALS each, ascending; the last is FAR_AWAY */ \
     T(float,          guide_edges) \
@@ -116,8 +115,7 @@ typedef struct {
     T(blackbody_color, blackbodies)          /* BLACKBODY_STEPS + 1, or none */
 
 /* The spectral range of a film that stores spectra, and how wavelengths are sampled: a fraction `share` of the samples is uniform in the
-   range, the rest
-   uniform in the visible part outside it. In nm. */
+   range, the rest is uniform in the visible part outside it. In nm. */
 typedef struct {
     float first, extent;          /* within [360, 830] */
     float share;                  /* in (0, 1]; 1 if the range covers everything visible */
@@ -140,8 +138,7 @@ typedef struct {
 #define TEXEL_WORDS_SPECTRAL 4
 
 /* The layout of `uplift`: for each channel that may be the largest, UPLIFT_CELLS values of that channel (z) and as many ratios of the next
-   two
-   channels to it (x fastest, then y); three coefficients each. */
+   two channels to it (x fastest, then y); three coefficients each. */
 #define UPLIFT_CELLS 32
 
 /* Read by ray generation. */
@@ -168,7 +165,7 @@ typedef struct {
     uint width, height;    /* of the full image, pixels */
     uint seed;
     uint sequence_sample_bits; /* SOBOL: where pixels share a sequence: bits of the sample index of each pixel */
-    uint sequence_tile_bits;   /* SOBOL: 2^bits x 2^bits pixels share a sequence; at most 8; 0: each pixel has its own */
+    uint sequence_tile_bits;   /* SOBOL: 2^bits x 2^bits pixels share a sequence; at most 8; 0: each has its own */
     uint max_depth;        /* most scattering events of a path */
     uint roulette_depth;   /* scattering events before Russian roulette starts */
     uint roulette_root;    /* 1: survival probability follows the square root of the throughput; 0: the throughput */

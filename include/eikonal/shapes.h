@@ -1,6 +1,5 @@
-/* Every shape. An element is what the acceleration structure stores: one triangle, bilinear patch, quadric, curve segment piece or implicit
-   surface.
-   Elements are numbered through the whole scene, shape after shape.
+/* Every shape. An element is what the acceleration structure stores: one triangle, bilinear patch, quadric, piece of a curve segment or
+   implicit surface. Elements are numbered through the whole scene, shape after shape.
    S(name, FEATURE).  A shape called x is kernels/shape/x.clh, which defines intersect_x and eval_x (the point and its frame). */
 #ifndef EIKONAL_SHAPES_H
 #define EIKONAL_SHAPES_H
@@ -37,11 +36,9 @@ typedef struct {
     uint first_index;
     uint first_vertex;   /* meshes: added to every index */
     uint first_normal;   /* meshes: first of its normals in `normals`, one per vertex; NONE: it has none */
-    uint first_tangent;  /* meshes: first of its tangents in `tangents`, one per vertex; NONE: from the texture coordinates; only with
-                            TANGENTS */
+    uint first_tangent;  /* meshes: first of its tangents in `tangents`, one per vertex; NONE: from (u, v); only with TANGENTS */
     uint first_uv;       /* meshes: first of its texture coordinates in `uvs`, one per vertex; NONE: the element's own (u, v) */
-    /* in `quadrics`; NONE for meshes. Implicit surfaces and curves use only the quadric's maps; for curves NONE means that no map is needed
-       */
+    /* in `quadrics`; NONE for meshes. Implicit surfaces and curves use its maps only; for curves NONE means no map is needed */
     uint quadric;
     uint splits;         /* curves: each segment is split into 2^splits elements, in order */
     uint material;       /* in `materials` */
