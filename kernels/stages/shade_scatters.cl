@@ -8,7 +8,6 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     scattering out;
 
     /* Next-event estimation with the phase function. Off inside subsurface bodies: their dielectric interface would block the shadow ray */
-
     int lit = HAS_SUBSURFACE ? alive & (s.within == 0u) : alive;
     shadow_item shadow = no_shadow(s.path);
     if (HAS_LIGHTS) {
