@@ -126,7 +126,7 @@ TEST_F(Cli, AFilmMayKeepSpectra) {
     write("large.pbrt", scene);
     const Outcome large = run({"render", "large.pbrt", "-o", "b.exr", "--resolution", "60000x60000"});
     EXPECT_EQ(large.status, 1);
-    EXPECT_THAT(large.error, testing::ContainsRegex("large.pbrt:[0-9]+:[0-9]+: 60000 x 60000 pixels with spectra of 512 buckets take .*; --pixelbounds renders parts"));
+    EXPECT_THAT(large.error, testing::ContainsRegex("large.pbrt:[0-9]+:[0-9]+: 60000 x 60000 pixels with spectra of 512 buckets need .*; render parts with --pixelbounds"));
 }
 
 TEST_F(Cli, AovsNeedAnExr) {

@@ -136,7 +136,7 @@ INSTANTIATE_TEST_SUITE_P(Options, BadValues, testing::Values(
     BadValue{"render a.pbrt --contraction maybe", "one of on, off"},
     BadValue{"render a.pbrt --log-level loud", "silent, error, warning, info, debug"},
     BadValue{"render a.obj --fov 180", "a number between 0 and 180, not \"180\""},
-    BadValue{"render a.obj --camera 1,2", "three numbers with commas"},
+    BadValue{"render a.obj --camera 1,2", "three numbers separated by commas"},
     BadValue{"render a.obj --camera 1,2,3 --look-at 1,2,3", "must differ"},
     BadValue{"render a.obj --up 0,0,0", "must not be 0,0,0"},
     BadValue{"bench a.pbrt --repeats 0", "--repeats takes a whole number from 1 to 1000"},
