@@ -1,5 +1,5 @@
 #pragma once
-// How much larger a node's boxes are than what they hold, so that no ray that hits something inside misses the box.
+// The padding of node boxes, so that no ray that hits an element misses the box around it.
 
 #include "bvh/box.h"
 
@@ -25,14 +25,14 @@ namespace eikonal {
    coordinate, not to each axis' own, because the shear mixes the axes. */
 constexpr float boxPadding = 0x1p-20f;
 
-/// The largest coordinate of a box, as a distance from the origin.
+/// The largest absolute coordinate of a box.
 inline float largestCoordinate(const WideBox& box) {
     float largest = 0;
     for (int axis = 0; axis < 3; ++axis) largest = std::max({largest, std::fabs(box.low[axis]), std::fabs(box.high[axis])});
     return largest;
 }
 
-/// The box that a node holds for `box`. Padded parents contain padded children.
+/// The padded box that a node stores for `box`. Padded parents contain their padded children.
 inline WideBox padBox(WideBox box) {
     const float pad = boxPadding * largestCoordinate(box);
     box.low -= pad;

@@ -31,7 +31,7 @@ struct FilmImage {
     std::vector<glm::vec3> geometricNormal;  ///< geometric normal of the first surface, on the same side
     std::vector<glm::vec3> position;   ///< of the first surface, world space: mean over the samples that hit one; zero: none did
     std::vector<glm::vec2> uv;         ///< texture coordinates of the first surface: mean over the samples that hit one; zero: none did
-    std::vector<glm::vec2> depthSlope; ///< change of camera-space z to the next pixel right and down, on the tangent plane; zero: no surface
+    std::vector<glm::vec2> depthSlope; ///< change of camera-space z to the next pixel right and down, on the tangent plane; 0: no surface
     std::vector<glm::vec2> motion;     ///< motion in pixels, right and down, while the shutter is open; zero: no surface
     std::vector<float> depth;          ///< distance to the first surface, world units; infinity: no surface
     std::vector<float> object;         ///< the one that most samples hit: 1, 2, 3 ..., shapes before instances; 0: none
