@@ -135,7 +135,7 @@ static void place(Piece& piece, std::vector<Piece*>& order, size_t& nodes, size_
 
 static void checkRoom(size_t count, const char* what) {
     if (count > LEAF_FIRST_MASK)
-        throw Error(ExitCode::scene, fmt::format("the scene is too large: it needs {} {}, and there can be {}", count, what, LEAF_FIRST_MASK));
+        throw Error(ExitCode::scene, fmt::format("the scene is too large: it needs {} {}, and at most {} are possible", count, what, LEAF_FIRST_MASK));
 }
 
 /* Appends all pieces to the tables, with the root at node `root`. */

@@ -29,7 +29,7 @@ std::optional<Reference> Sources::reference(uint range, size_t i) const {
     const TriangleRange& from = triangles[range];
     const uint* corner = from.indices + 3 * i;
     const vec3 &a = from.positions[corner[0]], &b = from.positions[corner[1]], &c = from.positions[corner[2]];
-    /* With two equal corners all edge functions cancel exactly, so no ray can hit it. Other slivers are kept because they may close a gap */
+    /* With two equal corners all edge functions cancel, so no ray can hit it. Other slivers are kept because they may close a gap */
     if (equal(a, b) || equal(b, c) || equal(c, a)) return std::nullopt;
     if (!isUsable(load(a)) || !isUsable(load(b)) || !isUsable(load(c))) return std::nullopt;
     WideBox box = WideBox::empty();
