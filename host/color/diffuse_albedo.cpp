@@ -8,7 +8,7 @@
 namespace eikonal {
 namespace {
 
-constexpr int halfNodes = 12, nodes = 2 * halfNodes;   ///< directions in one hemisphere: half of them inside the critical angle, half beyond
+constexpr int halfNodes = 12, nodes = 2 * halfNodes;   ///< directions in a hemisphere: half inside the critical angle, half beyond
 constexpr int straight = nodes, size = nodes + 1;      ///< plus the perpendicular direction with weight 0, used only to evaluate
 constexpr int moments = halfNodes;                     ///< of the phase function's Legendre series
 constexpr int tableSteps = 64;

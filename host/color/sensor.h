@@ -12,7 +12,7 @@ namespace eikonal {
 /// The sensor settings of pbrt-v4's Film directive.
 struct SensorDescription {
     std::string name = "cie1931";             ///< or a camera of sensorNames()
-    double whiteBalance = 0;                  ///< colour temperature (K) of the light to balance to white: daylight, below 4000 K a black body; 0: none for cie1931, 6500 for cameras
+    double whiteBalance = 0;                  ///< K of the light to balance to white; 0: no balance, or 6500 for cameras
     double imagingRatio = 1;                  ///< exposure time (s) * ISO / 100
     ColorSpace output = ColorSpace::srgb;     ///< of the image
 };
