@@ -17,7 +17,7 @@ void readPoint(const Arguments& arguments, Light& light) {
     if (const double power = arguments.number("power"); power > 0) light.scale *= power / (4 * glm::pi<double>());
 }
 
-/// The direction of a light is that from one point to another. Throws SceneError.
+/// Checks that two points define a direction. Throws SceneError if they are equal.
 void expectDirection(const Arguments& arguments, const glm::dvec3& from, const glm::dvec3& to) {
     if (from == to)
         throw SceneError(arguments.has("to") ? arguments.whereOf("to") : arguments.whereOf("from"),
@@ -48,7 +48,7 @@ void readDistant(const Arguments& arguments, Light& light) {
     if (const double illuminance = arguments.number("illuminance"); illuminance > 0) light.scale *= illuminance;
 }
 
-/// The image of a light that needs one; none: the file is missing, which is noted.
+/// The required image of a light; none if the file is missing, which is noted.
 int readImage(TextureRegistry& textures, const Arguments& arguments, WrapMode wrap) {
     if (!arguments.has("filename")) throw SceneError(arguments.where(), arguments.kind().title() + " needs an image: \"string filename\"");
     const std::optional<std::string> path = arguments.file("filename");
@@ -69,11 +69,11 @@ void readProjection(TextureRegistry& textures, const Arguments& arguments, Light
     if (const double power = arguments.number("power"); power > 0) light.power = power;
 }
 
-/// The corners of a portal. Throws SceneError unless they are those of a rectangle.
+/// The corners of a portal. Throws SceneError unless they form a rectangle.
 std::array<glm::dvec3, 4> readPortal(const Arguments& arguments) {
     const std::vector<glm::vec3> corners = arguments.vectors3("portal");
     if (corners.size() != 4)
-        throw SceneError(arguments.whereOf("portal"), "a portal has 4 corners; here are " + std::to_string(corners.size()));
+        throw SceneError(arguments.whereOf("portal"), "a portal has 4 corners, not " + std::to_string(corners.size()));
     const std::array<glm::dvec3, 4> p{corners[0], corners[1], corners[2], corners[3]};
     const glm::dvec3 x = p[3] - p[0], y = p[1] - p[0], across = p[2] - p[1], up = p[2] - p[3];
     const double size = std::max(glm::length(x), glm::length(y));
@@ -83,7 +83,7 @@ std::array<glm::dvec3, 4> readPortal(const Arguments& arguments) {
     return p;
 }
 
-/// False: it has an image that is missing.
+/// Returns false if its image is missing.
 bool readInfinite(TextureRegistry& textures, const Arguments& arguments, Light& light) {
     const double illuminance = arguments.number("illuminance");
     if (arguments.has("filename") && arguments.has("L"))
