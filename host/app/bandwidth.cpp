@@ -11,7 +11,7 @@
 namespace eikonal {
 namespace {
 
-/// Words of the parameters of the BSDF that `stage` shades, or of any.
+/// Words of the parameters of the BSDF that `stage` shades; of the largest BSDF for other stages.
 int parameterWords(const std::string& stage, const Features& features) {
 #define WORDS_OF(bsdf, FEATURE, PARAMETERS) if (stage == "shade_hits " #bsdf) return static_cast<int>(wordOf(slot_##bsdf::words, features.has(Feature::SPECTRAL)));
     BSDFS(WORDS_OF)

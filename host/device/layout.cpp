@@ -7,7 +7,7 @@
 
 namespace eikonal {
 
-/// Adds fields one after the other, those whose feature is absent without words.
+/// Lays fields out one after the other; fields whose feature is absent get no words.
 class LayoutBuilder {
 public:
     explicit LayoutBuilder(std::string name) { layout_.name = std::move(name); }
@@ -23,7 +23,7 @@ private:
 
 static bool isPresent(const Features& features, const std::string& feature) { return feature == "ALWAYS" || features.has(featureNamed(feature)); }
 
-/// How many words a type takes, of which `inRgb` in RGB rendering.
+/// Words of a type; `inRgb`: its words in RGB rendering.
 static int wordsOf(const std::string& type, int inRgb, const Features& features) {
     return type == "spectrum" && features.has(Feature::SPECTRAL) ? CHANNELS_SPECTRAL : inRgb;
 }
