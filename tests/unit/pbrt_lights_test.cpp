@@ -118,7 +118,7 @@ TEST_F(PbrtLights, portals) {
     expectNear(l.spectrum.illuminant(), {1, 2, 3});
     expectNear(l.portal[2], {2, 1, 0});
     EXPECT_NEAR(l.scale, 10 / pi, 1e-9);
-    EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"point3 portal\" [0 0 0  1 0 0  1 1 0]"), HasSubstr("a portal has 4 corners, not 3"));
+    EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"point3 portal\" [0 0 0  1 0 0  1 1 0]"), HasSubstr("a portal has 4 corners; here are 3"));
     for (const char* crooked : {"0 0 0  1 0 0  1 2 0  0 1 0", "0 0 0  1 0 0  1 1 0  0 1 1", "0 0 0  0 0 0  1 1 0  1 1 0", "0 0 0  1 .2 0  1 1.2 0  0 1 0"})
         EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"point3 portal\" [" + std::string(crooked) + "]"), HasSubstr("a rectangle"));
 }
