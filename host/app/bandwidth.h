@@ -4,16 +4,15 @@
 #include "device/program.h"
 #include "render/stages.h"
 
-#include <string>
-
 namespace eikonal {
 
-/// Bytes of queues that a stage ("shade_hits diffuse") reads and writes for a slot, in a scene with these features: all fields of what it drains and
-/// fills; of queues among which it chooses, the widest; of a path that it adds light to, its radiance twice. Tables of the scene do not count. 0 for
-/// resolve_film, whose slots are pixels.
-double queueBytesPerSlot(const std::string& stage, const Features& features);
+/// Bytes of queues that a stage reads and writes for a slot, in a scene with these features: all fields of what it reads and writes; if it
+/// chooses among dense queues, of the widest that it writes alone; of a path that it adds light to, its radiance twice. Tables of the scene
+/// do not count. 0 for resolve_film, whose slots are pixels.
+double queueBytesPerSlot(const StageProgram& stage, const Features& features);
 
-/// Bytes a second, read and written, at which items of 16 words are copied from a queue into another that is too large for a cache: the best of five.
+/// Bytes a second, read and written, at which items of 16 words are copied from a queue into another that is too large for a cache: the
+/// best of five.
 double queueCopyRate(const Context& context, Compiler& compiler, const StageShape& shape);
 
 }  // namespace eikonal

@@ -1,4 +1,4 @@
-/* ray, intersection -> intersection, in place.  Which queue each intersection goes to next, and how many go to each: route_intersections needs the totals
+/* ray, intersection -> intersection, in place; counts.  Which queue each intersection goes to next, and how many go to each: route_intersections needs the totals
    to know where each queue's segment begins. And how many rays each batch in flight still has. Tracing: counts are added up within a run, one
    atomic for each. */
 #include "stages/queue.clh"

@@ -1,4 +1,4 @@
-/* ray, intersection -> hit, scatter, miss, emission, next ray, shadow, path.  Makes the item that each intersection's next stage wants, in that stage's
+/* ray, intersection, counts -> hit, scatter, miss, emission, next ray, shadow, path.  Makes the item that each intersection's next stage wants, in that stage's
    dense segment. Tracing: space is reserved once for a run, not once for an item. */
 #include "stages/queue.clh"
 #include "trace/route.clh"
