@@ -4,7 +4,6 @@
 #include "render/session.h"
 #include "app/statistics.h"
 #include "app/bandwidth.h"
-#include "eikonal/stages.h"
 #include "image/atomic_file.h"
 #include "image/image_file.h"
 #include "image/seed_variance.h"
@@ -44,23 +43,16 @@ template <class F> double medianOf(const std::vector<Repeat>& repeats, F&& f) {
     return median(values);
 }
 
-/// The queue that a stage drains.
-std::string drainedBy(const std::string& stage) {
-#define DRAINED_BY(name, reads, writes, FEATURE) if (stage.starts_with(#name)) return std::string(reads).substr(0, std::string_view(reads).find(' '));
-    STAGES(DRAINED_BY)
-#undef DRAINED_BY
-    return "";
-}
-
-/// Occupancy of a stage's queue: the share of its slots that held a real ray, path or pixel. 1 for the dense queues of shading.
-double occupancyOf(const std::string& stage, const Repeat& r, std::uint64_t slots) {
-    const std::string queue = drainedBy(stage);
-    const auto share = [&](std::uint64_t real) { return slots ? static_cast<double>(real) / static_cast<double>(slots) : 1; };
-    if (queue == "pixels") return share(r.paths);
-    if (queue == "path") return occupancyOf("generate_rays", r, r.stages.at("generate_rays").slots);  // of the same blocks
-    if (queue == "ray" || queue == "intersection") return share(r.rays);
-    if (queue == "shadow") return share(r.shadowRays);
-    return 1;
+/// Occupancy of a stage: the share of the slots that it ran over that held a real ray, path or pixel. 1 for the dense queues of shading.
+double occupancyOf(const StageProgram& stage, const Repeat& r, std::uint64_t slots) {
+    const auto share = [](std::uint64_t real, std::uint64_t all) { return all ? static_cast<double>(real) / static_cast<double>(all) : 1; };
+    switch (stage.over) {
+        case each_sample: return share(r.paths, slots);
+        case each_ray: return share(r.rays, slots);
+        case each_shadow: return share(r.shadowRays, slots);
+        case each_pixel: return share(r.paths, r.stages.at(rowOf(StageName::generate_rays).name).slots);  // of the same blocks
+        default: return 1;
+    }
 }
 
 double medianSeconds(const std::vector<Repeat>& repeats) {
@@ -94,7 +86,8 @@ nlohmann::ordered_json measure(const Options& o, const Session& session, const s
     for (const auto& [name, stage] : first.stages) {
         const double stageSeconds = medianOf(repeats, [&, &key = name](const Repeat& r) { return r.stages.at(key).seconds; });
         const double slots = static_cast<double>(stage.slots);
-        const double occupancy = occupancyOf(name, first, stage.slots), bytes = queueBytesPerSlot(name, session.packed().features);
+        const StageProgram& program = stageProgram(name);
+        const double occupancy = occupancyOf(program, first, stage.slots), bytes = queueBytesPerSlot(program, session.packed().features);
         json["stages"].push_back({{"stage", name}, {"launches", stage.launches}, {"slots", stage.slots}, {"seconds", stageSeconds},
                                   {"nanosecondsPerSlot", slots > 0 ? stageSeconds / slots * 1e9 : 0}, {"occupancy", occupancy},
                                   {"waveFill", slots / (static_cast<double>(stage.launches) * session.shape().wavePaths)},

@@ -176,15 +176,19 @@
     F(q, uint,     material,   AOVS)         /* of the first surface: its material, from 1; 0: none */ \
     F(q, float,    distance,   AOVS)         /* to the first surface, scene units; FAR_AWAY: none */
 
+/* Q(queue, FIELDS, where its items are, FEATURE that makes it exist: as in STAGES)
+     sparse    slot i belongs to slot i of another queue, and may be dead
+     dense     side by side, as route_intersections puts them
+     by_path   at the index of their path */
 #define QUEUES(Q) \
-    Q(ray,      RAY_FIELDS) \
-    Q(intersection,   INTERSECTION_FIELDS) \
-    Q(hit,      HIT_FIELDS) \
-    Q(scatter,  SCATTER_FIELDS) \
-    Q(miss,     MISS_FIELDS) \
-    Q(emission, EMISSION_FIELDS) \
-    Q(shadow,   SHADOW_FIELDS) \
-    Q(walk,     WALK_FIELDS) \
-    Q(path,     PATH_FIELDS)
+    Q(ray,          RAY_FIELDS,          sparse,  ALWAYS) \
+    Q(intersection, INTERSECTION_FIELDS, sparse,  ALWAYS) \
+    Q(hit,          HIT_FIELDS,          dense,   ALWAYS) \
+    Q(scatter,      SCATTER_FIELDS,      dense,   MEDIA) \
+    Q(miss,         MISS_FIELDS,         dense,   ENVIRONMENTS) \
+    Q(emission,     EMISSION_FIELDS,     dense,   EMITTERS) \
+    Q(shadow,       SHADOW_FIELDS,       sparse,  ALWAYS) \
+    Q(walk,         WALK_FIELDS,         sparse,  LAYERS) \
+    Q(path,         PATH_FIELDS,         by_path, ALWAYS)
 
 #endif

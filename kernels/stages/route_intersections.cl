@@ -1,4 +1,4 @@
-/* ray, intersection -> hit, scatter, miss, emission, next ray, shadow, path.  Builds the item for each intersection's next stage, in that
+/* ray, intersection, counts -> hit, scatter, miss, emission, next ray, shadow, path.  Builds the item for each intersection's next stage, in that
    stage's dense segment. A tracing stage; each work-item reserves space once for all its slots. */
 #include "stages/queue.clh"
 #include "trace/route.clh"
