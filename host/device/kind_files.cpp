@@ -1,6 +1,7 @@
 #include "device/kind_files.h"
 
 #include "eikonal/lights.h"
+#include "eikonal/shapes.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,9 @@ std::optional<std::string> kindFiles(const std::string& name) {
 #define ADD_LIGHT(kind, FEATURE, PLACE) add("light", #kind, #FEATURE);
     LIGHTS(ADD_LIGHT)
 #undef ADD_LIGHT
+#define ADD_SHAPE(kind, FEATURE, SPACE) add("shape", #kind, #FEATURE);
+    SHAPES(ADD_SHAPE)
+#undef ADD_SHAPE
     if (includes.empty()) return std::nullopt;
     return fmt::format("{}/* features of these kinds:{} */\n", includes, features);
 }
