@@ -1,5 +1,6 @@
 #include "device/kind_files.h"
 
+#include "eikonal/cameras.h"
 #include "eikonal/lights.h"
 #include "eikonal/shapes.h"
 
@@ -20,6 +21,9 @@ std::optional<std::string> kindFiles(const std::string& name) {
 #define ADD_SHAPE(kind, FEATURE, SPACE) add("shape", #kind, #FEATURE);
     SHAPES(ADD_SHAPE)
 #undef ADD_SHAPE
+#define ADD_CAMERA(kind, FEATURE, CODE) add("camera", #kind, #FEATURE);
+    CAMERAS(ADD_CAMERA)
+#undef ADD_CAMERA
     if (includes.empty()) return std::nullopt;
     return fmt::format("{}/* features of these kinds:{} */\n", includes, features);
 }

@@ -1,7 +1,7 @@
 // The camera, the film's pixels and the pixel filter.
 
+#include "kinds/camera_kind.h"
 #include "pack/alias_table.h"
-#include "pack/lens.h"
 #include "pack/motion.h"
 #include "pack/packer.h"
 
@@ -27,58 +27,6 @@ static PixelRect renderedPixels(const FilmDescription& film, Diagnostics& diagno
     return clipped;
 }
 
-/// A realistic camera's lens and film.
-static void packLens(Packer& packer, const CameraDescription& description, camera& view) {
-    const FilmDescription& film = packer.scene.film;
-    SceneTables& tables = packer.packed.tables;
-    packer.packed.require(Feature::IMPORTANCE, description.where.toString());
-    const LensSystem lens(description, film.diagonal);
-    if (lens.stopIsTooWide())
-        packer.diagnostics.warn(description.where, "the aperture is wider than the lens's stop can be; it is as wide as that");
-    tables.lens_elements = lens.elements();
-    tables.pupils = lens.pupils();
-    view.element_count = static_cast<uint>(tables.lens_elements.size());
-    view.rear_z = static_cast<float>(lens.rearZ());
-    view.film_radius = static_cast<float>(film.diagonal / 2000);
-
-    const bool hasImage = description.aperture == ApertureShape::image;
-    const ApertureTexels aperture = apertureTexels(description.aperture, hasImage ? packer.images[static_cast<size_t>(description.apertureImage)].get() : nullptr);
-    if (!aperture.values.empty()) packer.packed.require(Feature::APERTURE, description.where.toString());
-    tables.aperture_texels = aperture.values;
-    view.aperture_width = static_cast<uint>(aperture.width);
-    view.aperture_height = static_cast<uint>(aperture.height);
-
-    /* The image is upside down and mirrored on the film: pixel (0, 0) lies at positive x, negative y */
-    const double width = film.diagonal / 1000 / std::hypot(1.0, static_cast<double>(film.height) / film.width), pixel = width / film.width;
-    view.screen_x = static_cast<float>(width / 2);
-    view.screen_y = static_cast<float>(-pixel * film.height / 2);
-    view.step_x = static_cast<float>(-pixel);
-    view.step_y = static_cast<float>(pixel);
-}
-
-/// Screen coordinates of perspective and orthographic cameras: as wide as the image's shape makes it, the shorter side from -1 to 1.
-static void packScreen(const CameraDescription& description, const FilmDescription& film, camera& view) {
-    const double aspect = description.frameAspectRatio.value_or(static_cast<double>(film.width) / film.height);
-    std::array<double, 4> window = aspect > 1 ? std::array<double, 4>{-aspect, aspect, -1, 1} : std::array<double, 4>{-1, 1, -1 / aspect, 1 / aspect};
-    if (description.screenWindow) window = *description.screenWindow;
-    const double reach = description.kind == CameraKind::perspective ? std::tan(glm::radians(description.fov) / 2) : 1;
-    view.screen_x = static_cast<float>(window[0] * reach);
-    view.screen_y = static_cast<float>(window[3] * reach);
-    view.step_x = static_cast<float>((window[1] - window[0]) * reach / film.width);
-    view.step_y = static_cast<float>((window[2] - window[3]) * reach / film.height);
-}
-
-/// A camera of the scene, and what it is on the device.
-static std::pair<camera_kind, Feature> kindOf(CameraKind kind) {
-    switch (kind) {
-        case CameraKind::orthographic: return {camera_orthographic, Feature::CAMERA_ORTHOGRAPHIC};
-        case CameraKind::spherical: return {camera_spherical, Feature::CAMERA_SPHERICAL};
-        case CameraKind::realistic: return {camera_realistic, Feature::CAMERA_REALISTIC};
-        case CameraKind::perspective: break;
-    }
-    return {camera_perspective, Feature::CAMERA_PERSPECTIVE};
-}
-
 static void packView(Packer& packer) {
     const CameraDescription& description = packer.scene.camera;
     const FilmDescription& film = packer.scene.film;
@@ -87,15 +35,10 @@ static void packView(Packer& packer) {
     frame.height = static_cast<uint>(film.height);
 
     camera& view = frame.view;
-    const auto [kind, feature] = kindOf(description.kind);
-    view.kind = kind;
-    packer.packed.require(feature, description.where.toString());
-    if (kind == camera_realistic) packLens(packer, description, view);
-    else if (kind == camera_spherical) {
-        view.step_x = 1 / static_cast<float>(film.width);
-        view.step_y = 1 / static_cast<float>(film.height);
-        view.equal_area = description.equalArea;
-    } else packScreen(description, film, view);
+    const CameraKind& kind = kindOf(description);
+    view.kind = kind.value;
+    packer.packed.require(kind.feature, description.where.toString());
+    kind.traits.pack(packer, description, view);
 
     view.scene_from_camera = toAffine(packer.space.sceneFromWorld() * description.worldFromCamera);
     view.times = shutterOf(packer.scene);
@@ -110,7 +53,7 @@ static void packView(Packer& packer) {
     view.lens_radius = static_cast<float>(description.lensRadius);
     view.focal_distance = static_cast<float>(description.focalDistance);
     view.medium = description.medium == none ? NONE : static_cast<uint>(description.medium);
-    if (description.lensRadius > 0 && (kind == camera_perspective || kind == camera_orthographic)) packer.packed.require(Feature::LENS, description.where.toString());
+    if (description.lensRadius > 0 && kind.traits.hasThinLens) packer.packed.require(Feature::LENS, description.where.toString());
 }
 
 /// The value of one axis of a filter at x pixels from the centre.

@@ -1,51 +1,16 @@
 #include "render/projection.h"
 
+#include "kinds/camera_kind.h"
 #include "pack/space.h"
-#include "image/equal_area.h"
 
 #include <array>
 #include <cmath>
 
 namespace eikonal {
 
-/// The film point of a realistic camera whose light comes from p through the middle of the stop. Near the axis a ray is linear in its film
-/// point x: height and slope behind each element are multiples of x (Pharr et al. 2016, section 6.4.1).
-static std::optional<glm::dvec2> filmPoint(const PackedScene& scene, glm::dvec3 p) {
-    struct Ray { double height, slope, z; };
-    Ray film{1, 0, 0}, slope{0, 1, 0};   /* those of height 1 and of slope 1 at the film: all others are sums of them */
-    double across = 0;                   /* the slope at the film of the ray from height 1 through the stop's middle */
-    double last = 0;
-    for (const lens_element& e : scene.tables.lens_elements) {
-        for (Ray* r : {&film, &slope}) {
-            r->height += r->slope * (e.z - r->z);
-            r->z = e.z;
-            /* n' u' = n u - h (n' - n) / R, where R is -radius: the centre of a convex element lies on the side of the film */
-            if (e.radius != 0) r->slope = (r->slope + r->height * (e.eta - 1) / e.radius) / e.eta;
-        }
-        if (e.radius == 0 && slope.height != 0) across = -film.height / slope.height;
-        last = e.z;
-    }
-    const double magnification = film.height + across * slope.height + (film.slope + across * slope.slope) * (p.z - last);
-    if (p.z <= last || magnification == 0) return std::nullopt;
-    return glm::dvec2(p) / magnification;
-}
-
 std::optional<glm::dvec2> pixelOf(const PackedScene& scene, glm::dvec3 p) {
     const camera& view = scene.frame().view;
-    std::optional<glm::dvec2> screen;
-    switch (view.kind) {
-        case camera_orthographic: if (p.z > 0) screen = glm::dvec2(p); break;
-        case camera_realistic: screen = filmPoint(scene, p); break;
-        case camera_spherical:
-            if (p == glm::dvec3(0)) break;
-            if (view.equal_area) screen = squareFromDirection({p.x, p.z, p.y});
-            else {
-                const double turn = std::atan2(p.z, p.x) / (2 * M_PI);
-                screen = glm::dvec2(turn - std::floor(turn), std::acos(glm::clamp(p.y / glm::length(p), -1.0, 1.0)) / M_PI);
-            }
-            break;
-        default: if (p.z > 0) screen = glm::dvec2(p) / p.z;
-    }
+    const std::optional<glm::dvec2> screen = kindOf(view).traits.project(scene, p);
     if (!screen) return std::nullopt;
     return (*screen - glm::dvec2(view.screen_x, view.screen_y)) / glm::dvec2(view.step_x, view.step_y);
 }
@@ -55,7 +20,8 @@ static glm::dvec2 wayInImage(const PackedScene& scene, glm::dvec2 from, glm::dve
     glm::dvec2 way = to - from;
     const camera& view = scene.frame().view;
     const double width = scene.frame().width;
-    if (view.kind == camera_spherical && !view.equal_area) way.x -= width * std::round(way.x / width);
+    const auto wrapsAround = kindOf(view).traits.wrapsAround;
+    if (wrapsAround && wrapsAround(view)) way.x -= width * std::round(way.x / width);
     return way;
 }
 

@@ -10,7 +10,7 @@
 
 namespace eikonal {
 
-enum class CameraKind { perspective, orthographic, spherical, realistic };
+struct CameraKind;   // kinds/camera_kind.h
 
 /// One interface of a lens, in order from the scene to the film; lengths in millimetres.
 struct LensElement {
@@ -22,14 +22,15 @@ struct LensElement {
 
 enum class ApertureShape { round, gaussian, square, pentagon, star, image };
 
+/// A camera. Which fields count depends on its kind (host/kinds/camera/); the others keep their defaults.
 struct CameraDescription {
-    CameraKind kind = CameraKind::perspective;
+    const CameraKind* kind = nullptr;                    ///< null: perspective
     Transform worldFromCamera{1};                        ///< camera space: x right, y up, looking along +z
-    double fov = 90;                                     ///< degrees, along the shorter side of the image
-    std::optional<double> frameAspectRatio;
-    std::optional<std::array<double, 4>> screenWindow;   ///< x0 x1 y0 y1
+    double fov = 90;                                     ///< perspective: degrees, along the shorter side of the image
+    std::optional<double> frameAspectRatio;              ///< perspective, orthographic: width over height of the screen; that of the image
+    std::optional<std::array<double, 4>> screenWindow;   ///< perspective, orthographic: x0 x1 y0 y1
     std::optional<Transform> worldFromCameraAtEnd;       ///< set: the camera moves, and has this transform at Scene::motionEnd
-    double lensRadius = 0, focalDistance = 1e6;
+    double lensRadius = 0, focalDistance = 1e6;          ///< perspective, orthographic
     bool equalArea = true;                               ///< spherical: mapping of directions; false: longitude and latitude
     std::vector<LensElement> lens;                       ///< realistic
     double apertureDiameter = 1;                         ///< realistic: diameter of the stop, millimetres

@@ -1,5 +1,7 @@
-/* Every camera.   C(name, FEATURE).  A camera called x is kernels/camera/x.clh, which defines generate_x. A camera with a loop
-   (realistic: over lens elements) keeps the compiler from vectorising generate_rays in scenes that use it. */
+/* Every kind of camera. C(name, FEATURE, CODE): a camera called x is kernels/camera/x.clh, which defines generate_x (contract: kernels/camera/camera.clh),
+   beside host/kinds/camera/x.cpp. CODE says how generate_x is built:
+     STRAIGHT   straight-line code
+     LOOPS      with loops, which keep the compiler from vectorising generate_rays in scenes with this camera */
 #ifndef EIKONAL_CAMERAS_H
 #define EIKONAL_CAMERAS_H
 #include "eikonal/motion.h"
@@ -7,12 +9,12 @@
 CONTRACT_BEGIN
 
 #define CAMERAS(C) \
-    C(perspective,  CAMERA_PERSPECTIVE) \
-    C(orthographic, CAMERA_ORTHOGRAPHIC) \
-    C(spherical,    CAMERA_SPHERICAL) \
-    C(realistic,    CAMERA_REALISTIC)
+    C(perspective,  CAMERA_PERSPECTIVE,  STRAIGHT) \
+    C(orthographic, CAMERA_ORTHOGRAPHIC, STRAIGHT) \
+    C(spherical,    CAMERA_SPHERICAL,    STRAIGHT) \
+    C(realistic,    CAMERA_REALISTIC,    LOOPS)
 
-#define CAMERA_KIND(name, FEATURE) camera_##name,
+#define CAMERA_KIND(name, FEATURE, CODE) camera_##name,
 enum camera_kind { CAMERAS(CAMERA_KIND) camera_kinds };
 
 /* Number of film intervals with their own exit-pupil bounds; they divide the distance from the film's centre to its corner. */

@@ -144,7 +144,7 @@ TEST(Camera, RealisticRaysGoThroughEachElement) {
     const camera& view = scene.frame().view;
 
     const DeviceFunction<LensResult> function({.include = "camera/camera.clh", .type = "lens_result",
-        .body = "camera_tables tables = BIND_CAMERA; lens_ray r = generate_realistic(tables, frame, film.x, film.y, u); result.o = r.ray.o; result.d = r.ray.d; result.importance = r.importance;",
+        .body = "camera_tables tables = BIND_CAMERA; camera_ray r = generate_realistic(tables, frame, film.x, film.y, u); result.o = r.o; result.d = r.d; result.importance = r.importance;",
         .inputs = {"vec2 film", "vec2 u"}, .declarations = "typedef struct { vec3 o, d; float importance; } lens_result;",
         .tables = "CAMERA_TABLES(TABLE) ARGUMENT(__global const settings *, frame)", .features = scene.features});
     constexpr size_t n = 8192;

@@ -1,6 +1,7 @@
 // Cameras, films, filters, samplers and integrators. The defaults are those of pbrt-v4's source (cameras.cpp, film.cpp,
 // filters.cpp, samplers.cpp, cpu/integrators.cpp).
 
+#include "kinds/camera_kind.h"
 #include "unit/pbrt_reading.h"
 
 namespace eikonal {
@@ -17,7 +18,7 @@ protected:
 TEST_F(PbrtSettings, aSceneThatSetsNothing) {
     const Scene scene = settings("");
     EXPECT_EQ(scene.name, "test");
-    EXPECT_EQ(scene.camera.kind, CameraKind::perspective);
+    EXPECT_EQ(&kindOf(scene.camera), &kindOf(camera_perspective));
     EXPECT_EQ(scene.camera.fov, 90);
     EXPECT_EQ(scene.camera.lensRadius, 0);
     EXPECT_EQ(scene.film.width, 1280);
@@ -41,7 +42,7 @@ TEST_F(PbrtSettings, cameras) {
     EXPECT_EQ(camera.focalDistance, 7);
     EXPECT_EQ(camera.shutterClose, .75);
     const CameraDescription flat = settings("Camera \"orthographic\" \"float screenwindow\" [-1 2 -3 4]").camera;
-    EXPECT_EQ(flat.kind, CameraKind::orthographic);
+    EXPECT_EQ(&kindOf(flat), &kindOf(camera_orthographic));
     EXPECT_EQ(flat.screenWindow, (std::array<double, 4>{-1, 2, -3, 4}));
     EXPECT_EQ(flat.focalDistance, 1e6);
     EXPECT_THAT(errorOfSettings("Camera \"orthographic\" \"float screenwindow\" [-1 2]"), HasSubstr("has 2 values; 4 are expected"));
@@ -187,7 +188,7 @@ TEST_F(PbrtSettings, theLastOfASortCounts) {
     const Scene scene = settings("PixelFilter \"sinc\" PixelFilter \"box\" Camera \"orthographic\" Camera \"perspective\" \"float fov\" 20");
     EXPECT_EQ(scene.filter.kind, FilterKind::box);
     EXPECT_EQ(scene.filter.xRadius, .5);
-    EXPECT_EQ(scene.camera.kind, CameraKind::perspective);
+    EXPECT_EQ(&kindOf(scene.camera), &kindOf(camera_perspective));
     EXPECT_EQ(scene.camera.fov, 20);
 }
 

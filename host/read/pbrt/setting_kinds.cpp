@@ -1,5 +1,6 @@
 #include "read/pbrt/setting_kinds.h"
 
+#include "kinds/camera_kind.h"
 #include "scene/scene.h"
 
 namespace eikonal::pbrt {
@@ -14,12 +15,11 @@ constexpr const char* samplerParameters = "integer seed; string randomization";
 constexpr const char* instead = "\"volpath\" renders it";
 
 const KindTable& cameraKinds() {
-    static const KindTable table("camera", screenParameters, {
-        {"perspective", int(CameraKind::perspective), "float fov = 90 in (0, 180)"},
-        {"orthographic", int(CameraKind::orthographic), ""},
-        {"realistic", int(CameraKind::realistic), "file lensfile; float aperturediameter = 1 in (0, inf); float focusdistance = 10 in (0, inf); string aperture"},
-        {"spherical", int(CameraKind::spherical), "string mapping = equalarea"},
-    });
+    static const KindTable table = [] {
+        std::vector<Row> rows;
+        for (const CameraKind& kind : cameraKindList()) rows.push_back({kind.name, kind.value, kind.traits.parameters});
+        return KindTable("camera", screenParameters, rows);
+    }();
     return table;
 }
 

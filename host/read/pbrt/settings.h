@@ -30,8 +30,6 @@ public:
 
 private:
     void applyCamera(const Arguments& arguments);
-    void applyMapping(const Arguments& arguments);
-    void applyLens(const Arguments& arguments);
     void applyFilm(const Arguments& arguments);
     void applyFilter(const Arguments& arguments);
     void applySampler(const Arguments& arguments);

@@ -1,0 +1,13 @@
+// Parallel rays through a screen (kernels/camera/orthographic.clh).
+
+#include "kinds/camera_packing.h"
+
+namespace eikonal {
+
+static void pack(Packer& packer, const CameraDescription& description, camera& view) { packScreen(packer, description, 1, view); }
+
+static std::optional<glm::dvec2> project(const PackedScene&, glm::dvec3 p) { return p.z > 0 ? std::optional(glm::dvec2(p)) : std::nullopt; }
+
+const CameraTraits orthographic_camera{.parameters = "", .pack = pack, .project = project, .hasThinLens = true};
+
+}  // namespace eikonal

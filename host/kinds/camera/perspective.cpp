@@ -1,0 +1,20 @@
+// A pinhole or a thin lens in front of a screen (kernels/camera/perspective.clh).
+
+#include "kinds/camera_packing.h"
+#include <cmath>
+
+namespace eikonal {
+
+static void read(const pbrt::CameraReading& in, CameraDescription& camera) { camera.fov = in.arguments.number("fov"); }
+
+static void pack(Packer& packer, const CameraDescription& description, camera& view) {
+    packScreen(packer, description, std::tan(glm::radians(description.fov) / 2), view);
+}
+
+static std::optional<glm::dvec2> project(const PackedScene&, glm::dvec3 p) {
+    return p.z > 0 ? std::optional(glm::dvec2(p) / p.z) : std::nullopt;
+}
+
+const CameraTraits perspective_camera{.parameters = "float fov = 90 in (0, 180)", .read = read, .pack = pack, .project = project, .hasThinLens = true};
+
+}  // namespace eikonal

@@ -1,0 +1,88 @@
+// A lens system in front of a film (kernels/camera/realistic.clh).
+
+#include "kinds/camera_packing.h"
+#include "pack/lens.h"
+#include "read/pbrt/lens_file.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal {
+
+static void read(const pbrt::CameraReading& in, CameraDescription& camera) {
+    if (!in.arguments.has("lensfile")) throw SceneError(in.arguments.where(), "camera \"realistic\" needs a \"string lensfile\"");
+    const std::optional<std::string> path = in.arguments.file("lensfile");
+    if (path) camera.lens = pbrt::readLensFile(*path);
+    camera.apertureDiameter = in.arguments.number("aperturediameter");
+    camera.focusDistance = in.arguments.number("focusdistance");
+
+    const std::string aperture = in.arguments.text("aperture");
+    constexpr std::pair<const char*, ApertureShape> shapes[] = {{"", ApertureShape::round}, {"gaussian", ApertureShape::gaussian},
+        {"square", ApertureShape::square}, {"pentagon", ApertureShape::pentagon}, {"star", ApertureShape::star}};
+    const auto shape = std::ranges::find(shapes, aperture, [](const auto& s) { return std::string(s.first); });
+    if (shape != std::end(shapes)) { camera.aperture = shape->second; return; }
+    const std::optional<std::string> image = in.reading.findFile(aperture, in.arguments.whereOf("aperture"));
+    if (!image) return;
+    camera.aperture = ApertureShape::image;
+    camera.apertureImage = static_cast<int>(in.reading.scene.images.size());
+    ImageFile file;
+    file.path = *image;
+    file.where = in.arguments.whereOf("aperture");
+    in.reading.scene.images.push_back(file);
+}
+
+/// A realistic camera's lens and film.
+static void pack(Packer& packer, const CameraDescription& description, camera& view) {
+    const FilmDescription& film = packer.scene.film;
+    SceneTables& tables = packer.packed.tables;
+    packer.packed.require(Feature::IMPORTANCE, description.where.toString());
+    const LensSystem lens(description, film.diagonal);
+    if (lens.stopIsTooWide())
+        packer.diagnostics.warn(description.where, "the aperture is wider than the lens's stop can be; it is as wide as that");
+    tables.lens_elements = lens.elements();
+    tables.pupils = lens.pupils();
+    view.element_count = static_cast<uint>(tables.lens_elements.size());
+    view.rear_z = static_cast<float>(lens.rearZ());
+    view.film_radius = static_cast<float>(film.diagonal / 2000);
+
+    const bool hasImage = description.aperture == ApertureShape::image;
+    const ApertureTexels aperture = apertureTexels(description.aperture, hasImage ? packer.images[static_cast<size_t>(description.apertureImage)].get() : nullptr);
+    if (!aperture.values.empty()) packer.packed.require(Feature::APERTURE, description.where.toString());
+    tables.aperture_texels = aperture.values;
+    view.aperture_width = static_cast<uint>(aperture.width);
+    view.aperture_height = static_cast<uint>(aperture.height);
+
+    /* The image is upside down and mirrored on the film: pixel (0, 0) lies at positive x, negative y */
+    const double width = film.diagonal / 1000 / std::hypot(1.0, static_cast<double>(film.height) / film.width), pixel = width / film.width;
+    view.screen_x = static_cast<float>(width / 2);
+    view.screen_y = static_cast<float>(-pixel * film.height / 2);
+    view.step_x = static_cast<float>(-pixel);
+    view.step_y = static_cast<float>(pixel);
+}
+
+/// The film point of a realistic camera whose light comes from p through the middle of the stop. Near the axis a ray is linear in its film
+/// point x: height and slope behind each element are multiples of x (Pharr et al. 2016, section 6.4.1).
+static std::optional<glm::dvec2> project(const PackedScene& scene, glm::dvec3 p) {
+    struct Ray { double height, slope, z; };
+    Ray film{1, 0, 0}, slope{0, 1, 0};   /* those of height 1 and of slope 1 at the film: all others are sums of them */
+    double across = 0;                   /* the slope at the film of the ray from height 1 through the stop's middle */
+    double last = 0;
+    for (const lens_element& e : scene.tables.lens_elements) {
+        for (Ray* r : {&film, &slope}) {
+            r->height += r->slope * (e.z - r->z);
+            r->z = e.z;
+            /* n' u' = n u - h (n' - n) / R, where R is -radius: the centre of a convex element lies on the side of the film */
+            if (e.radius != 0) r->slope = (r->slope + r->height * (e.eta - 1) / e.radius) / e.eta;
+        }
+        if (e.radius == 0 && slope.height != 0) across = -film.height / slope.height;
+        last = e.z;
+    }
+    const double magnification = film.height + across * slope.height + (film.slope + across * slope.slope) * (p.z - last);
+    if (p.z <= last || magnification == 0) return std::nullopt;
+    return glm::dvec2(p) / magnification;
+}
+
+const CameraTraits realistic_camera{.parameters = "file lensfile; float aperturediameter = 1 in (0, inf); float focusdistance = 10 in (0, inf); string aperture",
+                                   .read = read, .pack = pack, .project = project};
+
+}  // namespace eikonal
