@@ -47,7 +47,7 @@ pid_t startSelf(const std::vector<std::string>& arguments) {
     return status == 0 ? process : 0;
 }
 
-/// Has this process end when that one does, whatever ends it: nobody waits for its kernels then. Says whether it is still there.
+/// Ends this process when that one ends, for whatever reason, since its kernels are of no use then. Returns whether it still runs.
 bool endWith(pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     return ::getppid() == parent;

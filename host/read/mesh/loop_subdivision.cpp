@@ -11,9 +11,9 @@ namespace eikonal {
 namespace {
 
 using Index = std::uint32_t;
-constexpr Index nobody = ~Index(0);
+constexpr Index noIndex = ~Index(0);
 
-/// Edge k of a face goes from its corner k to corner k + 1. side: the faces of an edge, as 3 * face + k; `nobody` beyond a boundary.
+/// Edge k of a face goes from its corner k to corner k + 1. side: the faces of an edge, as 3 * face + k; `noIndex` beyond a boundary.
 struct Edge { std::array<Index, 2> vertex; std::array<Index, 2> side; };
 struct Face { std::array<Index, 3> vertex, edge; };
 
@@ -43,13 +43,13 @@ template <class F> void inParallel(size_t count, const F& f) {
 /// The mesh without faces that name a vertex twice, and without unused vertices.
 Level firstLevel(const Mesh& mesh, size_t& droppedFaces) {
     Level level;
-    std::vector<Index> number(mesh.positions.size(), nobody);
+    std::vector<Index> number(mesh.positions.size(), noIndex);
     for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const Index *v = &mesh.indices[i];
         if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) { ++droppedFaces; continue; }
         Face face{};
         for (int k = 0; k < 3; ++k) {
-            if (number[v[k]] == nobody) {
+            if (number[v[k]] == noIndex) {
                 number[v[k]] = static_cast<Index>(level.points.size());
                 level.points.push_back(mesh.positions[v[k]]);
             }
@@ -70,7 +70,7 @@ Level firstLevel(const Mesh& mesh, size_t& droppedFaces) {
     for (size_t i = 0; i < sides.size();) {
         const bool pair = i + 1 < sides.size() && sides[i].low == sides[i + 1].low && sides[i].high == sides[i + 1].high;
         const auto edge = static_cast<Index>(level.edges.size());
-        level.edges.push_back({{sides[i].low, sides[i].high}, {sides[i].side, pair ? sides[i + 1].side : nobody}});
+        level.edges.push_back({{sides[i].low, sides[i].high}, {sides[i].side, pair ? sides[i + 1].side : noIndex}});
         for (int s = 0; s <= pair; ++s) level.faces[sides[i + s].side / 3].edge[sides[i + s].side % 3] = edge;
         i += 1 + pair;
     }
@@ -86,7 +86,7 @@ std::vector<Ring> gatherRings(const Level& level) {
             const glm::dvec3& p = level.points[e.vertex[1 - end]];
             ring.sum += p;
             ++ring.count;
-            if (e.side[1] == nobody) { ring.boundarySum += p; ++ring.boundaryCount; }
+            if (e.side[1] == noIndex) { ring.boundarySum += p; ++ring.boundaryCount; }
         }
     return rings;
 }
@@ -114,7 +114,7 @@ Level split(const Level& old) {
     inParallel(edges, [&](size_t e) {
         const Edge& edge = old.edges[e];
         const glm::dvec3 ends = old.points[edge.vertex[0]] + old.points[edge.vertex[1]];
-        level.points[vertices + e] = edge.side[1] == nobody ? 0.5 * ends : 3. / 8 * ends + 1. / 8 * (opposite(edge.side[0]) + opposite(edge.side[1]));
+        level.points[vertices + e] = edge.side[1] == noIndex ? 0.5 * ends : 3. / 8 * ends + 1. / 8 * (opposite(edge.side[0]) + opposite(edge.side[1]));
     });
 
     level.faces.resize(4 * faces);
@@ -147,7 +147,7 @@ Level split(const Level& old) {
             Edge& part = level.edges[2 * e + static_cast<size_t>(end)];
             part.vertex = {edge.vertex[end], middle(static_cast<Index>(e))};
             for (int s = 0; s < 2; ++s) {
-                if (edge.side[s] == nobody) { part.side[s] = nobody; continue; }
+                if (edge.side[s] == noIndex) { part.side[s] = noIndex; continue; }
                 /* The child at this end of the edge in the face on this side; its side k or k - 1 is this part */
                 const Index f = edge.side[s] / 3;
                 const int side = static_cast<int>(edge.side[s] % 3);
@@ -169,11 +169,11 @@ void walkRing(const Level& level, Index side, bool boundary, int count, std::vec
         const Face& f = level.faces[face];
         return f.vertex[0] == vertex ? 0 : f.vertex[1] == vertex ? 1 : 2;
     };
-    /* The face across edge k of a face; `nobody` at a boundary */
+    /* The face across edge k of a face; `noIndex` at a boundary */
     const auto across = [&](Index face, int k) {
         const Edge& e = level.edges[level.faces[face].edge[k]];
         const Index here = 3 * face + static_cast<Index>(k), other = e.side[0] == here ? e.side[1] : e.side[0];
-        return other == nobody ? nobody : other / 3;
+        return other == noIndex ? noIndex : other / 3;
     };
     const auto longest = static_cast<size_t>(count);
     const Index start = side / 3;
@@ -183,12 +183,12 @@ void walkRing(const Level& level, Index side, bool boundary, int count, std::vec
             const int k = cornerOf(face);
             ring.push_back(level.faces[face].vertex[next(k)]);
             face = across(face, k);
-        } while (face != start && face != nobody && ring.size() < longest);
+        } while (face != start && face != noIndex && ring.size() < longest);
         return;
     }
     for (size_t steps = 0; steps < longest; ++steps) {
         const Index following = across(face, cornerOf(face));
-        if (following == nobody || following == start) break;
+        if (following == noIndex || following == start) break;
         face = following;
     }
     ring.push_back(level.faces[face].vertex[next(cornerOf(face))]);
@@ -197,7 +197,7 @@ void walkRing(const Level& level, Index side, bool boundary, int count, std::vec
         const int k = cornerOf(face);
         ring.push_back(level.faces[face].vertex[previous(k)]);
         face = across(face, previous(k));
-    } while (face != nobody && face != last && ring.size() < longest);
+    } while (face != noIndex && face != last && ring.size() < longest);
 }
 
 /// The cross product of two tangents of the surface at a vertex, from its ring (Hoppe et al. 1994, "Piecewise Smooth Surface
