@@ -59,10 +59,10 @@ def without_comments(text):
     return re.sub(r"/\*.*?\*/|//[^\n]*", " ", text, flags=re.DOTALL)
 
 
-def files_of(kind, family):
-    """The files whose code names a kind, other than the list of its family."""
+def files_of(kind):
+    """The files whose code names a kind, other than the lists of families."""
     pattern = re.compile(rf"(?<![a-z]){kind}(?![a-z])", re.IGNORECASE)
-    return [name(f) for f in source() if f.name != LISTS[family] and pattern.search(without_comments(f.read_text(encoding="utf-8")))]
+    return [name(f) for f in source() if f.name not in LISTS.values() and pattern.search(without_comments(f.read_text(encoding="utf-8")))]
 
 
 def longest_recipe():
@@ -152,13 +152,13 @@ MEASURES = {
     "cases": ("`case`s over kinds outside of the kinds' folders", 0, 34, cases_over_kinds),
     "visits": ("visits of variants of kinds", 0, 2, visits_of_kinds),
     "enumerations": ("enumerations of kinds on the host", 6, 12, enumerations_of_kinds),
-    "goniometric": ("files of the goniometric light", 2, 2, lambda: files_of("goniometric", "light")),
-    "spherical": ("files of the spherical camera", 2, 3, lambda: [f for f in files_of("spherical", "camera") if "texture" not in f]),
-    "cylinder": ("files of the cylinder", 3, 3, lambda: [f for f in files_of("cylinder", "shape") if "curve" not in f]  # a curve may be a cylinder, too
+    "goniometric": ("files of the goniometric light", 2, 2, lambda: files_of("goniometric")),
+    "spherical": ("files of the spherical camera", 2, 3, lambda: [f for f in files_of("spherical") if "texture" not in f]),
+    "cylinder": ("files of the cylinder", 3, 3, lambda: [f for f in files_of("cylinder") if "curve" not in f]  # a curve may be a cylinder, too
     ),
-    "cloud": ("files of the cloud medium", 2, 5, lambda: files_of("cloud", "medium")),
-    "wrinkled": ("files of the wrinkled texture", 2, 4, lambda: files_of("wrinkled", "texture")),
-    "coatedconductor": ("files of the coated conductor", 3, 6, lambda: files_of("coated_?conductor", "bsdf")),
+    "cloud": ("files of the cloud medium", 2, 5, lambda: files_of("cloud")),
+    "wrinkled": ("files of the wrinkled texture", 2, 4, lambda: files_of("wrinkled")),
+    "coatedconductor": ("files of the coated conductor", 3, 6, lambda: files_of("coated_?conductor")),
     "recipe": ("lines of the longest recipe for a kind", 4, 16, longest_recipe),
     "columns": ("lines of more than 140 columns", 0, 1774, long_lines),
     "words": ("words that are out", 0, 0, words_out),
