@@ -1,5 +1,6 @@
 #include "pack/color_mode.h"
 
+#include "kinds/material_kind.h"
 #include "overloaded.h"
 
 #include <algorithm>
@@ -14,7 +15,8 @@ bool isMeasured(const Spectrum& s) { return s.kind() != Spectrum::Kind::rgb; }
 bool isMeasured(const Light& light) { return isMeasured(light.spectrum); }
 
 bool isIndexOfMetal(const Material& m, const std::string& name) {
-    return name == "k" || name == "metal_eta" || name == "metal_k" || (name == "eta" && m.kind == MaterialKind::conductor);
+    const auto& indices = m.kind->metalIndices;
+    return indices[0] && (name == indices[0] || name == indices[1]);
 }
 
 bool isMeasured(const Medium& m) {

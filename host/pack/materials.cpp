@@ -1,7 +1,8 @@
 // Materials: a BSDF, and what lies in and on the surface.
 
 #include "kinds/light_kind.h"
-#include "pack/bsdfs.h"
+#include "kinds/material_kind.h"
+#include "pack/material_inputs.h"
 
 #include "color/diffuse_albedo.h"
 
@@ -65,7 +66,7 @@ static uint packProfile(Packer& packer, InputWriter& in, const Material& descrip
 static Material coatOver(Packer& packer, const Material& body) {
     packer.diagnostics.unsupported("subsurface in trees", body.where, "integrator \"whitted\" follows no light inside of bodies of material \"subsurface\"; a coated diffuse surface of the same albedo stands in for it");
     Material coat = body;
-    coat.kind = MaterialKind::coatedDiffuse;
+    coat.kind = &coated_diffuse_material;
     const DiffusionProfile& profile = profileIn(packer, body);
     coat.inputs["reflectance"] = {profile.albedo, profile.albedoTexture, body.where};
     for (const auto& [name, value] : {std::pair("thickness", 0.01), std::pair("g", 0.0), std::pair("albedo", 0.0), std::pair("maxdepth", 10.0), std::pair("nsamples", 1.0)})
@@ -76,24 +77,24 @@ static Material coatOver(Packer& packer, const Material& body) {
 /// Everything but what a mix is mixed of, and the twin for regularization.
 static void packMaterial(Packer& packer, const Material& description, material& m, bool regularize = false) {
     SceneTables& tables = packer.packed.tables;
-    const bool isSurface = description.kind != MaterialKind::interface && description.kind != MaterialKind::mix;
+    const bool isSurface = description.kind != &interface_material && description.kind != &mix_material;
     if (isSurface && !countsMaterials(packer.scene.integrator)) { m.next_queue = next_occlusion; return; }
-    if (description.kind == MaterialKind::subsurface && packer.scene.integrator.kind == IntegratorKind::whitted) return packMaterial(packer, coatOver(packer, description), m, regularize);
+    if (description.kind == &subsurface_material && packer.scene.integrator.kind == IntegratorKind::whitted) return packMaterial(packer, coatOver(packer, description), m, regularize);
     InputWriter inputs(packer, description, regularize);
     m.first_input = static_cast<uint>(tables.material_inputs.size());
-    const next_queue h = packBsdf(inputs, description.kind);
+    const next_queue h = description.kind->pack(inputs);
     m.next_queue = h;
     m.transmits = transmits(h) ? 1 : 0;
     m.disperses = inputs.disperses() ? 1 : 0;
     m.input_count = static_cast<uint>(tables.material_inputs.size()) - m.first_input;
     requireBsdf(packer, h, inputs.why());
     const bool walks = description.method == SubsurfaceMethod::randomWalk && description.interior;
-    if (description.kind == MaterialKind::subsurface && !walks) {
+    if (description.kind == &subsurface_material && !walks) {
         if (description.method == SubsurfaceMethod::randomWalk)
             packer.diagnostics.unsupported("textured walk", description.where, "where a texture says what is inside of material \"subsurface\", no walk knows it; light is diffused instead");
         m.profile = packProfile(packer, inputs, description);
     }
-    if (description.kind == MaterialKind::subsurface && walks) {
+    if (description.kind == &subsurface_material && walks) {
         m.interior = packInterior(packer, description.interior, inputs.why());
         if (h == next_specular_dielectric) warnOfPoints(packer);
     }
@@ -112,6 +113,7 @@ uint packedMaterial(Packer& packer, int index) {
     if (index == none) {
         if (packer.defaultMaterial == NONE) {
             Material grey;
+            grey.kind = &diffuse_material;
             grey.inputs["reflectance"].value = Spectrum::constant(0.5);
             packer.defaultMaterial = static_cast<uint>(materials.size());
             materials.push_back(blank);
@@ -128,7 +130,7 @@ uint packedMaterial(Packer& packer, int index) {
     const Material& description = packer.scene.materials[static_cast<size_t>(index)];
     material m = blank;
     packMaterial(packer, description, m);
-    if (description.kind == MaterialKind::mix) {
+    if (description.kind == &mix_material) {
         m.mix_a = packedMaterial(packer, description.mixed[0]);
         m.mix_b = packedMaterial(packer, description.mixed[1]);
         m.mix_amount = packInput(packer, description.inputs.at("amount"));

@@ -13,9 +13,7 @@
 
 namespace eikonal {
 
-enum class MaterialKind {
-    diffuse, coatedDiffuse, coatedConductor, conductor, dielectric, thinDielectric, diffuseTransmission, hair, measured, principled, subsurface, interface, mix
-};
+struct MaterialKind;   // kinds/material_kind.h
 
 /// How light moves inside a body: by a random walk through its medium, or by a diffusion profile.
 enum class SubsurfaceMethod { randomWalk, diffusion };
@@ -31,24 +29,11 @@ struct DiffusionProfile {
     bool isTextured() const { return albedoTexture != none || pathTexture != none; }
 };
 
-/// A material. `inputs` has every parameter of its kind under pbrt-v4's name, defaults filled in by the reader:
-///   diffuse              reflectance
-///   coatedDiffuse        reflectance uroughness vroughness thickness eta g albedo maxdepth nsamples
-///   coatedConductor      uroughness vroughness thickness eta g albedo maxdepth nsamples (the coat's), metal_uroughness metal_vroughness,
-///                        and either reflectance or both metal_eta and metal_k
-///   conductor            uroughness vroughness, and either reflectance or both eta and k
-///   dielectric           uroughness vroughness eta
-///   thinDielectric       eta
-///   diffuseTransmission  reflectance transmittance     ("scale" multiplied in)
-///   hair                 sigma_a eta beta_m beta_n alpha h (-1 to 1 across the fiber)
-///   measured             (`file`)
-///   principled           base metallic eta uroughness vroughness coat coatroughness sheen  (no pbrt material: OBJ's)
-///   subsurface           uroughness vroughness eta     (and `interior`, `diffusion`, `method`)
-///   mix                  amount                        (the weight of mixed[1])
+/// A material. `inputs` has every parameter of its kind under pbrt-v4's name, defaults filled in by the reader; host/kinds/material/ lists them.
 struct Material {
-    MaterialKind kind = MaterialKind::diffuse;
+    const MaterialKind* kind = nullptr;     ///< never null in a scene
     std::string name;                       ///< empty for an unnamed material
-    std::map<std::string, Input> inputs;
+    std::map<std::string, Input> inputs;    ///< "scale" is multiplied in
     bool remapRoughness = true;             ///< roughness r gives microfacet width sqrt(r); otherwise r itself
     std::array<int, 2> mixed{none, none};   ///< mix: in Scene::materials
     std::shared_ptr<const Medium> interior; ///< subsurface: the homogeneous medium inside the body

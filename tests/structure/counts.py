@@ -68,7 +68,7 @@ def files_of(kind):
 def longest_recipe():
     """The lines of the longest of the recipes that add a kind."""
     text = (ROOT / "docs/recipes.md").read_text(encoding="utf-8")
-    recipes = {r.split("\n", 1)[0]: [line for line in r.split("\n")[1:] if line] for r in text.split("\n## ")[1:]}
+    recipes = {r.split("\n", 1)[0]: [line for line in r.split("\n**")[0].split("\n")[1:] if line] for r in text.split("\n## ")[1:]}
     kinds = {title: lines for title, lines in recipes.items() if re.match(r"Add a (BSDF|light|texture|shape|medium|camera)$", title)}
     title = max(kinds, key=lambda t: len(kinds[t]))
     return [f"docs/recipes.md: {title}: {line}" for line in kinds[title]]

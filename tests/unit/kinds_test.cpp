@@ -2,6 +2,7 @@
 
 #include "kinds/camera_kind.h"
 #include "kinds/light_kind.h"
+#include "kinds/material_kind.h"
 #include "kinds/shape_kind.h"
 
 #include <gtest/gtest.h>
@@ -34,6 +35,10 @@ TEST(Kinds, OfShapesEmitOrSayWhyNot) {
         EXPECT_TRUE(kind.traits.pack) << kind.name;
         EXPECT_NE(kind.traits.lightKindOf != nullptr, kind.traits.cannotEmit != nullptr) << kind.name;
     }
+}
+
+TEST(Kinds, OfMaterialsHaveABsdf) {
+    for (const MaterialKind* kind : materialKindList()) EXPECT_TRUE(kind->pack);
 }
 
 }  // namespace

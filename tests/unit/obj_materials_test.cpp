@@ -1,5 +1,6 @@
 // Materials of MTL files: what docs/obj.md promises.
 
+#include "kinds/material_kind.h"
 #include "unit/obj_fixture.h"
 
 #include <gtest/gtest.h>
@@ -31,20 +32,20 @@ protected:
 TEST_F(ObjMaterials, areDiffuseWithoutAHighlight) {
     for (const char* statements : {"Kd .2 .4 .6\n", "Kd .2 .4 .6\nKs 0 0 0\nNs 100\nillum 2\n", "kd .2 .4 .6\nKs 1 1 1\nillum 1\n"}) {
         const Scene scene = loadMaterial(statements);
-        EXPECT_EQ(materialOf(scene).kind, MaterialKind::diffuse) << statements;
+        EXPECT_EQ(materialOf(scene).kind, &diffuse_material) << statements;
         EXPECT_EQ(color(materialOf(scene), "reflectance"), glm::dvec3(.2, .4, .6)) << statements;
         EXPECT_EQ(scene.shapes[0].areaLight, none);
     }
     EXPECT_EQ(number(materialOf(loadMaterial("Kd .3\n")), "reflectance"), .3);          // one number is a grey
     EXPECT_EQ(color(materialOf(loadMaterial("illum 2\n")), "reflectance"), glm::dvec3(.5));  // nothing said: grey
-    EXPECT_EQ(materialOf(load(square + "f 1 2 3\n")).kind, MaterialKind::diffuse);
+    EXPECT_EQ(materialOf(load(square + "f 1 2 3\n")).kind, &diffuse_material);
 }
 
 // Ks on a colored base is a coat, as wide as the exponent says: alpha^2 = 2 / (Ns + 2). Ks = 0.5 grey is the plastic of index 1.5.
 TEST_F(ObjMaterials, withAHighlightAreCoated) {
     const Scene scene = loadMaterial("Kd .2 .4 .6\nKs .5 .5 .5\nNs 198\nillum 2\n");
     const Material& material = materialOf(scene);
-    EXPECT_EQ(material.kind, MaterialKind::coatedDiffuse);
+    EXPECT_EQ(material.kind, &coated_diffuse_material);
     EXPECT_NEAR(number(material, "uroughness"), .1, 1e-9);
     EXPECT_NEAR(number(material, "eta"), 1.5, 1e-9);
     EXPECT_FALSE(material.remapRoughness);
@@ -52,10 +53,10 @@ TEST_F(ObjMaterials, withAHighlightAreCoated) {
 
 TEST_F(ObjMaterials, withOnlyAHighlightAreMetal) {
     const Scene glossy = loadMaterial("Kd 0 0 0\nKs .9 .8 .7\nNs 198\n"), mirror = loadMaterial("Kd 0 0 0\nKs .9 .8 .7\nNs 198\nillum 3\n");
-    EXPECT_EQ(materialOf(glossy).kind, MaterialKind::conductor);
+    EXPECT_EQ(materialOf(glossy).kind, &conductor_material);
     EXPECT_NEAR(number(materialOf(glossy), "vroughness"), .1, 1e-9);
     EXPECT_EQ(color(materialOf(glossy), "reflectance"), glm::dvec3(.9, .8, .7));
-    EXPECT_EQ(materialOf(mirror).kind, MaterialKind::conductor);
+    EXPECT_EQ(materialOf(mirror).kind, &conductor_material);
     EXPECT_EQ(number(materialOf(mirror), "uroughness"), 0);
 }
 
@@ -63,17 +64,17 @@ TEST_F(ObjMaterials, withOnlyAHighlightAreMetal) {
 TEST_F(ObjMaterials, thatMirrorAndScatterAreMixed) {
     const Scene scene = loadMaterial("Kd .6 .6 .6\nKs .2 .2 .2\nillum 5\n");
     const Material& material = materialOf(scene);
-    ASSERT_EQ(material.kind, MaterialKind::mix);
+    ASSERT_EQ(material.kind, &mix_material);
     EXPECT_NEAR(number(material, "amount"), .25, 1e-9);
-    EXPECT_EQ(scene.materials.at(static_cast<std::size_t>(material.mixed[0])).kind, MaterialKind::diffuse);
-    EXPECT_EQ(scene.materials.at(static_cast<std::size_t>(material.mixed[1])).kind, MaterialKind::conductor);
+    EXPECT_EQ(scene.materials.at(static_cast<std::size_t>(material.mixed[0])).kind, &diffuse_material);
+    EXPECT_EQ(scene.materials.at(static_cast<std::size_t>(material.mixed[1])).kind, &conductor_material);
 }
 
 TEST_F(ObjMaterials, thatRefractAreGlass) {
     for (const char* statements : {"illum 7\nNi 1.33\n", "illum 6\nKd .5 .5 .5\nNi 1.33\n", "illum 4\nKd 0 0 0\nNi 1.33\n", "Kd 0 0 0\nKs 1 1 1\nNi 1.33\nd 0\n",
                                    "Kd 0 0 0\nNi 1.33\nTr 1\n"}) {
         const Scene scene = loadMaterial(statements);
-        EXPECT_EQ(materialOf(scene).kind, MaterialKind::dielectric) << statements;
+        EXPECT_EQ(materialOf(scene).kind, &dielectric_material) << statements;
         EXPECT_EQ(number(materialOf(scene), "eta"), 1.33) << statements;
         EXPECT_EQ(scene.shapes[0].alpha.value.value(), 1) << statements;
     }
@@ -92,18 +93,18 @@ TEST_F(ObjMaterials, thatDissolveCoverInPart) {
 // The extension of physically based exporters: widths are squares of the roughness.
 TEST_F(ObjMaterials, withPrAndPmArePrincipledOrMetal) {
     const Scene metal = loadMaterial("Kd .9 .6 .3\nPm 1\nPr .4\n"), plastic = loadMaterial("Kd .9 .6 .3\nPm 0\nPr .4\nNi 1.6\n"), half = loadMaterial("Kd .9 .6 .3\nPm .3\nPr .4\n");
-    EXPECT_EQ(materialOf(metal).kind, MaterialKind::conductor);
+    EXPECT_EQ(materialOf(metal).kind, &conductor_material);
     EXPECT_NEAR(number(materialOf(metal), "uroughness"), .16, 1e-9);
     EXPECT_EQ(color(materialOf(metal), "reflectance"), glm::dvec3(.9, .6, .3));
-    EXPECT_EQ(materialOf(plastic).kind, MaterialKind::principled);
+    EXPECT_EQ(materialOf(plastic).kind, &principled_material);
     EXPECT_EQ(number(materialOf(plastic), "eta"), 1.6);
     EXPECT_EQ(number(materialOf(plastic), "metallic"), 0);
-    EXPECT_EQ(materialOf(half).kind, MaterialKind::principled);
+    EXPECT_EQ(materialOf(half).kind, &principled_material);
     EXPECT_NEAR(number(materialOf(half), "metallic"), .3, 1e-9);
     EXPECT_EQ(color(materialOf(half), "base"), glm::dvec3(.9, .6, .3));
 
     const Scene coated = loadMaterial("Kd .9 .6 .3\nPm 1\nPr .4\nPc .5\nPcr .2\nPs .7\naniso .5\n");
-    EXPECT_EQ(materialOf(coated).kind, MaterialKind::principled);
+    EXPECT_EQ(materialOf(coated).kind, &principled_material);
     EXPECT_NEAR(number(materialOf(coated), "coat"), .5, 1e-9);
     EXPECT_NEAR(number(materialOf(coated), "coatroughness"), .04, 1e-9);
     EXPECT_NEAR(number(materialOf(coated), "sheen"), .7, 1e-9);
@@ -171,7 +172,7 @@ TEST_F(ObjMaterials, haveAlphaBumpAndNormalMaps) {
 
 TEST_F(ObjMaterials, warnOfWhatIsMissingOrUnknown) {
     const Scene noLibrary = load("mtllib a.mtl b.mtl\n" + square + "usemtl x\nf 1 2 3\n");
-    EXPECT_EQ(materialOf(noLibrary).kind, MaterialKind::diffuse);
+    EXPECT_EQ(materialOf(noLibrary).kind, &diffuse_material);
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:1: warning: there is no material library \"a.mtl\""), HasSubstr("\"b.mtl\"")));
     write("model.mtl", "newmtl m\nKd 1 1 1\nwobble 3\n");
     load("mtllib model.mtl\n" + square + "usemtl n\nf 1 2 3\nusemtl m\nf 1 2 4\n");

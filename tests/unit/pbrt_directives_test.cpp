@@ -1,5 +1,6 @@
 // Directives: transforms, blocks, other files, and the order that they come in.
 
+#include "kinds/material_kind.h"
 #include "unit/pbrt_reading.h"
 
 #include <zlib.h>
@@ -67,11 +68,11 @@ TEST_F(PbrtDirectives, blocksRestoreEverything) {
         Shape "sphere")");
     const Shape &inner = scene.shapes[0], &outer = scene.shapes[1];
     EXPECT_TRUE(inner.reverseOrientation);
-    EXPECT_EQ(scene.materials[inner.material].kind, MaterialKind::conductor);
+    EXPECT_EQ(scene.materials[inner.material].kind, &conductor_material);
     EXPECT_EQ(inner.areaLight, 0);
     EXPECT_TRUE(inner.interface.has_value());
     EXPECT_FALSE(outer.reverseOrientation);
-    EXPECT_EQ(scene.materials[outer.material].kind, MaterialKind::diffuse);
+    EXPECT_EQ(scene.materials[outer.material].kind, &diffuse_material);
     EXPECT_EQ(outer.areaLight, none);
     EXPECT_FALSE(outer.interface.has_value());
     expectNear(apply(scene.shapes[2].worldFromObject, {0, 0, 0}), {0, 0, 0});

@@ -1,5 +1,6 @@
 // Materials. The defaults are those of pbrt-v4's source (materials.cpp).
 
+#include "kinds/material_kind.h"
 #include "read/pbrt/materials.h"
 #include "unit/pbrt_reading.h"
 
@@ -43,7 +44,7 @@ TEST_F(PbrtMaterials, aConductorIsOfCopperOrOfAColor) {
 
 TEST_F(PbrtMaterials, aCoatedConductorHasTwoOfEachRoughness) {
     const Material copper = material("\"coatedconductor\" \"float conductor.roughness\" .2 \"float interface.uroughness\" .1");
-    EXPECT_EQ(copper.kind, MaterialKind::coatedConductor);
+    EXPECT_EQ(copper.kind, &coated_conductor_material);
     const std::map<std::string, double> expected = {{"uroughness", .1}, {"vroughness", 0}, {"metal_uroughness", .2}, {"metal_vroughness", .2}, {"thickness", .01},
                                                     {"eta", 1.5},       {"g", 0},          {"albedo", 0},            {"maxdepth", 10},         {"nsamples", 1}};
     for (const auto& [name, number] : expected) EXPECT_EQ(value(copper, name), number) << name;
@@ -116,7 +117,7 @@ TEST_F(PbrtMaterials, mixes) {
                               "MakeNamedMaterial \"air\" \"string type\" \"interface\"\n";
     const Scene scene = world(parts + "Material \"mix\" \"string materials\" [\"b\" \"a\"] Shape \"sphere\"");
     const Material& mix = scene.materials[scene.shapes[0].material];
-    EXPECT_EQ(mix.kind, MaterialKind::mix);
+    EXPECT_EQ(mix.kind, &mix_material);
     EXPECT_EQ(value(mix, "amount"), .5);
     EXPECT_EQ(scene.materials[mix.mixed[0]].name, "b");
     EXPECT_EQ(scene.materials[mix.mixed[1]].name, "a");
@@ -143,10 +144,10 @@ TEST_F(PbrtMaterials, bumpsAndNormals) {
 }
 
 TEST_F(PbrtMaterials, interfacesInThreeSpellings) {
-    EXPECT_EQ(material("\"interface\"").kind, MaterialKind::interface);
+    EXPECT_EQ(material("\"interface\"").kind, &interface_material);
     EXPECT_THAT(warnings_, IsEmpty());
-    EXPECT_EQ(material("\"\"").kind, MaterialKind::interface);
-    EXPECT_EQ(material("\"none\"").kind, MaterialKind::interface);
+    EXPECT_EQ(material("\"\"").kind, &interface_material);
+    EXPECT_EQ(material("\"none\"").kind, &interface_material);
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("deprecated")));
 }
 

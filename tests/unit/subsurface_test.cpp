@@ -1,5 +1,6 @@
 // Material "subsurface": what is inside of it, and the albedo of deep bodies.
 
+#include "kinds/material_kind.h"
 #include "color/diffuse_albedo.h"
 #include "read/formats/image.h"
 #include "unit/pbrt_reading.h"
@@ -68,7 +69,7 @@ class Subsurface : public PbrtTest {
 protected:
     Medium inside(const std::string& parameters) {
         const Material material = world("Material \"subsurface\" " + parameters).materials.at(0);
-        EXPECT_EQ(material.kind, MaterialKind::subsurface);
+        EXPECT_EQ(material.kind, &subsurface_material);
         EXPECT_EQ(material.inputs.size(), 3u);   // what its boundary is: eta, uroughness, vroughness
         return *material.interior;
     }
@@ -140,7 +141,7 @@ TEST_F(Subsurface, CoefficientsAreSpectraBeforeTheyAreAnAlbedo) {
 TEST_F(Subsurface, TakesItsReflectanceFromATexture) {
     const auto read = [&](const std::string& parameters) { return world("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"float eta\" 1 " + parameters).materials.at(0); };
     const Material body = read("\"texture reflectance\" \"t\" \"rgb mfp\" [.3 .2 .1] \"float scale\" 2");
-    EXPECT_EQ(body.kind, MaterialKind::subsurface);
+    EXPECT_EQ(body.kind, &subsurface_material);
     EXPECT_NE(body.diffusion->albedoTexture, none);
     EXPECT_EQ(body.diffusion->pathTexture, none);
     expectNear(body.diffusion->length.albedo(), {.6, .4, .2});
@@ -172,7 +173,7 @@ TEST_F(Subsurface, TakesItsCoefficientsFromTextures) {
         return scene.materials.at(0);
     };
     const Material body = read("\"texture sigma_a\" \"t\" \"rgb sigma_s\" [4 5 6] \"float scale\" 2");
-    EXPECT_EQ(body.kind, MaterialKind::subsurface);
+    EXPECT_EQ(body.kind, &subsurface_material);
     EXPECT_FALSE(body.interior);
     EXPECT_EQ(body.diffusion->length.value(), 1);
     const auto& albedo = std::get<DiffuseAlbedoTexture>(scene.textures.at(body.diffusion->albedoTexture).kind);

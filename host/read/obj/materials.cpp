@@ -1,5 +1,6 @@
 #include "read/obj/materials.h"
 
+#include "kinds/material_kind.h"
 #include "read/formats/image.h"
 #include "read/obj/mtl_inputs.h"
 #include "read/obj/mtl_ranges.h"
@@ -48,9 +49,9 @@ public:
 private:
     // ---- surfaces -----------------------------------------------------------------------------------------------------------
 
-    int add(MaterialKind kind, std::map<std::string, Input> inputs, bool remapRoughness = false) {
+    int add(const MaterialKind& kind, std::map<std::string, Input> inputs, bool remapRoughness = false) {
         Material material;
-        material.kind = kind;
+        material.kind = &kind;
         material.name = mtl_.name;
         material.inputs = std::move(inputs);
         material.remapRoughness = remapRoughness;
@@ -59,23 +60,23 @@ private:
         return static_cast<int>(scene_.materials.size()) - 1;
     }
 
-    int diffuse(const Input& reflectance) { return add(MaterialKind::diffuse, {{"reflectance", reflectance}}); }
+    int diffuse(const Input& reflectance) { return add(diffuse_material, {{"reflectance", reflectance}}); }
 
     struct Widths { Input u, v; };
 
     int conductor(const Input& reflectance, const Widths& widths) {
-        return add(MaterialKind::conductor, {{"reflectance", reflectance}, {"uroughness", widths.u}, {"vroughness", widths.v}});
+        return add(conductor_material, {{"reflectance", reflectance}, {"uroughness", widths.u}, {"vroughness", widths.v}});
     }
 
     int coated(const Input& reflectance, double eta, const Widths& widths) {
-        return add(MaterialKind::coatedDiffuse,
+        return add(coated_diffuse_material,
                    {{"reflectance", reflectance}, {"uroughness", widths.u}, {"vroughness", widths.v}, {"eta", constant(eta, "ni")},
                     {"thickness", {Spectrum::constant(0.01)}}, {"g", {Spectrum::constant(0)}}, {"albedo", {Spectrum::constant(0)}},
                     {"maxdepth", {Spectrum::constant(10)}}, {"nsamples", {Spectrum::constant(1)}}});
     }
 
     int mix(int a, int b, const Input& amount) {
-        const int index = add(MaterialKind::mix, {{"amount", amount}});
+        const int index = add(mix_material, {{"amount", amount}});
         scene_.materials[static_cast<std::size_t>(index)].mixed = {a, b};
         return index;
     }
@@ -138,7 +139,7 @@ private:
         const glm::dvec3 filter = mtl_.color("tf").value_or(glm::dvec3(1));
         if (maximum(filter) - std::min({filter.x, filter.y, filter.z}) > 0.05)
             diagnostics_.unsupported("mtl tf", mtl_.whereIs("tf"), "colored transmission (\"Tf\") is not rendered; the glass is clear");
-        return add(MaterialKind::dielectric, {{"eta", constant(eta, "ni")}, {"uroughness", constant(width, "pr")}, {"vroughness", constant(width, "pr")}});
+        return add(dielectric_material, {{"eta", constant(eta, "ni")}, {"uroughness", constant(width, "pr")}, {"vroughness", constant(width, "pr")}});
     }
 
     /// Pr Pm Ps Pc Pcr aniso: a mix of plastic and metal under a clear coat, with sheen.
@@ -150,7 +151,7 @@ private:
         const Widths widths = roughness();
         if (metallic.texture == none && metallic.value.value() == 1 && coat == 0) return conductor(base, widths);
         const double eta = mtl_.number("ni").value_or(1) > 1 ? *mtl_.number("ni") : 1.5;
-        return add(MaterialKind::principled,
+        return add(principled_material,
                    {{"base", base}, {"metallic", metallic}, {"eta", constant(eta, "ni")}, {"uroughness", widths.u}, {"vroughness", widths.v},
                     {"coat", constant(coat, "pc")}, {"coatroughness", constant(coatRoughness * coatRoughness, "pcr")}, {"sheen", sheen}});
     }
@@ -206,7 +207,7 @@ private:
     template <class Set> void onSurfaces(int material, const Set& set) {
         Material& target = scene_.materials[static_cast<std::size_t>(material)];
         set(target);
-        if (target.kind == MaterialKind::mix)
+        if (target.kind == &mix_material)
             for (const int part : target.mixed) onSurfaces(part, set);
     }
     void setNormalMap(int material, const ImageFile& file) {
@@ -269,7 +270,7 @@ ObjMaterial addMaterial(Scene& scene, const MtlMaterial& mtl, double textureSize
 
 ObjMaterial addDefaultMaterial(Scene& scene) {
     Material material;
-    material.kind = MaterialKind::diffuse;
+    material.kind = &diffuse_material;
     material.inputs = {{"reflectance", {Spectrum::constant(0.5)}}};
     scene.materials.push_back(std::move(material));
     return {.material = static_cast<int>(scene.materials.size()) - 1};

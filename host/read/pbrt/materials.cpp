@@ -1,7 +1,6 @@
 #include "read/pbrt/materials.h"
 
-#include "read/pbrt/hair.h"
-#include "read/pbrt/subsurface.h"
+#include "kinds/material_reading.h"
 
 #include <algorithm>
 #include <utility>
@@ -9,50 +8,29 @@
 namespace eikonal::pbrt {
 namespace {
 
-constexpr int kindOf(MaterialKind kind) { return static_cast<int>(kind); }
+/// The directives of all kinds, in the order of MATERIALS.
+struct DirectiveOfKind { const MaterialKind* kind; const MaterialDirective* directive; };
+const std::vector<DirectiveOfKind>& directiveList() {
+    static const std::vector<DirectiveOfKind> list = [] {
+        std::vector<DirectiveOfKind> directives;
+        for (const MaterialKind* kind : materialKindList())
+            for (const MaterialDirective& d : kind->directives) directives.push_back({kind, &d});
+        return directives;
+    }();
+    return list;
+}
+
+constexpr const char* commonParameters =
+    "floatmap displacement -> -; file normalmap -> -; bool remaproughness = true -> -; string type -> -";
 
 }  // namespace
 
-// The common parameters of all materials are appended to each row. "-> name" gives a parameter another name in the scene; "-> -" omits it
-// from the scene.
 const KindTable& materialKinds() {
-    static const KindTable table("material", "floatmap displacement -> -; file normalmap -> -; bool remaproughness = true -> -; string type -> -", {
-        {"diffuse", kindOf(MaterialKind::diffuse), "colormap reflectance = 0.5"},
-        {"coateddiffuse", kindOf(MaterialKind::coatedDiffuse),
-         "colormap reflectance = 0.5; floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf);"
-         "floatmap thickness = 0.01 clamped to [0, inf);"
-         "index eta = 1.5 in [0, inf); floatmap g = 0 clamped to [-1, 1]; colormap albedo = 0; integer maxdepth = 10 clamped to [0, inf);"
-         "integer nsamples = 1 in [1, inf)"},
-        {"conductor", kindOf(MaterialKind::conductor),
-         "spectrummap eta = metal-Cu-eta; spectrummap k = metal-Cu-k; colormap reflectance;"
-         "floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf)"},
-        {"dielectric", kindOf(MaterialKind::dielectric),
-         "index eta = 1.5 in [0, inf); floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf)"},
-        {"thindielectric", kindOf(MaterialKind::thinDielectric), "index eta = 1.5 in [0, inf)"},
-        {"diffusetransmission", kindOf(MaterialKind::diffuseTransmission),
-         "colormap reflectance = 0.25; colormap transmittance = 0.25; float scale = 1 clamped to [0, inf) -> -"},
-        {"mix", kindOf(MaterialKind::mix), "strings materials -> -; floatmap amount = 0.5"},
-        {"interface", kindOf(MaterialKind::interface), ""},
-        {"none", kindOf(MaterialKind::interface), ""},
-        {"", kindOf(MaterialKind::interface), ""},
-        {"coatedconductor", kindOf(MaterialKind::coatedConductor),
-         "spectrummap conductor.eta = metal-Cu-eta -> metal_eta; spectrummap conductor.k = metal-Cu-k -> metal_k; colormap reflectance;"
-         "floatmap conductor.uroughness | conductor.roughness = 0 clamped to [0, inf) -> metal_uroughness;"
-         "floatmap conductor.vroughness | conductor.roughness = 0 clamped to [0, inf) -> metal_vroughness;"
-         "floatmap interface.uroughness | interface.roughness = 0 clamped to [0, inf) -> uroughness;"
-         "floatmap interface.vroughness | interface.roughness = 0 clamped to [0, inf) -> vroughness;"
-         "index interface.eta = 1.5 in [0, inf) -> eta; floatmap thickness = 0.01 clamped to [0, inf); floatmap g = 0 clamped to [-1, 1]; colormap albedo = 0;"
-         "integer maxdepth = 10 clamped to [0, inf); integer nsamples = 1 in [1, inf)"},
-        {"subsurface", kindOf(MaterialKind::subsurface),
-         "floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf); index eta = 1.33 in [0, inf);"
-         "string name -> -; spectrummap sigma_a -> -; spectrummap sigma_s -> -; colormap reflectance -> -; spectrummap mfp -> -;"
-         "string method = diffusion -> -; float scale = 1 in [0, inf) -> -; float g = 0 clamped to [-1, 1] -> -"},
-        {"hair", kindOf(MaterialKind::hair),
-         "spectrummap sigma_a; colormap reflectance | color -> -; floatmap eumelanin = 0 clamped to [0, inf) -> -;"
-         "floatmap pheomelanin = 0 clamped to [0, inf) -> -; floatmap eta = 1.55 in (0, inf);"
-         "floatmap beta_m = 0.3 clamped to [0, 1]; floatmap beta_n = 0.3 clamped to [0, 1]; floatmap alpha = 2"},
-        {"measured", kindOf(MaterialKind::measured), "file filename -> -"},
-    });
+    static const KindTable table = [] {
+        std::vector<Row> rows;
+        for (const auto& [kind, directive] : directiveList()) rows.push_back({directive->name, static_cast<int>(rows.size()), directive->parameters});
+        return KindTable("material", commonParameters, rows);
+    }();
     return table;
 }
 
@@ -97,13 +75,15 @@ int MaterialRegistry::resolve(int number, const SourceLocation& where) {
     Material material;
     material.name = entry.name;
     material.where = entry.arguments->where();
-    material.kind = static_cast<MaterialKind>(entry.arguments->kind().value);
+    material.kind = directiveList()[static_cast<size_t>(entry.arguments->kind().value)].kind;
     entry.beingBuilt = true;
     reading_.problems.guard([&] { build(entry, material); });
     entry.beingBuilt = false;
     reading_.scene.materials.push_back(std::move(material));
     return entry.index = static_cast<int>(reading_.scene.materials.size()) - 1;
 }
+
+int MaterialRegistry::named(const std::string& name, const SourceLocation& where) { return resolve(numberOf(name), where); }
 
 void MaterialRegistry::finish() {
     for (size_t number = 0; number < entries_.size(); ++number)
@@ -117,24 +97,17 @@ void MaterialRegistry::build(Entry& entry, Material& material) {
     material.displacement = textures_.textureOf(arguments, "displacement");
     material.normalMap = normalMap(arguments);
 
-    if (material.kind == MaterialKind::mix) readMix(arguments, material);
-    if (material.kind == MaterialKind::diffuseTransmission) {
-        const double scale = arguments.number("scale");
-        for (auto& [name, input] : material.inputs) input = textures_.scaled(input, scale);
-    }
-    if (material.kind == MaterialKind::conductor) preferReflectance(arguments, material, {"eta", "k"});
-    if (material.kind == MaterialKind::coatedConductor) preferReflectance(arguments, material, {"metal_eta", "metal_k"});
-    if (material.kind == MaterialKind::measured) readMeasured(arguments, material);
-    if (material.kind == MaterialKind::subsurface) readInterior(reading_, arguments, material, textures_);
-    if (material.kind == MaterialKind::hair) readHair(reading_, textures_, arguments, material);
+    if (material.kind->metalIndices[0]) preferReflectance(arguments, material);
+    if (material.kind->read) material.kind->read({reading_, arguments, textures_, *this}, material);
 }
 
-void MaterialRegistry::preferReflectance(const Arguments& arguments, Material& material, const std::array<std::string, 2>& indices) {
+void MaterialRegistry::preferReflectance(const Arguments& arguments, Material& material) {
     if (!arguments.has("reflectance")) return;
+    const auto& indices = material.kind->metalIndices;
     for (const Rule& rule : arguments.kind().rules)
         if (std::ranges::count(indices, rule.as) && arguments.has(rule.name))
             throw SceneError(arguments.whereOf(rule.name), arguments.kind().title() + " has either \"reflectance\" or \"" + rule.name + "\", not both");
-    for (const std::string& index : indices) material.inputs.erase(index);
+    for (const char* index : indices) material.inputs.erase(index);
 }
 
 void MaterialRegistry::readInputs(const Arguments& arguments, Material& material) {
@@ -150,24 +123,6 @@ void MaterialRegistry::readInputs(const Arguments& arguments, Material& material
         }
         material.inputs[rule.as] = std::move(input);
     }
-}
-
-void MaterialRegistry::readMix(const Arguments& arguments, Material& material) {
-    const std::vector<std::string> names = arguments.texts("materials");
-    const SourceLocation& where = arguments.whereOf("materials");
-    if (names.size() != 2) throw SceneError(where, "material \"mix\" needs the names of two materials in \"string materials\"");
-    for (int i = 0; i < 2; ++i) {
-        material.mixed[i] = resolve(numberOf(names[i]), where);
-        if (material.mixed[i] != none && reading_.scene.materials[material.mixed[i]].kind == MaterialKind::interface)
-            throw SceneError(where, "\"" + names[i] + "\" is an interface, which cannot be part of a mix");
-    }
-}
-
-void MaterialRegistry::readMeasured(const Arguments& arguments, Material& material) {
-    const std::optional<std::string> path = arguments.file("filename");
-    if (!path && !arguments.has("filename")) throw SceneError(arguments.where(), "material \"measured\" needs a \"string filename\": a .bsdf file of the RGL material database");
-    material.file = path.value_or("");  // if missing, that is already noted
-    material.where = arguments.whereOf("filename");
 }
 
 int MaterialRegistry::normalMap(const Arguments& arguments) {

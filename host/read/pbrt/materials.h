@@ -5,7 +5,6 @@
 #include "read/pbrt/state.h"
 #include "read/pbrt/textures.h"
 
-#include <array>
 #include <deque>
 #include <map>
 #include <memory>
@@ -30,6 +29,9 @@ public:
     /// The index in Scene::materials of a number (none stays none). Notes a problem, once per material, if it was never defined.
     int resolve(int number, const SourceLocation& where);
 
+    /// The same of a name.
+    int named(const std::string& name, const SourceLocation& where);
+
     /// Builds the materials that are not used.
     void finish();
 
@@ -44,9 +46,7 @@ private:
     void build(Entry& entry, Material& material);
     void readInputs(const Arguments& arguments, Material& material);
     /// A metal is given by its reflectance or by its indices. Throws SceneError if both are given.
-    void preferReflectance(const Arguments& arguments, Material& material, const std::array<std::string, 2>& indices);
-    void readMeasured(const Arguments& arguments, Material& material);
-    void readMix(const Arguments& arguments, Material& material);
+    void preferReflectance(const Arguments& arguments, Material& material);
     int normalMap(const Arguments& arguments);
 
     Reading& reading_;

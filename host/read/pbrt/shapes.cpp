@@ -1,5 +1,6 @@
 #include "read/pbrt/shapes.h"
 
+#include "kinds/material_kind.h"
 #include "kinds/shape_reading.h"
 
 #include <algorithm>
@@ -141,7 +142,7 @@ void ShapeRegistry::place(PendingShape pending) {
         if (pending.alpha->type == ParameterType::texture) shape.alpha.texture = textures_.textureOf(*pending.alpha, true);
         else shape.alpha.value = Spectrum::constant(std::clamp(std::get<std::vector<double>>(pending.alpha->values).front(), 0., 1.));
     }
-    if (shape.areaLight != none && shape.material != none && reading_.scene.materials[shape.material].kind == MaterialKind::interface) {
+    if (shape.areaLight != none && shape.material != none && reading_.scene.materials[shape.material].kind == &interface_material) {
         reading_.diagnostics.warnOnce("emitting interface", shape.where, "a shape of material \"interface\" cannot emit; its area light is ignored");
         shape.areaLight = none;
     }

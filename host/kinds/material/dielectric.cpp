@@ -1,0 +1,23 @@
+// Glass and the like, smooth or rough.
+
+#include "kinds/material_packing.h"
+
+namespace eikonal {
+
+static const MaterialDirective directives[] = {
+    {"dielectric", "index eta = 1.5 in [0, inf); floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf)"},
+};
+
+static next_queue pack(InputWriter& in) {
+    if (in.isSmooth()) {
+        in.index(slot_specular_dielectric::eta, "eta");
+        return next_specular_dielectric;
+    }
+    in.index(slot_dielectric::eta, "eta");
+    in.widths(slot_dielectric::alpha_x, slot_dielectric::alpha_y);
+    return next_dielectric;
+}
+
+const MaterialKind dielectric_material{.directives = directives, .pack = pack};
+
+}  // namespace eikonal

@@ -1,0 +1,17 @@
+// No surface: only a boundary of media.
+
+#include "kinds/material_packing.h"
+
+namespace eikonal {
+
+static const MaterialDirective directives[] = {
+    {"interface", ""},
+    {"none", ""},
+    {"", ""},
+};
+
+static next_queue pack(InputWriter&) { return next_crossing; }
+
+const MaterialKind interface_material{.directives = directives, .pack = pack};
+
+}  // namespace eikonal
