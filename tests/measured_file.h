@@ -1,6 +1,6 @@
 #pragma once
-// A small file in the format of the RGL material database, of a surface that is known: GGX facets of width alpha that reflect a given part of
-// the light, whatever its direction.
+// A small file in the format of the RGL material database, of a surface that is known: GGX facets of width alpha that reflect a given part
+// of the light, whatever its direction.
 
 #include <cmath>
 #include <cstdint>
@@ -40,7 +40,8 @@ struct MeasuredFile {
                     for (int x = 0; x < facets; ++x) {
                         const double m = angle(x, facets), turn = 2 * M_PI * y / (facets - 1) - M_PI - p;
                         const double cosine = std::sin(m) * std::cos(turn) * std::sin(t) + std::cos(m) * std::cos(t);
-                        vndf.push_back(static_cast<float>(density(m) * std::max(cosine, 0.) / area(t) * 2 * M_PI * M_PI * x / (facets - 1) * std::sin(m)));
+                        vndf.push_back(static_cast<float>(density(m) * std::max(cosine, 0.) / area(t) * 2 * M_PI * M_PI * x / (facets - 1) *
+                                                          std::sin(m)));
                     }
                 for (int y = 0; y < color; ++y)
                     for (int x = 0; x < color; ++x) luminance.push_back(static_cast<float>(brightness(x / (color - 1.), y / (color - 1.))));

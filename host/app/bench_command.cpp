@@ -59,12 +59,19 @@ double medianSeconds(const std::vector<Repeat>& repeats) {
     return medianOf(repeats, [](const Repeat& r) { return r.seconds; });
 }
 
-nlohmann::ordered_json measure(const Options& o, const Session& session, const std::vector<Repeat>& repeats, const std::vector<Repeat>& loops, double copyRate) {
+nlohmann::ordered_json measure(const Options& o, const Session& session, const std::vector<Repeat>& repeats,
+                               const std::vector<Repeat>& loops, double copyRate) {
     const Repeat& first = repeats.front();
     const double seconds = medianSeconds(repeats);
-    nlohmann::ordered_json json{{"scene", o.scene.path}, {"sceneHash", sceneHash(session.packed())}, {"device", session.context().device().name}, {"version", EIKONAL_VERSION},
-                                {"samples", session.packed().samples}, {"repeats", repeats.size()}, {"wavePaths", session.shape().wavePaths},
-                                {"localSize", session.shape().localSize}, {"run", session.shape().itemsPerWorkItem}};
+    nlohmann::ordered_json json{{"scene", o.scene.path},
+                                {"sceneHash", sceneHash(session.packed())},
+                                {"device", session.context().device().name},
+                                {"version", EIKONAL_VERSION},
+                                {"samples", session.packed().samples},
+                                {"repeats", repeats.size()},
+                                {"wavePaths", session.shape().wavePaths},
+                                {"localSize", session.shape().localSize},
+                                {"run", session.shape().itemsPerWorkItem}};
     const SessionTimes& t = session.times();
     json["loadSeconds"] = t.load;
     json["packSeconds"] = t.pack;
@@ -88,17 +95,26 @@ nlohmann::ordered_json measure(const Options& o, const Session& session, const s
         const double slots = static_cast<double>(stage.slots);
         const StageProgram& program = stageProgram(name);
         const double occupancy = occupancyOf(program, first, stage.slots), bytes = queueBytesPerSlot(program, session.packed().features);
-        json["stages"].push_back({{"stage", name}, {"launches", stage.launches}, {"slots", stage.slots}, {"seconds", stageSeconds},
-                                  {"nanosecondsPerSlot", slots > 0 ? stageSeconds / slots * 1e9 : 0}, {"occupancy", occupancy},
+        json["stages"].push_back({{"stage", name},
+                                  {"launches", stage.launches},
+                                  {"slots", stage.slots},
+                                  {"seconds", stageSeconds},
+                                  {"nanosecondsPerSlot", slots > 0 ? stageSeconds / slots * 1e9 : 0},
+                                  {"occupancy", occupancy},
                                   {"waveFill", slots / (static_cast<double>(stage.launches) * session.shape().wavePaths)},
-                                  {"queueBytesPerSlot", bytes}, {"shareOfCopyRate", stageSeconds > 0 ? bytes * slots / stageSeconds / copyRate : 0}});
+                                  {"queueBytesPerSlot", bytes},
+                                  {"shareOfCopyRate", stageSeconds > 0 ? bytes * slots / stageSeconds / copyRate : 0}});
     }
     for (const Stage& s : session.stages().all())
-        json["kernels"].push_back({{"stage", s.name}, {"buildSeconds", s.compileSeconds}, {"firstLaunchSeconds", s.firstLaunchSeconds}, {"cached", s.kernel.program().fromCache}});
+        json["kernels"].push_back({{"stage", s.name},
+                                   {"buildSeconds", s.compileSeconds},
+                                   {"firstLaunchSeconds", s.firstLaunchSeconds},
+                                   {"cached", s.kernel.program().fromCache}});
     return json;
 }
 
-void addEfficiency(nlohmann::ordered_json& json, const std::vector<Repeat>& repeats, const SeedVariance& images, const FilmImage* reference) {
+void addEfficiency(nlohmann::ordered_json& json, const std::vector<Repeat>& repeats, const SeedVariance& images,
+                   const FilmImage* reference) {
     std::vector<double> seconds;
     for (const Repeat& r : repeats) seconds.push_back(r.seconds);
     constexpr double outliers = 0.001;
@@ -112,23 +128,34 @@ void addEfficiency(nlohmann::ordered_json& json, const std::vector<Repeat>& repe
 }
 
 std::string asTable(const nlohmann::ordered_json& j) {
-    std::string text = fmt::format("{} on {}\nmedian of {} renders of {} samples: {:.3f} s; {:.2f} M paths/s\n", j["scene"].get<std::string>(), j["device"].get<std::string>(),
-                                   j["repeats"].get<int>(), j["samples"].get<int>(), j["renderSeconds"].get<double>(), j["pathsPerSecond"].get<double>() * 1e-6);
-    text += fmt::format("rays {} ({:.2f} M/s), shadow rays {} ({:.2f} M/s); {} kernels compiled in {:.2f} s (not included)\n", j["rays"].get<std::uint64_t>(), j["raysPerSecond"].get<double>() * 1e-6,
-                        j["shadowRays"].get<std::uint64_t>(), j["shadowRaysPerSecond"].get<double>() * 1e-6, j["compiledKernels"].get<int>(), j["compileSeconds"].get<double>());
+    std::string text = fmt::format("{} on {}\nmedian of {} renders of {} samples: {:.3f} s; {:.2f} M paths/s\n",
+                                   j["scene"].get<std::string>(), j["device"].get<std::string>(), j["repeats"].get<int>(),
+                                   j["samples"].get<int>(), j["renderSeconds"].get<double>(), j["pathsPerSecond"].get<double>() * 1e-6);
+    text += fmt::format("rays {} ({:.2f} M/s), shadow rays {} ({:.2f} M/s); {} kernels compiled in {:.2f} s (not included)\n",
+                        j["rays"].get<std::uint64_t>(), j["raysPerSecond"].get<double>() * 1e-6, j["shadowRays"].get<std::uint64_t>(),
+                        j["shadowRaysPerSecond"].get<double>() * 1e-6, j["compiledKernels"].get<int>(), j["compileSeconds"].get<double>());
     if (j.contains("efficiency"))
-        text += fmt::format("relative variance between seeds {:.4g} +- {:.2g} ({:.4g} without the worst thousandth of the pixels); efficiency 1 / (variance x seconds) {:.4g}, 95 % within {:.4g} to {:.4g}\n", j["relativeVariance"].get<double>(),
-                            j["relativeVarianceStandardError"].get<double>(), j["relativeVarianceWithoutOutliers"].get<double>(), j["efficiency"].get<double>(), j["efficiencyInterval"][0].get<double>(), j["efficiencyInterval"][1].get<double>());
-    text += fmt::format("{:<28}{:>9}{:>13}{:>10}{:>9}{:>11}{:>11}{:>8}{:>14}{:>12}\n", "stage", "launches", "slots", "seconds", "share", "ns/slot", "occupancy", "fill", "bytes/slot", "of copying");
+        text += fmt::format(
+            "relative variance between seeds {:.4g} +- {:.2g} ({:.4g} without the worst thousandth of the pixels); efficiency 1 / "
+            "(variance x seconds) {:.4g}, 95 % within {:.4g} to {:.4g}\n",
+            j["relativeVariance"].get<double>(), j["relativeVarianceStandardError"].get<double>(),
+            j["relativeVarianceWithoutOutliers"].get<double>(), j["efficiency"].get<double>(), j["efficiencyInterval"][0].get<double>(),
+            j["efficiencyInterval"][1].get<double>());
+    text += fmt::format("{:<28}{:>9}{:>13}{:>10}{:>9}{:>11}{:>11}{:>8}{:>14}{:>12}\n", "stage", "launches", "slots", "seconds", "share",
+                        "ns/slot", "occupancy", "fill", "bytes/slot", "of copying");
     double all = 0;
     for (const auto& s : j["stages"]) all += s["seconds"].get<double>();
     for (const auto& s : j["stages"])
-        text += fmt::format("{:<28}{:>9}{:>13}{:>10.3f}{:>8.1f}%{:>11.1f}{:>10.1f}%{:>7.1f}%{:>14.0f}{:>11.0f}%\n", s["stage"].get<std::string>(), s["launches"].get<std::uint64_t>(), s["slots"].get<std::uint64_t>(),
-                            s["seconds"].get<double>(), s["seconds"].get<double>() / std::max(all, 1e-12) * 100, s["nanosecondsPerSlot"].get<double>(), s["occupancy"].get<double>() * 100,
-                            s["waveFill"].get<double>() * 100, s["queueBytesPerSlot"].get<double>(), s["shareOfCopyRate"].get<double>() * 100);
-    text += fmt::format("{:<28}{:>32.3f}, of {:.3f} s of wall clock; a queue is copied at {:.1f} GB/s\n", "all stages", all, j["renderSeconds"].get<double>(), j["queueCopyBytesPerSecond"].get<double>() * 1e-9);
+        text += fmt::format("{:<28}{:>9}{:>13}{:>10.3f}{:>8.1f}%{:>11.1f}{:>10.1f}%{:>7.1f}%{:>14.0f}{:>11.0f}%\n",
+                            s["stage"].get<std::string>(), s["launches"].get<std::uint64_t>(), s["slots"].get<std::uint64_t>(),
+                            s["seconds"].get<double>(), s["seconds"].get<double>() / std::max(all, 1e-12) * 100,
+                            s["nanosecondsPerSlot"].get<double>(), s["occupancy"].get<double>() * 100, s["waveFill"].get<double>() * 100,
+                            s["queueBytesPerSlot"].get<double>(), s["shareOfCopyRate"].get<double>() * 100);
+    text += fmt::format("{:<28}{:>32.3f}, of {:.3f} s of wall clock; a queue is copied at {:.1f} GB/s\n", "all stages", all,
+                        j["renderSeconds"].get<double>(), j["queueCopyBytesPerSecond"].get<double>() * 1e-9);
     if (j.contains("loopSeconds"))
-        text += fmt::format("one kernel with a loop: {:.3f} s, {:.2f} times the time of the stages\n", j["loopSeconds"].get<double>(), j["loopSeconds"].get<double>() / j["renderSeconds"].get<double>());
+        text += fmt::format("one kernel with a loop: {:.3f} s, {:.2f} times the time of the stages\n", j["loopSeconds"].get<double>(),
+                            j["loopSeconds"].get<double>() / j["renderSeconds"].get<double>());
     return text;
 }
 
@@ -138,13 +165,17 @@ FilmImage readReference(const std::string& file, const PackedScene& packed) {
     FilmImage image = readImage(file).image;
     const PixelRect& p = packed.pixels;
     const PixelBounds& b = image.bounds;
-    if (static_cast<uint>(image.width) != packed.frame().width || static_cast<uint>(image.height) != packed.frame().height || b.x0 != p.x0 || b.x1 != p.x1 || b.y0 != p.y0 || b.y1 != p.y1)
-        throw Error(ExitCode::scene, fmt::format("--reference: \"{}\" has the pixels {},{} to {},{} of {} x {}; the render has {},{} to {},{} of {} x {}", file, b.x0, b.y0, b.x1, b.y1,
-                                                 image.width, image.height, p.x0, p.y0, p.x1, p.y1, packed.frame().width, packed.frame().height));
+    if (static_cast<uint>(image.width) != packed.frame().width || static_cast<uint>(image.height) != packed.frame().height ||
+        b.x0 != p.x0 || b.x1 != p.x1 || b.y0 != p.y0 || b.y1 != p.y1)
+        throw Error(ExitCode::scene,
+                    fmt::format("--reference: \"{}\" has the pixels {},{} to {},{} of {} x {}; the render has {},{} to {},{} of {} x {}",
+                                file, b.x0, b.y0, b.x1, b.y1, image.width, image.height, p.x0, p.y0, p.x1, p.y1, packed.frame().width,
+                                packed.frame().height));
     glm::dvec3 sum(0);
     for (const glm::vec3& c : image.color) sum += glm::dvec3(c);
     if (!std::isfinite(sum.x + sum.y + sum.z) || !(sum.x + sum.y + sum.z > 0))
-        throw Error(ExitCode::scene, fmt::format("--reference: \"{}\" is black or has pixels that are not finite, so relative errors are undefined", file));
+        throw Error(ExitCode::scene,
+                    fmt::format("--reference: \"{}\" is black or has pixels that are not finite, so relative errors are undefined", file));
     return image;
 }
 
@@ -156,7 +187,8 @@ int benchCommand(const Options& o) {
     Session session(o, diagnostics, true);
     session.load();
     session.pack({});
-    const std::optional<FilmImage> reference = o.reference.empty() ? std::nullopt : std::optional(readReference(o.reference, session.packed()));
+    const std::optional<FilmImage> reference =
+        o.reference.empty() ? std::nullopt : std::optional(readReference(o.reference, session.packed()));
     session.prepare();
     std::vector<Repeat> repeats, loops;
     Profile loopProfile;

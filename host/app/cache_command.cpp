@@ -33,7 +33,8 @@ static std::vector<std::string> ownScenes() {
     std::error_code error;
     for (std::filesystem::directory_iterator i(folder, error), end; !error && i != end; i.increment(error))
         if (i->path().extension() == ".pbrt") scenes.push_back(i->path().string());
-    if (scenes.empty()) throw UsageError(fmt::format("there are no scenes in {}; name some: eikonal cache --warm scene.pbrt", folder.string()));
+    if (scenes.empty())
+        throw UsageError(fmt::format("there are no scenes in {}; name some: eikonal cache --warm scene.pbrt", folder.string()));
     std::sort(scenes.begin(), scenes.end());
     return scenes;
 }
@@ -46,7 +47,8 @@ static void warm(const Options& o, const std::string& scene, Diagnostics& diagno
     session.load();
     session.pack({});
     session.prepare();
-    print(fmt::format("{}: {} kernels, {} of them compiled now, in {:.1f} s\n", scene, session.stages().all().size(), session.compiledStages(), session.times().compile));
+    print(fmt::format("{}: {} kernels, {} of them compiled now, in {:.1f} s\n", scene, session.stages().all().size(),
+                      session.compiledStages(), session.times().compile));
 }
 
 int cacheCommand(const Options& o) {

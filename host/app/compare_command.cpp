@@ -30,13 +30,22 @@ int compareCommand(const Options& o) {
         json["invalidPixels"] = c.invalid;
         json["blocks"] = c.blocks.size();
         json["blocksOff"] = off;
-        json["worstBlock"] = {{"x", worst.x}, {"y", worst.y}, {"distance", worst.distance(relative, sigmas)}, {"image", asJson(worst.image)}, {"reference", asJson(worst.reference)}};
+        json["worstBlock"] = {{"x", worst.x},
+                              {"y", worst.y},
+                              {"distance", worst.distance(relative, sigmas)},
+                              {"image", asJson(worst.image)},
+                              {"reference", asJson(worst.reference)}};
         std::fputs((json.dump(2) + "\n").c_str(), stdout);
     } else {
-        std::fputs(fmt::format("mean            {:.6g} {:.6g} {:.6g}\nreference mean  {:.6g} {:.6g} {:.6g}\nworst channel   {:.3f} % off\nrelative MSE    {:.4g}\n"
-                               "blocks off      {} of {}, by more than {:.0f} % and {:.0f} standard errors; the worst, at pixel ({}, {}), by {:.3g} times that\npixels skipped  {} that are not finite\n",
-                               c.mean.x, c.mean.y, c.mean.z, c.referenceMean.x, c.referenceMean.y, c.referenceMean.z, c.worstMean() * 100, c.relativeMse, off, c.blocks.size(),
-                               relative * 100, sigmas, worst.x, worst.y, worst.distance(relative, sigmas), c.invalid).c_str(), stdout);
+        std::fputs(fmt::format("mean            {:.6g} {:.6g} {:.6g}\nreference mean  {:.6g} {:.6g} {:.6g}\nworst channel   {:.3f} % "
+                               "off\nrelative MSE    {:.4g}\n"
+                               "blocks off      {} of {}, by more than {:.0f} % and {:.0f} standard errors; the worst, at pixel ({}, {}), "
+                               "by {:.3g} times that\npixels skipped  {} that are not finite\n",
+                               c.mean.x, c.mean.y, c.mean.z, c.referenceMean.x, c.referenceMean.y, c.referenceMean.z, c.worstMean() * 100,
+                               c.relativeMse, off, c.blocks.size(), relative * 100, sigmas, worst.x, worst.y,
+                               worst.distance(relative, sigmas), c.invalid)
+                       .c_str(),
+                   stdout);
     }
     return static_cast<int>(ExitCode::success);
 }

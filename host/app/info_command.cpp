@@ -13,9 +13,17 @@ namespace {
 struct Count { const char *key, *name; size_t value; };
 
 std::vector<Count> countsOf(const SceneCounts& c) {
-    return {{"triangles", "triangles", c.triangles}, {"patches", "bilinear patches", c.patches}, {"quadrics", "spheres, disks and cylinders", c.quadrics}, {"curves", "segments of curves", c.curves}, {"implicits", "implicit surfaces", c.implicits},
-            {"objects", "objects", c.objects},       {"instances", "instances", c.instances},    {"lights", "lights", c.lights},
-            {"materials", "materials", c.materials}, {"textures", "textures", c.textures},       {"images", "images", c.images},
+    return {{"triangles", "triangles", c.triangles},
+            {"patches", "bilinear patches", c.patches},
+            {"quadrics", "spheres, disks and cylinders", c.quadrics},
+            {"curves", "segments of curves", c.curves},
+            {"implicits", "implicit surfaces", c.implicits},
+            {"objects", "objects", c.objects},
+            {"instances", "instances", c.instances},
+            {"lights", "lights", c.lights},
+            {"materials", "materials", c.materials},
+            {"textures", "textures", c.textures},
+            {"images", "images", c.images},
             {"media", "media", c.media}};
 }
 
@@ -23,7 +31,8 @@ std::string asText(const Options& o, const PackedScene& packed, const MemoryPlan
     const PixelRect& r = packed.pixels;
     const settings& frame = packed.frame();
     std::string text = fmt::format("{}\n  image      {} x {}", o.scene.path, frame.width, frame.height);
-    if (r.width() != static_cast<int>(frame.width) || r.height() != static_cast<int>(frame.height)) text += fmt::format(", only {} <= x < {}, {} <= y < {}", r.x0, r.x1, r.y0, r.y1);
+    if (r.width() != static_cast<int>(frame.width) || r.height() != static_cast<int>(frame.height))
+        text += fmt::format(", only {} <= x < {}, {} <= y < {}", r.x0, r.x1, r.y0, r.y1);
     text += fmt::format("\n  sampling   {} samples per pixel, at most {} bounces\n  contents   ", packed.samples, frame.max_depth);
     bool first = true;
     for (const Count& c : countsOf(packed.counts)) {
@@ -32,7 +41,8 @@ std::string asText(const Options& o, const PackedScene& packed, const MemoryPlan
         first = false;
     }
     if (first) text += "nothing";
-    text += fmt::format("\n  hierarchy  {} levels, built in {:.2f} s\n  memory     {}\n  requires\n", packed.counts.bvhDepth, packed.counts.buildSeconds, describe(plan));
+    text += fmt::format("\n  hierarchy  {} levels, built in {:.2f} s\n  memory     {}\n  requires\n", packed.counts.bvhDepth,
+                        packed.counts.buildSeconds, describe(plan));
     for (const auto& [feature, why] : packed.reasons)
         text += fmt::format("    {:<22} {}{}\n", featureName(feature), featureReason(feature), why.empty() ? "" : "  (" + why + ")");
     return text;
@@ -50,7 +60,8 @@ nlohmann::ordered_json asJson(const Options& o, const PackedScene& packed, const
     for (const Count& c : countsOf(packed.counts)) json["counts"][c.key] = c.value;
     json["memory"] = {{"tables", plan.tables}, {"queues", plan.queues}, {"film", plan.film}};
     json["features"] = nlohmann::ordered_json::array();
-    for (const auto& [feature, why] : packed.reasons) json["features"].push_back({{"name", featureName(feature)}, {"meaning", featureReason(feature)}, {"firstUse", why}});
+    for (const auto& [feature, why] : packed.reasons)
+        json["features"].push_back({{"name", featureName(feature)}, {"meaning", featureReason(feature)}, {"firstUse", why}});
     return json;
 }
 
@@ -61,7 +72,8 @@ int infoCommand(const Options& o) {
     Session session(o, diagnostics);
     session.load(false);
     session.pack({});
-    const std::string text = o.json ? asJson(o, session.packed(), session.plan()).dump(2) + "\n" : asText(o, session.packed(), session.plan());
+    const std::string text =
+        o.json ? asJson(o, session.packed(), session.plan()).dump(2) + "\n" : asText(o, session.packed(), session.plan());
     std::fputs(text.c_str(), stdout);
     return static_cast<int>(ExitCode::success);
 }

@@ -51,7 +51,8 @@ int parseInteger(const std::string& option, const std::string& text, int low, in
     if (value && *value >= low && *value <= high) return *value;
     const bool unlimited = high == std::numeric_limits<int>::max();
     if (unlimited && low == std::numeric_limits<int>::min()) refuse(option, "a whole number", text);
-    refuse(option, unlimited ? fmt::format("a whole number of at least {}", low) : fmt::format("a whole number from {} to {}", low, high), text);
+    refuse(option, unlimited ? fmt::format("a whole number of at least {}", low) : fmt::format("a whole number from {} to {}", low, high),
+           text);
 }
 
 double parseNumber(const std::string& option, const std::string& text, double low, double high) {

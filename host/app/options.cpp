@@ -16,9 +16,13 @@ constexpr int unlimited = std::numeric_limits<int>::max();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Declares an option whose value is read by `parse(option, text)`.
-template <class Target, class Parse> CLI::Option* value(CLI::App* app, const std::string& names, Target& target, const std::string& type, const std::string& help, Parse parse) {
+template <class Target, class Parse>
+CLI::Option* value(CLI::App* app, const std::string& names, Target& target, const std::string& type, const std::string& help, Parse parse) {
     const std::string option = names.substr(names.rfind("--"));
-    return app->add_option_function<std::string>(names, [&target, option, parse](const std::string& text) { target = parse(option, text); }, help)->type_name(type);
+    return app
+        ->add_option_function<std::string>(
+            names, [&target, option, parse](const std::string& text) { target = parse(option, text); }, help)
+        ->type_name(type);
 }
 
 auto integer(int low, int high = unlimited) {
@@ -34,50 +38,94 @@ template <class Value> auto oneOf(std::vector<std::pair<const char*, Value>> nam
 void addLogging(CLI::App* app, Options& o) {
     app->add_flag("--quiet", o.quiet, "Print nothing but errors");
     value(app, "--log-level", o.log, "LEVEL", "What to print: silent, error, warning (default), info, debug",
-          oneOf<LogLevel>({{"silent", LogLevel::silent}, {"error", LogLevel::error}, {"warning", LogLevel::warning}, {"info", LogLevel::info}, {"debug", LogLevel::debug}}));
+          oneOf<LogLevel>({{"silent", LogLevel::silent},
+                           {"error", LogLevel::error},
+                           {"warning", LogLevel::warning},
+                           {"info", LogLevel::info},
+                           {"debug", LogLevel::debug}}));
 }
 
-CLI::Option* addListDevices(CLI::App* app, Options& o) { return app->add_flag("--list-devices", o.device.list, "Print the OpenCL devices"); }
+CLI::Option* addListDevices(CLI::App* app, Options& o) {
+    return app->add_flag("--list-devices", o.device.list, "Print the OpenCL devices");
+}
 
 void addDevice(CLI::App* app, Options& o) {
     DeviceOptions& d = o.device;
     const std::string group = "Device";
-    app->add_option("--device", d.device, "The OpenCL device: its number in list-devices, or part of its name (default: a GPU if there is one)")->type_name("NAME|INDEX")->group(group);
-    value(app, "--nthreads", d.threads, "N", "Threads for loading the scene and, on PoCL, for rendering (default: one per core)", integer(1, 4096))->group(group);
+    app->add_option("--device", d.device,
+                    "The OpenCL device: its number in list-devices, or part of its name (default: a GPU if there is one)")
+        ->type_name("NAME|INDEX")
+        ->group(group);
+    value(app, "--nthreads", d.threads, "N", "Threads for loading the scene and, on PoCL, for rendering (default: one per core)",
+          integer(1, 4096))
+        ->group(group);
     app->add_flag_callback("--no-cache", [&d] { d.cache = false; }, "Compile all kernels, and do not cache them")->group(group);
-    app->add_option("--dump-kernels", d.dumpFolder, "Write the source and build options of each kernel into this folder")->type_name("DIR")->group(group);
-    value(app, "--wave-paths", d.wavePaths, "N", "Paths in flight at once; affects speed and memory, never the image", integer(1, 1 << 26))->group(group);
-    value(app, "--local-size", d.localSize, "N", "Work-items per group, a power of two; affects speed, never the image", parsePowerOfTwo)->group(group);
-    value(app, "--items-per-work-item", d.itemsPerWorkItem, "N", "Neighbouring queue slots per work-item, a power of two; affects speed, never the image", parsePowerOfTwo)->group(group);
+    app->add_option("--dump-kernels", d.dumpFolder, "Write the source and build options of each kernel into this folder")
+        ->type_name("DIR")
+        ->group(group);
+    value(app, "--wave-paths", d.wavePaths, "N", "Paths in flight at once; affects speed and memory, never the image", integer(1, 1 << 26))
+        ->group(group);
+    value(app, "--local-size", d.localSize, "N", "Work-items per group, a power of two; affects speed, never the image", parsePowerOfTwo)
+        ->group(group);
+    value(app, "--items-per-work-item", d.itemsPerWorkItem, "N",
+          "Neighbouring queue slots per work-item, a power of two; affects speed, never the image", parsePowerOfTwo)
+        ->group(group);
     addListDevices(app, o)->group(group);
-    value(app, "--contraction", d.contraction, "on|off", "Whether a*b+c may be rounded once (default: on)", oneOf<bool>({{"on", true}, {"off", false}}))->group(group);
-    app->add_option("--build-options", d.buildOptions, "Additional options for the OpenCL compiler, such as --build-options=-cl-fast-relaxed-math")->type_name("TEXT")->group(group);
+    value(app, "--contraction", d.contraction, "on|off", "Whether a*b+c may be rounded once (default: on)",
+          oneOf<bool>({{"on", true}, {"off", false}}))
+        ->group(group);
+    app->add_option("--build-options", d.buildOptions,
+                    "Additional options for the OpenCL compiler, such as --build-options=-cl-fast-relaxed-math")
+        ->type_name("TEXT")
+        ->group(group);
 }
 
 /// `takesOne`: the command takes a single scene.
 void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     SceneOptions& s = o.scene;
-    if (takesOne) app->add_option("SCENE", s.path, "A pbrt-v4 scene (.pbrt) or a Wavefront OBJ (.obj), also compressed (.gz)")->type_name("");
+    if (takesOne)
+        app->add_option("SCENE", s.path, "A pbrt-v4 scene (.pbrt) or a Wavefront OBJ (.obj), also compressed (.gz)")->type_name("");
     const std::string group = "Scene (overrides the file)";
     value(app, "--spp", s.spp, "N", "Samples per pixel", integer(1))->group(group);
     value(app, "--seed", s.seed, "N", "Seed of the random numbers", integer(std::numeric_limits<int>::min()))->group(group);
-    value(app, "--sampler", s.sampler, "NAME", "Random numbers: independent; paddedsobol: low discrepancy in each dimension; sobol: also over several dimensions together; zsobol (default): also between neighbouring pixels",
-          oneOf<SamplerKind>({std::begin(samplerNames), std::end(samplerNames)}))->group(group);
-    value(app, "--color", s.colorMode, "NAME", "rgb; spectral: four wavelengths per path; auto (default): spectral where the scene needs it",
-          oneOf<ColorMode>({{"auto", ColorMode::automatic}, {"rgb", ColorMode::rgb}, {"spectral", ColorMode::spectral}}))->group(group);
-    value(app, "--integrator", s.integrator, "NAME", "Light transport algorithm: volpath, path, direct, whitted, ambientocclusion, simplepath, simplevolpath, randomwalk",
-          oneOf<IntegratorKind>({std::begin(integratorNames), std::end(integratorNames)}))->group(group);
-    value(app, "--subsurface", s.subsurface, "NAME", "Light transport inside bodies of material \"subsurface\": diffusion, or randomwalk (slower, exact)",
-          oneOf<SubsurfaceMethod>({std::begin(subsurfaceMethodNames), std::end(subsurfaceMethodNames)}))->group(group);
+    value(app, "--sampler", s.sampler, "NAME",
+          "Random numbers: independent; paddedsobol: low discrepancy in each dimension; sobol: also over several dimensions together; "
+          "zsobol (default): also between neighbouring pixels",
+          oneOf<SamplerKind>({std::begin(samplerNames), std::end(samplerNames)}))
+        ->group(group);
+    value(app, "--color", s.colorMode, "NAME",
+          "rgb; spectral: four wavelengths per path; auto (default): spectral where the scene needs it",
+          oneOf<ColorMode>({{"auto", ColorMode::automatic}, {"rgb", ColorMode::rgb}, {"spectral", ColorMode::spectral}}))
+        ->group(group);
+    value(app, "--integrator", s.integrator, "NAME",
+          "Light transport algorithm: volpath, path, direct, whitted, ambientocclusion, simplepath, simplevolpath, randomwalk",
+          oneOf<IntegratorKind>({std::begin(integratorNames), std::end(integratorNames)}))
+        ->group(group);
+    value(app, "--subsurface", s.subsurface, "NAME",
+          "Light transport inside bodies of material \"subsurface\": diffusion, or randomwalk (slower, exact)",
+          oneOf<SubsurfaceMethod>({std::begin(subsurfaceMethodNames), std::end(subsurfaceMethodNames)}))
+        ->group(group);
     value(app, "--max-depth", s.maxDepth, "N", "Bounces; interfaces between media do not count", integer(0))->group(group);
-    value(app, "--roulette", s.roulette, "NAME", "Probability that a path of throughput t survives Russian roulette: root: sqrt(t); throughput: t, as in pbrt-v4 (default: chosen for the scene)",
-          oneOf<RouletteRule>({std::begin(rouletteRuleNames), std::end(rouletteRuleNames)}))->group(group);
-    value(app, "--roulette-scale", s.rouletteScale, "X", "Factor of that probability; larger values give longer paths (1 where --roulette or --roulette-depth is given)", number(1e-6, 1e6))->group(group);
-    value(app, "--roulette-depth", s.rouletteDepth, "N", "Bounces before Russian roulette (4 where --roulette or --roulette-scale is given; pbrt-v4: 1)", integer(0))->group(group);
-    value(app, "--light-sampler", s.lightSampler, "NAME", "How to choose the light to sample: bvh, power or uniform (default: power for few lights, else bvh)",
-          oneOf<LightSampler>({std::begin(lightSamplerNames), std::end(lightSamplerNames)}))->group(group);
-    value(app, "--environment-guide", s.environmentGuide, "NAME", "Whether to guide light samples of an infinite light without an image: auto (default): in closed scenes; always; never",
-          oneOf<EnvironmentGuide>({std::begin(environmentGuideNames), std::end(environmentGuideNames)}))->group(group);
+    value(app, "--roulette", s.roulette, "NAME",
+          "Probability that a path of throughput t survives Russian roulette: root: sqrt(t); throughput: t, as in pbrt-v4 (default: chosen "
+          "for the scene)",
+          oneOf<RouletteRule>({std::begin(rouletteRuleNames), std::end(rouletteRuleNames)}))
+        ->group(group);
+    value(app, "--roulette-scale", s.rouletteScale, "X",
+          "Factor of that probability; larger values give longer paths (1 where --roulette or --roulette-depth is given)",
+          number(1e-6, 1e6))
+        ->group(group);
+    value(app, "--roulette-depth", s.rouletteDepth, "N",
+          "Bounces before Russian roulette (4 where --roulette or --roulette-scale is given; pbrt-v4: 1)", integer(0))
+        ->group(group);
+    value(app, "--light-sampler", s.lightSampler, "NAME",
+          "How to choose the light to sample: bvh, power or uniform (default: power for few lights, else bvh)",
+          oneOf<LightSampler>({std::begin(lightSamplerNames), std::end(lightSamplerNames)}))
+        ->group(group);
+    value(app, "--environment-guide", s.environmentGuide, "NAME",
+          "Whether to guide light samples of an infinite light without an image: auto (default): in closed scenes; always; never",
+          oneOf<EnvironmentGuide>({std::begin(environmentGuideNames), std::end(environmentGuideNames)}))
+        ->group(group);
     value(app, "--resolution", s.resolution, "WxH", "Pixels of the whole image", parseResolution)->group(group);
     value(app, "--cropwindow", s.cropWindow, "x0,x1,y0,y1", "Render a part, in fractions of the image", parseCropWindow)->group(group);
     value(app, "--pixelbounds", s.pixelBounds, "x0,x1,y0,y1", "Render a part, in pixels: x0 <= x < x1", parsePixelBounds)->group(group);
@@ -92,16 +140,27 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
 void addOutput(CLI::App* app, Options& o) {
     OutputOptions& out = o.output;
     const std::string group = "Image";
-    app->add_option("-o,--outfile", out.files, "An image file: exr, hdr, pfm, png, jpg, tif, tga, bmp, webp; may be repeated. A single EXR is accompanied by a PNG (default: the scene's name with .exr)")
-        ->type_name("FILE")->type_size(1)->allow_extra_args(false)->group(group);
+    app->add_option("-o,--outfile", out.files,
+                    "An image file: exr, hdr, pfm, png, jpg, tif, tga, bmp, webp; may be repeated. A single EXR is accompanied by a PNG "
+                    "(default: the scene's name with .exr)")
+        ->type_name("FILE")
+        ->type_size(1)
+        ->allow_extra_args(false)
+        ->group(group);
     std::string channels;
     for (const AovName& each : aovNames) channels += each.name + std::string(", ");
-    value(app, "--aov", out.aovs, "NAMES", "Additional channels of an EXR: " + channels + "separated by commas; or all", parseAovs)->group(group);
+    value(app, "--aov", out.aovs, "NAMES", "Additional channels of an EXR: " + channels + "separated by commas; or all", parseAovs)
+        ->group(group);
     value(app, "--tonemap", out.toneMapping.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
           [](const std::string&, const std::string& text) { return toneCurve(text); })->group(group);
-    value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))->group(group);
-    value(app, "--time-limit", out.timeLimit, "SECONDS", "Stop rendering after this time, but not before every pixel has a sample", number(0))->group(group);
-    value(app, "--target-error", out.targetError, "E", "Sample adaptively until the image's relative error is about E, such as 0.05; --spp is then the maximum per pixel", number(0))->group(group);
+    value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))
+        ->group(group);
+    value(app, "--time-limit", out.timeLimit, "SECONDS", "Stop rendering after this time, but not before every pixel has a sample",
+          number(0))
+        ->group(group);
+    value(app, "--target-error", out.targetError, "E",
+          "Sample adaptively until the image's relative error is about E, such as 0.05; --spp is then the maximum per pixel", number(0))
+        ->group(group);
     app->add_flag("--stats", out.stats, "Print time and memory statistics");
 }
 
@@ -138,9 +197,14 @@ struct Parser {
 
         auto* bench = add("bench", Command::bench, "Measure a scene, stage by stage");
         addScene(bench, options);
-        bench->add_flag("--loop", options.loop, "Also measure a single kernel that follows each path in a loop, interleaved with the stages");
-        bench->add_flag("--efficiency", options.efficiency, "Also measure efficiency: each repeat has its own seed, and the variance between repeats is the error");
-        bench->add_option("--reference", options.reference, "With --efficiency: a converged image that errors are relative to (default: the mean of the repeats)")->type_name("IMAGE");
+        bench->add_flag("--loop", options.loop,
+                        "Also measure a single kernel that follows each path in a loop, interleaved with the stages");
+        bench->add_flag("--efficiency", options.efficiency,
+                        "Also measure efficiency: each repeat has its own seed, and the variance between repeats is the error");
+        bench
+            ->add_option("--reference", options.reference,
+                         "With --efficiency: a converged image that errors are relative to (default: the mean of the repeats)")
+            ->type_name("IMAGE");
         value(bench, "--repeats", options.repeats, "N", "Number of renders; the median counts (default: 5)", integer(1, 1000));
         bench->add_option("--json", options.jsonFile, "Also write the figures into this file")->type_name("FILE");
         addDevice(bench, options);
@@ -148,7 +212,9 @@ struct Parser {
 
         auto* cache = add("cache", Command::cache, "Print, warm or clear the cache of compiled kernels");
         cache->add_flag("--clear", options.clearCache, "Remove all compiled kernels");
-        cache->add_flag("--warm", options.warmCache, "Compile and keep the kernels of these scenes (default: of the scenes that come with the program); after --clear if both are given");
+        cache->add_flag("--warm", options.warmCache,
+                        "Compile and keep the kernels of these scenes (default: of the scenes that come with the program); after --clear "
+                        "if both are given");
         cache->add_option("SCENE", options.scenes, "Scenes for --warm")->type_name("");
         addDevice(cache, options);
         addLogging(cache, options);
@@ -168,7 +234,8 @@ struct Parser {
         compare->add_option("IMAGE", options.image, "An image file")->type_name("");
         compare->add_option("REFERENCE", options.reference, "The image to compare with")->type_name("");
         compare->add_flag("--json", options.json, "Print JSON");
-        compare->add_flag("--scatter", options.scatter, "Estimate standard errors from the spread of the differences in each block, not from the image's variance");
+        compare->add_flag("--scatter", options.scatter,
+                          "Estimate standard errors from the spread of the differences in each block, not from the image's variance");
     }
 };
 
@@ -191,9 +258,11 @@ std::vector<std::string> optionsOf(const CLI::App* app) {
             for (const auto& [other, id] : parser.commands)
                 for (const std::string& option : optionsOf(other))
                     if (option == name && hint.empty()) hint = fmt::format("; {} has it", other->get_name());
-        throw UsageError(fmt::format("{} has no option {}{}\n{}", command == &parser.app ? "eikonal" : command->get_name(), name, hint, getHelp));
+        throw UsageError(
+            fmt::format("{} has no option {}{}\n{}", command == &parser.app ? "eikonal" : command->get_name(), name, hint, getHelp));
     }
-    if (command != &parser.app) throw UsageError(fmt::format("{} takes no further argument, but found \"{}\"\n{}", command->get_name(), argument, getHelp));
+    if (command != &parser.app)
+        throw UsageError(fmt::format("{} takes no further argument, but found \"{}\"\n{}", command->get_name(), argument, getHelp));
     std::vector<std::string> names;
     for (const auto& [other, id] : parser.commands)
         if (!other->get_group().empty()) names.push_back(other->get_name());
@@ -217,10 +286,13 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
         throw UsageError(fmt::format("cache takes scenes only with --warm: eikonal cache --warm {}\n{}", o.scenes.front(), getHelp));
     if (o.command == Command::cache && o.warmCache && !o.device.cache)
         throw UsageError(fmt::format("--warm keeps kernels and --no-cache keeps none; give one of them\n{}", getHelp));
-    if (o.command == Command::bench && !o.reference.empty() && !o.efficiency) throw UsageError("--reference needs --efficiency: without it, bench measures no error");
+    if (o.command == Command::bench && !o.reference.empty() && !o.efficiency)
+        throw UsageError("--reference needs --efficiency: without it, bench measures no error");
     if (o.efficiency && o.repeats < SeedVariance::leastSeeds)
-        throw UsageError(fmt::format("--efficiency measures the variance between repeats; --repeats must be at least {}, not {}", SeedVariance::leastSeeds, o.repeats));
-    if (o.scene.cropWindow && o.scene.pixelBounds) throw UsageError("--cropwindow and --pixelbounds both select a part of the image; give one of them");
+        throw UsageError(fmt::format("--efficiency measures the variance between repeats; --repeats must be at least {}, not {}",
+                                     SeedVariance::leastSeeds, o.repeats));
+    if (o.scene.cropWindow && o.scene.pixelBounds)
+        throw UsageError("--cropwindow and --pixelbounds both select a part of the image; give one of them");
     if (o.scene.camera && o.scene.lookAt && *o.scene.camera == *o.scene.lookAt) throw UsageError("--camera and --look-at must differ");
     if (o.scene.up && *o.scene.up == glm::dvec3(0)) throw UsageError("--up must not be 0,0,0");
 }
@@ -254,7 +326,8 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     if (const auto extra = command->remaining(); !extra.empty()) refuseExtra(parser, command, extra.front());
     if (const auto extra = parser.app.remaining(); !extra.empty()) refuseExtra(parser, &parser.app, extra.front());
     if (options.device.list) options.command = Command::listDevices;
-    else if (command == &parser.app) throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
+    else if (command == &parser.app)
+        throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
     checkTogether(parser, command);
     if (options.quiet) options.log = std::min(options.log, LogLevel::error);
     return options;

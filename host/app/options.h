@@ -51,7 +51,8 @@ struct DeviceOptions {
 
 /// Additional channels of an EXR.
 struct Aovs {
-    bool albedo = false, normal = false, geometricNormal = false, position = false, uv = false, depthSlope = false, motion = false, depth = false, object = false, material = false;
+    bool albedo = false, normal = false, geometricNormal = false, position = false, uv = false, depthSlope = false, motion = false,
+         depth = false, object = false, material = false;
     bool variance = false, sampleCount = false;
     bool any() const;
     /// Whether any channel needs per-path data from the device.
@@ -60,12 +61,22 @@ struct Aovs {
 
 /// The names of the channels for --aov.
 struct AovName { const char* name; bool Aovs::*asked; bool isOfSurfaces = true; };
-inline constexpr AovName aovNames[] = {{"albedo", &Aovs::albedo}, {"normal", &Aovs::normal}, {"geometricNormal", &Aovs::geometricNormal}, {"position", &Aovs::position},
-                                       {"uv", &Aovs::uv}, {"depthSlope", &Aovs::depthSlope}, {"motion", &Aovs::motion},
-                                       {"depth", &Aovs::depth}, {"object", &Aovs::object}, {"material", &Aovs::material},
-                                       {"variance", &Aovs::variance, false}, {"sampleCount", &Aovs::sampleCount, false}};
+inline constexpr AovName aovNames[] = {{"albedo", &Aovs::albedo},
+                                       {"normal", &Aovs::normal},
+                                       {"geometricNormal", &Aovs::geometricNormal},
+                                       {"position", &Aovs::position},
+                                       {"uv", &Aovs::uv},
+                                       {"depthSlope", &Aovs::depthSlope},
+                                       {"motion", &Aovs::motion},
+                                       {"depth", &Aovs::depth},
+                                       {"object", &Aovs::object},
+                                       {"material", &Aovs::material},
+                                       {"variance", &Aovs::variance, false},
+                                       {"sampleCount", &Aovs::sampleCount, false}};
 inline bool Aovs::any() const { return std::ranges::any_of(aovNames, [this](const AovName& n) { return this->*n.asked; }); }
-inline bool Aovs::ofSurfaces() const { return std::ranges::any_of(aovNames, [this](const AovName& n) { return n.isOfSurfaces && this->*n.asked; }); }
+inline bool Aovs::ofSurfaces() const {
+    return std::ranges::any_of(aovNames, [this](const AovName& n) { return n.isOfSurfaces && this->*n.asked; });
+}
 
 struct OutputOptions {
     std::vector<std::string> files;                   ///< empty: the scene's name with .exr

@@ -11,7 +11,8 @@ std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& 
     std::vector<std::string> files = options.files;
     if (files.empty()) files.push_back(scene.film.filename.empty() ? scene.name + ".exr" : scene.film.filename);
     if (options.aovs.any() && std::ranges::none_of(files, holdsChannels))
-        throw UsageError(fmt::format("--aov needs an EXR file, and {} cannot hold its channels; add `-o FILE.exr`", fmt::join(files, ", ")));
+        throw UsageError(
+            fmt::format("--aov needs an EXR file, and {} cannot hold its channels; add `-o FILE.exr`", fmt::join(files, ", ")));
     if (files.size() == 1 && holdsChannels(files.front()))
         files.push_back(std::filesystem::path(files.front()).replace_extension(".png").string());
     return files;

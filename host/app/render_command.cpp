@@ -41,16 +41,21 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film) {
 }
 
 /// Reports why the image has fewer samples or more error than asked for, and which samples were not finite.
-void reportShortfall(const Options& o, const Film::Samples& samples, const Film::Invalid& invalid, const RenderResult& result, unsigned wanted, int endedBy,
-                     Diagnostics& diagnostics) {
+void reportShortfall(const Options& o, const Film::Samples& samples, const Film::Invalid& invalid, const RenderResult& result,
+                     unsigned wanted, int endedBy, Diagnostics& diagnostics) {
     if (!result.isFinished)
         say(o, fmt::format("{}: {} of {} samples a pixel", endedBy ? "interrupted" : "ended by --time-limit",
-                           samples.fewest == samples.most ? fmt::format("{}", samples.fewest) : fmt::format("{} to {}", samples.fewest, samples.most), wanted));
+                           samples.fewest == samples.most ? fmt::format("{}", samples.fewest)
+                                                          : fmt::format("{} to {}", samples.fewest, samples.most),
+                           wanted));
     else if (result.error && *result.error > *o.output.targetError)
-        say(o, fmt::format("the relative error is about {:.2g}, not {:g}: a pixel gets at most {} samples; increase --spp", *result.error, *o.output.targetError, wanted));
+        say(o, fmt::format("the relative error is about {:.2g}, not {:g}: a pixel gets at most {} samples; increase --spp", *result.error,
+                           *o.output.targetError, wanted));
     if (invalid.count)
-        diagnostics.warn({}, fmt::format("{} sample{} not finite or brighter than {:.0e}, and count{} as black; the first is in pixel ({}, {})", invalid.count,
-                                         invalid.count == 1 ? " was" : "s were", MOST_RADIANCE, invalid.count == 1 ? "s" : "", invalid.x, invalid.y));
+        diagnostics.warn(
+            {}, fmt::format("{} sample{} not finite or brighter than {:.0e}, and count{} as black; the first is in pixel ({}, {})",
+                            invalid.count, invalid.count == 1 ? " was" : "s were", MOST_RADIANCE, invalid.count == 1 ? "s" : "", invalid.x,
+                            invalid.y));
 }
 
 Metadata metadataOf(const Options& o, const Session& session, const Film::Samples& samples, double seconds, const std::string& hash) {
@@ -69,7 +74,8 @@ Metadata metadataOf(const Options& o, const Session& session, const Film::Sample
 }
 
 /// Writes all files, even if one of them fails; then throws one Error with all problems.
-void writeAll(const std::vector<std::string>& files, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping, bool silent) {
+void writeAll(const std::vector<std::string>& files, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping,
+              bool silent) {
     std::string problems;
     for (const std::string& file : files) {
         const WaitNotice notice("writing " + file, silent);
@@ -87,9 +93,11 @@ void checkMemory(const FilmDescription& film, const PackedScene& packed, const M
     const size_t needed = plan.tables + plan.queues + plan.film + plan.image, available = availableMemory();
     if (needed <= available) return;
     const std::string buckets = film.spectrum ? fmt::format(" with spectra of {} buckets", film.spectrum->buckets) : "";
-    throw SceneError(film.spectrum ? film.where : SourceLocation{},
-                     fmt::format("{} x {} pixels{} need {} of memory, and {} are available; render parts with --pixelbounds, which join exactly", packed.pixels.width(), packed.pixels.height(), buckets,
-                                 readableBytes(static_cast<double>(needed)), readableBytes(static_cast<double>(available))));
+    throw SceneError(
+        film.spectrum ? film.where : SourceLocation{},
+        fmt::format("{} x {} pixels{} need {} of memory, and {} are available; render parts with --pixelbounds, which join exactly",
+                    packed.pixels.width(), packed.pixels.height(), buckets, readableBytes(static_cast<double>(needed)),
+                    readableBytes(static_cast<double>(available))));
 }
 
 }  // namespace
@@ -111,7 +119,8 @@ int renderCommand(const Options& o) {
     session.prepare();
 
     const Interrupt interrupt;
-    diagnostics.info(fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), packed.samples));
+    diagnostics.info(
+        fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), packed.samples));
     std::optional<Film> film(std::in_place, packed);
     const Stopwatch renderTime;
     session.survey();

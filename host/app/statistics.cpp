@@ -18,14 +18,17 @@ std::string readableBytes(double bytes) {
 static std::string readableBytes(size_t bytes) { return readableBytes(static_cast<double>(bytes)); }
 
 std::string describe(const MemoryPlan& plan) {
-    return fmt::format("scene tables {}, queues {}, film {}", readableBytes(plan.tables), readableBytes(plan.queues), readableBytes(plan.film));
+    return fmt::format("scene tables {}, queues {}, film {}", readableBytes(plan.tables), readableBytes(plan.queues),
+                       readableBytes(plan.film));
 }
 
 std::string asOptions(const Roulette& roulette) {
-    return fmt::format("--roulette {} --roulette-scale {} --roulette-depth {}", nameIn(rouletteRuleNames, roulette.rule), roulette.scale, roulette.depth);
+    return fmt::format("--roulette {} --roulette-scale {} --roulette-depth {}", nameIn(rouletteRuleNames, roulette.rule), roulette.scale,
+                       roulette.depth);
 }
 
-std::string describeRun(const Session& session, const Profile& profile, const Film::Samples& samples, const RenderResult& result, double renderSeconds, double writeSeconds) {
+std::string describeRun(const Session& session, const Profile& profile, const Film::Samples& samples, const RenderResult& result,
+                        double renderSeconds, double writeSeconds) {
     const SessionTimes& t = session.times();
     std::string text;
     const auto line = [&](const char* what, double seconds, const std::string& more = {}) {
@@ -37,11 +40,14 @@ std::string describeRun(const Session& session, const Profile& profile, const Fi
     line("read the scene", t.load);
     line("fill the tables", t.pack, t.displace > 0 ? fmt::format("including {:.3f} s for displaced meshes", t.displace) : "");
     line("build the hierarchies", t.build, "while the kernels are compiled");
-    line("compile the kernels", t.compile, fmt::format("{} compiled, {} from the cache", session.compiledStages(), static_cast<int>(session.stages().all().size()) - session.compiledStages()));
+    line("compile the kernels", t.compile,
+         fmt::format("{} compiled, {} from the cache", session.compiledStages(),
+                     static_cast<int>(session.stages().all().size()) - session.compiledStages()));
     if (session.compiledStages() > 0) line("  in worker processes", t.workers);
     for (const Stage& s : session.stages().all()) {
         const Program& program = s.kernel.program();
-        text += fmt::format("    {:<26}{:8.3f} s  build {:.3f}, first launch {:.3f}{}\n", s.name, s.compileSeconds + s.firstLaunchSeconds, s.compileSeconds, s.firstLaunchSeconds,
+        text += fmt::format("    {:<26}{:8.3f} s  build {:.3f}, first launch {:.3f}{}\n", s.name, s.compileSeconds + s.firstLaunchSeconds,
+                            s.compileSeconds, s.firstLaunchSeconds,
                             program.fromCache ? fmt::format("; cached, compiled in {:.2f} s", program.compileSeconds) : "");
     }
     line("upload the tables", t.upload);
@@ -50,11 +56,14 @@ std::string describeRun(const Session& session, const Profile& profile, const Fi
     line("until the first ray", t.firstRay);
     line("render", renderSeconds);
     line("write the image", writeSeconds);
-    const double rays = static_cast<double>(profile.rays), shadowRays = static_cast<double>(profile.shadowRays), paths = static_cast<double>(profile.paths);
+    const double rays = static_cast<double>(profile.rays), shadowRays = static_cast<double>(profile.shadowRays),
+                 paths = static_cast<double>(profile.paths);
     const double seconds = std::max(renderSeconds, 1e-9);
-    text += fmt::format("Work:\n  {:.3g} paths ({:.2f} M/s), {:.3g} rays ({:.2f} M/s), {:.3g} shadow rays ({:.2f} M/s), {:.2f} rays a path\n", paths, paths / seconds * 1e-6, rays,
-                        rays / seconds * 1e-6, shadowRays, shadowRays / seconds * 1e-6, rays / std::max(paths, 1.0));
-    text += fmt::format("Russian roulette{}:\n  {}\n", session.isRouletteChosen() ? ", chosen for this scene" : "", asOptions(session.roulette()));
+    text += fmt::format(
+        "Work:\n  {:.3g} paths ({:.2f} M/s), {:.3g} rays ({:.2f} M/s), {:.3g} shadow rays ({:.2f} M/s), {:.2f} rays a path\n", paths,
+        paths / seconds * 1e-6, rays, rays / seconds * 1e-6, shadowRays, shadowRays / seconds * 1e-6, rays / std::max(paths, 1.0));
+    text += fmt::format("Russian roulette{}:\n  {}\n", session.isRouletteChosen() ? ", chosen for this scene" : "",
+                        asOptions(session.roulette()));
     const auto [fewest, most, mean] = samples;
     text += fmt::format("Samples a pixel:\n  {} fewest, {:.1f} mean, {} most\n", fewest, mean, most);
     if (result.error) text += fmt::format("Relative error, expected:\n  {:.4g}\n", *result.error);

@@ -128,14 +128,19 @@ static uint moved(uint child, const Piece& piece) {
 /* Numbers pieces depth first, so that nodes visited together are close in memory */
 static void place(Piece& piece, std::vector<Piece*>& order, size_t& nodes, size_t& lines, size_t& elements) {
     order.push_back(&piece);
-    piece.firstNode = static_cast<uint>(nodes); piece.firstLine = static_cast<uint>(lines); piece.firstElement = static_cast<uint>(elements);
-    nodes += piece.part.tables.nodes.size(); lines += piece.part.tables.triangleLines.size(); elements += piece.part.tables.leafElements.size();
+    piece.firstNode = static_cast<uint>(nodes);
+    piece.firstLine = static_cast<uint>(lines);
+    piece.firstElement = static_cast<uint>(elements);
+    nodes += piece.part.tables.nodes.size();
+    lines += piece.part.tables.triangleLines.size();
+    elements += piece.part.tables.leafElements.size();
     for (auto& [box, child] : piece.children) place(child, order, nodes, lines, elements);
 }
 
 static void checkRoom(size_t count, const char* what) {
     if (count > LEAF_FIRST_MASK)
-        throw Error(ExitCode::scene, fmt::format("the scene is too large: it needs {} {}, and at most {} are possible", count, what, LEAF_FIRST_MASK));
+        throw Error(ExitCode::scene,
+                    fmt::format("the scene is too large: it needs {} {}, and at most {} are possible", count, what, LEAF_FIRST_MASK));
 }
 
 /* Appends all pieces to the tables, with the root at node `root`. */
@@ -167,7 +172,8 @@ static void join(BvhTables& tables, Piece& top, uint root) {
     });
 }
 
-BvhRoot buildBvh(BvhTables& tables, std::span<const TriangleRange> triangles, std::span<const BoxedElement> others, const BvhOptions& options) {
+BvhRoot buildBvh(BvhTables& tables, std::span<const TriangleRange> triangles, std::span<const BoxedElement> others,
+                 const BvhOptions& options) {
     const Sources sources{triangles, others};
     if (sources.size() >= ELEMENT_MARK) throw Error(ExitCode::scene, fmt::format("the scene is too large: {} elements", sources.size()));
     for (const BoxedElement& other : others)

@@ -52,6 +52,7 @@ struct BvhRoot {
 /// Appends a hierarchy of triangles and other elements. The result does not depend on the number of threads. Coordinates beyond 1e17 count
 /// as not finite. Node boxes are padded for the rounding of the device's slab test and triangle test (host/bvh/padding.h). Throws an Error
 /// when indices overflow (2^26 triangle lines, leaf elements or instances).
-BvhRoot buildBvh(BvhTables& appendTo, std::span<const TriangleRange> triangles, std::span<const BoxedElement> others, const BvhOptions& options = {});
+BvhRoot buildBvh(BvhTables& appendTo, std::span<const TriangleRange> triangles, std::span<const BoxedElement> others,
+                 const BvhOptions& options = {});
 
 }  // namespace eikonal

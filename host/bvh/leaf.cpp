@@ -45,7 +45,8 @@ std::optional<Reference> Sources::reference(size_t other) const {
 }
 
 static uint leafReference(leaf_kind kind, size_t count, size_t first) {
-    return LEAF_BIT | static_cast<uint>(kind) << LEAF_KIND_SHIFT | static_cast<uint>(count - 1) << LEAF_COUNT_SHIFT | static_cast<uint>(first);
+    return LEAF_BIT | static_cast<uint>(kind) << LEAF_KIND_SHIFT | static_cast<uint>(count - 1) << LEAF_COUNT_SHIFT |
+           static_cast<uint>(first);
 }
 
 /* Appends the lines of a leaf of triangles (include/eikonal/bvh.h) */
@@ -53,7 +54,9 @@ static void appendTriangles(Table<triangle_line>& lines, const Sources& sources,
     constexpr size_t words = std::size(triangle_line{}.words);
     const size_t count = references.size(), first = lines.size();
     lines.resize(first + (TRIANGLE_WORDS * count + words - 1) / words, triangle_line{});
-    const auto word = [&](size_t row, size_t i) -> float& { return lines[first + (row * count + i) / words].words[(row * count + i) % words]; };
+    const auto word = [&](size_t row, size_t i) -> float& {
+        return lines[first + (row * count + i) / words].words[(row * count + i) % words];
+    };
     for (size_t i = 0; i < count; ++i) {
         const TriangleRange& from = sources.triangles[references[i].source()];
         const uint index = references[i].index();

@@ -17,9 +17,11 @@ struct Binning {
     float4 offset, scale;
     int bins;
 
-    explicit Binning(const Range& range) : offset(range.centroids.low), bins(static_cast<int>(std::min<uint>(maxBins, 4 + range.size() / 4))) {
+    explicit Binning(const Range& range)
+        : offset(range.centroids.low), bins(static_cast<int>(std::min<uint>(maxBins, 4 + range.size() / 4))) {
         const float4 extent = range.centroids.high - range.centroids.low;
-        for (int axis = 0; axis < 4; ++axis) scale[axis] = axis < 3 && extent[axis] > 1e-30f ? 0.9999f * static_cast<float>(bins) / extent[axis] : 0.f;
+        for (int axis = 0; axis < 4; ++axis)
+            scale[axis] = axis < 3 && extent[axis] > 1e-30f ? 0.9999f * static_cast<float>(bins) / extent[axis] : 0.f;
     }
     int4 operator()(const Reference& r) const { return __builtin_convertvector((r.centroid() - offset) * scale, int4); }
 };

@@ -26,7 +26,8 @@ struct BinaryNode {
 class SubtreeBuilder {
 public:
     /// nodes: memory for the binary tree, reused between calls.
-    SubtreeBuilder(const Sources& sources, std::span<Reference> references, std::vector<BinaryNode>& nodes) : sources_(sources), references_(references), nodes_(nodes) {}
+    SubtreeBuilder(const Sources& sources, std::span<Reference> references, std::vector<BinaryNode>& nodes)
+        : sources_(sources), references_(references), nodes_(nodes) {}
 
     Subtree build(const Range& range, int maxDepth, bool alwaysNode) {
         nodes_.clear();

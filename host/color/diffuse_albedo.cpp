@@ -97,7 +97,8 @@ Matrix reflectionOfHalfSpace(const Directions& directions, double rho, double g)
         for (int j = 0; j < size; ++j) {
             double onwards = 0, back = 0;
             for (int k = 0; k < moments; ++k) {
-                const double term = (2 * k + 1) * (std::pow(g, k) - peak) / (1 - peak) * legendre(k, directions.mu[i]) * legendre(k, directions.mu[j]);
+                const double term =
+                    (2 * k + 1) * (std::pow(g, k) - peak) / (1 - peak) * legendre(k, directions.mu[i]) * legendre(k, directions.mu[j]);
                 onwards += term;
                 back += k % 2 ? -term : term;
             }

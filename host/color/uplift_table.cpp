@@ -20,7 +20,8 @@ SmoothReflectance tabulatedReflectance(glm::dvec3 rgb) {
     static_assert(std::size(coefficients) == static_cast<size_t>(3 * 3) * cells * cells * cells);
     if (rgb.x == rgb.y && rgb.y == rgb.z) return upliftGrey(rgb.x);
     const int channel = rgb.x >= rgb.y && rgb.x >= rgb.z ? 0 : rgb.y >= rgb.z ? 1 : 2;
-    const double largest = rgb[channel], x = rgb[(channel + 1) % 3] / largest * (cells - 1), y = rgb[(channel + 2) % 3] / largest * (cells - 1);
+    const double largest = rgb[channel], x = rgb[(channel + 1) % 3] / largest * (cells - 1),
+                 y = rgb[(channel + 2) % 3] / largest * (cells - 1);
     int z = 0;
     while (z + 2 < cells && upliftNode(z + 1) <= largest) ++z;
     const int ix = std::min(static_cast<int>(x), cells - 2), iy = std::min(static_cast<int>(y), cells - 2);

@@ -38,7 +38,9 @@ static cl_mem allocateInPages(const Context& context, size_t bytes, PageSize pag
     auto pages = std::make_unique<Pages>(memory, bytes);
     const cl_mem buffer = wrap(context, memory, bytes);
     if (!buffer) return nullptr;
-    check(clSetMemObjectDestructorCallback(buffer, [](cl_mem, void* owned) { delete static_cast<Pages*>(owned); }, pages.get()), "taking over a buffer's memory");
+    check(clSetMemObjectDestructorCallback(
+              buffer, [](cl_mem, void* owned) { delete static_cast<Pages*>(owned); }, pages.get()),
+          "taking over a buffer's memory");
     pages.release();
     return buffer;
 }
@@ -52,20 +54,23 @@ static cl_mem allocate(const Context& context, size_t bytes, const std::string& 
     return memory;
 }
 
-Buffer::Buffer(const Context& context, size_t bytes, const std::string& what, PageSize pages) : size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
+Buffer::Buffer(const Context& context, size_t bytes, const std::string& what, PageSize pages)
+    : size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
     if (liesInPages(context, bytes)) memory_ = Memory(allocateInPages(context, bytes, pages));
     if (memory_) return;
     memory_ = Memory(allocate(context, bytes, what));
     clear(context, 0, size_);
 }
 
-Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what) : size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
+Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what)
+    : size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
     memory_ = Memory(allocate(context, bytes, what));
     if (bytes > 0) write(context, data, bytes);
     else clear(context, 0, size_);
 }
 
-Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what, Shared) : size_(bytes), serial_(nextSerial()) {
+Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what, Shared)
+    : size_(bytes), serial_(nextSerial()) {
     /* The const_cast is safe: kernels take tables as pointers to const */
     if (liesInPages(context, bytes)) memory_ = Memory(wrap(context, const_cast<void*>(data), bytes));
     if (!memory_) *this = Buffer(context, data, bytes, what);
@@ -83,7 +88,8 @@ void Buffer::clear(const Context& context, size_t offset, size_t bytes) {
     /* Writes zeros instead of clEnqueueFillBuffer: Oclgrind 21.10 treats memory that was filled, or partly written, as uninitialised */
     static const std::array<char, 4096> few{};
     if (bytes <= few.size()) {
-        check(clEnqueueWriteBuffer(context.queue(), memory_, CL_FALSE, offset, bytes, few.data(), 0, nullptr, nullptr), "clearing a buffer");
+        check(clEnqueueWriteBuffer(context.queue(), memory_, CL_FALSE, offset, bytes, few.data(), 0, nullptr, nullptr),
+              "clearing a buffer");
         return;
     }
     const std::vector<char> zeros(bytes);

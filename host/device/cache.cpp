@@ -106,7 +106,8 @@ std::optional<CachedProgram> ProgramCache::load(const std::string& key) const {
     rest.remove_prefix(magic.size());
     const auto storedKey = take(rest), arguments = take(rest), seconds = take(rest), binary = take(rest);
     CachedProgram program;
-    if (!storedKey || !arguments || !seconds || seconds->size() != sizeof program.seconds || !binary || *storedKey != key) return std::nullopt;
+    if (!storedKey || !arguments || !seconds || seconds->size() != sizeof program.seconds || !binary || *storedKey != key)
+        return std::nullopt;
 
     std::memcpy(&program.seconds, seconds->data(), sizeof program.seconds);
     program.binary.assign(binary->begin(), binary->end());

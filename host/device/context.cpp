@@ -100,12 +100,18 @@ DeviceInfo chooseDevice(const std::vector<DeviceInfo>& list, const std::string& 
     if (list.empty())
         throw DeviceError("no OpenCL device found. On Debian, `apt install pocl-opencl-icd` makes the CPU an OpenCL device.");
     std::string listed;
-    for (size_t i = 0; i < list.size(); ++i) listed += fmt::format("\n  {}  {} ({}){}", i, list[i].name, list[i].platformName, list[i].hasCompiler ? "" : ", without a compiler");
+    for (size_t i = 0; i < list.size(); ++i)
+        listed +=
+            fmt::format("\n  {}  {} ({}){}", i, list[i].name, list[i].platformName, list[i].hasCompiler ? "" : ", without a compiler");
     if (wanted.empty()) {
         const DeviceInfo* best = nullptr;
         for (const DeviceInfo& d : list)
             if (d.hasCompiler && (!best || (best->isCpu && !d.isCpu))) best = &d;
-        if (!best) throw DeviceError("no OpenCL device has a compiler for OpenCL C; on Debian, `apt install pocl-opencl-icd` makes the CPU a device that has one. There are:" + listed);
+        if (!best)
+            throw DeviceError(
+                "no OpenCL device has a compiler for OpenCL C; on Debian, `apt install pocl-opencl-icd` makes the CPU a device that has "
+                "one. There are:" +
+                listed);
         return *best;
     }
     size_t index = 0;
@@ -117,7 +123,8 @@ DeviceInfo chooseDevice(const std::vector<DeviceInfo>& list, const std::string& 
 }
 
 Context::Context(const DeviceInfo& device, bool profiling) : device_(device), profiling_(profiling) {
-    if (!device.hasCompiler) throw DeviceError(fmt::format("the device \"{}\" has no compiler for OpenCL C; choose another with --device.", device.name));
+    if (!device.hasCompiler)
+        throw DeviceError(fmt::format("the device \"{}\" has no compiler for OpenCL C; choose another with --device.", device.name));
     cl_int status = CL_SUCCESS;
     const cl_context_properties properties[] = {CL_CONTEXT_PLATFORM, reinterpret_cast<cl_context_properties>(device.platform), 0};
     context_ = ContextHandle(clCreateContext(properties, 1, &device.id, nullptr, nullptr, &status));

@@ -9,16 +9,19 @@ Kernel::Kernel(std::shared_ptr<Program> program) : program_(std::move(program)) 
     handle_ = decltype(handle_)(clCreateKernel(program_->handle, program_->kernel.c_str(), &status));
     check(status, "creating kernel " + program_->kernel);
     cl_device_id device = nullptr;   // a program here has a single device
-    check(clGetProgramInfo(program_->handle, CL_PROGRAM_DEVICES, sizeof device, &device, nullptr), "asking for the device of " + program_->kernel);
+    check(clGetProgramInfo(program_->handle, CL_PROGRAM_DEVICES, sizeof device, &device, nullptr),
+          "asking for the device of " + program_->kernel);
     size_t size[3] = {};
-    check(clGetKernelWorkGroupInfo(handle_, device, CL_KERNEL_COMPILE_WORK_GROUP_SIZE, sizeof size, size, nullptr), "asking for the size of groups of " + program_->kernel);
+    check(clGetKernelWorkGroupInfo(handle_, device, CL_KERNEL_COMPILE_WORK_GROUP_SIZE, sizeof size, size, nullptr),
+          "asking for the size of groups of " + program_->kernel);
     localSize_ = std::max<size_t>(size[0], 1);
     set_.resize(program_->arguments.size());
 }
 
 void Kernel::setArgument(cl_uint index, const Bindings::Value& value) const {
     if (set_[index] == value) return;
-    const cl_int status = value.buffer ? clSetKernelArg(handle_, index, sizeof value.buffer, &value.buffer) : clSetKernelArg(handle_, index, sizeof value.number, &value.number);
+    const cl_int status = value.buffer ? clSetKernelArg(handle_, index, sizeof value.buffer, &value.buffer)
+                                       : clSetKernelArg(handle_, index, sizeof value.number, &value.number);
     if (status != CL_SUCCESS) check(status, fmt::format("binding argument '{}' of {}", program_->arguments[index], name()));
     set_[index] = value;
 }
@@ -33,7 +36,8 @@ cl_event Kernel::launch(const Context& context, std::initializer_list<const Bind
     }
     const size_t global = (std::max<size_t>(slots, 1) + groupSlots - 1) / groupSlots * localSize_;
     cl_event event = nullptr;
-    check(clEnqueueNDRangeKernel(context.queue(), handle_, 1, nullptr, &global, &localSize_, 0, nullptr, context.profiling() ? &event : nullptr),
+    check(clEnqueueNDRangeKernel(context.queue(), handle_, 1, nullptr, &global, &localSize_, 0, nullptr,
+                                 context.profiling() ? &event : nullptr),
           "launching " + name());
     return event;
 }

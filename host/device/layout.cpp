@@ -21,7 +21,9 @@ private:
     QueueLayout layout_;
 };
 
-static bool isPresent(const Features& features, const std::string& feature) { return feature == "ALWAYS" || features.has(featureNamed(feature)); }
+static bool isPresent(const Features& features, const std::string& feature) {
+    return feature == "ALWAYS" || features.has(featureNamed(feature));
+}
 
 /// Words of a type; `inRgb`: its words in RGB rendering.
 static int wordsOf(const std::string& type, int inRgb, const Features& features) {

@@ -24,7 +24,8 @@ static void sweep(const std::string& parent) {
         if (folder < 0) continue;
         struct stat status {};
         std::error_code ignored;
-        if (::fstat(folder, &status) == 0 && status.st_uid == geteuid() && ::flock(folder, LOCK_EX | LOCK_NB) == 0) fs::remove_all(i->path(), ignored);
+        if (::fstat(folder, &status) == 0 && status.st_uid == geteuid() && ::flock(folder, LOCK_EX | LOCK_NB) == 0)
+            fs::remove_all(i->path(), ignored);
         ::close(folder);
     }
 }

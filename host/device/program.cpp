@@ -55,7 +55,8 @@ const KernelSource& Compiler::sourceOf(const std::string& text) const {
 
 std::string Compiler::keyOf(const KernelSource& source, const std::string& options, const std::string& kernel) const {
     const DeviceInfo& d = context_.device();
-    return fmt::format("{}\n{:016x}\n{}\n{}\n{}\n{}\n{}", kernel, hashBytes(source.text()), options, d.platformName, d.name, d.version, d.driver);
+    return fmt::format("{}\n{:016x}\n{}\n{}\n{}\n{}\n{}", kernel, hashBytes(source.text()), options, d.platformName, d.name, d.version,
+                       d.driver);
 }
 
 std::shared_ptr<Program> Compiler::loadCached(const std::string& key, const std::string& kernel) const {
@@ -66,7 +67,8 @@ std::shared_ptr<Program> Compiler::loadCached(const std::string& key, const std:
     const unsigned char* bytes = cached->binary.data();
     auto program = std::make_shared<Program>();
     const cl_device_id device = context_.device().id;
-    program->handle = decltype(program->handle)(clCreateProgramWithBinary(context_.handle(), 1, &device, &size, &bytes, &binaryStatus, &status));
+    program->handle =
+        decltype(program->handle)(clCreateProgramWithBinary(context_.handle(), 1, &device, &size, &bytes, &binaryStatus, &status));
     if (status != CL_SUCCESS || binaryStatus != CL_SUCCESS) return nullptr;
     if (clBuildProgram(program->handle, 1, &device, "", nullptr, nullptr) != CL_SUCCESS) return nullptr;
     program->kernel = kernel;
@@ -83,12 +85,15 @@ static void dumpProgram(const std::string& folder, const std::string& name, cons
     std::ofstream file(path, std::ios::binary);
     file << "/* options: " << options << " */\n" << text;
     file.close();
-    if (!file) throw Error(ExitCode::scene, fmt::format("cannot write {} for --dump-kernels: {}", path.string(), error ? error.message() : std::strerror(errno)));
+    if (!file)
+        throw Error(ExitCode::scene,
+                    fmt::format("cannot write {} for --dump-kernels: {}", path.string(), error ? error.message() : std::strerror(errno)));
 }
 
 static std::string optionsFor(const KernelSource& source, const BuildSettings& settings) {
-    return fmt::format("{}{}{}{} -DNO_CONTRACTION={} -DPOISON_ITEMS={}", languageOptions, settings.more.empty() ? "" : " ", settings.more, settings.warningsAreErrors ? " -Werror" : "", settings.contraction ? 0 : 1,
-                       settings.poison ? 1 : 0) + source.options(settings.features, settings.constants);
+    return fmt::format("{}{}{}{} -DNO_CONTRACTION={} -DPOISON_ITEMS={}", languageOptions, settings.more.empty() ? "" : " ", settings.more,
+                       settings.warningsAreErrors ? " -Werror" : "", settings.contraction ? 0 : 1, settings.poison ? 1 : 0) +
+           source.options(settings.features, settings.constants);
 }
 
 bool Compiler::isKept(const std::string& text, const std::string& kernel, const BuildSettings& settings) const {
@@ -101,7 +106,9 @@ std::shared_ptr<Program> Compiler::build(const std::string& text, const std::str
     const KernelSource& source = sourceOf(text);
     const std::string options = optionsFor(source, settings);
     const std::string key = keyOf(source, options, kernel);
-    if (!settings.dumpFolder.empty()) dumpProgram(settings.dumpFolder, fmt::format("{}-{:08x}", kernel, static_cast<std::uint32_t>(hashBytes(key))), source.text(), options);
+    if (!settings.dumpFolder.empty())
+        dumpProgram(settings.dumpFolder, fmt::format("{}-{:08x}", kernel, static_cast<std::uint32_t>(hashBytes(key))), source.text(),
+                    options);
 
     std::shared_ptr<Program> program = loadCached(key, kernel);
     if (!program) {
@@ -113,8 +120,8 @@ std::shared_ptr<Program> Compiler::build(const std::string& text, const std::str
         const cl_device_id device = context_.device().id;
         status = clBuildProgram(program->handle, 1, &device, options.c_str(), nullptr, nullptr);
         if (status != CL_SUCCESS)
-            throw DeviceError(fmt::format("the kernel {} of {} does not build for \"{}\": {}\n{}\noptions: {}", kernel, folders_.kernels, context_.device().name,
-                                          statusName(status), buildLog(program->handle, device), options));
+            throw DeviceError(fmt::format("the kernel {} of {} does not build for \"{}\": {}\n{}\noptions: {}", kernel, folders_.kernels,
+                                          context_.device().name, statusName(status), buildLog(program->handle, device), options));
         program->kernel = kernel;
         program->arguments = argumentNames(program->handle, kernel);
         program->cacheKey = key;

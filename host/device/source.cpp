@@ -36,8 +36,10 @@ static std::optional<std::string> contentOf(const fs::path& path) {
 static void checkContract(const fs::path& include) {
     for (const ContractHeader& header : contractHeaders)
         if (contentOf(include / header.name) != header.text)
-            throw DeviceError(fmt::format("{} is not the one that this program was built with, so it cannot use the kernels that come with it. "
-                                          "Build the program again, or set EIKONAL_KERNELS to the folder that holds its own kernels.", (include / header.name).string()));
+            throw DeviceError(
+                fmt::format("{} is not the one that this program was built with, so it cannot use the kernels that come with it. "
+                            "Build the program again, or set EIKONAL_KERNELS to the folder that holds its own kernels.",
+                            (include / header.name).string()));
 }
 
 KernelFolders findKernelFolders() {
@@ -58,7 +60,8 @@ KernelFolders findKernelFolders() {
                 return {(root / "kernels").string(), include.string()};
             }
     }
-    throw DeviceError("cannot find the kernels. Looked for kernels/ and include/eikonal/ in:" + tried + "\nSet EIKONAL_KERNELS to the folder that holds them.");
+    throw DeviceError("cannot find the kernels. Looked for kernels/ and include/eikonal/ in:" + tried +
+                      "\nSet EIKONAL_KERNELS to the folder that holds them.");
 }
 
 std::uint64_t hashBytes(std::string_view bytes, std::uint64_t hash) {
@@ -132,7 +135,8 @@ std::string KernelSource::options(const Features& features, const Constants& con
         const Feature feature = static_cast<Feature>(i);
         const std::string& name = featureName(feature);
         /* Queue fields name their feature without HAS_ */
-        if (words_.count("HAS_" + name) || (isGeneral(feature) && words_.count(name))) options += fmt::format(" -DHAS_{}={}", name, features.has(feature) ? 1 : 0);
+        if (words_.count("HAS_" + name) || (isGeneral(feature) && words_.count(name)))
+            options += fmt::format(" -DHAS_{}={}", name, features.has(feature) ? 1 : 0);
     }
     for (const auto& [name, value] : constants)
         if (words_.count(name)) options += fmt::format(" -D{}={}", name, value);

@@ -12,10 +12,15 @@
 namespace eikonal {
 
 Film::Film(const PackedScene& scene, const Features& features)
-    : width_(static_cast<int>(scene.frame().width)), height_(static_cast<int>(scene.frame().height)), pixels_(scene.pixels), layout_(filmLayout(features, scene.frame().bucket_count)) {
+    : width_(static_cast<int>(scene.frame().width)),
+      height_(static_cast<int>(scene.frame().height)),
+      pixels_(scene.pixels),
+      layout_(filmLayout(features, scene.frame().bucket_count)) {
     const size_t words = plane() * static_cast<size_t>(layout_.words);
     data_.reset(static_cast<uint*>(std::calloc(words, sizeof(uint))));
-    if (!data_) throw Error(ExitCode::scene, "not enough memory for an image of " + std::to_string(pixels_.width()) + " x " + std::to_string(pixels_.height()) + " pixels");
+    if (!data_)
+        throw Error(ExitCode::scene, "not enough memory for an image of " + std::to_string(pixels_.width()) + " x " +
+                                         std::to_string(pixels_.height()) + " pixels");
 }
 
 /// The part of a block inside the film, as the rectangle of rows and planes for OpenCL's rectangular copies.
@@ -36,19 +41,24 @@ static Region regionOf(const PixelRect& film, const Batch& batch, size_t block, 
 
 /// Copies a batch's pixels with clEnqueueWriteBufferRect or clEnqueueReadBufferRect.
 template <class Enqueue, class Data>
-static void copyBlocks(Enqueue enqueue, const Context& context, const Buffer& buffer, const PixelRect& film, int words, const Batch& batch, Data* data, const char* what) {
+static void copyBlocks(Enqueue enqueue, const Context& context, const Buffer& buffer, const PixelRect& film, int words, const Batch& batch,
+                       Data* data, const char* what) {
     for (size_t block = 0; block < batch.blocks.size(); ++block) {
         const Region r = regionOf(film, batch, block, words);
-        check(enqueue(context.queue(), buffer.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice, r.hostRow, r.hostSlice, data, 0, nullptr, nullptr), what);
+        check(enqueue(context.queue(), buffer.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice,
+                      r.hostRow, r.hostSlice, data, 0, nullptr, nullptr),
+              what);
     }
 }
 
 void Film::upload(const Context& context, const Buffer& buffer, const Batch& batch) const {
-    copyBlocks(clEnqueueWriteBufferRect, context, buffer, pixels_, layout_.words, batch, data_.get(), "copying pixels of the film to the device");
+    copyBlocks(clEnqueueWriteBufferRect, context, buffer, pixels_, layout_.words, batch, data_.get(),
+               "copying pixels of the film to the device");
 }
 
 void Film::download(const Context& context, const Buffer& buffer, const Batch& batch) {
-    copyBlocks(clEnqueueReadBufferRect, context, buffer, pixels_, layout_.words, batch, data_.get(), "copying pixels of the film from the device");
+    copyBlocks(clEnqueueReadBufferRect, context, buffer, pixels_, layout_.words, batch, data_.get(),
+               "copying pixels of the film from the device");
 }
 
 const uint* Film::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
@@ -61,7 +71,12 @@ struct Film::Planes {
     const uint* count;
 
     explicit Planes(const Film& f)
-        : n(f.plane()), sum(f.floats("sum")), weight(f.floats("weight")), squareWeight(f.floats("square_weight")), mean(f.floats("mean")), spread(f.floats("spread")),
+        : n(f.plane()),
+          sum(f.floats("sum")),
+          weight(f.floats("weight")),
+          squareWeight(f.floats("square_weight")),
+          mean(f.floats("mean")),
+          spread(f.floats("spread")),
           count(f.numbers("count")) {}
 
     glm::vec3 color(size_t i) const { return glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0); }
@@ -73,7 +88,8 @@ struct Film::Planes {
         if (samples < 2 || weights == 0) return 0;
         const double aside = luminance(color) - mean[i];
         const double spreads = std::max(spread[i], 0.0f) + squareWeight[i] * aside * aside;
-        return static_cast<float>(std::min(spreads * samples / (samples - 1) / (weights * weights), static_cast<double>(std::numeric_limits<float>::max())));
+        return static_cast<float>(
+            std::min(spreads * samples / (samples - 1) / (weights * weights), static_cast<double>(std::numeric_limits<float>::max())));
     }
 };
 
@@ -82,7 +98,8 @@ double Film::relativeVariance(const PixelRect& part) const {
     double sum = 0;
     for (int y = part.y0; y < part.y1; ++y)
         for (int x = part.x0; x < part.x1; ++x) {
-            const size_t i = static_cast<size_t>(y - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(x - pixels_.x0);
+            const size_t i =
+                static_cast<size_t>(y - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(x - pixels_.x0);
             const glm::vec3 color = planes.color(i);
             const double brightness = luminance(color);
             sum += planes.variance(i, color) / (brightness * brightness + 0.01);
@@ -103,7 +120,8 @@ void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
     for (auto* v : {&image.uv, &image.depthSlope, &image.motion}) v->resize(n);
     const bool moves = layout_.field("opening").words > 0;
     for (auto* v : {&image.depth, &image.object, &image.material}) v->resize(n);
-    const float *weight = floats("weight"), *albedo = floats("albedo"), *position = floats("position"), *uv = floats("uv"), *distance = floats("distance"), *seen = floats("seen");
+    const float *weight = floats("weight"), *albedo = floats("albedo"), *position = floats("position"), *uv = floats("uv"),
+                *distance = floats("distance"), *seen = floats("seen");
     for (size_t i = 0; i < n; ++i) {
         const float inverse = weight[i] != 0 ? 1 / weight[i] : 0;
         image.albedo[i] = glm::clamp(glm::vec3(albedo[i], albedo[n + i], albedo[2 * n + i]) * inverse, 0.0f, 1.0f);
@@ -116,7 +134,8 @@ void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
         const double count = seen[i];
         const auto meanPoint = [&](const float* sum) { return glm::dvec3(sum[i], sum[n + i], sum[2 * n + i]) / count; };
         const glm::dvec3 p = meanPoint(position);
-        image.motion[i] = glm::vec2(motionInImage(scene, moves ? meanPoint(floats("opening")) : p, moves ? meanPoint(floats("closing")) : p));
+        image.motion[i] =
+            glm::vec2(motionInImage(scene, moves ? meanPoint(floats("opening")) : p, moves ? meanPoint(floats("closing")) : p));
         image.depthSlope[i] = glm::vec2(depthSlope(scene, p, image.geometricNormal[i]));
         image.uv[i] = glm::vec2(uv[i] / count, uv[n + i] / count);
         image.position[i] = glm::vec3(p * scene.worldScale + scene.worldCenter);
@@ -124,10 +143,13 @@ void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
     }
 }
 
-size_t Film::bytes(const PackedScene& scene) { return static_cast<size_t>(filmLayout(scene.features, scene.frame().bucket_count).words) * sizeof(uint); }
+size_t Film::bytes(const PackedScene& scene) {
+    return static_cast<size_t>(filmLayout(scene.features, scene.frame().bucket_count).words) * sizeof(uint);
+}
 
 size_t Film::developedBytes(const PackedScene& scene) {
-    const size_t always = sizeof(glm::vec3) + 2 * sizeof(float), ofSurfaces = 4 * sizeof(glm::vec3) + 3 * sizeof(glm::vec2) + 3 * sizeof(float);
+    const size_t always = sizeof(glm::vec3) + 2 * sizeof(float),
+                 ofSurfaces = 4 * sizeof(glm::vec3) + 3 * sizeof(glm::vec2) + 3 * sizeof(float);
     return always + (scene.features.has(Feature::AOVS) ? ofSurfaces : 0) + scene.frame().bucket_count * sizeof(float);
 }
 

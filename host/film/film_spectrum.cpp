@@ -25,7 +25,8 @@ void Film::developSpectrum(FilmImage& image, const PackedScene& scene) const {
     image.spectrum.radiance.resize(n * buckets);
     tbb::parallel_for(size_t(0), n, [&](size_t i) {
         for (size_t b = 0; b < buckets; ++b)
-            image.spectrum.radiance[i * buckets + b] = weight[i] != 0 ? static_cast<float>(sums[b * BUCKET_WORDS * n + i] * scale / weight[i]) : 0;
+            image.spectrum.radiance[i * buckets + b] =
+                weight[i] != 0 ? static_cast<float>(sums[b * BUCKET_WORDS * n + i] * scale / weight[i]) : 0;
     });
 }
 

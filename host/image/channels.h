@@ -50,7 +50,8 @@ template <class Float, class Image> std::vector<ChannelView<Float>> channelsOf(I
     add1(image.variance, "variance");
     add1(image.sampleCount, "sampleCount");
     const auto& wavelengths = image.spectrum.wavelengths;
-    for (std::size_t b = 0; b < wavelengths.size(); ++b) channels.push_back({bucketChannel(wavelengths[b]), &image.spectrum.radiance[b], wavelengths.size()});
+    for (std::size_t b = 0; b < wavelengths.size(); ++b)
+        channels.push_back({bucketChannel(wavelengths[b]), &image.spectrum.radiance[b], wavelengths.size()});
     return channels;
 }
 

@@ -110,7 +110,8 @@ Comparison compare(const FilmImage& image, const FilmImage& reference, int block
                     whole.add(p, q);
                 }
             const double count = std::max(block.count, 1.);
-            result.blocks.push_back({x0, y0, block.image / count, block.reference / count, noiseKnown ? block.knownError() : block.scatterError()});
+            result.blocks.push_back(
+                {x0, y0, block.image / count, block.reference / count, noiseKnown ? block.knownError() : block.scatterError()});
         }
     const double count = std::max(whole.count, 1.);
     result.mean = whole.image / count;

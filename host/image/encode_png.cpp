@@ -29,8 +29,8 @@ void ignore(png_structp, png_const_charp) {}
 
 bool writePng(png_structp png, png_infop info, const EncodedImage& image, std::vector<png_text>& texts, std::vector<png_bytep>& rows) {
     if (setjmp(png_jmpbuf(png))) return false;
-    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB_gAMA_and_cHRM(png, info, PNG_sRGB_INTENT_ABSOLUTE);
     png_set_text(png, info, texts.data(), static_cast<int>(texts.size()));
     png_write_info(png, info);
@@ -44,7 +44,8 @@ bool writePng(png_structp png, png_infop info, const EncodedImage& image, std::v
 std::vector<unsigned char> encodePng(const EncodedImage& image) {
     const std::size_t row = 3 * static_cast<std::size_t>(image.width);
     std::vector<png_byte> pixels(row * static_cast<std::size_t>(image.height));
-    std::ranges::transform(image.values, pixels.begin(), [](float value) { return static_cast<png_byte>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f); });
+    std::ranges::transform(image.values, pixels.begin(),
+                           [](float value) { return static_cast<png_byte>(std::clamp(value, 0.f, 1.f) * 255 + 0.5f); });
     std::vector<png_bytep> rows;
     for (std::size_t y = 0; y < static_cast<std::size_t>(image.height); ++y) rows.push_back(&pixels[y * row]);
     std::vector<png_text> texts;

@@ -36,7 +36,8 @@ void SeedVariance::add(const FilmImage& image) {
 
 void SeedVariance::checkSize(const FilmImage& image) const {
     if (image.pixelCount() != pixels_.size())
-        throw Error(ExitCode::scene, fmt::format("a render of {} pixels cannot be combined with renders of {}", image.pixelCount(), pixels_.size()));
+        throw Error(ExitCode::scene,
+                    fmt::format("a render of {} pixels cannot be combined with renders of {}", image.pixelCount(), pixels_.size()));
 }
 
 Estimate SeedVariance::relativeVariance(const FilmImage* converged, double outliers) const {

@@ -48,7 +48,8 @@ std::string extensionOf(const std::string& path) {
 
 /// The format for a file name's extension, in any case; null if there is none.
 const Format* findFormat(const std::string& path) {
-    const auto found = std::ranges::find_if(formats, [&](const Format& format) { return extensionOf(path) == std::string(".") + format.extension; });
+    const auto found =
+        std::ranges::find_if(formats, [&](const Format& format) { return extensionOf(path) == std::string(".") + format.extension; });
     return found == formats.end() ? nullptr : &*found;
 }
 
@@ -98,13 +99,21 @@ void addAttributes(EncodedImage& file, const Metadata& metadata) {
 }
 
 EncodedImage::Values valuesOf(Content content) {
-    return content == Content::screen8 ? EncodedImage::Values::bytes : content == Content::screen16 ? EncodedImage::Values::words : EncodedImage::Values::floats;
+    return content == Content::screen8    ? EncodedImage::Values::bytes
+           : content == Content::screen16 ? EncodedImage::Values::words
+                                          : EncodedImage::Values::floats;
 }
 
 /// The description of the image for a file in this format, without the values.
 EncodedImage describe(const Format& format, const FilmImage& image, const Metadata& metadata) {
-    EncodedImage file{.stored = valuesOf(format.content), .width = image.columns(), .height = image.rows(), .fullWidth = image.columns(), .fullHeight = image.rows(),
-                      .channels = {"R", "G", "B"}, .attributes = {}, .values = {}};
+    EncodedImage file{.stored = valuesOf(format.content),
+                      .width = image.columns(),
+                      .height = image.rows(),
+                      .fullWidth = image.columns(),
+                      .fullHeight = image.rows(),
+                      .channels = {"R", "G", "B"},
+                      .attributes = {},
+                      .values = {}};
     if (format.content == Content::layers) {
         file.x = image.bounds.x0;
         file.y = image.bounds.y0;

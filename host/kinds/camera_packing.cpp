@@ -5,7 +5,8 @@ namespace eikonal {
 void packScreen(Packer& packer, const CameraDescription& description, double reach, camera& view) {
     const FilmDescription& film = packer.scene.film;
     const double aspect = description.frameAspectRatio.value_or(static_cast<double>(film.width) / film.height);
-    std::array<double, 4> window = aspect > 1 ? std::array<double, 4>{-aspect, aspect, -1, 1} : std::array<double, 4>{-1, 1, -1 / aspect, 1 / aspect};
+    std::array<double, 4> window =
+        aspect > 1 ? std::array<double, 4>{-aspect, aspect, -1, 1} : std::array<double, 4>{-1, 1, -1 / aspect, 1 / aspect};
     if (description.screenWindow) window = *description.screenWindow;
     view.screen_x = static_cast<float>(window[0] * reach);
     view.screen_y = static_cast<float>(window[3] * reach);

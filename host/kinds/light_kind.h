@@ -18,9 +18,9 @@ namespace pbrt { struct LightReading; }
 
 /// What a kind's file defines. All but `bound` may be left out by kinds that do not need it.
 struct LightTraits {
-    /// `LightSource "directive"` of a pbrt scene, its parameters as a row of read/pbrt/kinds.h, and what reads them into a light whose other
-    /// fields are filled in. Null: no directive of its own. `read` returns false for a light to be left out, since its image is missing, which
-    /// has been noted; it throws SceneError.
+    /// `LightSource "directive"` of a pbrt scene, its parameters as a row of read/pbrt/kinds.h, and what reads them into a light whose
+    /// other fields are filled in. Null: no directive of its own. `read` returns false for a light to be left out, since its image is
+    /// missing, which has been noted; it throws SceneError.
     const char* directive = nullptr;
     const char* parameters = "";
     bool (*read)(const pbrt::LightReading&, Light&) = nullptr;
@@ -32,12 +32,12 @@ struct LightTraits {
     /// One element of a shape that emits the radiance L.
     light (*packElement)(const AreaElement&, const color& L) = nullptr;
 
-    /// Bounds for the light tree, of a light that emits `power` in all and is not infinitely far away. `bounds` holds the light's point p, its normal
-    /// n as the axis, and the intensity of a flat area.
+    /// Bounds for the light tree, of a light that emits `power` in all and is not infinitely far away. `bounds` holds the light's point p,
+    /// its normal n as the axis, and the intensity of a flat area.
     void (*bound)(const light&, double power, LightBounds& bounds) = nullptr;
 
-    /// Whether paths that follow BSDFs find it at least as well as light samples do, so that the light sampler leaves it to them (Karlík et al.
-    /// 2019, "MIS compensation"), unless the environment guide aims at it.
+    /// Whether paths that follow BSDFs find it at least as well as light samples do, so that the light sampler leaves it to them (Karlík et
+    /// al. 2019, "MIS compensation"), unless the environment guide aims at it.
     bool isLeftToBsdfs = false;
 };
 

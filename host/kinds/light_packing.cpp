@@ -42,8 +42,10 @@ const ImageData& imageOf(const Packer& packer, const Light& d) { return *packer.
 const ImageData& sphereImage(const Packer& packer, const Light& d) {
     const ImageData& image = imageOf(packer, d);
     if (image.width != image.height)
-        throw SceneError(d.where, "the image of this light is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                                      "; it must be square, in the equal-area mapping. pbrt-v4's `imgtool makeequiarea` converts latitude-longitude images.");
+        throw SceneError(
+            d.where,
+            "the image of this light is " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+                "; it must be square, in the equal-area mapping. pbrt-v4's `imgtool makeequiarea` converts latitude-longitude images.");
     return image;
 }
 
@@ -88,7 +90,9 @@ glm::dvec3 emittingNormal(const AreaElement& e, glm::dvec3 n, const uint* corner
 
 double shareOfCircle(double phiMax) { return std::clamp(phiMax, 0.0, 360.0) / 360; }
 
-vec3 sideOf(const AreaElement& e) { return {((e.packed.flags & shape_reversed) != 0) != swapsHandedness(e.sceneFromObject) ? -1.0f : 1.0f, 0, 0}; }
+vec3 sideOf(const AreaElement& e) {
+    return {((e.packed.flags & shape_reversed) != 0) != swapsHandedness(e.sceneFromObject) ? -1.0f : 1.0f, 0, 0};
+}
 
 void boundAllDirections(LightBounds& bounds) {
     bounds.axis = {0, 0, 1};

@@ -45,8 +45,8 @@ double greyOf(glm::dvec3 rgb);
 uint nextTexel(const Packer&);
 /// The first of an image's texels in `environment_texels`. Lights with the same image share them.
 uint packLightImage(Packer&, int image, bool inGrey);
-/// Illuminance of a surface that faces +z of an image over the sphere of directions, as pbrt-v4 measures it: pbrt-v4 takes the square for the
-/// hemisphere alone, so this is half of what arrives, and a scene with an "illuminance" is twice as bright as it says.
+/// Illuminance of a surface that faces +z of an image over the sphere of directions, as pbrt-v4 measures it: pbrt-v4 takes the square for
+/// the hemisphere alone, so this is half of what arrives, and a scene with an "illuminance" is twice as bright as it says.
 double upwardIlluminance(const ImageData&);
 
 /// The normal on whose side a flat element emits: its geometric one, n, on the side of its vertex normals if it has any.

@@ -12,9 +12,10 @@ void readDirection(const Arguments& arguments, Light& light) {
     light.from = arguments.vector("from");
     light.to = arguments.vector("to", {0, 0, 1});
     if (light.from == light.to)
-        throw SceneError(arguments.has("to") ? arguments.whereOf("to") : arguments.whereOf("from"),
-                         fmt::format("{}: \"from\" and \"to\" are the same point, ({:g}, {:g}, {:g}); the light shines from one to the other", arguments.kind().title(),
-                                     light.to.x, light.to.y, light.to.z));
+        throw SceneError(
+            arguments.has("to") ? arguments.whereOf("to") : arguments.whereOf("from"),
+            fmt::format("{}: \"from\" and \"to\" are the same point, ({:g}, {:g}, {:g}); the light shines from one to the other",
+                        arguments.kind().title(), light.to.x, light.to.y, light.to.z));
 }
 
 bool readImage(const LightReading& in, WrapMode wrap, Light& light) {

@@ -28,8 +28,8 @@ class InputWriter;
 struct Material;
 namespace pbrt { struct MaterialReading; }
 
-/// A material `Material "name"` of a pbrt scene, and its parameters as a row of read/pbrt/kinds.h. "-> name" gives a parameter another name in
-/// the scene; "-> -" leaves it out of Material::inputs.
+/// A material `Material "name"` of a pbrt scene, and its parameters as a row of read/pbrt/kinds.h. "-> name" gives a parameter another name
+/// in the scene; "-> -" leaves it out of Material::inputs.
 struct MaterialDirective { const char *name, *parameters; };
 
 /// What a kind's file defines.

@@ -5,7 +5,8 @@
 
 namespace eikonal {
 
-/// A mesh's tangents where `m` takes them, the longest of unit length: their squares are finite then, and means of theirs stay what they are.
+/// A mesh's tangents where `m` takes them, the longest of unit length: their squares are finite then, and means of theirs stay what they
+/// are.
 static std::vector<glm::dvec3> tangentsInReach(const Mesh& mesh, const glm::dmat4& m) {
     std::vector<glm::dvec3> tangents;
     double longest = 0;
@@ -27,7 +28,8 @@ void addVertices(const ShapePacking& in) {
     tables.indices.insert(tables.indices.end(), mesh.indices.begin(), mesh.indices.end());
     if (!mesh.normals.empty()) {
         packed.first_normal = static_cast<uint>(tables.normals.size());
-        for (const glm::vec3& n : mesh.normals) tables.normals.push_back(toVec3(transformNormal(m, n) * (s.reverseOrientation ? -1.0 : 1.0)));
+        for (const glm::vec3& n : mesh.normals)
+            tables.normals.push_back(toVec3(transformNormal(m, n) * (s.reverseOrientation ? -1.0 : 1.0)));
     }
     if (!mesh.tangents.empty()) {
         packed.first_tangent = static_cast<uint>(tables.tangents.size());

@@ -24,7 +24,8 @@ void addVertices(const ShapePacking&);
 
 /// Its only element, and q with the maps of its object space. `flips`: whether m flips the normal. Returns 1.
 size_t addQuadric(const ShapePacking&, quadric q, bool flips);
-/// Whether m flips normals that are made in object space and transformed: only the shape's own transform can, as pbrt-v4's mirrored quadrics do.
+/// Whether m flips normals that are made in object space and transformed: only the shape's own transform can, as pbrt-v4's mirrored
+/// quadrics do.
 inline bool isMirrored(const ShapePacking& in) { return swapsHandedness(in.m) != in.instanceSwaps; }
 
 /// What spheres, disks and cylinders have in common: their radius and their angle.

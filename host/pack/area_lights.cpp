@@ -8,7 +8,9 @@
 namespace eikonal {
 
 /// Emitted power in scene units: what the sampler's probabilities follow.
-static double areaPower(const light& l, double luminance) { return l.pmf > 0 ? M_PI * luminance / l.inverse_area * (l.two_sided ? 2 : 1) : 0; }
+static double areaPower(const light& l, double luminance) {
+    return l.pmf > 0 ? M_PI * luminance / l.inverse_area * (l.two_sided ? 2 : 1) : 0;
+}
 
 void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dmat4& m, size_t elements) {
     const AreaLight& description = packer.scene.areaLights[static_cast<size_t>(s.areaLight)];

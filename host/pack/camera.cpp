@@ -84,7 +84,8 @@ static void packFilterAxis(Packer& packer, double radius) {
         /* The mean of a few points stands for the cell */
         double mean = 0;
         constexpr int points = 8;
-        for (int k = 0; k < points; ++k) mean += filterValue(packer.scene.filter, ((i + (k + 0.5) / points) * 2 / FILTER_CELLS - 1) * radius, radius) / points;
+        for (int k = 0; k < points; ++k)
+            mean += filterValue(packer.scene.filter, ((i + (k + 0.5) / points) * 2 / FILTER_CELLS - 1) * radius, radius) / points;
         weights.push_back(std::abs(mean));
         packer.packed.tables.filter_values.push_back(mean < 0 ? -1.0f : 1.0f);
     }

@@ -19,13 +19,16 @@ constexpr float saturated = 1e6f;
 
 /// The index of a curve in `curves`, which begins with that of 1.
 uint packCurve(Packer& packer, const DenseCurve& curve) {
-    const auto [found, isNew] = packer.colors.curves.try_emplace(curve, static_cast<uint>(packer.packed.tables.curves.size() / CURVE_WORDS));
+    const auto [found, isNew] =
+        packer.colors.curves.try_emplace(curve, static_cast<uint>(packer.packed.tables.curves.size() / CURVE_WORDS));
     if (isNew)
         for (double value : curve) packer.packed.tables.curves.push_back(toFloat(value));
     return found->second;
 }
 
-color packCurveColor(Packer& packer, const DenseCurve& curve, double factor) { return {0, 0, saturated, toFloat(factor), packCurve(packer, curve)}; }
+color packCurveColor(Packer& packer, const DenseCurve& curve, double factor) {
+    return {0, 0, saturated, toFloat(factor), packCurve(packer, curve)};
+}
 
 /// A smooth spectrum of a colour whose components are in [0, 1], times `factor`, times a curve.
 color packSmooth(Packer& packer, glm::dvec3 rgb, ColorSpace space, double factor, uint curve) {
@@ -33,7 +36,9 @@ color packSmooth(Packer& packer, glm::dvec3 rgb, ColorSpace space, double factor
     /* A few colours exactly; many, as grids have them, from the table, which is faster */
     constexpr size_t few = 256;
     const auto [found, isNew] = packer.colors.smooth.try_emplace({rgb.x, rgb.y, rgb.z, space});
-    if (isNew) found->second = space == ColorSpace::srgb && packer.colors.smooth.size() > few ? tabulatedReflectance(rgb) : upliftReflectance(rgb, space);
+    if (isNew)
+        found->second =
+            space == ColorSpace::srgb && packer.colors.smooth.size() > few ? tabulatedReflectance(rgb) : upliftReflectance(rgb, space);
     const glm::dvec3 c = found->second.c;
     return {toFloat(c.x), toFloat(c.y), toFloat(c.z), toFloat(factor), curve};
 }
@@ -103,7 +108,8 @@ float greatestSum(const Packer& packer, const color* a, const color* b) {
     const color &p = a ? *a : nothing, &q = b ? *b : nothing;
     if (!packer.spectral) return std::max({p.c0 + q.c0, p.c1 + q.c1, p.c2 + q.c2});
     const auto bound = [&](const color& c) {
-        /* The quadratic is greatest at an end or at its vertex, the sigmoid with it; the curve is that of 1, or bounded by its own greatest value */
+        /* The quadratic is greatest at an end or at its vertex, the sigmoid with it; the curve is that of 1, or bounded by its own greatest
+         * value */
         const auto at = [&](double t) { return (c.c0 * t + c.c1) * t + c.c2; };
         double x = std::max(at(0), at(1));
         if (c.c0 < 0) x = std::max(x, at(std::clamp(-c.c1 / (2.0 * c.c0), 0.0, 1.0)));
@@ -134,7 +140,8 @@ void packSensor(Packer& packer) {
     packCurve(packer, constantCurve(1));
     settings& frame = packer.packed.frame();
     const FilmDescription& film = packer.scene.film;
-    frame.sensor_curves = packResponse(packer, linearSrgbResponse({film.sensor, film.whiteBalance, film.exposureTime * film.iso / 100, film.colorSpace}));
+    frame.sensor_curves =
+        packResponse(packer, linearSrgbResponse({film.sensor, film.whiteBalance, film.exposureTime * film.iso / 100, film.colorSpace}));
     const DenseCurve white = ofUnitLuminance(whiteSpectrum(ColorSpace::srgb));
     auto albedo = matchingFunctions();
     for (int i = 0; i < wavelengthCount; ++i) albedo[i] = rgbFromXyz(ColorSpace::srgb) * albedo[i] * white[i];

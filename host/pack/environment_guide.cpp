@@ -30,10 +30,12 @@ constexpr double doubt = 0.1;
 
 /// What a map of a face holds that nothing is learnt for: the cosine, for normals up to 55 degrees off the axis of the face.
 std::vector<double> unlearnedWeights(size_t face) {
-    constexpr std::array<glm::dvec3, GUIDE_FACES> axes{glm::dvec3(1, 0, 0), {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0, 0, 0}};
+    constexpr std::array<glm::dvec3, GUIDE_FACES> axes{glm::dvec3(1, 0, 0), {-1, 0, 0}, {0, 1, 0}, {0, -1, 0},
+                                                       {0, 0, 1},           {0, 0, -1}, {0, 0, 0}};
     std::vector<double> weights;
     for (size_t bin = 0; bin < bins; ++bin) {
-        const glm::dvec3 d = directionFromSquare({(static_cast<double>(bin % side) + 0.5) / side, (static_cast<double>(bin / side) + 0.5) / side});
+        const glm::dvec3 d =
+            directionFromSquare({(static_cast<double>(bin % side) + 0.5) / side, (static_cast<double>(bin / side) + 0.5) / side});
         weights.push_back(face == GUIDE_ALL_DIRECTIONS ? 1 : std::max(glm::dot(d, axes[face]) + 0.5, 0.0));
     }
     return weights;
@@ -41,7 +43,8 @@ std::vector<double> unlearnedWeights(size_t face) {
 
 double sumOf(std::span<const double> weights) { return std::accumulate(weights.begin(), weights.end(), 0.0); }
 
-/// The bin of a place on the square, or of the place that it borders on if it is beyond the edge (kernels/math/equal_area.clh has the same).
+/// The bin of a place on the square, or of the place that it borders on if it is beyond the edge (kernels/math/equal_area.clh has the
+/// same).
 size_t wrappedBin(int x, int y) {
     constexpr int n = side;
     if (x < 0 || x >= n) { x = x < 0 ? -1 - x : 2 * n - 1 - x; y = n - 1 - y; }
@@ -55,7 +58,11 @@ std::vector<double> blur(std::span<const double> seen) {
     for (int y = 0; y < static_cast<int>(side); ++y)
         for (int x = 0; x < static_cast<int>(side); ++x)
             for (int v = -1; v <= 1; ++v)
-                for (int u = -1; u <= 1; ++u) blurred[wrappedBin(x + u, y + v)] += seen[static_cast<size_t>(y) * side + static_cast<size_t>(x)] * (u == 0 && v == 0 ? 1 : u == 0 || v == 0 ? 0.25 : 0.1);
+                for (int u = -1; u <= 1; ++u)
+                    blurred[wrappedBin(x + u, y + v)] +=
+                        seen[static_cast<size_t>(y) * side + static_cast<size_t>(x)] * (u == 0 && v == 0   ? 1
+                                                                                        : u == 0 || v == 0 ? 0.25
+                                                                                                           : 0.1);
     return blurred;
 }
 
@@ -71,7 +78,8 @@ void writeMap(SceneTables& tables, size_t map, std::span<const double> weights) 
     std::ranges::copy(makeAliasSquare(weights, side), tables.guide_aliases.begin() + static_cast<long>(map * GUIDE_MAP_ENTRIES));
 }
 
-/// Where nothing is seen, no direction has a density: light samples would be shadow rays for nothing, and what the survey missed paths find by themselves.
+/// Where nothing is seen, no direction has a density: light samples would be shadow rays for nothing, and what the survey missed paths find
+/// by themselves.
 void writeDarkMap(SceneTables& tables, size_t map) {
     std::fill_n(tables.guide_aliases.begin() + static_cast<long>(map * GUIDE_MAP_ENTRIES), GUIDE_MAP_ENTRIES, alias_entry{1, 0, 0});
 }
@@ -102,7 +110,8 @@ void cutAxis(std::span<float> edges, size_t axis, std::span<const vec3> points, 
 /// The points in one face of a cell, by their index.
 struct Group { size_t place; std::vector<size_t> members; };
 
-std::vector<Group> groupPoints(std::span<const float> edges, std::span<const vec3> points, std::span<const vec3> normals, bool hasAllDirections) {
+std::vector<Group> groupPoints(std::span<const float> edges, std::span<const vec3> points, std::span<const vec3> normals,
+                               bool hasAllDirections) {
     std::vector<std::vector<size_t>> members(cells * GUIDE_FACES);
     for (size_t i = 0; i < points.size(); ++i) {
         if (!isPoint(normals[i])) continue;
@@ -117,7 +126,8 @@ std::vector<Group> groupPoints(std::span<const float> edges, std::span<const vec
 }
 
 /// Points of each group, spread over its members.
-GuideRepresentatives representativesOf(const std::vector<Group>& groups, std::span<const vec3> points, std::span<const vec3> normals, size_t perMap) {
+GuideRepresentatives representativesOf(const std::vector<Group>& groups, std::span<const vec3> points, std::span<const vec3> normals,
+                                       size_t perMap) {
     GuideRepresentatives r{{}, {}, groups.size(), perMap};
     for (const Group& g : groups)
         for (size_t k = 0; k < perMap; ++k) {
@@ -148,7 +158,8 @@ double shareOf(const std::vector<Group>& groups, std::span<const float> weights,
     for (size_t i = 0; i < groups.size(); ++i) {
         if (groups[i].place / cells == GUIDE_ALL_DIRECTIONS) continue;
         const double members = static_cast<double>(groups[i].members.size());
-        seen += members * std::accumulate(weights.begin() + static_cast<long>(i * bins), weights.begin() + static_cast<long>((i + 1) * bins), 0.0);
+        seen += members *
+                std::accumulate(weights.begin() + static_cast<long>(i * bins), weights.begin() + static_cast<long>((i + 1) * bins), 0.0);
         possible += members * static_cast<double>(perMap * bins) / 4;
     }
     return possible > 0 ? std::min(seen / possible, 1.0) : 1;
@@ -162,7 +173,8 @@ std::vector<std::vector<double>> shareWithNeighbors(const std::vector<Group>& gr
     tbb::parallel_for(size_t{0}, groups.size(), [&](size_t i) {
         std::vector<double>& sum = shared[i];
         sum.assign(weights.begin() + static_cast<long>(i * bins), weights.begin() + static_cast<long>((i + 1) * bins));
-        const size_t place = groups[i].place, cell = place % cells, at[3] = {cell % intervals, cell / intervals % intervals, cell / intervals / intervals};
+        const size_t place = groups[i].place, cell = place % cells,
+                     at[3] = {cell % intervals, cell / intervals % intervals, cell / intervals / intervals};
         size_t stride = 1;
         for (size_t axis = 0; axis < 3; ++axis, stride *= intervals)
             for (const int step : {-1, 1}) {
@@ -192,7 +204,8 @@ GuideBudget GuideBudget::of(uint width, uint height, int samples) {
     return {static_cast<size_t>(std::min(all / 64, 0x1p16)), static_cast<size_t>(std::min(all * 0.4, 0x1p23))};
 }
 
-double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<const vec3> normals, const GuideOptions& options, const WeighMaps& weigh) {
+double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<const vec3> normals, const GuideOptions& options,
+                  const WeighMaps& weigh) {
     packUnlearnedGuide(tables);
     if (std::ranges::none_of(normals, isPoint)) return 1;
     for (size_t axis = 0; axis < 3; ++axis) cutAxis(tables.guide_edges, axis, points, normals);
@@ -209,7 +222,8 @@ double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<c
     }
     groups.resize(std::min(groups.size(), rays / raysAMap));
 
-    const GuideRepresentatives representatives = representativesOf(groups, points, normals, std::clamp<size_t>(rays / (groups.size() * bins / 2), fewestPoints, mostPoints));
+    const GuideRepresentatives representatives =
+        representativesOf(groups, points, normals, std::clamp<size_t>(rays / (groups.size() * bins / 2), fewestPoints, mostPoints));
     const std::vector<float> weights = weigh(representatives);
     const std::vector<std::vector<double>> shared = shareWithNeighbors(groups, weights);
     std::array<std::vector<double>, GUIDE_FACES> unlearned;

@@ -5,7 +5,8 @@
 
 namespace eikonal {
 
-/// The least part of the wavelengths that is within the film's range; the rest is beside it, and makes the pixels' colours complete. Of a path's four wavelengths one, then.
+/// The least part of the wavelengths that is within the film's range; the rest is beside it, and makes the pixels' colours complete. Of a
+/// path's four wavelengths one, then.
 constexpr double leastShare = 0.75;
 
 void packSpectrumKept(Packer& packer) {
@@ -19,7 +20,8 @@ void packSpectrumKept(Packer& packer) {
     const double share = std::max(extent / all, leastShare), inversePdf = extent / share;
     const double beside = share < 1 ? (all - extent) / (1 - share) : inversePdf;
     const auto toFloat = [](double x) { return static_cast<float>(x); };
-    packer.packed.tables.wavelengths.push_back({toFloat(film.spectrum->first), toFloat(extent), toFloat(share), toFloat(inversePdf), toFloat(beside)});
+    packer.packed.tables.wavelengths.push_back(
+        {toFloat(film.spectrum->first), toFloat(extent), toFloat(share), toFloat(inversePdf), toFloat(beside)});
 }
 
 }  // namespace eikonal

@@ -22,12 +22,14 @@ public:
         world.space = packer_.space;
         result_.seen = timesSeen(scene);
         for (size_t i = 0; i < scene.shapes.size(); ++i)
-            if (!scene.shapes[i].worldFromObjectAtEnd) packShape(packer_, world, scene.shapes[i], scene.shapes[i].worldFromObject, false, false, static_cast<uint>(i + 1));
+            if (!scene.shapes[i].worldFromObjectAtEnd)
+                packShape(packer_, world, scene.shapes[i], scene.shapes[i].worldFromObject, false, false, static_cast<uint>(i + 1));
         addMovingShapes();
         groupOfObject_.assign(scene.objects.size(), noGroup);
         movingInObject_.resize(scene.objects.size());
         for (size_t i = 0; i < scene.objects.size(); ++i) addObject(i);
-        for (size_t i = 0; i < scene.instances.size(); ++i) addInstance(world, scene.instances[i], static_cast<uint>(scene.shapes.size() + i + 1));
+        for (size_t i = 0; i < scene.instances.size(); ++i)
+            addInstance(world, scene.instances[i], static_cast<uint>(scene.shapes.size() + i + 1));
         return std::move(result_);
     }
 
@@ -114,14 +116,16 @@ private:
             place(group, {inWorld, {shape->worldFromObject, shape->worldFromObjectAtEnd}}, id, i.where);
         if (groupOfObject_[object] != noGroup) { place(groupOfObject_[object], {inWorld}, id, i.where); return; }
         for (const Shape& s : packer_.scene.objects[object].shapes)
-            if (!s.worldFromObjectAtEnd) packShape(packer_, world, s, i.worldFromObject * s.worldFromObject, true, swapsHandedness(i.worldFromObject), id);
+            if (!s.worldFromObjectAtEnd)
+                packShape(packer_, world, s, i.worldFromObject * s.worldFromObject, true, swapsHandedness(i.worldFromObject), id);
     }
 
     /// Notes what a group in the world requires.
     void place(size_t group, std::vector<Place> places, uint id, const SourceLocation& where) {
         if (result_.groups[group].isEmpty()) return;
         packer_.packed.require(Feature::INSTANCES, where.toString());
-        if (std::any_of(places.begin(), places.end(), [](const Place& p) { return p.end.has_value(); })) packer_.packed.require(Feature::MOTION, where.toString());
+        if (std::any_of(places.begin(), places.end(), [](const Place& p) { return p.end.has_value(); }))
+            packer_.packed.require(Feature::MOTION, where.toString());
         result_.placed.push_back({group, std::move(places), id});
     }
 

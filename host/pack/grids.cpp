@@ -16,10 +16,12 @@ size_t offsetIn(glm::ivec3 size, glm::ivec3 at) { return (static_cast<size_t>(at
 /// The voxels from `first` on.
 Brick brickOf(const Grid& grid, glm::ivec3 first) {
     Brick brick{};
-    const glm::ivec3 size(grid.nx, grid.ny, grid.nz), low = glm::max(-first, glm::ivec3(0)), high = glm::min(size - first, glm::ivec3(BRICK_SIDE));
+    const glm::ivec3 size(grid.nx, grid.ny, grid.nz), low = glm::max(-first, glm::ivec3(0)),
+                                                      high = glm::min(size - first, glm::ivec3(BRICK_SIDE));
     for (int z = low.z; z < high.z; ++z)
         for (int y = low.y; y < high.y; ++y)
-            for (int x = low.x; x < high.x; ++x) brick[offsetIn(glm::ivec3(BRICK_SIDE), {x, y, z})] = grid.values[offsetIn(size, first + glm::ivec3(x, y, z))];
+            for (int x = low.x; x < high.x; ++x)
+                brick[offsetIn(glm::ivec3(BRICK_SIDE), {x, y, z})] = grid.values[offsetIn(size, first + glm::ivec3(x, y, z))];
     return brick;
 }
 
@@ -35,13 +37,15 @@ Brick brickOf(const SparseGrid& grid, glm::ivec3 first) {
         for (int z = 0; z < end.z; ++z)
             for (int y = 0; y < end.y; ++y)
                 for (int x = 0; x < end.x; ++x)
-                    brick[offsetIn(glm::ivec3(BRICK_SIDE), 8 * part + glm::ivec3(x, y, z))] = grid.values[512 * size_t(stored) + offsetIn(glm::ivec3(8), {x, y, z})];
+                    brick[offsetIn(glm::ivec3(BRICK_SIDE), 8 * part + glm::ivec3(x, y, z))] =
+                        grid.values[512 * size_t(stored) + offsetIn(glm::ivec3(8), {x, y, z})];
     }
     return brick;
 }
 
 /// Bricks for the cells from voxel `first` to voxel `last`, of which those around are 0.
-template <class Voxels> uint pack(SceneTables& tables, const Voxels& voxels, glm::ivec3 first, glm::ivec3 last, const glm::dmat4& voxelFromBox) {
+template <class Voxels>
+uint pack(SceneTables& tables, const Voxels& voxels, glm::ivec3 first, glm::ivec3 last, const glm::dmat4& voxelFromBox) {
     const glm::ivec3 bricks = (last - first) / BRICK_CELLS + 1;
     if (double(bricks.x) * bricks.y * bricks.z + static_cast<double>(tables.bricks.size()) > double(NONE))
         throw std::length_error("there are more bricks of grids than can be counted");
@@ -95,7 +99,8 @@ float boundOn(const SceneTables& tables, uint index, glm::dvec3 low, glm::dvec3 
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec4 p(corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z, 1);
         const affine& m = g.cell_from_box;
-        cells.grow({m.xx * p.x + m.xy * p.y + m.xz * p.z + m.xw, m.yx * p.x + m.yy * p.y + m.yz * p.z + m.yw, m.zx * p.x + m.zy * p.y + m.zz * p.z + m.zw});
+        cells.grow({m.xx * p.x + m.xy * p.y + m.xz * p.z + m.xw, m.yx * p.x + m.yy * p.y + m.yz * p.z + m.yw,
+                    m.zx * p.x + m.zy * p.y + m.zz * p.z + m.zw});
     }
     const glm::ivec3 bricks(g.bricks_x, g.bricks_y, g.bricks_z);
     const glm::dvec3 size = double(BRICK_CELLS) * glm::dvec3(bricks);

@@ -28,8 +28,8 @@ struct Hierarchies {
     std::vector<PlacedGroup> placed;
     TimeSpan seen{};   ///< when the camera looks
 
-    /// Builds them into the tables `nodes`, `triangle_lines`, `leaf_elements`, `instances` and `motions`, and counts what that took. Nothing else of
-    /// the scene changes.
+    /// Builds them into the tables `nodes`, `triangle_lines`, `leaf_elements`, `instances` and `motions`, and counts what that took.
+    /// Nothing else of the scene changes.
     void build(PackedScene& scene, Diagnostics& diagnostics) const;
 };
 

@@ -47,7 +47,8 @@ private:
     int step(const Step& s) {
         for (size_t i = 0; i < steps_.size(); ++i) {
             const Step& t = steps_[i];
-            if (t.operation == s.operation && t.a == s.a && t.b == s.b && t.number == s.number && t.exponent == s.exponent) return coordinates + static_cast<int>(i);
+            if (t.operation == s.operation && t.a == s.a && t.b == s.b && t.number == s.number && t.exponent == s.exponent)
+                return coordinates + static_cast<int>(i);
         }
         steps_.push_back(s);
         return coordinates + static_cast<int>(steps_.size()) - 1;
@@ -67,7 +68,8 @@ private:
         if (exponent == 1) return a;
         if (exponent == 2) return unary(implicit_square, a);
         if (exponent == 0.5) return unary(implicit_sqrt, a);
-        if (exponent == std::floor(exponent) && exponent <= 1024) return step({implicit_integer_power, a, -1, 0, static_cast<unsigned>(exponent)});
+        if (exponent == std::floor(exponent) && exponent <= 1024)
+            return step({implicit_integer_power, a, -1, 0, static_cast<unsigned>(exponent)});
         return step({implicit_power, a, -1, exponent});
     }
 
@@ -79,7 +81,8 @@ private:
             case Operation::y: return 1;
             case Operation::z: return 2;
             case Operation::negate: return scale(value(n.a), -1);
-            case Operation::add: return ca ? shift(value(n.b), *ca) : cb ? shift(value(n.a), *cb) : binary(implicit_add, value(n.a), value(n.b));
+            case Operation::add:
+                return ca ? shift(value(n.b), *ca) : cb ? shift(value(n.a), *cb) : binary(implicit_add, value(n.a), value(n.b));
             case Operation::subtract:
                 if (ca) return shift(scale(value(n.b), -1), *ca);
                 return cb ? shift(value(n.a), -*cb) : binary(implicit_subtract, value(n.a), value(n.b));
@@ -88,7 +91,8 @@ private:
                 if (cb && *cb != 0 && std::abs(1 / *cb) < largest) return scale(value(n.a), 1 / *cb);
                 if (ca) return scale(unary(implicit_reciprocal, value(n.b)), *ca);
                 return divide(value(n.a), value(n.b));
-            case Operation::power: return cb ? raise(value(n.a), *cb) : unary(implicit_exp, multiply(value(n.b), unary(implicit_log, value(n.a))));
+            case Operation::power:
+                return cb ? raise(value(n.a), *cb) : unary(implicit_exp, multiply(value(n.b), unary(implicit_log, value(n.a))));
             case Operation::sqrt: return unary(implicit_sqrt, value(n.a));
             case Operation::abs: return unary(implicit_abs, value(n.a));
             case Operation::sin: return sine(value(n.a));
@@ -97,10 +101,13 @@ private:
             case Operation::asin: return unary(implicit_asin, value(n.a));
             case Operation::acos: return shift(scale(unary(implicit_asin, value(n.a)), -1), M_PI / 2);
             case Operation::atan: return unary(implicit_atan, value(n.a));
-            case Operation::sinh: return scale(binary(implicit_subtract, unary(implicit_exp, value(n.a)), unary(implicit_exp, scale(value(n.a), -1))), 0.5);
-            case Operation::cosh: return scale(binary(implicit_add, unary(implicit_exp, value(n.a)), unary(implicit_exp, scale(value(n.a), -1))), 0.5);
+            case Operation::sinh:
+                return scale(binary(implicit_subtract, unary(implicit_exp, value(n.a)), unary(implicit_exp, scale(value(n.a), -1))), 0.5);
+            case Operation::cosh:
+                return scale(binary(implicit_add, unary(implicit_exp, value(n.a)), unary(implicit_exp, scale(value(n.a), -1))), 0.5);
             /* 1 - 2 / (e^2a + 1) has its operand once: no interval of it is wider than it must be */
-            case Operation::tanh: return shift(scale(unary(implicit_reciprocal, shift(unary(implicit_exp, scale(value(n.a), 2)), 1)), -2), 1);
+            case Operation::tanh:
+                return shift(scale(unary(implicit_reciprocal, shift(unary(implicit_exp, scale(value(n.a), 2)), 1)), -2), 1);
             case Operation::exp: return unary(implicit_exp, value(n.a));
             case Operation::log: return unary(implicit_log, value(n.a));
             case Operation::min: return binary(implicit_min, value(n.a), value(n.b));
@@ -128,19 +135,26 @@ std::vector<implicit_instruction> implicitProgram(const Expression& expression, 
     std::vector<implicit_instruction> program;
     std::vector<uint> registers(steps.size()), unused;
     for (uint r = IMPLICIT_REGISTERS; r-- > coordinates;) unused.push_back(r);
-    const auto registerOf = [&](int operand) { return operand < 0 ? 0u : operand < coordinates ? static_cast<uint>(operand) : registers[static_cast<size_t>(operand - coordinates)]; };
+    const auto registerOf = [&](int operand) {
+        return operand < 0             ? 0u
+               : operand < coordinates ? static_cast<uint>(operand)
+                                       : registers[static_cast<size_t>(operand - coordinates)];
+    };
     for (size_t i = 0; i < steps.size(); ++i) {
         const Step& s = steps[i];
-        implicit_instruction instruction{static_cast<uint>(s.operation), 0, registerOf(s.a), registerOf(s.b), static_cast<float>(s.number), 0};
+        implicit_instruction instruction{static_cast<uint>(s.operation), 0, registerOf(s.a), registerOf(s.b),
+                                         static_cast<float>(s.number),   0};
         const double exponent = s.operation == implicit_integer_power ? s.exponent : s.number;
         if (s.operation == implicit_integer_power) instruction.b = s.exponent;
-        if (s.operation == implicit_integer_power || s.operation == implicit_power) instruction.limit = static_cast<float>(std::min(std::pow(largest, 1 / exponent), largest));
+        if (s.operation == implicit_integer_power || s.operation == implicit_power)
+            instruction.limit = static_cast<float>(std::min(std::pow(largest, 1 / exponent), largest));
         /* A register is free once its value has been used for the last time: operands are read before the target is written */
         for (const int operand : {s.a, s.a == s.b ? -1 : s.b})
             if (operand >= coordinates && lastUse[static_cast<size_t>(operand - coordinates)] == i) unused.push_back(registerOf(operand));
         if (unused.empty())
-            throw SceneError(where, "F has more than " + std::to_string(IMPLICIT_REGISTERS - coordinates) + " intermediate results that are needed later: too many to keep. "
-                                    "Sums that are taken term by term, a + b + c, need fewer than nested ones, a + (b + (c + d)).");
+            throw SceneError(where, "F has more than " + std::to_string(IMPLICIT_REGISTERS - coordinates) +
+                                        " intermediate results that are needed later: too many to keep. "
+                                        "Sums that are taken term by term, a + b + c, need fewer than nested ones, a + (b + (c + d)).");
         instruction.target = registers[i] = unused.back();
         unused.pop_back();
         program.push_back(instruction);

@@ -39,10 +39,12 @@ void packIntegrator(Packer& packer, bool hasUnusedMedia) {
     const IntegratorDescription& integrator = packer.scene.integrator;
     const std::string title = titleOf(integrator), why = integrator.where.toString() + ": " + title;
     if (!integrator.standsFor.empty())
-        packer.diagnostics.unsupported("integrator", integrator.where,
-                                       fmt::format("integrator \"{}\" is not rendered; \"volpath\" computes the same by its own means", integrator.standsFor));
+        packer.diagnostics.unsupported(
+            "integrator", integrator.where,
+            fmt::format("integrator \"{}\" is not rendered; \"volpath\" computes the same by its own means", integrator.standsFor));
     if (hasUnusedMedia)
-        packer.diagnostics.warn(integrator.where, title + " leaves out participating media (as in pbrt-v4), and the scene has some; \"volpath\" renders them");
+        packer.diagnostics.warn(
+            integrator.where, title + " leaves out participating media (as in pbrt-v4), and the scene has some; \"volpath\" renders them");
 
     settings& frame = packer.packed.frame();
     int depth = std::max(integrator.maxDepth, 0);
@@ -53,11 +55,14 @@ void packIntegrator(Packer& packer, bool hasUnusedMedia) {
             depth = 1;
             packer.packed.require(Feature::AMBIENT_OCCLUSION, why);
             frame.ambient = packEmission(packer, Spectrum::rgb(glm::dvec3(1), integrator.colorSpace));
-            frame.ambient_distance = integrator.maxDistance > 0 ? static_cast<float>(std::min(integrator.maxDistance * packer.space.scale, double{FAR_AWAY})) : FAR_AWAY;
+            frame.ambient_distance = integrator.maxDistance > 0
+                                         ? static_cast<float>(std::min(integrator.maxDistance * packer.space.scale, double{FAR_AWAY}))
+                                         : FAR_AWAY;
             frame.ambient_cosine = integrator.cosine;
             break;
         case IntegratorKind::simplePath: case IntegratorKind::randomWalk:
-            if (integrator.kind == IntegratorKind::randomWalk || !integrator.sampleBsdf) packer.packed.require(Feature::UNIFORM_DIRECTIONS, why);
+            if (integrator.kind == IntegratorKind::randomWalk || !integrator.sampleBsdf)
+                packer.packed.require(Feature::UNIFORM_DIRECTIONS, why);
             break;
         case IntegratorKind::whitted:
             depth = std::min(depth, mostTreeDepth);

@@ -77,8 +77,8 @@ void LensSystem::focus(const CameraDescription& camera) {
     const double f = film.plane - film.focus, between = camera.focusDistance - scene.plane + film.plane;
     const double c = between * (between - 4 * f);
     if (c <= 0)
-        fail(fmt::format("cannot be focused at {} m: with a focal length of {:.4g} mm that takes {:.4g} m at least", camera.focusDistance, f * 1000,
-                         4 * f + scene.plane - film.plane));
+        fail(fmt::format("cannot be focused at {} m: with a focal length of {:.4g} mm that takes {:.4g} m at least", camera.focusDistance,
+                         f * 1000, 4 * f + scene.plane - film.plane));
     const double shift = (camera.focusDistance - scene.plane - film.plane - std::sqrt(c)) / 2;
     for (Element& e : elements_) e.z += shift;
     if (elements_.front().z <= 0) fail("would have to be behind the film to be focused there");
@@ -89,14 +89,16 @@ static bool isEmpty(const pupil_bounds& b) { return b.low_x > b.high_x; }
 /// The bounds of what passes on a grid over `over`, a step wider.
 template <class Passes> static pupil_bounds boundsOnGrid(const pupil_bounds& over, int steps, Passes&& passes) {
     pupil_bounds found{1, 1, -1, -1};
-    const float stepX = (over.high_x - over.low_x) / static_cast<float>(steps), stepY = (over.high_y - over.low_y) / static_cast<float>(steps);
+    const float stepX = (over.high_x - over.low_x) / static_cast<float>(steps),
+                stepY = (over.high_y - over.low_y) / static_cast<float>(steps);
     for (int i = 0; i <= steps; ++i)
         for (int k = 0; k <= steps; ++k) {
             const float x = over.low_x + static_cast<float>(i) * stepX, y = over.low_y + static_cast<float>(k) * stepY;
             const bool inside = !isEmpty(found) && x >= found.low_x && x <= found.high_x && y >= found.low_y && y <= found.high_y;
             if (inside || !passes(x, y)) continue;
             found = isEmpty(found) ? pupil_bounds{x, y, x, y}
-                                   : pupil_bounds{std::min(found.low_x, x), std::min(found.low_y, y), std::max(found.high_x, x), std::max(found.high_y, y)};
+                                   : pupil_bounds{std::min(found.low_x, x), std::min(found.low_y, y), std::max(found.high_x, x),
+                                                  std::max(found.high_y, y)};
         }
     if (isEmpty(found)) return found;
     return {found.low_x - stepX, found.low_y - stepY, found.high_x + stepX, found.high_y + stepY};
@@ -105,7 +107,9 @@ template <class Passes> static pupil_bounds boundsOnGrid(const pupil_bounds& ove
 pupil_bounds LensSystem::pupil(double near, double far) const {
     const double z = rearZ();
     const auto passesFrom = [&](double film) {
-        return [this, film, z](float x, float y) { return fromFilm({{film, 0, 0}, glm::dvec3(x, y, z) - glm::dvec3(film, 0, 0)}).has_value(); };
+        return [this, film, z](float x, float y) {
+            return fromFilm({{film, 0, 0}, glm::dvec3(x, y, z) - glm::dvec3(film, 0, 0)}).has_value();
+        };
     };
     /* Somewhat more than the last element, as seen obliquely; the pupil may be small in it: the more so, the finer the grid */
     const float reach = 1.5f * static_cast<float>(elements_.front().aperture);
@@ -119,8 +123,8 @@ pupil_bounds LensSystem::pupil(double near, double far) const {
         if (isEmpty(here)) continue;
         here = boundsOnGrid(here, steps, passes);
         bounds = isEmpty(bounds) ? here
-                                 : pupil_bounds{std::min(bounds.low_x, here.low_x), std::min(bounds.low_y, here.low_y), std::max(bounds.high_x, here.high_x),
-                                                std::max(bounds.high_y, here.high_y)};
+                                 : pupil_bounds{std::min(bounds.low_x, here.low_x), std::min(bounds.low_y, here.low_y),
+                                                std::max(bounds.high_x, here.high_x), std::max(bounds.high_y, here.high_y)};
     }
     return bounds;
 }

@@ -18,7 +18,8 @@ struct LensRay { glm::dvec3 o, d; };
 class LensSystem {
 public:
     /// Of a realistic camera with a film of that diagonal (millimetres), focused. The stop is made as wide as the camera wants; if its lens
-    /// has no room for that, as wide as it can be (stopIsTooWide). Throws SceneError at camera.where: the lens cannot be focused there, or lets nothing pass.
+    /// has no room for that, as wide as it can be (stopIsTooWide). Throws SceneError at camera.where: the lens cannot be focused there, or
+    /// lets nothing pass.
     LensSystem(const CameraDescription& camera, double filmDiagonal);
 
     /// A ray from the film to the scene; nothing if it is blocked. A stop with a shape counts as a square.

@@ -25,7 +25,8 @@ public:
         }
         packer_.packed.require(Feature::LIGHTS, std::to_string(powers_.size()) + " lights");
         /* Of lights behind portals, an item can carry a direction for one */
-        const bool looksAtAll = packer_.scene.integrator.kind == IntegratorKind::whitted && powers_.size() <= MOST_TREE_LIGHTS && !packer_.packed.features.has(Feature::PORTALS);
+        const bool looksAtAll = packer_.scene.integrator.kind == IntegratorKind::whitted && powers_.size() <= MOST_TREE_LIGHTS &&
+                                !packer_.packed.features.has(Feature::PORTALS);
         const auto sampled = std::count_if(powers_.begin(), powers_.end(), [](double p) { return p > 0; });
         const bool many = sampled > static_cast<std::ptrdiff_t>(fewLights);
         if (!looksAtAll && (asked == LightSampler::bvh || (asked == LightSampler::automatic && many))) { makeTree(); return; }
@@ -57,7 +58,8 @@ private:
     /// A tree over all lights but the infinite ones, each of which is as likely as the tree.
     void makeTree() {
         std::vector<LightBounds> bounds;
-        for (size_t i = 0; i < firstInfinite_; ++i) bounds.push_back(powers_[i] > 0 ? boundsOfLight(tables_.lights[i], powers_[i]) : LightBounds{});
+        for (size_t i = 0; i < firstInfinite_; ++i)
+            bounds.push_back(powers_[i] > 0 ? boundsOfLight(tables_.lights[i], powers_[i]) : LightBounds{});
         LightTree tree = buildLightTree(bounds);
         settings& frame = packer_.packed.frame();
         frame.first_infinite = static_cast<uint>(firstInfinite_);
@@ -78,6 +80,8 @@ private:
     size_t firstInfinite_ = 0;   ///< lights from this one on are infinitely far away
 };
 
-void packLightSampler(Packer& packer, std::vector<double> powers, size_t firstInfinite) { LightSamplerPacker(packer, std::move(powers), firstInfinite).pack(); }
+void packLightSampler(Packer& packer, std::vector<double> powers, size_t firstInfinite) {
+    LightSamplerPacker(packer, std::move(powers), firstInfinite).pack();
+}
 
 }  // namespace eikonal

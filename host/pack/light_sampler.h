@@ -7,8 +7,8 @@
 
 namespace eikonal {
 
-/// The probability of each light of `lights`, of which powers[i] is what light i emits in all, and those from firstInfinite on are infinitely far
-/// away; and the table or tree to choose them by, unless there is nothing to sample.
+/// The probability of each light of `lights`, of which powers[i] is what light i emits in all, and those from firstInfinite on are
+/// infinitely far away; and the table or tree to choose them by, unless there is nothing to sample.
 void packLightSampler(Packer&, std::vector<double> powers, size_t firstInfinite);
 
 }  // namespace eikonal

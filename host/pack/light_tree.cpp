@@ -19,7 +19,8 @@ constexpr int deepest = 64;
 static double costOf(const LightBounds& b) {
     if (!(b.intensity > 0)) return 0;
     const double o = b.normals, w = std::min(o + b.emission, pi);
-    const double directions = 2 * pi * (1 - std::cos(o)) + pi / 2 * (2 * w * std::sin(o) - std::cos(o - 2 * w) - 2 * o * std::sin(o) + std::cos(o));
+    const double directions =
+        2 * pi * (1 - std::cos(o)) + pi / 2 * (2 * w * std::sin(o) - std::cos(o - 2 * w) - 2 * o * std::sin(o) + std::cos(o));
     return b.intensity * directions * b.box.radius() * b.box.radius();
 }
 
@@ -71,8 +72,14 @@ private:
             bounds.twoSided |= b.twoSided;
             bounds.axis += b.intensity * b.axis;
         }
-        void meanAxis() { const double length = glm::length(bounds.axis); bounds.axis = length > 1e-9 * bounds.intensity ? bounds.axis / length : glm::dvec3(0, 0, 1); }
-        void addCone(const LightBounds& b) { leastCosine = std::min(leastCosine, glm::dot(bounds.axis, b.axis)); ownAngle = std::max(ownAngle, b.normals); }
+        void meanAxis() {
+            const double length = glm::length(bounds.axis);
+            bounds.axis = length > 1e-9 * bounds.intensity ? bounds.axis / length : glm::dvec3(0, 0, 1);
+        }
+        void addCone(const LightBounds& b) {
+            leastCosine = std::min(leastCosine, glm::dot(bounds.axis, b.axis));
+            ownAngle = std::max(ownAngle, b.normals);
+        }
         void finish() { bounds.normals = std::min(pi, std::acos(std::clamp(leastCosine, -1.0, 1.0)) + ownAngle); }
     };
 
@@ -103,7 +110,10 @@ private:
             const double thin = longest / std::max(whole[axis], 1e-9 * longest);
             std::array<double, buckets> below{};
             LightBounds sum;
-            for (size_t cut = 1; cut < buckets; ++cut) { sum = unite(sum, bucket[cut - 1].bounds); below[cut] = sum.intensity > 0 ? costOf(sum) : -1; }
+            for (size_t cut = 1; cut < buckets; ++cut) {
+                sum = unite(sum, bucket[cut - 1].bounds);
+                below[cut] = sum.intensity > 0 ? costOf(sum) : -1;
+            }
             sum = {};
             for (size_t cut = buckets - 1; cut >= 1; --cut) {
                 sum = unite(sum, bucket[cut].bounds);

@@ -30,7 +30,9 @@ private:
     bool isLeftToBsdfs(const LightKind& e) const { return e.traits.isLeftToBsdfs && followsBsdfs(packer_.scene.integrator); }
 
     /// Whether the light sampler chooses it as a light that is infinitely far away.
-    bool isInfinite(const LightKind& e) const { return (e.place == LightPlace::DISTANT || e.place == LightPlace::INFINITE) && !isLeftToBsdfs(e); }
+    bool isInfinite(const LightKind& e) const {
+        return (e.place == LightPlace::DISTANT || e.place == LightPlace::INFINITE) && !isLeftToBsdfs(e);
+    }
 
     void add(const Light& description) {
         const LightKind& entry = *description.kind;
@@ -46,11 +48,14 @@ private:
         const IntegratorDescription& integrator = packer_.scene.integrator;
         const settings& frame = packer_.packed.frame();
         const auto isGuided = [](const light& l) { return kindOf(l).traits.isLeftToBsdfs; };
-        if (!followsBsdfs(integrator) || !samplesLights(integrator) || packer_.packed.features.has(Feature::LIGHT_TREE) || std::ranges::none_of(tables_.lights, isGuided)) return;
+        if (!followsBsdfs(integrator) || !samplesLights(integrator) || packer_.packed.features.has(Feature::LIGHT_TREE) ||
+            std::ranges::none_of(tables_.lights, isGuided))
+            return;
         if (integrator.environmentGuide == EnvironmentGuide::never) return;
         packer_.packed.isAlwaysGuided = integrator.environmentGuide == EnvironmentGuide::always;
         if (!GuideBudget::of(frame.width, frame.height, packer_.scene.sampler.pixelSamples).isEnough()) return;
-        packer_.packed.require(Feature::ENVIRONMENT_GUIDE, "an infinite light that is the same everywhere, and enough samples to learn where it is seen");
+        packer_.packed.require(Feature::ENVIRONMENT_GUIDE,
+                               "an infinite light that is the same everywhere, and enough samples to learn where it is seen");
         packer_.packed.require(Feature::LIGHTS, "the same");
         packUnlearnedGuide(tables_);
         if (tables_.light_aliases.empty()) tables_.light_aliases = makeAliasTable(std::vector<double>(tables_.lights.size(), 0.0));

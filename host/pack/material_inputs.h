@@ -8,14 +8,16 @@
 
 namespace eikonal {
 
-// Slots of every BSDF's parameters, from the lists: slot_diffuse::reflectance. A slot is its number of words in RGB rendering, and, above that,
-// how many spectra come before it, each of which is longer in spectral rendering.
+// Slots of every BSDF's parameters, from the lists: slot_diffuse::reflectance. A slot is its number of words in RGB rendering, and, above
+// that, how many spectra come before it, each of which is longer in spectral rendering.
 constexpr uint spectrumBefore = 256;
 #define STEP_uint 1
 #define STEP_float 1
 #define STEP_spectrum (CHANNELS_RGB + spectrumBefore)
 #define PARAMETER_SLOT(q, type, name, FEATURE) name, name##_last = name + STEP_##type - 1,
-constexpr uint wordOf(uint slot, bool spectral) { return slot % spectrumBefore + (spectral ? (CHANNELS_SPECTRAL - CHANNELS_RGB) * (slot / spectrumBefore) : 0); }
+constexpr uint wordOf(uint slot, bool spectral) {
+    return slot % spectrumBefore + (spectral ? (CHANNELS_SPECTRAL - CHANNELS_RGB) * (slot / spectrumBefore) : 0);
+}
 #define PARAMETER_SLOTS(bsdf, FEATURE, PARAMETERS) \
     namespace slot_##bsdf { enum : uint { PARAMETERS(PARAMETER_SLOT, bsdf) words }; }
 BSDFS(PARAMETER_SLOTS)
@@ -32,19 +34,22 @@ public:
 
     void spectrum(uint slot, const char* name) {
         const Input& in = get(name);
-        add(slot, input_spectrum, packReflectance(packer_, in.value), in.texture == none ? NONE : texture(in.texture, TextureUse::reflectance));
+        add(slot, input_spectrum, packReflectance(packer_, in.value),
+            in.texture == none ? NONE : texture(in.texture, TextureUse::reflectance));
     }
     /// "albedo", of what is between two layers: black is nothing.
     void layerMedium(uint slot) {
         packer_.packed.require(Feature::LAYERS, why());
         const Input& in = get("albedo");
-        if (in.texture != none || (in.value.isConstant() ? glm::dvec3(in.value.value()) : in.value.albedo()) != glm::dvec3(0)) packer_.packed.require(Feature::LAYER_MEDIUM, why());
+        if (in.texture != none || (in.value.isConstant() ? glm::dvec3(in.value.value()) : in.value.albedo()) != glm::dvec3(0))
+            packer_.packed.require(Feature::LAYER_MEDIUM, why());
         spectrum(slot, "albedo");
     }
     /// One that may be larger than 1.
     void coefficient(uint slot, const char* name) {
         const Input& in = get(name);
-        add(slot, input_spectrum, packCoefficient(packer_, in.value), in.texture == none ? NONE : texture(in.texture, TextureUse::coefficient));
+        add(slot, input_spectrum, packCoefficient(packer_, in.value),
+            in.texture == none ? NONE : texture(in.texture, TextureUse::coefficient));
     }
     void spectrum(uint slot, glm::dvec3 value) { add(slot, input_spectrum, packRgb(value), NONE); }
     void color(uint slot, const eikonal::color& value) { add(slot, input_spectrum, value, NONE); }
@@ -73,7 +78,8 @@ public:
         const Input& in = get(name);
         if (packer_.spectral && !in.value.isConstant()) return add(slot, input_spectrum, {}, program(in, TextureUse::metal));
         const glm::dvec3 r = glm::clamp(in.value.isConstant() ? glm::dvec3(in.value.value()) : in.value.albedo(), 0.0, 0.9999);
-        add(slot, input_spectrum, packRgb(2.0 * glm::sqrt(r / (1.0 - r))), in.texture == none ? NONE : texture(in.texture, TextureUse::metal));
+        add(slot, input_spectrum, packRgb(2.0 * glm::sqrt(r / (1.0 - r))),
+            in.texture == none ? NONE : texture(in.texture, TextureUse::metal));
     }
     void number(uint slot, const char* name) {
         const Input& in = get(name);
@@ -85,7 +91,8 @@ public:
         packer_.packed.tables.material_inputs.push_back(i);
     }
     void file(uint slot) {
-        packer_.packed.tables.material_inputs.push_back({NONE, wordOf(slot, packer_.spectral), input_count, packMeasured(packer_, description_.file, description_.where), {}});
+        packer_.packed.tables.material_inputs.push_back(
+            {NONE, wordOf(slot, packer_.spectral), input_count, packMeasured(packer_, description_.file, description_.where), {}});
     }
     /// A roughness as a microfacet width.
     void width(uint slot, const char* name) {
@@ -99,7 +106,8 @@ public:
         width(alongSlot, alongName);
         width(acrossSlot, acrossName);
         const Input &u = get(alongName), &v = get(acrossName);
-        if (u.texture != v.texture || (u.texture == none && u.value.value() != v.value.value())) packer_.packed.require(Feature::ANISOTROPY, why());
+        if (u.texture != v.texture || (u.texture == none && u.value.value() != v.value.value()))
+            packer_.packed.require(Feature::ANISOTROPY, why());
     }
     /// Whether both roughnesses are so small everywhere that the surface is a mirror.
     bool isSmooth() const {

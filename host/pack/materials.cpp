@@ -8,7 +8,9 @@
 
 namespace eikonal {
 
-bool transmits(next_queue h) { return h == next_dielectric || h == next_specular_dielectric || h == next_diffuse_transmission || h == next_hair; }
+bool transmits(next_queue h) {
+    return h == next_dielectric || h == next_specular_dielectric || h == next_diffuse_transmission || h == next_hair;
+}
 
 static constexpr material blank{next_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0, 0};
 
@@ -28,7 +30,8 @@ static void warnOfPoints(Packer& packer) {
     for (const Light& l : packer.scene.lights)
         if (const LightPlace place = l.kind->place; place == LightPlace::POINT || place == LightPlace::DISTANT)
             packer.diagnostics.warnOnce("lights without a size", l.where,
-                                        "light from a point or of one direction does not get below the smooth surface of material \"subsurface\"; with a \"roughness\" it does");
+                                        "light from a point or of one direction does not get below the smooth surface of material "
+                                        "\"subsurface\"; with a \"roughness\" it does");
 }
 
 static const DiffusionProfile& profileIn(const Packer& packer, const Material& body) {
@@ -40,7 +43,8 @@ static uint packProfile(Packer& packer, InputWriter& in, const Material& descrip
     SceneTables& tables = packer.packed.tables;
     const auto [place, isNew] = packer.profiles.try_emplace(description.diffusion.get(), static_cast<uint>(tables.profiles.size()));
     if (!isNew) return place->second;
-    for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, Feature::CROSSINGS, Feature::BSDF_SUBSURFACE_EXIT}) packer.packed.require(feature, in.why());
+    for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, Feature::CROSSINGS, Feature::BSDF_SUBSURFACE_EXIT})
+        packer.packed.require(feature, in.why());
     const DiffusionProfile& profile = profileIn(packer, description);
     const color albedo = packReflectance(packer, profile.albedo);
     material surface = blank;
@@ -56,20 +60,25 @@ static uint packProfile(Packer& packer, InputWriter& in, const Material& descrip
         for (Feature feature : {Feature::TEXTURED, Feature::BODY_TEXTURES}) packer.packed.require(feature, in.why());
         return packTexture(packer, texture, use);
     };
-    tables.profiles.push_back({albedo, packCoefficient(packer, profile.length, packer.space.scale), textureOf(profile.albedoTexture, TextureUse::reflectance),
-                               textureOf(profile.pathTexture, TextureUse::coefficient), static_cast<float>(std::max(eta * eta - 1, 0.0)), static_cast<uint>(tables.materials.size())});
+    tables.profiles.push_back({albedo, packCoefficient(packer, profile.length, packer.space.scale),
+                               textureOf(profile.albedoTexture, TextureUse::reflectance),
+                               textureOf(profile.pathTexture, TextureUse::coefficient), static_cast<float>(std::max(eta * eta - 1, 0.0)),
+                               static_cast<uint>(tables.materials.size())});
     tables.materials.push_back(surface);
     return place->second;
 }
 
 /// What stands in for a body that light enters where trees of rays are followed, which branch at surfaces only.
 static Material coatOver(Packer& packer, const Material& body) {
-    packer.diagnostics.unsupported("subsurface in trees", body.where, "integrator \"whitted\" follows no light inside of bodies of material \"subsurface\"; a coated diffuse surface of the same albedo stands in for it");
+    packer.diagnostics.unsupported("subsurface in trees", body.where,
+                                   "integrator \"whitted\" follows no light inside of bodies of material \"subsurface\"; a coated diffuse "
+                                   "surface of the same albedo stands in for it");
     Material coat = body;
     coat.kind = &coated_diffuse_material;
     const DiffusionProfile& profile = profileIn(packer, body);
     coat.inputs["reflectance"] = {profile.albedo, profile.albedoTexture, body.where};
-    for (const auto& [name, value] : {std::pair("thickness", 0.01), std::pair("g", 0.0), std::pair("albedo", 0.0), std::pair("maxdepth", 10.0), std::pair("nsamples", 1.0)})
+    for (const auto& [name, value] : {std::pair("thickness", 0.01), std::pair("g", 0.0), std::pair("albedo", 0.0),
+                                      std::pair("maxdepth", 10.0), std::pair("nsamples", 1.0)})
         coat.inputs[name].value = Spectrum::constant(value);
     return coat;
 }
@@ -79,7 +88,8 @@ static void packMaterial(Packer& packer, const Material& description, material& 
     SceneTables& tables = packer.packed.tables;
     const bool isSurface = description.kind != &interface_material && description.kind != &mix_material;
     if (isSurface && !countsMaterials(packer.scene.integrator)) { m.next_queue = next_occlusion; return; }
-    if (description.kind == &subsurface_material && packer.scene.integrator.kind == IntegratorKind::whitted) return packMaterial(packer, coatOver(packer, description), m, regularize);
+    if (description.kind == &subsurface_material && packer.scene.integrator.kind == IntegratorKind::whitted)
+        return packMaterial(packer, coatOver(packer, description), m, regularize);
     InputWriter inputs(packer, description, regularize);
     m.first_input = static_cast<uint>(tables.material_inputs.size());
     const next_queue h = description.kind->pack(inputs);
@@ -91,7 +101,9 @@ static void packMaterial(Packer& packer, const Material& description, material& 
     const bool walks = description.method == SubsurfaceMethod::randomWalk && description.interior;
     if (description.kind == &subsurface_material && !walks) {
         if (description.method == SubsurfaceMethod::randomWalk)
-            packer.diagnostics.unsupported("textured walk", description.where, "where a texture says what is inside of material \"subsurface\", no walk knows it; light is diffused instead");
+            packer.diagnostics.unsupported(
+                "textured walk", description.where,
+                "where a texture says what is inside of material \"subsurface\", no walk knows it; light is diffused instead");
         m.profile = packProfile(packer, inputs, description);
     }
     if (description.kind == &subsurface_material && walks) {

@@ -35,7 +35,8 @@ public:
             const float* const v = g.values.data() + first;
             std::vector<double> rows(size), upTo(g.height);
             for (size_t y = 0; y < g.height; ++y)
-                for (size_t x = 1; x < g.width; ++x) rows[y * g.width + x] = rows[y * g.width + x - 1] + 0.5 * (double(v[y * g.width + x - 1]) + double(v[y * g.width + x]));
+                for (size_t x = 1; x < g.width; ++x)
+                    rows[y * g.width + x] = rows[y * g.width + x - 1] + 0.5 * (double(v[y * g.width + x - 1]) + double(v[y * g.width + x]));
             for (size_t y = 1; y < g.height; ++y) upTo[y] = upTo[y - 1] + 0.5 * (rows[y * g.width - 1] + rows[(y + 1) * g.width - 1]);
             const double total = upTo.back();
             for (const double sum : rows) conditional.push_back(static_cast<float>(sum / total));
@@ -54,7 +55,8 @@ public:
             for (int channel = 0; channel < 3; ++channel)
                 for (size_t i = 0; i < size; ++i) {
                     double sum = 0;
-                    for (size_t w = 0; w < n; ++w) sum += weights[w][channel] * std::max(double(b.spectra.values[first + w * size + i]), 0.);
+                    for (size_t w = 0; w < n; ++w)
+                        sum += weights[w][channel] * std::max(double(b.spectra.values[first + w * size + i]), 0.);
                     colors.values.push_back(static_cast<float>(sum));
                 }
         return grid(colors);
@@ -69,10 +71,12 @@ private:
         for (size_t w = 0; w < wavelengths.size(); ++w) {
             DenseCurve hat{};
             for (int i = 0; i < wavelengthCount; ++i) {
-                const double x = std::clamp(double(shortestWavelength + i), double(wavelengths.front()), double(wavelengths.back())), here = wavelengths[w];
+                const double x = std::clamp(double(shortestWavelength + i), double(wavelengths.front()), double(wavelengths.back())),
+                             here = wavelengths[w];
                 double value = x == here;
                 if (w > 0 && x > wavelengths[w - 1] && x < here) value = (x - wavelengths[w - 1]) / (here - wavelengths[w - 1]);
-                if (w + 1 < wavelengths.size() && x > here && x < wavelengths[w + 1]) value = (wavelengths[w + 1] - x) / (wavelengths[w + 1] - here);
+                if (w + 1 < wavelengths.size() && x > here && x < wavelengths[w + 1])
+                    value = (wavelengths[w + 1] - x) / (wavelengths[w + 1] - here);
                 hat[static_cast<size_t>(i)] = value * daylight[static_cast<size_t>(i)];
             }
             weights.push_back(rgbFromXyz(ColorSpace::srgb) * integrateXyz(hat) / brightness);

@@ -39,8 +39,8 @@ static glm::dvec4 toQuaternion(const glm::dmat3& m) {
 
 static glm::dmat3 toMatrix(const glm::dvec4& q) {
     const double x = q.x, y = q.y, z = q.z, w = q.w;
-    return {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
-            2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)};
+    return {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w), 2 * (x * y - z * w),    1 - 2 * (x * x + z * z),
+            2 * (y * z + x * w),     2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)};
 }
 
 Motion::Motion(const glm::dmat4& start, const glm::dmat4& end) : start_(decompose(start)), end_(decompose(end)) {
@@ -53,7 +53,8 @@ Motion::Motion(const glm::dmat4& start, const glm::dmat4& end) : start_(decompos
 }
 
 glm::dmat4 Motion::at(double t) const {
-    const double a = angle_ > 0 ? std::sin((1 - t) * angle_) / std::sin(angle_) : 1 - t, b = angle_ > 0 ? std::sin(t * angle_) / std::sin(angle_) : t;
+    const double a = angle_ > 0 ? std::sin((1 - t) * angle_) / std::sin(angle_) : 1 - t,
+                 b = angle_ > 0 ? std::sin(t * angle_) / std::sin(angle_) : t;
     const glm::dmat3 stretch = start_.stretch * (1 - t) + end_.stretch * t;
     glm::dmat4 m(toMatrix(glm::normalize(a * startRotation_ + b * endRotation_)) * stretch);
     m[3] = glm::dvec4(glm::mix(start_.translation, end_.translation, t), 1);
@@ -107,7 +108,12 @@ motion Motion::pack(const SceneSpace& outer, const SceneSpace& inner) const {
     const auto turn = [](const glm::dvec4& q) {
         return quaternion{static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
     };
-    return {map(start_), map(end_), turn(startRotation_), turn(endRotation_), static_cast<float>(angle_), angle_ == 0 ? vec3{0, 0, 0} : toVec3(center)};
+    return {map(start_),
+            map(end_),
+            turn(startRotation_),
+            turn(endRotation_),
+            static_cast<float>(angle_),
+            angle_ == 0 ? vec3{0, 0, 0} : toVec3(center)};
 }
 
 bool isInvertible(const glm::dmat4& m) { return std::abs(glm::determinant(glm::dmat3(m))) > 0; }
@@ -119,7 +125,8 @@ TimeSpan timesSeen(const Scene& scene) {
 
 shutter shutterOf(const Scene& scene) {
     const double span = scene.motionEnd - scene.motionStart;
-    return {static_cast<float>((scene.camera.shutterOpen - scene.motionStart) / span), static_cast<float>((scene.camera.shutterClose - scene.camera.shutterOpen) / span)};
+    return {static_cast<float>((scene.camera.shutterOpen - scene.motionStart) / span),
+            static_cast<float>((scene.camera.shutterClose - scene.camera.shutterOpen) / span)};
 }
 
 }  // namespace eikonal

@@ -40,7 +40,8 @@ static Box worldBounds(const Scene& scene) {
         for (const Shape& s : o.shapes) b.grow(reachOf(s, seen));
         objects.push_back(b);
     }
-    for (const Instance& i : scene.instances) box.grow(reachOf(objects[static_cast<size_t>(i.object)], i.worldFromObject, i.worldFromObjectAtEnd, seen));
+    for (const Instance& i : scene.instances)
+        box.grow(reachOf(objects[static_cast<size_t>(i.object)], i.worldFromObject, i.worldFromObjectAtEnd, seen));
     return box;
 }
 
@@ -73,7 +74,9 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
         packSensor(packer);
         packSpectrumKept(packer);
     } else if (scene.film.spectrum)
-        throw SceneError(scene.film.where, "film \"spectral\" keeps light wavelength by wavelength, and --color rgb has no wavelengths; --color spectral and --color auto have them");
+        throw SceneError(scene.film.where,
+                         "film \"spectral\" keeps light wavelength by wavelength, and --color rgb has no wavelengths; --color spectral and "
+                         "--color auto have them");
     packIntegrator(packer, wouldUseMedia && !packer.hasMedia);
     packCamera(packer);
     packMedia(packer);
@@ -92,11 +95,13 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     frame.light_count = static_cast<uint>(packed.tables.light_aliases.size());
     frame.world_scale = static_cast<float>(packed.worldScale);
     /* At wavelengths, samples are what the film makes of light; in RGB they are light, which is exposed in the end */
-    frame.max_component_value = static_cast<float>(scene.film.maxComponentValue / (packer.spectral ? 1 : scene.film.exposureTime * scene.film.iso / 100));
+    frame.max_component_value =
+        static_cast<float>(scene.film.maxComponentValue / (packer.spectral ? 1 : scene.film.exposureTime * scene.film.iso / 100));
     packed.constants.environments = static_cast<int>(packed.tables.environments.size());
     packed.samples = scene.sampler.pixelSamples;
     if (scene.sampler.kind != SamplerKind::independent) packed.require(Feature::SOBOL, scene.sampler.where.toString());
-    if (scene.sampler.kind == SamplerKind::sobol || scene.sampler.kind == SamplerKind::zsobol) packed.require(Feature::JOINT_PAIRS, scene.sampler.where.toString());
+    if (scene.sampler.kind == SamplerKind::sobol || scene.sampler.kind == SamplerKind::zsobol)
+        packed.require(Feature::JOINT_PAIRS, scene.sampler.where.toString());
 
     SceneCounts& counts = packed.counts;
     counts.objects = scene.objects.size();

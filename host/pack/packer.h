@@ -63,7 +63,16 @@ void packLights(Packer&);
 void packEquiangularLights(Packer&);
 
 /// What becomes of a texture's value.
-enum class TextureUse { asItIs, coefficient /* colours are no reflectances, and may be larger than 1 */, reflectance /* brought into [0, 1] */, regularWidth /* a microfacet width, regularized */, regularRoughness /* the same of a roughness */, roughness /* its square root */, metal /* a reflectance to an index of refraction */, displacement /* world units to scene units */ };
+enum class TextureUse {
+    asItIs,
+    coefficient /* colours are no reflectances, and may be larger than 1 */,
+    reflectance /* brought into [0, 1] */,
+    regularWidth /* a microfacet width, regularized */,
+    regularRoughness /* the same of a roughness */,
+    roughness /* its square root */,
+    metal /* a reflectance to an index of refraction */,
+    displacement /* world units to scene units */
+};
 /// The program of a texture, made when first asked for.
 uint packTexture(Packer&, int texture, TextureUse use = TextureUse::asItIs);
 /// The same of a texture or a plain number.

@@ -4,7 +4,8 @@
 
 namespace eikonal {
 
-void packShape(Packer& packer, Group& group, const Shape& s, const glm::dmat4& worldFromObject, bool inObject, bool instanceSwaps, uint id) {
+void packShape(Packer& packer, Group& group, const Shape& s, const glm::dmat4& worldFromObject, bool inObject, bool instanceSwaps,
+               uint id) {
     SceneTables& tables = packer.packed.tables;
     const uint materialIndex = packedMaterial(packer, s.material);
     const bool isInterface = tables.materials[materialIndex].next_queue == next_crossing;
@@ -18,7 +19,8 @@ void packShape(Packer& packer, Group& group, const Shape& s, const glm::dmat4& w
     packed.material = materialIndex;
     packed.id = id;
     packed.first_element = static_cast<uint>(tables.element_shapes.size());
-    packed.first_normal = packed.first_tangent = packed.first_uv = packed.quadric = packed.first_light = packed.alpha = packed.emission = NONE;
+    packed.first_normal = packed.first_tangent = packed.first_uv = packed.quadric = packed.first_light = packed.alpha = packed.emission =
+        NONE;
     packed.inside = packed.outside = NONE;
     if (isInterface) packed.flags |= shape_is_interface;
     if (packer.hasMedia && s.interface) {

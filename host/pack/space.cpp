@@ -35,7 +35,8 @@ glm::dvec3 transformVector(const glm::dmat4& m, glm::dvec3 v) { return glm::dmat
 glm::dvec3 transformNormal(const glm::dmat4& m, glm::dvec3 n) {
     /* Cofactors instead of the inverse: the same direction, also for a singular map */
     const glm::dmat3 a(m);
-    const glm::dvec3 v = glm::dmat3(glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1])) * n * (swapsHandedness(m) ? -1.0 : 1.0);
+    const glm::dvec3 v =
+        glm::dmat3(glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1])) * n * (swapsHandedness(m) ? -1.0 : 1.0);
     const double length = glm::length(v);
     return length > 0 ? v / length : v;
 }
@@ -51,7 +52,8 @@ double uniformScale(const glm::dmat4& m) {
 
 affine toAffine(const glm::dmat4& m) {
     const auto f = [](double x) { return static_cast<float>(x); };
-    return {f(m[0].x), f(m[1].x), f(m[2].x), f(m[3].x), f(m[0].y), f(m[1].y), f(m[2].y), f(m[3].y), f(m[0].z), f(m[1].z), f(m[2].z), f(m[3].z)};
+    return {f(m[0].x), f(m[1].x), f(m[2].x), f(m[3].x), f(m[0].y), f(m[1].y),
+            f(m[2].y), f(m[3].y), f(m[0].z), f(m[1].z), f(m[2].z), f(m[3].z)};
 }
 
 Box transformed(const Box& box, const glm::dmat4& m) {

@@ -42,7 +42,8 @@ struct PixelRect {
 
 /// What a scene holds, for people.
 struct SceneCounts {
-    size_t triangles = 0, patches = 0, quadrics = 0, curves = 0, implicits = 0, objects = 0, instances = 0, lights = 0, materials = 0, textures = 0, images = 0, media = 0;
+    size_t triangles = 0, patches = 0, quadrics = 0, curves = 0, implicits = 0, objects = 0, instances = 0, lights = 0, materials = 0,
+           textures = 0, images = 0, media = 0;
     double loadSeconds = 0, buildSeconds = 0;
     int bvhDepth = 0;
 };

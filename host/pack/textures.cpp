@@ -34,7 +34,10 @@ uint packImage(Packer& packer, int index, bool asFloat) {
     im.height = static_cast<uint>(data.height);
     im.channels = static_cast<uint>(data.channels);
     im.format = data.format == TexelFormat::srgb8 ? format_srgb8 : data.format == TexelFormat::linear8 ? format_linear8 : format_float;
-    im.wrap = file.wrap == WrapMode::repeat ? wrap_repeat : file.wrap == WrapMode::black ? wrap_black : file.wrap == WrapMode::clamp ? wrap_clamp : wrap_octahedral;
+    im.wrap = file.wrap == WrapMode::repeat  ? wrap_repeat
+              : file.wrap == WrapMode::black ? wrap_black
+              : file.wrap == WrapMode::clamp ? wrap_clamp
+                                             : wrap_octahedral;
     im.filter = file.filter == FilterMode::nearest ? filter_nearest : filter_bilinear;
     if (data.format == TexelFormat::float32) {
         im.first = static_cast<uint>(tables.float_texels.size());
@@ -58,7 +61,9 @@ public:
         if (in.texture != none) { texture(in.texture); return; }
         texture_instruction i = instruction(kind_constant_texture, Feature::TEXTURE_CONSTANT, in.where);
         const bool isNumber = isFloat_ || in.value.isConstant();
-        i.value = isNumber ? packConstant(packer_, in.value.value()) : unbounded_ ? packCoefficient(packer_, in.value) : packReflectance(packer_, in.value);
+        i.value = isNumber     ? packConstant(packer_, in.value.value())
+                  : unbounded_ ? packCoefficient(packer_, in.value)
+                               : packReflectance(packer_, in.value);
         i.flags = isNumber ? static_cast<uint>(texture_number) : 0u;
         push(i);
         const glm::dvec3 value = isNumber ? glm::dvec3(in.value.value()) : in.value.albedo();
@@ -68,37 +73,55 @@ public:
     void texture(int index) { texture(packer_.scene.textures[static_cast<size_t>(index)]); }
     void texture(const Texture& t) {
         if (code_.size() > mostInstructions)
-            throw SceneError(t.where, fmt::format("this texture is part of one that takes more than {} steps, where one that is used twice counts twice. "
-                                                  "Make an image of what is used often.", mostInstructions));
+            throw SceneError(
+                t.where,
+                fmt::format("this texture is part of one that takes more than {} steps, where one that is used twice counts twice. "
+                            "Make an image of what is used often.",
+                            mostInstructions));
         const bool outer = isFloat_;
         isFloat_ = t.isFloat;
-        std::visit(Overloaded{
-            [&](const ConstantTexture& k) { input(k.value); },
-            [&](const ImagemapTexture& k) { imagemap(k, t); },
-            [&](const ScaleTexture& k) { input(k.texture); input(k.scale); pop(instruction(kind_scale_texture, Feature::TEXTURE_SCALE, t.where), 2); },
-            [&](const MixTexture& k) { input(k.a); input(k.b); input(k.amount); pop(instruction(kind_mix_texture, Feature::TEXTURE_MIX, t.where), 3); },
-            [&](const CheckerboardTexture& k) { checkerboard(k, t); },
-            [&](const AbsorptionTexture& k) { input(k.color); input(k.betaN); pop(instruction(kind_absorption_texture, Feature::TEXTURE_ABSORPTION, t.where), 2); },
-            [&](const DiffuseAlbedoTexture& k) {
-                texture_instruction i = instruction(kind_diffusealbedo_texture, Feature::TEXTURE_DIFFUSEALBEDO, t.where);
-                i.image = packImage(packer_, k.albedos, false);
-                ofCoefficients(k, i);
-            },
-            [&](const FreePathTexture& k) { ofCoefficients(k, instruction(kind_freepath_texture, Feature::TEXTURE_FREEPATH, t.where)); },
-            [&](const BilerpTexture& k) { bilerp(k, t); },
-            [&](const DotsTexture& k) { dots(k, t); },
-            [&](const DirectionMixTexture& k) { directionMix(k, t); },
-            [&](const NoiseTexture& k) { noise(k, t); }}, t.kind);
+        std::visit(Overloaded{[&](const ConstantTexture& k) { input(k.value); }, [&](const ImagemapTexture& k) { imagemap(k, t); },
+                              [&](const ScaleTexture& k) {
+                                  input(k.texture);
+                                  input(k.scale);
+                                  pop(instruction(kind_scale_texture, Feature::TEXTURE_SCALE, t.where), 2);
+                              },
+                              [&](const MixTexture& k) {
+                                  input(k.a);
+                                  input(k.b);
+                                  input(k.amount);
+                                  pop(instruction(kind_mix_texture, Feature::TEXTURE_MIX, t.where), 3);
+                              },
+                              [&](const CheckerboardTexture& k) { checkerboard(k, t); },
+                              [&](const AbsorptionTexture& k) {
+                                  input(k.color);
+                                  input(k.betaN);
+                                  pop(instruction(kind_absorption_texture, Feature::TEXTURE_ABSORPTION, t.where), 2);
+                              },
+                              [&](const DiffuseAlbedoTexture& k) {
+                                  texture_instruction i = instruction(kind_diffusealbedo_texture, Feature::TEXTURE_DIFFUSEALBEDO, t.where);
+                                  i.image = packImage(packer_, k.albedos, false);
+                                  ofCoefficients(k, i);
+                              },
+                              [&](const FreePathTexture& k) {
+                                  ofCoefficients(k, instruction(kind_freepath_texture, Feature::TEXTURE_FREEPATH, t.where));
+                              },
+                              [&](const BilerpTexture& k) { bilerp(k, t); }, [&](const DotsTexture& k) { dots(k, t); },
+                              [&](const DirectionMixTexture& k) { directionMix(k, t); }, [&](const NoiseTexture& k) { noise(k, t); }},
+                   t.kind);
         isFloat_ = outer;
     }
 
-    /// Colours of what follows are no reflectances: they may be larger than 1, and are made spectra as such. Returns whether they were before.
+    /// Colours of what follows are no reflectances: they may be larger than 1, and are made spectra as such. Returns whether they were
+    /// before.
     bool setUnbounded(bool unbounded) { return std::exchange(unbounded_, unbounded); }
 
     void use(TextureUse use) {
         if (use == TextureUse::reflectance && leavesUnit_) pop(instruction(kind_clamp_texture, Feature::TEXTURE_CLAMP, {}), 1);
-        if (use == TextureUse::roughness || use == TextureUse::regularRoughness) pop(instruction(kind_sqrt_texture, Feature::TEXTURE_SQRT, {}), 1);
-        if (use == TextureUse::regularWidth || use == TextureUse::regularRoughness) pop(instruction(kind_regular_texture, Feature::TEXTURE_REGULAR, {}), 1);
+        if (use == TextureUse::roughness || use == TextureUse::regularRoughness)
+            pop(instruction(kind_sqrt_texture, Feature::TEXTURE_SQRT, {}), 1);
+        if (use == TextureUse::regularWidth || use == TextureUse::regularRoughness)
+            pop(instruction(kind_regular_texture, Feature::TEXTURE_REGULAR, {}), 1);
         if (use == TextureUse::metal) pop(instruction(kind_metal_texture, Feature::TEXTURE_METAL, {}), 1);
         if (use == TextureUse::displacement && packer_.space.scale != 1) {
             input({Spectrum::constant(packer_.space.scale)});
@@ -108,7 +131,8 @@ public:
 
     uint finish(const SourceLocation& where) {
         if (deepest_ > TEXTURE_STACK)
-            throw SceneError(where, "this texture holds " + std::to_string(deepest_) + " values at once; at most " + std::to_string(TEXTURE_STACK) +
+            throw SceneError(where, "this texture holds " + std::to_string(deepest_) + " values at once; at most " +
+                                        std::to_string(TEXTURE_STACK) +
                                         " are possible. Nest mixes in their first input rather than in their last.");
         SceneTables& tables = packer_.packed.tables;
         tables.programs.push_back({static_cast<uint>(tables.instructions.size()), static_cast<uint>(code_.size())});
@@ -173,7 +197,9 @@ private:
         i.image = packImage(packer_, k.image, t.isFloat);
         if (packer_.spectral && !t.isFloat) packUplift(packer_);
         i.value = packNumber(k.scale);
-        i.flags = (k.invert ? static_cast<uint>(texture_invert) : 0u) | (t.isFloat ? static_cast<uint>(texture_number) : unbounded_ ? static_cast<uint>(texture_unbounded) : 0u);
+        i.flags = (k.invert ? static_cast<uint>(texture_invert) : 0u) | (t.isFloat    ? static_cast<uint>(texture_number)
+                                                                         : unbounded_ ? static_cast<uint>(texture_unbounded)
+                                                                                      : 0u);
         map(i, k.mapping);
         push(i);
         if (k.scale < 0 || k.scale > 1 || packer_.packed.tables.images[i.image].format == format_float) leavesUnit_ = true;

@@ -24,7 +24,9 @@ BlockSize chooseBlockSize(const PixelRect& rect, unsigned pixels);
 struct Block {
     int x = 0, y = 0;                 ///< upper left pixel
     unsigned firstSample = 0, samples = 1;
-    PixelRect within(const PixelRect& rect, BlockSize size) const { return {x, y, std::min(x + size.width(), rect.x1), std::min(y + size.height(), rect.y1)}; }
+    PixelRect within(const PixelRect& rect, BlockSize size) const {
+        return {x, y, std::min(x + size.width(), rect.x1), std::min(y + size.height(), rect.y1)};
+    }
 };
 
 /// Blocks of one size whose samples are traced together: a layer of the wave for each sample of a block.
@@ -36,7 +38,8 @@ struct Batch {
     unsigned pixels() const { return static_cast<unsigned>(blocks.size()) << (size.log2Width + size.log2Height); }
 };
 
-/// Deals blocks out in batches of at most so many paths, and no fewer while enough are left: the samples of a block may be parted, in their order.
+/// Deals blocks out in batches of at most so many paths, and no fewer while enough are left: the samples of a block may be parted, in their
+/// order.
 class Batches {
 public:
     /// mostPaths: at least the pixels of a block.

@@ -39,24 +39,34 @@ Mesh splitMesh(const Shape& s) {
     const Mesh& whole = *s.mesh;
     const Displacement& d = *s.displacement;
     for (const std::uint32_t corner : whole.indices)
-        if (!whole.normals.empty() && !isFinite(whole.normals[corner])) throw SceneError(d.where, "a mesh is displaced along its normals, and one of this one's is not a finite number");
+        if (!whole.normals.empty() && !isFinite(whole.normals[corner]))
+            throw SceneError(d.where, "a mesh is displaced along its normals, and one of this one's is not a finite number");
     Mesh mesh = whole;
     const Split split = splitLongEdges(mesh, s.worldFromObject, d.edgeLength);
     if (split == Split::tooFine)
-        throw SceneError(d.where, fmt::format("edges of this mesh cannot be cut until all are shorter than {:g}: that far from the origin of its file, no number lies between their ends", d.edgeLength));
+        throw SceneError(d.where, fmt::format("edges of this mesh cannot be cut until all are shorter than {:g}: that far from the origin "
+                                              "of its file, no number lies between their ends",
+                                              d.edgeLength));
     if (split == Split::tooMany) {
         const double possible = shortestEdgeLength(whole, s.worldFromObject);
-        throw SceneError(d.where, fmt::format("edges shorter than {:g} make more than {} triangles of this mesh, which are the most{}", d.edgeLength, mostDisplacedTriangles,
-                                              possible > d.edgeLength ? fmt::format("; \"float edgelength\" {:.2g} would work", possible) : ""));
+        throw SceneError(d.where,
+                         fmt::format("edges shorter than {:g} make more than {} triangles of this mesh, which are the most{}", d.edgeLength,
+                                     mostDisplacedTriangles,
+                                     possible > d.edgeLength ? fmt::format("; \"float edgelength\" {:.2g} would work", possible) : ""));
     }
     return mesh;
 }
 
 class HeightLookup {
 public:
-    HeightLookup(const PackedScene& textures, const Context& context, Compiler& compiler, const StageShape& shape, const BuildSettings& settings)
-        : context_(context), compiler_(compiler), shape_(shape), scene_(context, textures),
-          kernel_(compiler.build("#include \"stages/displace_vertices.cl\"\n", "displace_vertices", completeSettings(settings, textures, shape))) {}
+    HeightLookup(const PackedScene& textures, const Context& context, Compiler& compiler, const StageShape& shape,
+                 const BuildSettings& settings)
+        : context_(context),
+          compiler_(compiler),
+          shape_(shape),
+          scene_(context, textures),
+          kernel_(compiler.build("#include \"stages/displace_vertices.cl\"\n", "displace_vertices",
+                                 completeSettings(settings, textures, shape))) {}
     /// Keeps the kernel for later starts, once it has run.
     void keep() const { compiler_.keep(kernel_.program()); }
 
@@ -78,8 +88,10 @@ private:
             normals.push_back(toVec3(transformNormal(m, mesh.normals[i])));
             uvs.push_back(mesh.uvs.empty() ? vec2{0, 0} : vec2{mesh.uvs[i].x, mesh.uvs[i].y});
         }
-        const Buffer pointBuffer = Buffer::of<vec3>(context_, points, "points of meshes"), normalBuffer = Buffer::of<vec3>(context_, normals, "normals of meshes"),
-                     uvBuffer = Buffer::of<vec2>(context_, uvs, "texture coordinates of meshes"), heights(context_, count * sizeof(float), "heights of meshes");
+        const Buffer pointBuffer = Buffer::of<vec3>(context_, points, "points of meshes"),
+                     normalBuffer = Buffer::of<vec3>(context_, normals, "normals of meshes"),
+                     uvBuffer = Buffer::of<vec2>(context_, uvs, "texture coordinates of meshes"),
+                     heights(context_, count * sizeof(float), "heights of meshes");
         Bindings bindings;
         bindings.set("vertex_points", pointBuffer);
         bindings.set("vertex_normals", normalBuffer);
@@ -103,7 +115,8 @@ void finish(DisplacedMesh& displaced) {
     Shape& s = *displaced.shape;
     displaceVertices(displaced.mesh, displaced.heights);
     for (const std::uint32_t corner : displaced.mesh.indices)
-        if (!isFinite(displaced.mesh.positions[corner])) throw SceneError(s.displacement->where, "this texture moves a vertex to where no finite number reaches");
+        if (!isFinite(displaced.mesh.positions[corner]))
+            throw SceneError(s.displacement->where, "this texture moves a vertex to where no finite number reaches");
     s.mesh = std::make_shared<Mesh>(std::move(displaced.mesh));
     s.displacement.reset();
 }
@@ -112,10 +125,12 @@ void finish(DisplacedMesh& displaced) {
 
 bool hasDisplacedMeshes(const Scene& scene) {
     const auto isDisplaced = [](const Shape& s) { return s.displacement.has_value(); };
-    return std::ranges::any_of(scene.shapes, isDisplaced) || std::ranges::any_of(scene.objects, [&](const Object& o) { return std::ranges::any_of(o.shapes, isDisplaced); });
+    return std::ranges::any_of(scene.shapes, isDisplaced) ||
+           std::ranges::any_of(scene.objects, [&](const Object& o) { return std::ranges::any_of(o.shapes, isDisplaced); });
 }
 
-void displaceMeshes(Scene& scene, const Context& context, Compiler& compiler, const StageShape& shape, const BuildSettings& settings, Diagnostics& diagnostics) {
+void displaceMeshes(Scene& scene, const Context& context, Compiler& compiler, const StageShape& shape, const BuildSettings& settings,
+                    Diagnostics& diagnostics) {
     std::vector<DisplacedMesh> meshes;
     std::vector<int> textures;
     forEachShape(scene, [&](Shape& s) {
@@ -123,7 +138,8 @@ void displaceMeshes(Scene& scene, const Context& context, Compiler& compiler, co
         meshes.push_back({&s, {}, {}});
         textures.push_back(s.displacement->texture);
         if (s.mesh->uvs.empty())
-            diagnostics.warn(s.displacement->where, "this mesh has no texture coordinates: the texture that displaces it is looked up at (0, 0)");
+            diagnostics.warn(s.displacement->where,
+                             "this mesh has no texture coordinates: the texture that displaces it is looked up at (0, 0)");
     });
 
     const auto images = loadImages(scene.images);

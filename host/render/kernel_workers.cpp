@@ -40,7 +40,8 @@ pid_t startSelf(const std::vector<std::string>& arguments) {
     words.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
+    for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
     pid_t process = 0;
     const int status = posix_spawn(&process, "/proc/self/exe", &actions, nullptr, words.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
@@ -73,8 +74,17 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
     if (workers < 2) return;
     std::vector<pid_t> processes;
     for (int i = 0; i < workers; ++i) {
-        std::vector<std::string> arguments{"eikonal", "compile-kernels", bitsOf(scene.features), scene.constants.text(), std::to_string(i), std::to_string(workers),
-                                           std::to_string(::getpid()), "--contraction", o.contraction ? "on" : "off", "--nthreads", "1"};
+        std::vector<std::string> arguments{"eikonal",
+                                           "compile-kernels",
+                                           bitsOf(scene.features),
+                                           scene.constants.text(),
+                                           std::to_string(i),
+                                           std::to_string(workers),
+                                           std::to_string(::getpid()),
+                                           "--contraction",
+                                           o.contraction ? "on" : "off",
+                                           "--nthreads",
+                                           "1"};
         if (!o.buildOptions.empty()) arguments.push_back("--build-options=" + o.buildOptions);
         if (!o.device.empty()) arguments.insert(arguments.end(), {"--device", o.device});
         if (o.localSize) arguments.insert(arguments.end(), {"--local-size", std::to_string(*o.localSize)});

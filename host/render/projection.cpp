@@ -38,7 +38,8 @@ glm::dvec2 depthSlope(const PackedScene& scene, glm::dvec3 p, glm::dvec3 n) {
 
     /* Two directions along the plane, and where a little step along each leads in the image */
     constexpr double relativeStep = 1e-5;
-    const glm::dvec3 aside = glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.5 * glm::length(normal) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+    const glm::dvec3 aside =
+        glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.5 * glm::length(normal) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
     const std::array along{aside, glm::normalize(glm::cross(normal, aside))};
     std::array<glm::dvec2, 2> way;
     const double step = relativeStep * glm::length(at);
@@ -50,14 +51,16 @@ glm::dvec2 depthSlope(const PackedScene& scene, glm::dvec3 p, glm::dvec3 n) {
 
     /* The steps that lead one pixel to the right, and one down (Cramer's rule) */
     const double determinant = way[0].x * way[1].y - way[0].y * way[1].x;
-    const glm::dvec2 slope = glm::dvec2(way[1].y * along[0].z - way[0].y * along[1].z, way[0].x * along[1].z - way[1].x * along[0].z) / determinant;
+    const glm::dvec2 slope =
+        glm::dvec2(way[1].y * along[0].z - way[0].y * along[1].z, way[0].x * along[1].z - way[1].x * along[0].z) / determinant;
     return std::isfinite(slope.x) && std::isfinite(slope.y) ? glm::abs(slope) : glm::dvec2(0);
 }
 
 void toCameraSpace(FilmImage& image, const PackedScene& scene) {
     const glm::dmat4 cameraFromWorld = scene.cameraFromScene[1] * SceneSpace{scene.worldCenter, 1 / scene.worldScale}.sceneFromWorld();
     for (size_t i = 0; i < image.position.size(); ++i)
-        if (image.depth.empty() || std::isfinite(image.depth[i])) image.position[i] = glm::vec3(transformPoint(cameraFromWorld, image.position[i]));
+        if (image.depth.empty() || std::isfinite(image.depth[i]))
+            image.position[i] = glm::vec3(transformPoint(cameraFromWorld, image.position[i]));
     for (auto* normals : {&image.normal, &image.geometricNormal})
         for (glm::vec3& n : *normals) n = glm::vec3(transformNormal(cameraFromWorld, n));
 }

@@ -10,7 +10,8 @@
 namespace eikonal {
 namespace {
 
-/// Neighbouring pixels and several of their samples travel together, for coherence: where all pixels get the same samples, a block is not smaller than this.
+/// Neighbouring pixels and several of their samples travel together, for coherence: where all pixels get the same samples, a block is not
+/// smaller than this.
 constexpr unsigned smallestBlock = 1024;
 
 /// Blocks of the image, and which samples they get next.
@@ -20,8 +21,8 @@ struct Pass {
     unsigned samples = 0;       ///< that it brings to every pixel
 };
 
-/// The next samples of all pixels: as few as fill a wave at first, then about twice as many as there are already, so that the whole image is
-/// there early and waves get compact later.
+/// The next samples of all pixels: as few as fill a wave at first, then about twice as many as there are already, so that the whole image
+/// is there early and waves get compact later.
 Pass uniformPass(const PixelRect& rect, unsigned done, unsigned end, unsigned mostPaths) {
     const unsigned left = end - done;
     const unsigned long pixels = static_cast<unsigned long>(rect.width()) * static_cast<unsigned long>(rect.height());
@@ -117,7 +118,8 @@ private:
         traced_.front().layers -= batch.layers();
         if (!traced_.front().layers) { samples_ += traced_.front().samples; traced_.pop_front(); }
         if (control_.progress)
-            control_.progress({std::min(paths_ / allPaths_, 1.0), std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(), samples_,
+            control_.progress({std::min(paths_ / allPaths_, 1.0),
+                               std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(), samples_,
                                control_.firstSample + paths_ / pixels_});
     }
 

@@ -16,9 +16,19 @@ namespace {
 constexpr double leastGain = 1.02;
 
 /// The default first.
-constexpr Roulette candidates[] = {
-    {}, {RouletteRule::root, 1, 3}, {RouletteRule::root, 1.5, 3}, {RouletteRule::root, 1.5, 1}, {RouletteRule::root, 2, 1}, {RouletteRule::root, 3, 1}, {RouletteRule::root, 5, 1},
-    {RouletteRule::throughput, 1, 1}, {RouletteRule::throughput, 1.5, 1}, {RouletteRule::throughput, 2, 1}, {RouletteRule::throughput, 3, 1}, {RouletteRule::throughput, 5, 1}, {RouletteRule::throughput, 8, 1}};
+constexpr Roulette candidates[] = {{},
+                                   {RouletteRule::root, 1, 3},
+                                   {RouletteRule::root, 1.5, 3},
+                                   {RouletteRule::root, 1.5, 1},
+                                   {RouletteRule::root, 2, 1},
+                                   {RouletteRule::root, 3, 1},
+                                   {RouletteRule::root, 5, 1},
+                                   {RouletteRule::throughput, 1, 1},
+                                   {RouletteRule::throughput, 1.5, 1},
+                                   {RouletteRule::throughput, 2, 1},
+                                   {RouletteRule::throughput, 3, 1},
+                                   {RouletteRule::throughput, 5, 1},
+                                   {RouletteRule::throughput, 8, 1}};
 
 double survival(const Roulette& rule, double throughput) {
     return std::min(1., rule.scale * (rule.rule == RouletteRule::throughput ? throughput : std::sqrt(throughput)));
@@ -40,7 +50,8 @@ Sets measureSets(const RecordedPaths& recorded) {
     for (const auto& path : recorded.paths) sets.lights.push_back(lightOf(path));
     std::vector<double> means(recorded.paths.size() / recorded.samples);
     for (size_t i = 0; i < sets.lights.size(); ++i) means[i / recorded.samples] += sets.lights[i] / static_cast<double>(recorded.samples);
-    const double image = std::accumulate(means.begin(), means.end(), 0.) / static_cast<double>(means.size()), count = static_cast<double>(recorded.sets);
+    const double image = std::accumulate(means.begin(), means.end(), 0.) / static_cast<double>(means.size()),
+                 count = static_cast<double>(recorded.sets);
 
     for (size_t i = 0; i < means.size(); i += recorded.sets) {
         const double sum = std::accumulate(&means[i], &means[i] + recorded.sets, 0.);
@@ -85,7 +96,9 @@ RouletteForecast forecast(const RecordedPaths& recorded, const Sets& sets, const
 
 }  // namespace
 
-RouletteForecast forecastRoulette(const RecordedPaths& recorded, const Roulette& rule) { return forecast(recorded, measureSets(recorded), rule); }
+RouletteForecast forecastRoulette(const RecordedPaths& recorded, const Roulette& rule) {
+    return forecast(recorded, measureSets(recorded), rule);
+}
 
 Roulette chooseRoulette(const RecordedPaths& recorded) {
     const Sets sets = measureSets(recorded);

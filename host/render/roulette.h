@@ -26,13 +26,15 @@ struct RouletteForecast {
     double cost;               ///< rays a path
 };
 
-/// Plays a rule on recorded paths. Roulette that lets a path go on with probability q that got so far with probability Q adds (1 / (Q q) - 1 / Q) A^2 to the
-/// variance of its estimate, where A is the light that is still to come; the increments of different chances are not correlated. What random numbers of low
-/// discrepancy take away from that is left out; what varies without roulette is measured between sets, where it is in.
+/// Plays a rule on recorded paths. Roulette that lets a path go on with probability q that got so far with probability Q adds (1 / (Q q) -
+/// 1 / Q) A^2 to the variance of its estimate, where A is the light that is still to come; the increments of different chances are not
+/// correlated. What random numbers of low discrepancy take away from that is left out; what varies without roulette is measured between
+/// sets, where it is in.
 RouletteForecast forecastRoulette(const RecordedPaths& recorded, const Roulette& rule);
 
-/// Of a dozen rules the one with the least product of variance and cost, if that is clearly less than the default's: after Rath et al. 2022 (EARS), who find the best probability for
-/// each path in each part of the scene; here one rule is found for all. The default where nothing is to be learnt: paths without light.
+/// Of a dozen rules the one with the least product of variance and cost, if that is clearly less than the default's: after Rath et al. 2022
+/// (EARS), who find the best probability for each path in each part of the scene; here one rule is found for all. The default where nothing
+/// is to be learnt: paths without light.
 Roulette chooseRoulette(const RecordedPaths& recorded);
 
 }  // namespace eikonal

@@ -12,10 +12,11 @@
 namespace eikonal {
 namespace {
 
-/// Of each pixel, one after the other in its sequence, each of low discrepancy. They complement one another, so they differ somewhat more than renders with
-/// different seeds do.
+/// Of each pixel, one after the other in its sequence, each of low discrepancy. They complement one another, so they differ somewhat more
+/// than renders with different seeds do.
 constexpr size_t pilotSets = 4;
-/// Paths are dropped after so many bounces, passed interfaces included, so that a pilot stays short: later light and later rays do not count.
+/// Paths are dropped after so many bounces, passed interfaces included, so that a pilot stays short: later light and later rays do not
+/// count.
 constexpr int mostBounces = 24;
 
 /// Unlike any that people give an image, so that rule and image are independent.
@@ -44,10 +45,13 @@ struct PilotSize {
 
 /// Pixels all over the image: Roberts' sequence (2018), of low discrepancy.
 std::vector<Block> scatterPixels(const settings& frame, const PilotSize& size) {
-    const auto at = [](size_t i, double step, uint extent) { return static_cast<int>(std::fmod(0.5 + static_cast<double>(i) * step, 1.) * extent); };
+    const auto at = [](size_t i, double step, uint extent) {
+        return static_cast<int>(std::fmod(0.5 + static_cast<double>(i) * step, 1.) * extent);
+    };
     std::vector<Block> blocks;
     for (size_t i = 0; i < size.pixels; ++i)
-        blocks.push_back({at(i, 0.7548776662466927, frame.width), at(i, 0.5698402909980532, frame.height), 0, static_cast<unsigned>(pilotSets * size.samples)});
+        blocks.push_back({at(i, 0.7548776662466927, frame.width), at(i, 0.5698402909980532, frame.height), 0,
+                          static_cast<unsigned>(pilotSets * size.samples)});
     return blocks;
 }
 
@@ -62,9 +66,11 @@ template <class T> std::vector<T> readField(const Context& context, const QueueI
 bool hasField(const QueueItems& items, const char* name) { return items.layout.field(name).words > 0; }
 
 /// One number for each spectrum of a field, combined from its channels.
-template <class Combine> std::vector<float> readSpectra(const Context& context, const QueueItems& items, const char* name, Combine&& combine) {
+template <class Combine>
+std::vector<float> readSpectra(const Context& context, const QueueItems& items, const char* name, Combine&& combine) {
     std::vector<float> all(items.count);
-    for (int c = 0; c < items.layout.field(name).words; ++c) std::ranges::transform(all, readField<float>(context, items, name, c), all.begin(), combine);
+    for (int c = 0; c < items.layout.field(name).words; ++c)
+        std::ranges::transform(all, readField<float>(context, items, name, c), all.begin(), combine);
     return all;
 }
 std::vector<float> readMeans(const Context& context, const QueueItems& items, const char* name) {
@@ -76,7 +82,8 @@ std::vector<float> readMeans(const Context& context, const QueueItems& items, co
 std::vector<float> readThroughputs(const Context& context, const QueueItems& rays) {
     std::vector<float> t = readSpectra(context, rays, "beta", [](float most, float x) { return std::max(most, x); });
     if (hasField(rays, "eta_scale")) std::ranges::transform(t, readField<float>(context, rays, "eta_scale"), t.begin(), std::multiplies());
-    if (hasField(rays, "r_u")) std::ranges::transform(t, readMeans(context, rays, "r_u"), t.begin(), [](float a, float b) { return a / std::max(b, 1e-30f); });
+    if (hasField(rays, "r_u"))
+        std::ranges::transform(t, readMeans(context, rays, "r_u"), t.begin(), [](float a, float b) { return a / std::max(b, 1e-30f); });
     return t;
 }
 
@@ -84,7 +91,8 @@ std::vector<float> readThroughputs(const Context& context, const QueueItems& ray
 class Recorder {
 public:
     /// mostLight: that a path may bring, as the film has it; 0: any.
-    Recorder(const Context& context, float mostLight) : context_(context), mostLight_(mostLight > 0 ? mostLight : std::numeric_limits<float>::max()) {}
+    Recorder(const Context& context, float mostLight)
+        : context_(context), mostLight_(mostLight > 0 ? mostLight : std::numeric_limits<float>::max()) {}
 
     void begin(unsigned paths) {
         recorded_.insert(recorded_.end(), paths, {PathSegment{}});
@@ -136,7 +144,8 @@ void record(const settings& frame, std::vector<Block> blocks, Wave& wave, Record
     while (!batches.empty()) {
         std::optional<Batch> batch = batches.next();
         recorder.begin(batch->paths());
-        wave.trace({[&] { return std::exchange(batch, std::nullopt); }, [](const Batch&) {}, static_cast<int>(frame.width), static_cast<int>(frame.height),
+        wave.trace({[&] { return std::exchange(batch, std::nullopt); }, [](const Batch&) {}, static_cast<int>(frame.width),
+                    static_cast<int>(frame.height),
                     [&](const QueueItems& rays, const QueueItems& paths) { return recorder.bounced(rays, paths); }});
     }
 }

@@ -36,7 +36,8 @@ static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
         /* A part that the file gives in pixels means nothing at another resolution */
         scene.film.width = (*o.resolution)[0];
         scene.film.height = (*o.resolution)[1];
-        if (scene.film.pixelBounds) diagnostics.warn(scene.film.where, "\"pixelbounds\" does not count with --resolution; --cropwindow selects a part");
+        if (scene.film.pixelBounds)
+            diagnostics.warn(scene.film.where, "\"pixelbounds\" does not count with --resolution; --cropwindow selects a part");
         scene.film.pixelBounds.reset();
     }
     return scene;
@@ -45,7 +46,8 @@ static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
 Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     const std::string kind = kindOf(o.path);
     if (kind != ".pbrt" && kind != ".obj")
-        throw SceneError({}, fmt::format("\"{}\" is no scene that can be read: its name should end in .pbrt or .obj, or either with .gz", o.path));
+        throw SceneError(
+            {}, fmt::format("\"{}\" is no scene that can be read: its name should end in .pbrt or .obj, or either with .gz", o.path));
     Scene scene = kind == ".obj" ? loadObj(o, diagnostics) : loadPbrt(o, diagnostics);
     if (o.spp) scene.sampler.pixelSamples = *o.spp;
     if (o.seed) scene.sampler.seed = *o.seed;
@@ -59,7 +61,8 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.maxDepth) scene.integrator.maxDepth = *o.maxDepth;
     if (o.roulette || o.rouletteScale || o.rouletteDepth) {
         const Roulette usual;
-        scene.integrator.roulette = Roulette{o.roulette.value_or(usual.rule), o.rouletteScale.value_or(usual.scale), o.rouletteDepth.value_or(usual.depth)};
+        scene.integrator.roulette =
+            Roulette{o.roulette.value_or(usual.rule), o.rouletteScale.value_or(usual.scale), o.rouletteDepth.value_or(usual.depth)};
     }
     if (o.colorMode) scene.colorMode = *o.colorMode;
     if (o.lightSampler) scene.integrator.lightSampler = *o.lightSampler;

@@ -58,14 +58,15 @@ public:
 
     /// Reads the scene, while the device opens. Without a device, plan() supposes a processor.
     void load(bool withDevice = true);
-    /// Fills its tables, forgets the scene's meshes and images, and builds its hierarchies while the kernels are built, if there is a device; the film keeps what `aovs` take, and a spectrum
-    /// if the scene asks for it and keepsSpectrum.
+    /// Fills its tables, forgets the scene's meshes and images, and builds its hierarchies while the kernels are built, if there is a
+    /// device; the film keeps what `aovs` take, and a spectrum if the scene asks for it and keepsSpectrum.
     void pack(const Aovs& aovs, bool keepsSpectrum = true);
     /// What prepare() is going to allocate.
     MemoryPlan plan() const;
     /// Uploads the tables and launches every kernel once.
     void prepare();
-    /// Learns what a first look at the scene can tell (render/survey.h, render/roulette_pilot.h). Part of rendering; its work is not part of the profile.
+    /// Learns what a first look at the scene can tell (render/survey.h, render/roulette_pilot.h). Part of rendering; its work is not part
+    /// of the profile.
     void survey();
     /// By which paths end, once survey() has been called, and whether it has chosen that for the scene.
     Roulette roulette() const { return chosenRoulette_.value_or(packed_.roulette.value_or(Roulette())); }
@@ -84,7 +85,8 @@ public:
     const StageShape& shape() const { return shape_; }
     const Stages& stages() const { return *stages_; }
     Wave& wave() { return *wave_; }
-    /// The same paths by one kernel that loops, compiled but for its first launch. Adds what it does to `profile`; lives no longer than this.
+    /// The same paths by one kernel that loops, compiled but for its first launch. Adds what it does to `profile`; lives no longer than
+    /// this.
     std::unique_ptr<Tracer> makeLoop(Profile& profile);
     Profile& profile() { return profile_; }
     const SessionTimes& times() const { return times_; }

@@ -9,8 +9,8 @@
 namespace eikonal {
 namespace {
 
-/// Where surfaces receive more than this share of an environment's light, paths find it well enough by themselves; where they receive none, there is
-/// nothing to find.
+/// Where surfaces receive more than this share of an environment's light, paths find it well enough by themselves; where they receive none,
+/// there is nothing to find.
 constexpr double openShare = 0.1;
 
 Bindings withCount(size_t count) {
@@ -39,7 +39,8 @@ static void sampleEnvironments(const Context& context, DeviceScene& scene, const
     scene.replace(context, "light_aliases", aliases);
 }
 
-void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedScene& packed, const Stages& stages, const StageShape& shape) {
+void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedScene& packed, const Stages& stages,
+                       const StageShape& shape) {
     if (!packed.features.has(Feature::ENVIRONMENT_GUIDE)) return;
     const GuideBudget budget = GuideBudget::of(packed.frame().width, packed.frame().height, packed.samples);
     if (!budget.isEnough()) return;
@@ -58,7 +59,8 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
     /* What is seen from there */
     const auto weigh = [&](const GuideRepresentatives& from) {
         std::vector<float> weights(from.maps * GUIDE_SIDE * GUIDE_SIDE);
-        const Buffer fromPoints = Buffer::of<vec3>(context, from.points, "points of the guide"), fromNormals = Buffer::of<vec3>(context, from.normals, "normals of the guide"),
+        const Buffer fromPoints = Buffer::of<vec3>(context, from.points, "points of the guide"),
+                     fromNormals = Buffer::of<vec3>(context, from.normals, "normals of the guide"),
                      weightBuffer(context, weights.size() * sizeof(float), "weights of the guide");
         Bindings bound = withCount(weights.size());
         bound.set("survey_points", fromPoints);

@@ -21,7 +21,8 @@ struct BatchStream {
     std::function<std::optional<Batch>()> next;   ///< the next batch, of Tracer::mostPaths() paths at most; none: there are no more
     std::function<void(const Batch&)> traced;     ///< called for each in the order in which they came, when its paths are at their ends; may resolve it
     int endX = 0, endY = 0;                       ///< no pixel from there on
-    /// If set, a wave calls it after every bounce of a stream of one batch, with the rays that leave and the states of all paths. False: the rays are dropped.
+    /// If set, a wave calls it after every bounce of a stream of one batch, with the rays that leave and the states of all paths. False:
+    /// the rays are dropped.
     std::function<bool(const QueueItems& rays, const QueueItems& paths)> bounced = {};
 };
 
@@ -32,7 +33,8 @@ public:
     virtual unsigned mostPaths() const = 0;
     /// Follows every path of every batch of the stream from the camera to its end. Paths of several batches may be in flight at once.
     virtual void trace(const BatchStream& stream) = 0;
-    /// Within BatchStream::traced: adds the paths of that batch to their pixels. `film` holds those of the batch, block after block. Enqueues.
+    /// Within BatchStream::traced: adds the paths of that batch to their pixels. `film` holds those of the batch, block after block.
+    /// Enqueues.
     virtual void resolve(const Batch& batch, const Buffer& film) = 0;
 };
 

@@ -54,8 +54,10 @@ struct FilterDescription {
 /// remaining error is blue noise.
 enum class SamplerKind { independent, paddedsobol, sobol, zsobol };
 /// The names for --sampler.
-inline constexpr std::pair<const char*, SamplerKind> samplerNames[] = {
-    {"independent", SamplerKind::independent}, {"paddedsobol", SamplerKind::paddedsobol}, {"sobol", SamplerKind::sobol}, {"zsobol", SamplerKind::zsobol}};
+inline constexpr std::pair<const char*, SamplerKind> samplerNames[] = {{"independent", SamplerKind::independent},
+                                                                       {"paddedsobol", SamplerKind::paddedsobol},
+                                                                       {"sobol", SamplerKind::sobol},
+                                                                       {"zsobol", SamplerKind::zsobol}};
 
 struct SamplerDescription { SamplerKind kind = SamplerKind::zsobol; int pixelSamples = 16; int seed = 0; SourceLocation where; };
 

@@ -13,10 +13,14 @@ namespace eikonal {
 enum class IntegratorKind { volpath, path, direct, whitted, ambientOcclusion, simplePath, randomWalk };
 
 /// The names in scene files and for --integrator.
-inline constexpr std::pair<const char*, IntegratorKind> integratorNames[] = {
-    {"volpath", IntegratorKind::volpath}, {"path", IntegratorKind::path}, {"direct", IntegratorKind::direct}, {"whitted", IntegratorKind::whitted},
-    {"ambientocclusion", IntegratorKind::ambientOcclusion}, {"simplepath", IntegratorKind::simplePath}, {"simplevolpath", IntegratorKind::volpath},
-    {"randomwalk", IntegratorKind::randomWalk}};
+inline constexpr std::pair<const char*, IntegratorKind> integratorNames[] = {{"volpath", IntegratorKind::volpath},
+                                                                             {"path", IntegratorKind::path},
+                                                                             {"direct", IntegratorKind::direct},
+                                                                             {"whitted", IntegratorKind::whitted},
+                                                                             {"ambientocclusion", IntegratorKind::ambientOcclusion},
+                                                                             {"simplepath", IntegratorKind::simplePath},
+                                                                             {"simplevolpath", IntegratorKind::volpath},
+                                                                             {"randomwalk", IntegratorKind::randomWalk}};
 
 /// With IntegratorKind::whitted, the most rays that one camera ray may split into.
 constexpr int mostTreeRays = 64;
@@ -24,7 +28,8 @@ constexpr int mostTreeRays = 64;
 /// How the light to sample is chosen. automatic: by power for few lights, by the light tree for many.
 enum class LightSampler { automatic, bvh, power, uniform };
 /// The names in scene files and for --light-sampler.
-inline constexpr std::pair<const char*, LightSampler> lightSamplerNames[] = {{"bvh", LightSampler::bvh}, {"power", LightSampler::power}, {"uniform", LightSampler::uniform}};
+inline constexpr std::pair<const char*, LightSampler> lightSamplerNames[] = {
+    {"bvh", LightSampler::bvh}, {"power", LightSampler::power}, {"uniform", LightSampler::uniform}};
 
 /// Whether light samples of an infinite light without an image are guided by its visibility. automatic: if a survey finds the scene closed
 /// enough.
@@ -37,7 +42,8 @@ inline constexpr std::pair<const char*, EnvironmentGuide> environmentGuideNames[
 /// number of paths and their weight (as in Cycles). throughput: t (as in pbrt-v4), so all surviving paths have the same weight.
 enum class RouletteRule { root, throughput };
 /// The names for --roulette.
-inline constexpr std::pair<const char*, RouletteRule> rouletteRuleNames[] = {{"root", RouletteRule::root}, {"throughput", RouletteRule::throughput}};
+inline constexpr std::pair<const char*, RouletteRule> rouletteRuleNames[] = {{"root", RouletteRule::root},
+                                                                             {"throughput", RouletteRule::throughput}};
 
 /// A path survives with probability min(1, scale * t) or min(1, scale * sqrt(t)).
 struct Roulette {

@@ -17,7 +17,8 @@ struct MaterialKind;   // kinds/material_kind.h
 
 /// How light moves inside a body: by a random walk through its medium, or by a diffusion profile.
 enum class SubsurfaceMethod { randomWalk, diffusion };
-constexpr std::pair<const char*, SubsurfaceMethod> subsurfaceMethodNames[] = {{"randomwalk", SubsurfaceMethod::randomWalk}, {"diffusion", SubsurfaceMethod::diffusion}};
+constexpr std::pair<const char*, SubsurfaceMethod> subsurfaceMethodNames[] = {{"randomwalk", SubsurfaceMethod::randomWalk},
+                                                                              {"diffusion", SubsurfaceMethod::diffusion}};
 
 /// Normalised diffusion profile: how much light leaves a body at which distance from where it entered (kernels/shade/diffusion.clh).
 struct DiffusionProfile {
@@ -29,7 +30,8 @@ struct DiffusionProfile {
     bool isTextured() const { return albedoTexture != none || pathTexture != none; }
 };
 
-/// A material. `inputs` has every parameter of its kind under pbrt-v4's name, defaults filled in by the reader; host/kinds/material/ lists them.
+/// A material. `inputs` has every parameter of its kind under pbrt-v4's name, defaults filled in by the reader; host/kinds/material/ lists
+/// them.
 struct Material {
     const MaterialKind* kind = nullptr;     ///< never null in a scene
     std::string name;                       ///< empty for an unnamed material

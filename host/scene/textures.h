@@ -78,8 +78,9 @@ struct FreePathTexture { Input sigmaA, sigmaS; double g = 0; };
 struct Texture {
     std::string name;
     bool isFloat = false;       ///< declared "float", not "spectrum"
-    std::variant<ConstantTexture, ImagemapTexture, ScaleTexture, MixTexture, CheckerboardTexture, BilerpTexture, DotsTexture, DirectionMixTexture,
-                 NoiseTexture, AbsorptionTexture, DiffuseAlbedoTexture, FreePathTexture> kind;
+    std::variant<ConstantTexture, ImagemapTexture, ScaleTexture, MixTexture, CheckerboardTexture, BilerpTexture, DotsTexture,
+                 DirectionMixTexture, NoiseTexture, AbsorptionTexture, DiffuseAlbedoTexture, FreePathTexture>
+        kind;
     SourceLocation where;
 };
 

@@ -13,7 +13,8 @@
 #include "stages/stage.clh"
 
 #define SHADE_CASE(name) if (next_queue == next_##name) return JOIN(shade_, name)(lights, colors, frame, h, bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, path_wavelengths(colors, h.seed, h.sample)), pass, 1);
-FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables colors, __global const settings *frame, __global const uint *hit, uint capacity, uint slot, uint next_queue, hit_item h, uint pass) {
+FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables colors, __global const settings *frame,
+                        __global const uint *hit, uint capacity, uint slot, uint next_queue, hit_item h, uint pass) {
     SCENE_BSDFS(SHADE_CASE)
     scattering nothing;
     nothing.ray.t_max = -1.0f;
@@ -24,13 +25,15 @@ FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables co
 /* The albedo to store for denoisers, if the BSDF has one. */
 typedef struct { spectrum albedo; int found; } kept_albedo;
 #define ALBEDO_CASE(name) if (next_queue == next_##name && !JOIN(name, _is_delta)) { k.albedo = JOIN(albedo_, name)(bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, colors)); k.found = 1; }
-FN kept_albedo albedo_any(bsdf_tables tables, sampled_wavelengths colors, __global const uint *hit, uint capacity, uint slot, uint next_queue) {
+FN kept_albedo albedo_any(bsdf_tables tables, sampled_wavelengths colors, __global const uint *hit, uint capacity, uint slot,
+                          uint next_queue) {
     kept_albedo k = {uniform_spectrum(0.0f), 0};
     SCENE_BSDFS(ALBEDO_CASE)
     return k;
 }
 
-FN void meet_light(geometry g, texture_tables tables, medium_tables media, color_tables colors, __global uint *path, uint path_capacity, shadow_item s) {
+FN void meet_light(geometry g, texture_tables tables, medium_tables media, color_tables colors, __global uint *path, uint path_capacity,
+                   shadow_item s) {
     if (s.t_max < 0.0f) return;
     spectrum L = test_shadow(g, tables, media, colors, s);
     if (!is_black(L)) add_radiance(path, path_capacity, s.path, L);
@@ -80,17 +83,22 @@ TRACING_STAGE(loop, LOOP) {
                 out.ray = r;
                 out.ray.t_max = -1.0f;
                 out.shadow = no_shadow(r.path);
-                if (ENVIRONMENTS && f.next_queue == next_miss) add_radiance(path, path_capacity, r.path, shade_miss(light_set, color_set, make_miss(r)));
-                else if (HAS_MEDIA && f.next_queue == next_scatter) out = shade_scatter(light_set, color_set, frame, choose_scatters_light(light_set, frame, make_scatter(medium_set, r, f)), 1);
+                if (ENVIRONMENTS && f.next_queue == next_miss)
+                    add_radiance(path, path_capacity, r.path, shade_miss(light_set, color_set, make_miss(r)));
+                else if (HAS_MEDIA && f.next_queue == next_scatter)
+                    out = shade_scatter(light_set, color_set, frame,
+                                        choose_scatters_light(light_set, frame, make_scatter(medium_set, r, f)), 1);
                 else if (HAS_DIFFUSION && r.body != NONE && f.next_queue < next_miss) {
-                    if (f.next_queue == next_crossing) out.ray = make_probe(g, tables, material_set, r, f, intersection_surface(g, tables, r, f));
+                    if (f.next_queue == next_crossing)
+                        out.ray = make_probe(g, tables, material_set, r, f, intersection_surface(g, tables, r, f));
                     else {
                         exit_vertex e = make_exit_vertex(material_set, color_set, r);
                         e.hit = choose_hits_light(light_set, frame, e.hit, 0);
                         store_exit_vertex(hit, capacity, slot, tables, color_set, material_set, material_set.materials[f.material], e);
                         out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.next_queue, e.hit, 0u);
                         if (HAS_AOVS && !e.hit.has_nonspecular_vertex) {
-                            kept_albedo k = albedo_any(bsdf_set, path_wavelengths(color_set, e.hit.seed, e.hit.sample), hit, capacity, slot, f.next_queue);
+                            kept_albedo k = albedo_any(bsdf_set, path_wavelengths(color_set, e.hit.seed, e.hit.sample), hit, capacity, slot,
+                                                       f.next_queue);
                             if (k.found) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(e.hit, k.albedo));
                         }
                     }
@@ -106,7 +114,8 @@ TRACING_STAGE(loop, LOOP) {
                         hit_item h = make_hit(g, r, f, s, material_set.materials[f.material]);
                         out.shadow = shade_occlusion(color_set, frame, h, 1);
                         if (HAS_AOVS) store_first_surface(g, frame, path, path_capacity, r, f, s);
-                        if (HAS_AOVS) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(h, uniform_spectrum(1.0f)));
+                        if (HAS_AOVS)
+                            STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(h, uniform_spectrum(1.0f)));
                     } else if (f.next_queue < next_miss) {
                         material m = material_set.materials[f.material];
                         s = perturb_normal(tables, m, s);
@@ -114,7 +123,10 @@ TRACING_STAGE(loop, LOOP) {
                         if (HAS_DIFFUSION) h = place_probe(tables, material_set, color_set, m, h, s);
                         store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
                         out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.next_queue, h, 0u);
-                        if (HAS_TREE) { meet_light(g, tables, medium_set, color_set, path, path_capacity, out.shadow); out.shadow.t_max = -1.0f; }
+                        if (HAS_TREE) {
+                            meet_light(g, tables, medium_set, color_set, path, path_capacity, out.shadow);
+                            out.shadow.t_max = -1.0f;
+                        }
                         for (uint pass = 1; HAS_TREE && pass < shading_passes; ++pass) {
                             scattering more = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.next_queue, h, pass);
                             if (more.ray.t_max >= 0.0f) waiting[rays++] = more.ray;
@@ -122,7 +134,8 @@ TRACING_STAGE(loop, LOOP) {
                         }
                         if (HAS_AOVS && r.depth == 0) store_first_surface(g, frame, path, path_capacity, r, f, s);
                         if (HAS_AOVS && !h.has_nonspecular_vertex) {
-                            kept_albedo k = albedo_any(bsdf_set, path_wavelengths(color_set, h.seed, h.sample), hit, capacity, slot, f.next_queue);
+                            kept_albedo k =
+                                albedo_any(bsdf_set, path_wavelengths(color_set, h.seed, h.sample), hit, capacity, slot, f.next_queue);
                             if (k.found) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(h, k.albedo));
                         }
                     }

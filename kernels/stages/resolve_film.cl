@@ -96,7 +96,8 @@ TRACING_STAGE(resolve_film, RESOLVE_FILM) {
         film_item f = load_film(film, count, pixel);
         layer_range range = block_layers[pixel >> log2_pixels];
         for (uint s = range.first; s < range.first + range.layers; ++s) {
-            path_item p = gather_path(frame, path, path_capacity, first_path + (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u)));
+            path_item p =
+                gather_path(frame, path, path_capacity, first_path + (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u)));
             if (p.weight == 0.0f && is_black(p.L)) continue;
             if (!is_finite(p.L) || max_component(p.L) > MOST_RADIANCE) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
             sampled_wavelengths colors = path_wavelengths(color_set, p.seed, p.sample);

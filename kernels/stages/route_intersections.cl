@@ -74,8 +74,10 @@ TRACING_STAGE(route_intersections, ROUTE_INTERSECTIONS) {
         }
         surface s = intersection_surface(g, tables, r, f);
         if (emits) store_emission(emission, capacity, at[next_emission]++, make_emission(g, tables, light_set, color_set, r, f, s));
-        if (HAS_DIFFUSION && r.body != NONE) store_crossing(next_ray, shadow, capacity, at[next_crossing]++, make_probe(g, tables, material_set, r, f, s));
-        else if (HAS_INTERFACE && f.next_queue == next_crossing) store_crossing(next_ray, shadow, capacity, at[next_crossing]++, make_crossing(g, r, f, s));
+        if (HAS_DIFFUSION && r.body != NONE)
+            store_crossing(next_ray, shadow, capacity, at[next_crossing]++, make_probe(g, tables, material_set, r, f, s));
+        else if (HAS_INTERFACE && f.next_queue == next_crossing)
+            store_crossing(next_ray, shadow, capacity, at[next_crossing]++, make_crossing(g, r, f, s));
         else if (f.next_queue < next_miss) {
             uint slot = at[f.next_queue]++;
             material m = material_set.materials[f.material];

@@ -42,7 +42,8 @@ FN bsdf_sample JOIN(scatter_uniformly_, BSDF)(BSDF_BOUND b, vec3 wo, vec2 u) {
     return s;
 }
 
-FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __global const settings *frame, hit_item h, BSDF_BOUND b, uint shading_pass, int alive) {
+FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __global const settings *frame, hit_item h, BSDF_BOUND b,
+                                 uint shading_pass, int alive) {
     frame3 shading = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
     vec3 wo = to_local(shading, h.wo);
     float lobe = sample_1d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_lobe));
@@ -126,7 +127,8 @@ STAGE(shade_hits, SHADE_HITS) {
         if (!BSDF_IS_DELTA && HAS_LIGHTS) store_shadow(shadow, capacity, i, out.shadow);
 #endif
         if (BSDF_IS_DELTA || !HAS_LIGHTS) STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
-        if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.has_nonspecular_vertex) STORE_FIELD(path, spectrum, albedo, path, path_capacity, h.path, seen_albedo(h, ALBEDO_BSDF(b)));
+        if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.has_nonspecular_vertex)
+            STORE_FIELD(path, spectrum, albedo, path, path_capacity, h.path, seen_albedo(h, ALBEDO_BSDF(b)));
     }
 }
 #endif

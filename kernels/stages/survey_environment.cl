@@ -18,7 +18,8 @@ TRACING_STAGE(survey_environment, SURVEY_ENVIRONMENT) {
         random_stream numbers = make_stream(1u, i, 0u);
         float sum = 0.0f;
         for (uint k = map * representatives; k < (map + 1u) * representatives; ++k) {
-            float x = (float)(bin % GUIDE_SIDE) + next_random(&numbers), y = (float)(bin / GUIDE_SIDE) + next_random(&numbers), time = next_random(&numbers);
+            float x = (float)(bin % GUIDE_SIDE) + next_random(&numbers), y = (float)(bin / GUIDE_SIDE) + next_random(&numbers),
+                  time = next_random(&numbers);
             vec3 d = equal_area_sphere(make_vec2(x * (1.0f / GUIDE_SIDE), y * (1.0f / GUIDE_SIDE))), n = survey_normals[k];
             float cosine = length_squared(n) > 0.0f ? dot3(n, d) : 1.0f;
             if (!(cosine > 0.0f)) continue;

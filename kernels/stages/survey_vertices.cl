@@ -11,7 +11,8 @@
 #define MOST_SURVEY_PASSAGES 8
 
 FN int passes_straight(uint next_queue) {
-    return next_queue == next_crossing || next_queue == next_dielectric || next_queue == next_specular_dielectric || next_queue == next_thin_dielectric;
+    return next_queue == next_crossing || next_queue == next_dielectric || next_queue == next_specular_dielectric ||
+           next_queue == next_thin_dielectric;
 }
 
 #define SURVEY_VERTICES_ARGUMENTS(TABLE, ARGUMENT) \

@@ -41,7 +41,8 @@ FN spectrum test_shadow(geometry g, texture_tables tables, medium_tables media, 
     nearest_hit any;
     any.t_max = s.t_max;
     if (walk_bvh(g, tables, s.o, s.d, s.time, walk_blocker, &any)) return uniform_spectrum(0.0f);
-    if (HAS_LIGHT_PATTERN && s.element != NONE) s.Ld = mul(s.Ld, light_pattern(g, tables, path_wavelengths(colors, s.color_seed, s.color_sample), s));
+    if (HAS_LIGHT_PATTERN && s.element != NONE)
+        s.Ld = mul(s.Ld, light_pattern(g, tables, path_wavelengths(colors, s.color_seed, s.color_sample), s));
     return HAS_MEDIA ? attenuate_shadow(g, tables, media, colors, s) : s.Ld;
 }
 

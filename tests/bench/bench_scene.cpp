@@ -41,7 +41,9 @@ static float fractalNoise(Point p, int octaves) {
 template <class PointAt> static void addGrid(BenchMesh& mesh, int n, int m, PointAt pointAt) {
     const uint first = static_cast<uint>(mesh.positions.size()), row = static_cast<uint>(m) + 1;
     for (int i = 0; i <= n; ++i)
-        for (int j = 0; j <= m; ++j) mesh.positions.push_back(toVec3(pointAt(static_cast<float>(i) / static_cast<float>(n), static_cast<float>(j) / static_cast<float>(m))));
+        for (int j = 0; j <= m; ++j)
+            mesh.positions.push_back(
+                toVec3(pointAt(static_cast<float>(i) / static_cast<float>(n), static_cast<float>(j) / static_cast<float>(m))));
     for (uint i = 0; i < static_cast<uint>(n); ++i)
         for (uint j = 0; j < static_cast<uint>(m); ++j) {
             const uint a = first + i * row + j;

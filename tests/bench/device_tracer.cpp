@@ -31,7 +31,8 @@ DeviceTracer::DeviceTracer(const Context& context, const BenchMesh& mesh, const 
     Compiler compiler(context, findKernelFolders(), "");
     BuildSettings settings;
     settings.features = features_;
-    settings.constants = {{"LOCAL_SIZE", shape.localSize}, {"ITEMS_PER_WORK_ITEM", shape.itemsPerWorkItem}, {"WIDENS_GROUPS", context.device().widensGroups}};
+    settings.constants = {
+        {"LOCAL_SIZE", shape.localSize}, {"ITEMS_PER_WORK_ITEM", shape.itemsPerWorkItem}, {"WIDENS_GROUPS", context.device().widensGroups}};
     intersect_ = Kernel(compiler.build("#include \"stages/intersect_rays.cl\"\n", "intersect_rays", settings));
     occlude_ = Kernel(compiler.build("#include \"stages/test_shadows.cl\"\n", "test_shadows", settings));
 }
@@ -82,10 +83,13 @@ void DeviceTracer::trace() {
         Bindings queues;
         queues.set(shadows_ ? "shadow" : "ray", b.in);
         queues.set(shadows_ ? "path" : "intersection", b.out);
-        const auto capacity = static_cast<cl_uint>(b.in.size() / sizeof(uint) / static_cast<size_t>(queueLayout(shadows_ ? "shadow" : "ray", features_).words));
+        const auto capacity = static_cast<cl_uint>(b.in.size() / sizeof(uint) /
+                                                   static_cast<size_t>(queueLayout(shadows_ ? "shadow" : "ray", features_).words));
         for (const char* name : {"capacity", "path_capacity"}) queues.set(name, capacity);
         queues.set("count", static_cast<cl_uint>(b.count));
-        (shadows_ ? occlude_ : intersect_).launch(context_, {&scene_, &queues}, b.count, static_cast<size_t>(shape_.localSize) * static_cast<size_t>(shape_.itemsPerWorkItem));
+        (shadows_ ? occlude_ : intersect_)
+            .launch(context_, {&scene_, &queues}, b.count,
+                    static_cast<size_t>(shape_.localSize) * static_cast<size_t>(shape_.itemsPerWorkItem));
     }
     context_.finish();
 }

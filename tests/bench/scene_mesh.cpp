@@ -17,7 +17,8 @@ BenchMesh loadMesh(const std::string& path) {
     mesh.name = path;
     mesh.positions.assign(scene.tables.positions.begin(), scene.tables.positions.end());
     for (const Group::Triangles& t : hierarchies.world.triangles)
-        for (size_t i = 0; i < 3 * t.count; ++i) mesh.indices.push_back(static_cast<uint>(t.firstVertex) + scene.tables.indices[t.firstIndex + i]);
+        for (size_t i = 0; i < 3 * t.count; ++i)
+            mesh.indices.push_back(static_cast<uint>(t.firstVertex) + scene.tables.indices[t.firstIndex + i]);
     if (mesh.indices.empty()) throw std::runtime_error(path + " has no triangles but in objects that are placed");
     const affine& m = scene.tables.frame[0].view.scene_from_camera;
     mesh.eye = {m.xw, m.yw, m.zw};

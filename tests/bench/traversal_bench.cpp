@@ -1,7 +1,8 @@
 // How fast the walk down the hierarchy is, against Embree on the same rays and threads, in one run, by turns:
-//   traversal_bench [--json] [--device NAME] [--scenes box,terrain-1,ball-1,terrain-5,ball-5] [--batches 1000,1000000] [--repeats 5] [--robust]
-// (terrain-5: 5 million triangles; a scene file: its triangles). Prints million rays a second, and two ratios, each the median over the repeats: of the time on
-// the clock, and of the processor time of all threads, which others on the machine disturb less.
+//   traversal_bench [--json] [--device NAME] [--scenes box,terrain-1,ball-1,terrain-5,ball-5] [--batches 1000,1000000] [--repeats 5]
+//   [--robust]
+// (terrain-5: 5 million triangles; a scene file: its triangles). Prints million rays a second, and two ratios, each the median over the
+// repeats: of the time on the clock, and of the processor time of all threads, which others on the machine disturb less.
 
 #include <CLI/CLI.hpp>  // before the contract headers, whose NONE is a macro
 
@@ -38,7 +39,8 @@ Time measure(const auto& work) {
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t cpuStart = std::clock();
     work();
-    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC};
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(),
+            static_cast<double>(std::clock() - cpuStart) / CLOCKS_PER_SEC};
 }
 
 double median(std::vector<double> values) {
@@ -63,7 +65,8 @@ double shareThatDiffers(const std::vector<BenchHit>& a, const std::vector<BenchH
     return static_cast<double>(differ) / static_cast<double>(a.size());
 }
 
-Figure compare(DeviceTracer& device, const EmbreeTracer& embree, std::vector<BenchRay> rays, bool shadows, size_t batch, const Options& options) {
+Figure compare(DeviceTracer& device, const EmbreeTracer& embree, std::vector<BenchRay> rays, bool shadows, size_t batch,
+               const Options& options) {
     /* Fewer rays than a batch are no measurement of it; many small batches measure nothing new */
     rays.resize(std::min(rays.size(), std::max<size_t>(batch * 64, 1)));
     batch = std::min(batch, rays.size());
@@ -107,25 +110,48 @@ void runScene(const Context& context, const std::string& name, const Options& op
     const EmbreeTracer embree(mesh, static_cast<int>(context.device().computeUnits), options.robust, options.high);
     const BvhRoot& root = device.root();
     const double triangles = static_cast<double>(mesh.triangles());
-    const double bytes = (static_cast<double>(root.nodes) * sizeof(bvh_node) + static_cast<double>(root.lines) * sizeof(triangle_line)) / triangles;
+    const double bytes =
+        (static_cast<double>(root.nodes) * sizeof(bvh_node) + static_cast<double>(root.lines) * sizeof(triangle_line)) / triangles;
     if (!options.json)
-        fmt::print("{}: {} triangles, built at {:.2f} M/s (Embree {:.2f}), depth {}, {:.2f} triangles a leaf, {:.2f} children a node, cost {:.2f}, {:.1f} bytes a triangle\n",
-                   name, mesh.triangles(), triangles / device.buildSeconds() * 1e-6, triangles / embree.buildSeconds() * 1e-6, root.depth,
-                   triangles / static_cast<double>(root.leaves), static_cast<double>(root.leaves + root.nodes - 1) / static_cast<double>(root.nodes), root.cost, bytes);
-    report["scenes"].push_back({{"scene", name}, {"triangles", mesh.triangles()}, {"build_seconds", device.buildSeconds()}, {"embree_build_seconds", embree.buildSeconds()},
-                                {"depth", root.depth}, {"nodes", root.nodes}, {"leaves", root.leaves}, {"cost", root.cost}, {"bytes_per_triangle", bytes}});
+        fmt::print(
+            "{}: {} triangles, built at {:.2f} M/s (Embree {:.2f}), depth {}, {:.2f} triangles a leaf, {:.2f} children a node, cost "
+            "{:.2f}, {:.1f} bytes a triangle\n",
+            name, mesh.triangles(), triangles / device.buildSeconds() * 1e-6, triangles / embree.buildSeconds() * 1e-6, root.depth,
+            triangles / static_cast<double>(root.leaves),
+            static_cast<double>(root.leaves + root.nodes - 1) / static_cast<double>(root.nodes), root.cost, bytes);
+    report["scenes"].push_back({{"scene", name},
+                                {"triangles", mesh.triangles()},
+                                {"build_seconds", device.buildSeconds()},
+                                {"embree_build_seconds", embree.buildSeconds()},
+                                {"depth", root.depth},
+                                {"nodes", root.nodes},
+                                {"leaves", root.leaves},
+                                {"cost", root.cost},
+                                {"bytes_per_triangle", bytes}});
     const std::vector<BenchRay> primary = primaryRays(mesh, options.width, options.width);
     std::vector<BenchHit> hits(primary.size());
     embree.intersect(primary, hits, 0, primary.size());
     for (const std::string& kind : options.kinds) {
-        const std::vector<BenchRay> rays = kind == "primary" ? primary : kind == "bounced" ? bouncedRays(mesh, primary, hits) : shadowRays(mesh, primary, hits);
+        const std::vector<BenchRay> rays = kind == "primary"   ? primary
+                                           : kind == "bounced" ? bouncedRays(mesh, primary, hits)
+                                                               : shadowRays(mesh, primary, hits);
         for (const size_t batch : options.batches) {
             Figure f = compare(device, embree, rays, kind == "shadow", batch, options);
-            report["figures"].push_back({{"scene", name}, {"kind", kind}, {"batch", batch}, {"mrays", f.ours}, {"embree_mrays", f.embree},
-                                         {"ratio", f.ratio}, {"ratio_low", f.low}, {"ratio_high", f.high}, {"cpu_ratio", f.cpuRatio}, {"differ", f.differ}});
+            report["figures"].push_back({{"scene", name},
+                                         {"kind", kind},
+                                         {"batch", batch},
+                                         {"mrays", f.ours},
+                                         {"embree_mrays", f.embree},
+                                         {"ratio", f.ratio},
+                                         {"ratio_low", f.low},
+                                         {"ratio_high", f.high},
+                                         {"cpu_ratio", f.cpuRatio},
+                                         {"differ", f.differ}});
             if (!options.json)
-                fmt::print("  {:8} {:>8} in flight: {:6.2f} Mray/s, Embree {:6.2f}, ratio {:.2f} ({:.2f} to {:.2f}), of processor time {:.2f}; {:.4f} % differ\n", kind,
-                           batch, f.ours, f.embree, f.ratio, f.low, f.high, f.cpuRatio, 100 * f.differ);
+                fmt::print(
+                    "  {:8} {:>8} in flight: {:6.2f} Mray/s, Embree {:6.2f}, ratio {:.2f} ({:.2f} to {:.2f}), of processor time {:.2f}; "
+                    "{:.4f} % differ\n",
+                    kind, batch, f.ours, f.embree, f.ratio, f.low, f.high, f.cpuRatio, 100 * f.differ);
             std::fflush(stdout);
         }
     }
@@ -150,7 +176,10 @@ int main(int argc, char** argv) {
     CLI11_PARSE(app, argc, argv);
 
     const Context context(chooseDevice(options.device));
-    nlohmann::json report{{"device", context.device().name}, {"robust", options.robust}, {"local_size", options.shape.localSize}, {"run", options.shape.itemsPerWorkItem}};
+    nlohmann::json report{{"device", context.device().name},
+                          {"robust", options.robust},
+                          {"local_size", options.shape.localSize},
+                          {"run", options.shape.itemsPerWorkItem}};
     for (const std::string& name : options.scenes) runScene(context, name, options, report);
     if (options.json) fmt::print("{}\n", report.dump(2));
 }

@@ -96,7 +96,11 @@ AreaCase ellipsoidCase(bool part) {
         const double phi = 2 * M_PI * u * extent, z = low + v * (high - low), r = std::sqrt(std::max(1 - z * z, 0.));
         return toGlm(l.p) + r * std::cos(phi) * toGlm(l.a) + r * std::sin(phi) * toGlm(l.b) + z * toGlm(l.c);
     };
-    return {part ? "ellipsoid_part_inwards" : "ellipsoid", l, surface, glm::dvec3(0), {{0.05f, 0.2f, part ? 0.3f : 1.8f}, {1.5f, -1, 0.7f}, {0, 20, 30}}};
+    return {part ? "ellipsoid_part_inwards" : "ellipsoid",
+            l,
+            surface,
+            glm::dvec3(0),
+            {{0.05f, 0.2f, part ? 0.3f : 1.8f}, {1.5f, -1, 0.7f}, {0, 20, 30}}};
 }
 
 class AreaLights : public testing::TestWithParam<AreaCase> {};
@@ -114,11 +118,14 @@ std::array<double, momentCount> integrate(const AreaCase& c, glm::dvec3 p) {
     for (int i = 0; i < steps; ++i)
         for (int j = 0; j < steps; ++j) {
             const double u = (i + 0.5) / steps, v = (j + 0.5) / steps;
-            const glm::dvec3 q = c.surface(u, v), du = (c.surface(u + h, v) - c.surface(u - h, v)) / (2 * h), dv = (c.surface(u, v + h) - c.surface(u, v - h)) / (2 * h);
+            const glm::dvec3 q = c.surface(u, v), du = (c.surface(u + h, v) - c.surface(u - h, v)) / (2 * h),
+                             dv = (c.surface(u, v + h) - c.surface(u, v - h)) / (2 * h);
             glm::dvec3 area = glm::cross(du, dv);
             const bool isRound = c.l.kind == kind_cylinder_light || c.l.kind == kind_ellipsoid_light;
             if (isRound) area *= c.l.n.x;
-            const glm::dvec3 side = isRound ? area : c.l.kind == kind_sphere_light ? (q - toGlm(c.l.p)) * static_cast<double>(c.l.n.x) : c.outward;
+            const glm::dvec3 side = isRound                         ? area
+                                    : c.l.kind == kind_sphere_light ? (q - toGlm(c.l.p)) * static_cast<double>(c.l.n.x)
+                                                                    : c.outward;
             if (glm::dot(area, side) < 0) area = -area;
             const glm::dvec3 to = q - p;
             const double distance = glm::length(to), facing = -glm::dot(area, to) / distance;
@@ -152,7 +159,8 @@ TEST_P(AreaLights, SamplesFollowTheirDensityOverSolidAngle) {
         const auto expected = integrate(c, toGlm(p));
         for (size_t k = 0; k < momentCount; ++k) {
             const Estimate e = estimates[k].estimate();
-            EXPECT_NEAR(e.mean, expected[k], 4 * e.error + 1e-3 * expected[0]) << "moment " << k << " from " << p.x << " " << p.y << " " << p.z;
+            EXPECT_NEAR(e.mean, expected[k], 4 * e.error + 1e-3 * expected[0])
+                << "moment " << k << " from " << p.x << " " << p.y << " " << p.z;
         }
     }
 }
@@ -191,7 +199,8 @@ TEST_P(AreaLights, SamplesLieOnTheLight) {
 /// From behind, light that is emitted on one side only does not arrive.
 TEST_P(AreaLights, OneSideIsDark) {
     const AreaCase& c = GetParam();
-    if (c.l.kind == kind_sphere_light || c.l.kind == kind_cylinder_light || c.l.kind == kind_ellipsoid_light || c.name == "bilinear_curved") GTEST_SKIP() << "has no plane to be behind of";
+    if (c.l.kind == kind_sphere_light || c.l.kind == kind_cylinder_light || c.l.kind == kind_ellipsoid_light || c.name == "bilinear_curved")
+        GTEST_SKIP() << "has no plane to be behind of";
     Random random(43);
     const auto u = generate(64, [&] { return random.unit(); });
     const auto v = generate(64, [&] { return random.square(); });
@@ -199,8 +208,11 @@ TEST_P(AreaLights, OneSideIsDark) {
     for (const LightResult& r : sample(sceneOf(c.l), behind, u, v)) ASSERT_EQ(r.pdf > 0, c.l.two_sided != 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lights, AreaLights, testing::Values(triangleCase(false), triangleCase(true), bilinearCase(true), bilinearCase(false), sphereCase(false),
-                                                             sphereCase(true), diskCase(false), diskCase(true), cylinderCase(false), cylinderCase(true), ellipsoidCase(false), ellipsoidCase(true)), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Lights, AreaLights,
+                         testing::Values(triangleCase(false), triangleCase(true), bilinearCase(true), bilinearCase(false),
+                                         sphereCase(false), sphereCase(true), diskCase(false), diskCase(true), cylinderCase(false),
+                                         cylinderCase(true), ellipsoidCase(false), ellipsoidCase(true)),
+                         [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace eikonal

@@ -14,7 +14,9 @@ namespace eikonal {
 
 std::vector<BsdfKind> bsdfKinds() {
     std::vector<BsdfKind> kinds;
-    const auto words = [](const std::string& type, size_t inRgb, bool spectral) { return type == "spectrum" && spectral ? size_t{CHANNELS_SPECTRAL} : inRgb; };
+    const auto words = [](const std::string& type, size_t inRgb, bool spectral) {
+        return type == "spectrum" && spectral ? size_t{CHANNELS_SPECTRAL} : inRgb;
+    };
 #define ADD_PARAMETER(q, type, name, FEATURE) kind.parameters.push_back({#type, #name, words(#type, WORDS_##type, spectral)});
 #define ADD_KIND(bsdf, FEATURE, PARAMETERS) { BsdfKind kind{#bsdf, spectral, {}}; PARAMETERS(ADD_PARAMETER, bsdf) if (hasKernelFile("bsdf/" #bsdf ".clh")) kinds.push_back(kind); }
     for (bool spectral : {false, true}) { BSDFS(ADD_KIND) }
@@ -23,17 +25,22 @@ std::vector<BsdfKind> bsdfKinds() {
     return kinds;
 }
 
-static float pick(Random& random, std::initializer_list<float> values) { return values.begin()[random.below(static_cast<uint>(values.size()))]; }
+static float pick(Random& random, std::initializer_list<float> values) {
+    return values.begin()[random.below(static_cast<uint>(values.size()))];
+}
 
 static float drawFloat(const BsdfParameter& p, Range range, Random& random) {
     const bool smooth = range == Range::smooth;
     const std::string& n = p.name;
-    if (n == "eta" && p.type == "float") return smooth ? (random.below(2) ? random.between(1.1f, 2.5f) : 1 / random.between(1.1f, 2.5f)) : pick(random, {1.0f, 1.0001f, 0.9999f, 3.0f, 0.3f, 1.5f});
+    if (n == "eta" && p.type == "float")
+        return smooth ? (random.below(2) ? random.between(1.1f, 2.5f) : 1 / random.between(1.1f, 2.5f))
+                      : pick(random, {1.0f, 1.0001f, 0.9999f, 3.0f, 0.3f, 1.5f});
     if (n == "eta") return smooth ? random.between(0.1f, 4) : pick(random, {1e-3f, 0.05f, 1, 10});
     if (n == "k") return smooth ? random.between(0, 8) : pick(random, {0, 1e-3f, 1, 30});
     if (n.starts_with("alpha")) return smooth ? random.logBetween(0.15f, 1) : pick(random, {0, MIN_ALPHA, 0.01f, 0.3f, 1});
     if (n == "metallic" || n == "coat" || n == "sheen") return smooth ? random.unit() : pick(random, {0, 1});
-    if (n == "coat_alpha" || n == "metal_alpha_x" || n == "metal_alpha_y") return smooth ? random.logBetween(0.15f, 1) : pick(random, {0, MIN_ALPHA, 0.01f, 0.3f, 1});
+    if (n == "coat_alpha" || n == "metal_alpha_x" || n == "metal_alpha_y")
+        return smooth ? random.logBetween(0.15f, 1) : pick(random, {0, MIN_ALPHA, 0.01f, 0.3f, 1});
     if (n == "metal_eta") return smooth ? random.between(0.1f, 4) : pick(random, {1e-3f, 0.05f, 1, 10});
     if (n == "metal_k") return smooth ? random.between(0, 8) : pick(random, {0, 1e-3f, 1, 30});
     if (n == "sigma_a") return smooth ? random.between(0, 3) : pick(random, {0, 1e-3f, 30, 200});
@@ -51,7 +58,10 @@ std::vector<uint> drawParameters(const BsdfKind& kind, Range range, Random& rand
     float room = 1;   /* what reflectance leaves for transmittance */
     for (const BsdfParameter& p : kind.parameters)
         for (size_t w = 0; w < p.words; ++w) {
-            if (p.type == "uint") { words.push_back(p.name == "file" ? 0 : p.name == "samples" ? 1 : range == Range::smooth ? 10 : 1 + random.below(100)); continue; }
+            if (p.type == "uint") {
+                words.push_back(p.name == "file" ? 0 : p.name == "samples" ? 1 : range == Range::smooth ? 10 : 1 + random.below(100));
+                continue;
+            }
             float value = drawFloat(p, range, random);
             /* Total reflection from outside cuts the density off, which the tests' grids of directions do not resolve */
             if (kind.name == "subsurface_exit" && p.name == "eta" && range == Range::smooth) value = std::max(value, 1 / value);
@@ -67,7 +77,8 @@ std::string describeParameters(const BsdfKind& kind, const std::vector<uint>& wo
     size_t at = 0;
     for (const BsdfParameter& p : kind.parameters)
         for (size_t w = 0; w < p.words; ++w, ++at)
-            text += p.type == "uint" ? fmt::format(" {} {}", p.name, words[at]) : fmt::format(" {} {}", p.name, std::bit_cast<float>(words[at]));
+            text += p.type == "uint" ? fmt::format(" {} {}", p.name, words[at])
+                                     : fmt::format(" {} {}", p.name, std::bit_cast<float>(words[at]));
     return text + ")";
 }
 
@@ -87,7 +98,8 @@ static PackedScene packMeasured(ColorMode color) {
     measured.isotropic = false;
     measured.reflectance = [](double) { return 0.7; };
     measured.write(file.string());
-    PackedScene scene = packText("WorldBegin\nMaterial \"measured\" \"string filename\" \"" + file.string() + "\"\nShape \"sphere\"\n", color);
+    PackedScene scene =
+        packText("WorldBegin\nMaterial \"measured\" \"string filename\" \"" + file.string() + "\"\nShape \"sphere\"\n", color);
     std::filesystem::remove(file);
     return scene;
 }

@@ -23,7 +23,8 @@ enum class Range { smooth, extreme };
 /// One set of parameters. A parameter of an unknown name is a number in [0, 1].
 std::vector<uint> drawParameters(const BsdfKind& kind, Range range, Random& random);
 
-/// What the device computes for one set of parameters, wo, (lobe, u) and another direction. Of four wavelengths, the first, second and last.
+/// What the device computes for one set of parameters, wo, (lobe, u) and another direction. Of four wavelengths, the first, second and
+/// last.
 struct BsdfResult {
     vec3 wi; spectrum weight; float pdf; int isDelta; float eta;   ///< sample_x
     spectrum f, fBack; float pdfHere;                              ///< eval_x(wo, wi), eval_x(wi, wo), pdf_x(wo, wi) at that wi

@@ -51,13 +51,16 @@ protected:
     /// n items, each with parameters and directions of its own.
     BsdfInputs various(size_t n, Range range, float lowest) {
         BsdfInputs in;
-        for (size_t i = 0; i < n; ++i) in.add(drawParameters(kind(), range, random), drawDirection(random, lowest), random.direction(), random);
+        for (size_t i = 0; i < n; ++i)
+            in.add(drawParameters(kind(), range, random), drawDirection(random, lowest), random.direction(), random);
         return in;
     }
     std::string describeItem(const BsdfInputs& in, size_t i) const {
         const size_t w = in.parameters.words;
-        return describeParameters(kind(), {in.parameters.data.begin() + static_cast<long>(i * w), in.parameters.data.begin() + static_cast<long>((i + 1) * w)}) +
-               " wo " + describe(in.wo[i]) + " lobe " + std::to_string(in.lobe[i]) + " u " + std::to_string(in.u[i].x) + " " + std::to_string(in.u[i].y);
+        return describeParameters(kind(), {in.parameters.data.begin() + static_cast<long>(i * w),
+                                           in.parameters.data.begin() + static_cast<long>((i + 1) * w)}) +
+               " wo " + describe(in.wo[i]) + " lobe " + std::to_string(in.lobe[i]) + " u " + std::to_string(in.u[i].x) + " " +
+               std::to_string(in.u[i].y);
     }
 };
 
@@ -110,7 +113,8 @@ TEST_P(EveryBsdf, IsReciprocal) {
         if (r.kindIsDelta || largest(r.weight) == 0 || std::fabs(r.wi.z) < 1e-2f) continue;
         const double squeeze = static_cast<double>(r.eta) * r.eta;
         for (int c = 0; c < 3; ++c)
-            ASSERT_NEAR(channels(r.f)[c] * squeeze, channels(r.fBack)[c], 1e-2 * channels(r.fBack)[c] + 1e-6) << describeItem(in, i) << " wi " << describe(r.wi);
+            ASSERT_NEAR(channels(r.f)[c] * squeeze, channels(r.fBack)[c], 1e-2 * channels(r.fBack)[c] + 1e-6)
+                << describeItem(in, i) << " wi " << describe(r.wi);
     }
 }
 
@@ -129,15 +133,19 @@ int cellOf(vec3 w) {
 struct Quadrature { std::vector<vec3> directions; std::vector<double> weights; };
 const Quadrature& quadrature() {
     static const Quadrature q = [] {
-        constexpr double x[points] = {-0.9324695142031521, -0.6612093864662645, -0.2386191860831969, 0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
-        constexpr double w[points] = {0.1713244923791704, 0.3607615730481386, 0.4679139345726910, 0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
+        constexpr double x[points] = {-0.9324695142031521, -0.6612093864662645, -0.2386191860831969,
+                                      0.2386191860831969,  0.6612093864662645,  0.9324695142031521};
+        constexpr double w[points] = {0.1713244923791704, 0.3607615730481386, 0.4679139345726910,
+                                      0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
         Quadrature made;
         const double area = 4 * M_PI / (rows * columns);
         for (int cell = 0; cell < rows * columns; ++cell)
             for (int k = 0; k < points * points; ++k) {
-                const double z = (cell / columns + (x[k / points] + 1) / 2) * 2 / rows - 1, phi = (cell % columns + (x[k % points] + 1) / 2) * 2 * M_PI / columns;
+                const double z = (cell / columns + (x[k / points] + 1) / 2) * 2 / rows - 1,
+                             phi = (cell % columns + (x[k % points] + 1) / 2) * 2 * M_PI / columns;
                 const double r = std::sqrt(1 - z * z);
-                made.directions.push_back({static_cast<float>(r * std::cos(phi)), static_cast<float>(r * std::sin(phi)), static_cast<float>(z)});
+                made.directions.push_back(
+                    {static_cast<float>(r * std::cos(phi)), static_cast<float>(r * std::sin(phi)), static_cast<float>(z)});
                 made.weights.push_back(area * w[k / points] * w[k % points] / 4);
             }
         return made;
@@ -283,7 +291,8 @@ TEST_P(EveryBsdf, SplitsBetweenReflectionAndTransmission) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bsdfs, EveryBsdf, testing::ValuesIn(bsdfKinds()), [](const auto& info) { return info.param.name + (info.param.spectral ? "_spectral" : ""); });
+INSTANTIATE_TEST_SUITE_P(Bsdfs, EveryBsdf, testing::ValuesIn(bsdfKinds()),
+                         [](const auto& info) { return info.param.name + (info.param.spectral ? "_spectral" : ""); });
 
 }  // namespace
 }  // namespace eikonal

@@ -15,8 +15,11 @@ void expectBuilds(const std::string& stage, Features features, const std::string
     for (int environments : {0, 2}) {
         if (!program.row->requirement.isMet(features, {.environments = environments})) continue;
         const BuildSettings settings = shippedSettings(features, {.environments = environments});
-        try { testCompiler().build(program.text, program.row->name, settings); }
-        catch (const std::exception& error) { ADD_FAILURE() << stage << " with " << what << " and " << environments << " environments: " << std::string(error.what()).substr(0, 1500); }
+        try { testCompiler().build(program.text, program.row->name, settings);
+        } catch (const std::exception& error) {
+            ADD_FAILURE() << stage << " with " << what << " and " << environments
+                          << " environments: " << std::string(error.what()).substr(0, 1500);
+        }
         if (what != "all features") break;
     }
 }
@@ -33,7 +36,8 @@ TEST_P(Builds, WithNothingAndWithEverything) {
 class SlowBuilds : public testing::TestWithParam<std::string> {};
 
 TEST_P(SlowBuilds, WithEachFeatureAlone) {
-    for (size_t f = 0; f < featureCount; ++f) expectBuilds(GetParam(), Features().require(static_cast<Feature>(f)), featureName(static_cast<Feature>(f)));
+    for (size_t f = 0; f < featureCount; ++f)
+        expectBuilds(GetParam(), Features().require(static_cast<Feature>(f)), featureName(static_cast<Feature>(f)));
 }
 
 /// A program with its own poison of new items builds too: what the stage tests run.

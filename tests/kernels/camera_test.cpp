@@ -77,7 +77,9 @@ TEST(Camera, PinholeRaysCoverTheirPixel) {
 /// through the lens's centre.
 TEST(Camera, LensRaysMeetInThePlaneOfFocus) {
     Accumulator radius;
-    for (const CameraSample& r : drawRays(std::string(view) + "Camera \"perspective\" \"float fov\" 90 \"float lensradius\" 0.2 \"float focaldistance\" 4", 12, 7, 4096)) {
+    for (const CameraSample& r :
+         drawRays(std::string(view) + "Camera \"perspective\" \"float fov\" 90 \"float lensradius\" 0.2 \"float focaldistance\" 4", 12, 7,
+                  4096)) {
         const double distance = std::hypot(r.o.x, r.o.y);
         ASSERT_NEAR(r.o.z, 0, 1e-5);
         ASSERT_LE(distance, 0.2 + 1e-5);
@@ -103,13 +105,15 @@ TEST(Camera, OrthographicRaysAreParallel) {
 /// Both mappings of the sphere: the camera's y is up, longitudes run from x through z.
 TEST(Camera, SphericalRaysAreThoseOfTheMapping) {
     for (const bool equalArea : {true, false}) {
-        const std::string head = std::string(view) + "Camera \"spherical\" \"string mapping\" \"" + (equalArea ? "equalarea" : "equirectangular") + "\"";
+        const std::string head =
+            std::string(view) + "Camera \"spherical\" \"string mapping\" \"" + (equalArea ? "equalarea" : "equirectangular") + "\"";
         for (const auto& [x, y] : {std::pair<uint, uint>{0, 0}, {39, 29}, {20, 11}, {3, 28}})
             for (const CameraSample& r : drawRays(head, x, y, 256)) {
                 ASSERT_LT(glm::length(r.o), 1e-5);
                 const glm::dvec3 d = glm::normalize(r.ray), globe(d.x, d.z, d.y);
                 const double longitude = std::atan2(globe.y, globe.x) / (2 * M_PI);
-                const glm::dvec2 square = equalArea ? squareFromDirection(globe) : glm::dvec2(longitude < 0 ? longitude + 1 : longitude, std::acos(globe.z) / M_PI);
+                const glm::dvec2 square = equalArea ? squareFromDirection(globe)
+                                                    : glm::dvec2(longitude < 0 ? longitude + 1 : longitude, std::acos(globe.z) / M_PI);
                 const glm::dvec2 p = square * glm::dvec2(40, 30) - glm::dvec2(x, y);
                 ASSERT_GT(std::min(p.x, p.y), -1e-3) << x << " " << y;
                 ASSERT_LT(std::max(p.x, p.y), 1 + 1e-3) << x << " " << y;
@@ -119,7 +123,10 @@ TEST(Camera, SphericalRaysAreThoseOfTheMapping) {
 
 /// Filters reach beyond the edges of the sphere's image: on over the sphere, not back.
 TEST(Camera, SphericalRaysGoOnBeyondTheEdge) {
-    const DeviceFunction<vec2> wrap({.include = "math/equal_area.clh", .type = "vec2", .body = "result = equal_area_square(equal_area_sphere(wrap_equal_area(p)));", .inputs = {"vec2 p"}});
+    const DeviceFunction<vec2> wrap({.include = "math/equal_area.clh",
+                                     .type = "vec2",
+                                     .body = "result = equal_area_square(equal_area_sphere(wrap_equal_area(p)));",
+                                     .inputs = {"vec2 p"}});
     const std::vector<vec2> outside{{-0.01f, 0.3f}, {1.02f, 0.9f}, {0.4f, -0.03f}, {0.7f, 1.01f}, {0.2f, 0.6f}};
     const std::vector<vec2> expected{{0.01f, 0.7f}, {0.98f, 0.1f}, {0.6f, 0.03f}, {0.3f, 0.99f}, {0.2f, 0.6f}};
     const auto results = wrap(outside);
@@ -135,7 +142,8 @@ struct LensResult { vec3 o, d; float importance; };
 TEST(Camera, RealisticRaysGoThroughEachElement) {
     const std::string file = std::filesystem::temp_directory_path() / ("eikonal-lens-" + std::to_string(getpid()) + ".dat");
     std::ofstream(file) << "30 5 1.6 24\n80 3 1 24\n0 3 0 14\n-25 1.5 1.7 16\n40 2 1 18\n60 4 1.65 20\n-35 30 1 20\n";
-    const std::string head = std::string(view) + "Camera \"realistic\" \"string lensfile\" \"" + file + "\" \"float aperturediameter\" 9 \"float focusdistance\" 3";
+    const std::string head = std::string(view) + "Camera \"realistic\" \"string lensfile\" \"" + file +
+                             "\" \"float aperturediameter\" 9 \"float focusdistance\" 3";
     Diagnostics diagnostics(LogLevel::silent);
     const Scene described = readPbrtText(head + "\nWorldBegin\n", "test.pbrt", ".", diagnostics);
     const LensSystem lens(described.camera, described.film.diagonal);
@@ -143,10 +151,15 @@ TEST(Camera, RealisticRaysGoThroughEachElement) {
     std::filesystem::remove(file);
     const camera& view = scene.frame().view;
 
-    const DeviceFunction<LensResult> function({.include = "camera/camera.clh", .type = "lens_result",
-        .body = "camera_tables tables = BIND_CAMERA; camera_ray r = generate_realistic(tables, frame, film.x, film.y, u); result.o = r.o; result.d = r.d; result.importance = r.importance;",
-        .inputs = {"vec2 film", "vec2 u"}, .declarations = "typedef struct { vec3 o, d; float importance; } lens_result;",
-        .tables = "CAMERA_TABLES(TABLE) ARGUMENT(__global const settings *, frame)", .features = scene.features});
+    const DeviceFunction<LensResult> function(
+        {.include = "camera/camera.clh",
+         .type = "lens_result",
+         .body = "camera_tables tables = BIND_CAMERA; camera_ray r = generate_realistic(tables, frame, film.x, film.y, u); result.o = r.o; "
+                 "result.d = r.d; result.importance = r.importance;",
+         .inputs = {"vec2 film", "vec2 u"},
+         .declarations = "typedef struct { vec3 o, d; float importance; } lens_result;",
+         .tables = "CAMERA_TABLES(TABLE) ARGUMENT(__global const settings *, frame)",
+         .features = scene.features});
     constexpr size_t n = 8192;
     Random random(2);
     const auto film = generate(n, [&] { return vec2{random.between(-0.014f, 0.014f), random.between(-0.0105f, 0.0105f)}; });
@@ -157,18 +170,22 @@ TEST(Camera, RealisticRaysGoThroughEachElement) {
     size_t passed = 0, edges = 0;
     for (size_t i = 0; i < n; ++i) {
         const double x = static_cast<double>(film[i].x), y = static_cast<double>(film[i].y), distance = std::hypot(x, y);
-        const size_t interval = std::min<size_t>(static_cast<size_t>(distance / static_cast<double>(view.film_radius) * PUPIL_INTERVALS), PUPIL_INTERVALS - 1);
+        const size_t interval =
+            std::min<size_t>(static_cast<size_t>(distance / static_cast<double>(view.film_radius) * PUPIL_INTERVALS), PUPIL_INTERVALS - 1);
         const pupil_bounds& b = scene.tables.pupils[interval];
         const glm::dvec2 size(static_cast<double>(b.high_x - b.low_x), static_cast<double>(b.high_y - b.low_y));
-        const glm::dvec2 p(static_cast<double>(b.low_x) + static_cast<double>(u[i].x) * size.x, static_cast<double>(b.low_y) + static_cast<double>(u[i].y) * size.y);
-        const glm::dvec3 rear(p.x * x / distance - p.y * y / distance, p.x * y / distance + p.y * x / distance, lens.rearZ()), start(x, y, 0);
+        const glm::dvec2 p(static_cast<double>(b.low_x) + static_cast<double>(u[i].x) * size.x,
+                           static_cast<double>(b.low_y) + static_cast<double>(u[i].y) * size.y);
+        const glm::dvec3 rear(p.x * x / distance - p.y * y / distance, p.x * y / distance + p.y * x / distance, lens.rearZ()),
+            start(x, y, 0);
         const auto out = lens.fromFilm({start, rear - start});
         const bool passes = results[i].importance > 0;
         passed += passes;
         if (out.has_value() != passes) { ++edges; continue; }
         if (!out) continue;
         const double cosine = glm::normalize(rear - start).z;
-        ASSERT_NEAR(results[i].importance, std::pow(cosine, 4) * size.x * size.y / (lens.rearZ() * lens.rearZ()), 1e-4 * results[i].importance);
+        ASSERT_NEAR(results[i].importance, std::pow(cosine, 4) * size.x * size.y / (lens.rearZ() * lens.rearZ()),
+                    1e-4 * results[i].importance);
         ASSERT_LT(glm::length(glm::dvec3(results[i].o.x, results[i].o.y, results[i].o.z) - out->o), 1e-6);
         ASSERT_LT(glm::length(glm::dvec3(results[i].d.x, results[i].d.y, results[i].d.z) - out->d), 1e-5);
     }
@@ -178,8 +195,9 @@ TEST(Camera, RealisticRaysGoThroughEachElement) {
 
 /// A camera that moves is where the motion is at the sample's time, which is spread evenly over the shutter's.
 TEST(Camera, MovingRaysStartWhereTheCameraIs) {
-    const std::string head = "TransformTimes 1 3 ActiveTransform EndTime Translate 0 0 -4 ActiveTransform All\n" + std::string(view) +
-                             "Camera \"orthographic\" \"float screenwindow\" [ -1e-6 1e-6 -1e-6 1e-6 ] \"float shutteropen\" 1.5 \"float shutterclose\" 2.5";
+    const std::string head =
+        "TransformTimes 1 3 ActiveTransform EndTime Translate 0 0 -4 ActiveTransform All\n" + std::string(view) +
+        "Camera \"orthographic\" \"float screenwindow\" [ -1e-6 1e-6 -1e-6 1e-6 ] \"float shutteropen\" 1.5 \"float shutterclose\" 2.5";
     std::vector<double> counts(16), expected(16, 256.0);
     for (const CameraSample& r : drawRays(head, 5, 5, 4096)) {
         /* In the space of where it starts: it goes 4 units along its own axis in all */
@@ -211,7 +229,8 @@ TEST_P(Filters, AreSampledByImportance) {
         integral += value;
         size += std::abs(value);
     }
-    /* The device holds 64 cells of constant density: what 48 cells expect of it differs by their slopes, as little as the tolerance below */
+    /* The device holds 64 cells of constant density: what 48 cells expect of it differs by their slopes, as little as the tolerance below
+     */
     Accumulator weight, x;
     for (const CameraSample& r : rays) {
         const double offset = pixelOf({r.d.x, r.d.y}).x - 20.5;
@@ -236,13 +255,16 @@ double mitchell(double x) {
     return ((-B - 6 * C) * t * t * t + (6 * B + 30 * C) * t * t + (-12 * B - 48 * C) * t + 8 * B + 24 * C) / 6;
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, Filters, testing::Values(
-    FilterCase{"box", "PixelFilter \"box\" \"float xradius\" 1 \"float yradius\" 1", 1, [](double) { return 1.0; }},
-    FilterCase{"triangle", "PixelFilter \"triangle\" \"float xradius\" 2 \"float yradius\" 2", 2, [](double x) { return 2 - std::abs(x); }},
-    FilterCase{"gaussian", "PixelFilter \"gaussian\" \"float xradius\" 1.5 \"float yradius\" 1.5 \"float sigma\" 0.5", 1.5,
-               [](double x) { return std::exp(-2 * x * x) - std::exp(-2 * 2.25); }},
-    FilterCase{"mitchell", "PixelFilter \"mitchell\" \"float xradius\" 2 \"float yradius\" 2", 2, mitchell},
-    FilterCase{"sinc", "PixelFilter \"sinc\" \"float xradius\" 4 \"float yradius\" 4 \"float tau\" 3", 4, [](double x) { return std::abs(x) < 4 ? sinc(x) * sinc(x / 3) : 0; }}),
+INSTANTIATE_TEST_SUITE_P(
+    Kinds, Filters,
+    testing::Values(FilterCase{"box", "PixelFilter \"box\" \"float xradius\" 1 \"float yradius\" 1", 1, [](double) { return 1.0; }},
+                    FilterCase{"triangle", "PixelFilter \"triangle\" \"float xradius\" 2 \"float yradius\" 2", 2,
+                               [](double x) { return 2 - std::abs(x); }},
+                    FilterCase{"gaussian", "PixelFilter \"gaussian\" \"float xradius\" 1.5 \"float yradius\" 1.5 \"float sigma\" 0.5", 1.5,
+                               [](double x) { return std::exp(-2 * x * x) - std::exp(-2 * 2.25); }},
+                    FilterCase{"mitchell", "PixelFilter \"mitchell\" \"float xradius\" 2 \"float yradius\" 2", 2, mitchell},
+                    FilterCase{"sinc", "PixelFilter \"sinc\" \"float xradius\" 4 \"float yradius\" 4 \"float tau\" 3", 4,
+                               [](double x) { return std::abs(x) < 4 ? sinc(x) * sinc(x / 3) : 0; }}),
     [](const auto& info) { return info.param.name; });
 
 }  // namespace

@@ -30,27 +30,34 @@ struct Colors {
 
 /// Values of colours at wavelengths.
 std::vector<Four> evaluate(const PackedScene& scene, const std::vector<color>& colors, const std::vector<Four>& lambda) {
-    static const DeviceFunction<Four> function({.include = "shade/color.clh", .type = "spectrum", .body = R"(
+    static const DeviceFunction<Four> function({.include = "shade/color.clh",
+                                                .type = "spectrum",
+                                                .body = R"(
         sampled_wavelengths p = {curves, uplift, lambda};
-        result = eval_color(p, c);)", .inputs = {"color c", "spectrum lambda"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::allSpectral()});
+        result = eval_color(p, c);)",
+                                                .inputs = {"color c", "spectrum lambda"},
+                                                .tables = "COLOR_TABLES(TABLE)",
+                                                .features = Features::allSpectral()});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, colors, lambda);
 }
 
 TEST(Color, IsTheSpectrumThatTheSceneGave) {
     Colors tables;
-    const Spectrum copper = Spectrum::sampled(namedSpectrum("metal-Cu-k")), lamp = Spectrum::blackbody(3000) * 7, fog = Spectrum::rgb({.2, 3, 1}),
-                   wall = Spectrum::rgb({.8, .3, .05}), grey = Spectrum::constant(.4);
+    const Spectrum copper = Spectrum::sampled(namedSpectrum("metal-Cu-k")), lamp = Spectrum::blackbody(3000) * 7,
+                   fog = Spectrum::rgb({.2, 3, 1}), wall = Spectrum::rgb({.8, .3, .05}), grey = Spectrum::constant(.4);
     const DenseCurve k = copper.dense(), glow = lamp.dense(), density = fog.dense();
     const double luminance = integrateXyz(glow).y;
     const SmoothReflectance paint = upliftReflectance({.8, .3, .05}, ColorSpace::srgb);
-    const std::vector<color> colors{packCoefficient(tables.packer, copper), packEmission(tables.packer, lamp, 2), packCoefficient(tables.packer, fog, .5),
-                                    packReflectance(tables.packer, wall), packReflectance(tables.packer, grey)};
+    const std::vector<color> colors{packCoefficient(tables.packer, copper), packEmission(tables.packer, lamp, 2),
+                                    packCoefficient(tables.packer, fog, .5), packReflectance(tables.packer, wall),
+                                    packReflectance(tables.packer, grey)};
     for (float lambda : {360.f, 411.f, 500.f, 555.f, 640.f, 830.f}) {
         const int i = static_cast<int>(lambda) - shortestWavelength;
         const double expected[] = {k[i], glow[i] / luminance * 7 * 2, density[i] * .5, paint(lambda), .4};
         const auto values = evaluate(tables.packed, colors, std::vector<Four>(colors.size(), Four{700, 600, 500, lambda}));
-        for (size_t c = 0; c < colors.size(); ++c) EXPECT_NEAR(values[c].x, expected[c], 2e-4 * std::abs(expected[c]) + 1e-6) << "color " << c << " at " << lambda;
+        for (size_t c = 0; c < colors.size(); ++c)
+            EXPECT_NEAR(values[c].x, expected[c], 2e-4 * std::abs(expected[c]) + 1e-6) << "color " << c << " at " << lambda;
     }
 }
 
@@ -58,12 +65,26 @@ TEST(Color, IsTheSpectrumThatTheSceneGave) {
 TEST(Color, OfATexelIsThatOfTheTable) {
     Colors tables;
     packUplift(tables.packer);
-    static const DeviceFunction<Four> function({.include = "shade/color.clh", .type = "spectrum", .body = R"(
+    static const DeviceFunction<Four> function({.include = "shade/color.clh",
+                                                .type = "spectrum",
+                                                .body = R"(
         sampled_wavelengths p = {curves, uplift, lambda};
-        result = uplift_albedo(p, c.x, c.y, c.z);)", .inputs = {"vec3 c", "spectrum lambda"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::allSpectral()});
+        result = uplift_albedo(p, c.x, c.y, c.z);)",
+                                                .inputs = {"vec3 c", "spectrum lambda"},
+                                                .tables = "COLOR_TABLES(TABLE)",
+                                                .features = Features::allSpectral()});
     Random random(61);
     std::vector<vec3> colors = generate(500, [&] { return vec3{random.unit(), random.unit(), random.unit()}; });
-    colors.insert(colors.end(), {{0, 0, 0}, {1, 1, 1}, {1, 0, 0}, {0, 1, 1}, {1e-6f, 0, 2e-6f}, {.3f, .3f, .3f}, {3, 2, 0}, {-.2f, .6f, .1f}, {.5f, -3, -1}, {-1, -2, -3}});
+    colors.insert(colors.end(), {{0, 0, 0},
+                                 {1, 1, 1},
+                                 {1, 0, 0},
+                                 {0, 1, 1},
+                                 {1e-6f, 0, 2e-6f},
+                                 {.3f, .3f, .3f},
+                                 {3, 2, 0},
+                                 {-.2f, .6f, .1f},
+                                 {.5f, -3, -1},
+                                 {-1, -2, -3}});
     const DeviceScene onDevice(testContext(), tables.packed);
     const auto values = function.with(onDevice, colors, std::vector<Four>(colors.size(), Four{420, 500, 580, 660}));
     for (size_t i = 0; i < colors.size(); ++i) {
@@ -76,13 +97,19 @@ TEST(Color, OfATexelIsThatOfTheTable) {
     }
 }
 
-/// Over the samples of a pixel, the film makes of light of a colour that colour; wavelengths have the density that they say, or white would not be 1.
+/// Over the samples of a pixel, the film makes of light of a colour that colour; wavelengths have the density that they say, or white would
+/// not be 1.
 TEST(Color, ComesBackFromItsWavelengths) {
     Colors tables;
-    static const DeviceFunction<vec3> function({.include = "shade/color.clh", .type = "rgb", .body = R"(
+    static const DeviceFunction<vec3> function({.include = "shade/color.clh",
+                                                .type = "rgb",
+                                                .body = R"(
         color_tables set = BIND_COLORS;
         sampled_wavelengths p = path_wavelengths(set, 77u, sample);
-        result = color_seen(p, from, eval_color(p, c));)", .inputs = {"color c", "uint sample", "uint from"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::allSpectral()});
+        result = color_seen(p, from, eval_color(p, c));)",
+                                                .inputs = {"color c", "uint sample", "uint from"},
+                                                .tables = "COLOR_TABLES(TABLE)",
+                                                .features = Features::allSpectral()});
     const uint light = tables.packed.frame().sensor_curves, surface = tables.packed.frame().albedo_curves;
     struct Case { color c; uint from; glm::dvec3 expected; };
     const Case cases[] = {{packEmission(tables.packer, Spectrum::rgb({1, 1, 1})), light, {1, 1, 1}},
@@ -98,23 +125,36 @@ TEST(Color, ComesBackFromItsWavelengths) {
         for (const vec3& v : function.with(onDevice, std::vector<color>(samples, test.c), numbers, std::vector<uint>(samples, test.from)))
             sum += glm::dvec3(v.x, v.y, v.z) / static_cast<double>(samples);
         /* Stratified over the distribution: far less than the standard error of independent wavelengths, which is 0.6 / sqrt(8192) */
-        for (int channel = 0; channel < 3; ++channel) EXPECT_NEAR(sum[channel], test.expected[channel], 2e-3 * std::max(1.0, test.expected[channel])) << channel;
+        for (int channel = 0; channel < 3; ++channel)
+            EXPECT_NEAR(sum[channel], test.expected[channel], 2e-3 * std::max(1.0, test.expected[channel])) << channel;
     }
 }
 
-/// Where a film's wavelengths are: as many within its range as it says, evenly; and one over the density of each is such that their sum is the width of
-/// whatever they are counted in, within the range and beside it. The four wavelengths of n Sobol' samples lie one in each of 4n cells of the distribution, so an interval
-/// has their expected number but for less than one at each end.
+/// Where a film's wavelengths are: as many within its range as it says, evenly; and one over the density of each is such that their sum is
+/// the width of whatever they are counted in, within the range and beside it. The four wavelengths of n Sobol' samples lie one in each of
+/// 4n cells of the distribution, so an interval has their expected number but for less than one at each end.
 TEST(Color, WavelengthsOfAFilmAreEven) {
     struct Sampled { Four lambda, inverse_pdf; };
-    static const DeviceFunction<Sampled> function({.include = "shade/color.clh", .type = "sampled", .body = R"(
+    static const DeviceFunction<Sampled> function({.include = "shade/color.clh",
+                                                   .type = "sampled",
+                                                   .body = R"(
         color_tables set = BIND_COLORS;
         sampled_wavelengths p = path_wavelengths(set, 77u, sample);
         result.lambda = p.lambda;
-        result.inverse_pdf = MAP_SPECTRUM(INVERSE_PDF_OF, p.lambda);)", .inputs = {"uint sample"}, .declarations = "typedef struct { spectrum lambda, inverse_pdf; } sampled;",
-        .tables = "COLOR_TABLES(TABLE)", .features = Features::everything()});
+        result.inverse_pdf = MAP_SPECTRUM(INVERSE_PDF_OF, p.lambda);)",
+                                                   .inputs = {"uint sample"},
+                                                   .declarations = "typedef struct { spectrum lambda, inverse_pdf; } sampled;",
+                                                   .tables = "COLOR_TABLES(TABLE)",
+                                                   .features = Features::everything()});
     struct Case { double first, last, share; uint samples = 4096; };
-    for (const Case& c : {Case{360, 830, 1}, {400, 700, .75}, {500, 501, .75}, {360, 800, 440 / 470.}, {829, 830, .75}, {360, 830, 1, 16}, {400, 700, .75, 32}, {400, 700, .75, 64}}) {
+    for (const Case& c : {Case{360, 830, 1},
+                          {400, 700, .75},
+                          {500, 501, .75},
+                          {360, 800, 440 / 470.},
+                          {829, 830, .75},
+                          {360, 830, 1, 16},
+                          {400, 700, .75, 32},
+                          {400, 700, .75, 64}}) {
         const uint samples = c.samples;
         std::vector<uint> numbers(samples);
         for (uint i = 0; i < samples; ++i) numbers[i] = i;
@@ -135,7 +175,8 @@ TEST(Color, WavelengthsOfAFilmAreEven) {
             }
         }
         /* What rounding of wavelengths moves over an end: a part in 30 of a bucket of 1/31 nm */
-        for (double n : count) EXPECT_LT(std::abs(n - c.share / buckets * 4 * samples), 2 + .03 * (c.last - c.first < 2) * n) << c.first << ", " << samples;
+        for (double n : count)
+            EXPECT_LT(std::abs(n - c.share / buckets * 4 * samples), 2 + .03 * (c.last - c.first < 2) * n) << c.first << ", " << samples;
         EXPECT_NEAR(firstBelow, c.share / 2 * samples, 2.1) << c.first << ", " << samples;
         const double cell = 1 / (4.0 * samples);
         EXPECT_NEAR(widthWithin, c.last - c.first, 2 * cell * (c.last - c.first) / c.share + 1e-4) << c.first;

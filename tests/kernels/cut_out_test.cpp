@@ -71,7 +71,9 @@ TEST(AlphaCutOut, TheFarSideIsSeenThroughHoles) {
         Random random(76);
         std::vector<Ray> rays;
         constexpr int count = 20000;
-        for (int i = 0; i < count; ++i) rays.push_back({{m.xw + m.xx * random.between(-0.5f, 0.5f), m.yw - 3 * m.xx, m.zw + m.xx * random.between(-0.5f, 0.5f)}, {0, 1, 0}});
+        for (int i = 0; i < count; ++i)
+            rays.push_back(
+                {{m.xw + m.xx * random.between(-0.5f, 0.5f), m.yw - 3 * m.xx, m.zw + m.xx * random.between(-0.5f, 0.5f)}, {0, 1, 0}});
         const auto hits = trace(scene, rays);
         const auto dark = blocked(scene, rays);
         double near = 0, far = 0;

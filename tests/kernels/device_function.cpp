@@ -17,8 +17,10 @@ static std::string kernelText(const FunctionText& text) {
     std::istringstream files(text.include);
     for (std::string file; files >> file;) source += fmt::format("#include \"{}\"\n", file);
     source += text.declarations + "\n#define DEVICE_FUNCTION(TABLE, ARGUMENT) " + text.tables;
-    for (const std::string& input : text.inputs) source += fmt::format(" ARGUMENT(__global const {} *, {}_array)", typeOf(input), nameOf(input));
-    source += fmt::format(" ARGUMENT(__global {} *, results)\nSTAGE(device_function, DEVICE_FUNCTION) {{\n    FOR_EACH_SLOT(index, count) {{\n", text.type);
+    for (const std::string& input : text.inputs)
+        source += fmt::format(" ARGUMENT(__global const {} *, {}_array)", typeOf(input), nameOf(input));
+    source += fmt::format(
+        " ARGUMENT(__global {} *, results)\nSTAGE(device_function, DEVICE_FUNCTION) {{\n    FOR_EACH_SLOT(index, count) {{\n", text.type);
     for (const std::string& input : text.inputs) source += fmt::format("        {} = {}_array[index];\n", input, nameOf(input));
     return source + fmt::format("        {} result;\n        {}\n        results[index] = result;\n    }}\n}}\n", text.type, text.body);
 }
@@ -28,8 +30,10 @@ DeviceFunctionBase::DeviceFunctionBase(FunctionText text) : text_(std::move(text
     kernel_ = Kernel(testCompiler().build(kernelText(text_), "device_function", settings));
 }
 
-void DeviceFunctionBase::run(const DeviceScene* scene, const std::vector<Array>& inputs, size_t count, void* result, size_t resultWords) const {
-    if (inputs.size() != text_.inputs.size()) throw std::invalid_argument(fmt::format("{} arrays for {} inputs", inputs.size(), text_.inputs.size()));
+void DeviceFunctionBase::run(const DeviceScene* scene, const std::vector<Array>& inputs, size_t count, void* result,
+                             size_t resultWords) const {
+    if (inputs.size() != text_.inputs.size())
+        throw std::invalid_argument(fmt::format("{} arrays for {} inputs", inputs.size(), text_.inputs.size()));
     const size_t padded = (std::max<size_t>(count, 1) + testGroup - 1) / testGroup * testGroup;
     std::list<Buffer> buffers;
     Bindings own;

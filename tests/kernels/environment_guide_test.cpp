@@ -26,16 +26,22 @@ PackedScene guidedScene() {
 }
 
 std::vector<GuidedSample> sampleMap(const PackedScene& scene, uint map, const std::vector<vec2>& u) {
-    const DeviceFunction<GuidedSample> function({.include = "light/light.clh", .type = "guided_sample", .body = R"(
+    const DeviceFunction<GuidedSample> function({.include = "light/light.clh",
+                                                 .type = "guided_sample",
+                                                 .body = R"(
         light_tables tables = BIND_LIGHTS;
         light_sample s = sample_guided_environment(tables, uniform_spectrum(1.0f), map, u);
         result.wi = s.wi; result.pdf = s.pdf; result.pdf_of_direction = pdf_guided_environment(tables, map, s.wi);)",
-        .inputs = {"uint map", "vec2 u"}, .declarations = "typedef struct { vec3 wi; float pdf, pdf_of_direction; } guided_sample;", .tables = "LIGHT_TABLES(TABLE)", .features = Features::all()});
+                                                 .inputs = {"uint map", "vec2 u"},
+                                                 .declarations = "typedef struct { vec3 wi; float pdf, pdf_of_direction; } guided_sample;",
+                                                 .tables = "LIGHT_TABLES(TABLE)",
+                                                 .features = Features::all()});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, std::vector<uint>(u.size(), map), u);
 }
 
-// Directions fall into the bins as often as their probability; the density of a direction is that of its sample, but for rounding at the edges of bins.
+// Directions fall into the bins as often as their probability; the density of a direction is that of its sample, but for rounding at the
+// edges of bins.
 TEST(EnvironmentGuide, SamplesFollowTheMap) {
     const PackedScene scene = guidedScene();
     Random random(71);
@@ -43,7 +49,8 @@ TEST(EnvironmentGuide, SamplesFollowTheMap) {
     for (const uint map : {0u, 4u, static_cast<uint>(GUIDE_ALL_DIRECTIONS)}) {
         const alias_entry* entries = scene.tables.guide_aliases.data() + size_t{map} * GUIDE_MAP_ENTRIES;
         std::vector<double> counts(bins, 0), expected;
-        for (size_t bin = 0; bin < bins; ++bin) expected.push_back(double{entries[bin / GUIDE_SIDE].pmf} * entries[GUIDE_SIDE + bin].pmf * static_cast<double>(u.size()));
+        for (size_t bin = 0; bin < bins; ++bin)
+            expected.push_back(double{entries[bin / GUIDE_SIDE].pmf} * entries[GUIDE_SIDE + bin].pmf * static_cast<double>(u.size()));
         int apart = 0;
         for (const GuidedSample& s : sampleMap(scene, map, u)) {
             const glm::dvec2 at = squareFromDirection({s.wi.x, s.wi.y, s.wi.z});
@@ -65,11 +72,18 @@ TEST(EnvironmentGuide, PointsFindTheirMaps) {
     Random random(72);
     const auto points = generate(4096, [&] { return vec3{random.between(-2, 3), random.between(0, 1), random.logBetween(0.01f, 10)}; });
     const auto normals = generate(4096, [&] { return random.direction(); });
-    learnGuide(scene.tables, points, normals, {size_t{1} << 24, true}, [](const GuideRepresentatives& from) { return std::vector<float>(from.maps * bins, 1.0f); });
-    const DeviceFunction<uint> function({.include = "light/guide_place.clh", .type = "uint", .body = "light_tables tables = BIND_LIGHTS; result = guide_map(tables, p, n);", .inputs = {"vec3 p", "vec3 n"}, .tables = "LIGHT_TABLES(TABLE)", .features = Features::all()});
+    learnGuide(scene.tables, points, normals, {size_t{1} << 24, true},
+               [](const GuideRepresentatives& from) { return std::vector<float>(from.maps * bins, 1.0f); });
+    const DeviceFunction<uint> function({.include = "light/guide_place.clh",
+                                         .type = "uint",
+                                         .body = "light_tables tables = BIND_LIGHTS; result = guide_map(tables, p, n);",
+                                         .inputs = {"vec3 p", "vec3 n"},
+                                         .tables = "LIGHT_TABLES(TABLE)",
+                                         .features = Features::all()});
     const DeviceScene onDevice(testContext(), scene);
     for (const uint map : function.with(onDevice, points, normals)) ASSERT_GE(map, static_cast<uint>(GUIDE_FACES));
-    for (const uint map : function.with(onDevice, points, std::vector<vec3>(points.size(), vec3{0, 0, 0}))) ASSERT_GE(map, static_cast<uint>(GUIDE_FACES));
+    for (const uint map : function.with(onDevice, points, std::vector<vec3>(points.size(), vec3{0, 0, 0})))
+        ASSERT_GE(map, static_cast<uint>(GUIDE_FACES));
 }
 
 }  // namespace

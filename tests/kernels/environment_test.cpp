@@ -66,13 +66,15 @@ TEST(ImageEnvironment, SamplesFollowTheImage) {
     double total = 0;
     const Table<float>& texels = scene.tables.environment_texels;
     for (float channel : texels) total += channel;
-    for (size_t i = 0; i < n * n; ++i) expected[i] = (texels[3 * i] + texels[3 * i + 1] + texels[3 * i + 2]) / total * static_cast<double>(v.size());
+    for (size_t i = 0; i < n * n; ++i)
+        expected[i] = (texels[3 * i] + texels[3 * i + 1] + texels[3 * i + 2]) / total * static_cast<double>(v.size());
     Accumulator red;
     int elsewhere = 0;
     for (const LightResult& r : results) {
         const glm::dvec3 d(dot(r.wi, l.a), dot(r.wi, l.b), dot(r.wi, l.n));
         const glm::dvec2 square = squareFromDirection(d);
-        const size_t x = std::min(static_cast<size_t>(square.x * n), size_t{n - 1}), y = std::min(static_cast<size_t>(square.y * n), size_t{n - 1});
+        const size_t x = std::min(static_cast<size_t>(square.x * n), size_t{n - 1}),
+                     y = std::min(static_cast<size_t>(square.y * n), size_t{n - 1});
         counts[y * n + x] += 1;
         red.add(r.L.r / r.pdf);
         ASSERT_NEAR(dot(r.wi, r.wi), 1, 1e-5);
@@ -155,7 +157,8 @@ TEST(ImageEnvironment, BesideLargerImages) {
     Random random(52);
     const auto u = generate(4096, [&] { return random.unit(); });
     const auto v = generate(4096, [&] { return random.square(); });
-    for (const LightResult& r : sample(scene, {0, 0, -1}, u, v)) ASSERT_TRUE(std::isfinite(r.pdf) && std::isfinite(r.L.r) && std::isfinite(r.Le.r) && std::isfinite(r.pdfEnvironment));
+    for (const LightResult& r : sample(scene, {0, 0, -1}, u, v))
+        ASSERT_TRUE(std::isfinite(r.pdf) && std::isfinite(r.L.r) && std::isfinite(r.Le.r) && std::isfinite(r.pdfEnvironment));
 }
 
 /// The equal-area mapping on the device is the host's, both ways, to a millionth.
@@ -173,12 +176,16 @@ TEST(ImageEnvironment, MappingIsTheHosts) {
         const glm::dvec3 sphere = directionFromSquare({s[i].x, s[i].y});
         ASSERT_LT(glm::length(toGlm(mapped[i].sphere) - sphere), 2e-6) << s[i].x << " " << s[i].y;
         /* The far pole is at all four corners, and opposite points of the edge are one direction */
-        const glm::dvec3 back = directionFromSquare({std::clamp<double>(mapped[i].square.x, 0, 1), std::clamp<double>(mapped[i].square.y, 0, 1)});
+        const glm::dvec3 back =
+            directionFromSquare({std::clamp<double>(mapped[i].square.x, 0, 1), std::clamp<double>(mapped[i].square.y, 0, 1)});
         ASSERT_LT(glm::length(back - glm::normalize(toGlm(d[i]))), 4e-4) << d[i].x << " " << d[i].y << " " << d[i].z;
         if (std::abs(d[i].z) < 0.999f && d[i].z > -0.9f) {
             const glm::dvec2 square = squareFromDirection(toGlm(d[i]));
             const double near = std::min({std::abs(d[i].x), std::abs(d[i].y), std::abs(d[i].z)});
-            if (near > 1e-3) { ASSERT_LT(std::max(std::abs(square.x - mapped[i].square.x), std::abs(square.y - mapped[i].square.y)), 2e-6) << d[i].x << " " << d[i].y << " " << d[i].z; }
+            if (near > 1e-3) {
+                ASSERT_LT(std::max(std::abs(square.x - mapped[i].square.x), std::abs(square.y - mapped[i].square.y)), 2e-6)
+                    << d[i].x << " " << d[i].y << " " << d[i].z;
+            }
         }
     }
 }

@@ -25,7 +25,10 @@ TEST_F(StageTest, ResolveFilmSumsUp) {
     const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
     states.set("L", 7, spectrum{nan, 1, 1});
     states.set("L", 7 + side * side, spectrum{1, infinity, 1});
-    for (size_t s = 0; s < samples; ++s) { states.set("L", 9 + s * side * side, spectrum{0, 0, 0}); states.set("weight", 9 + s * side * side, 0.0f); }
+    for (size_t s = 0; s < samples; ++s) {
+        states.set("L", 9 + s * side * side, spectrum{0, 0, 0});
+        states.set("weight", 9 + s * side * side, 0.0f);
+    }
     bench.write("path", states);
     bench.run("resolve_film", side * side);
     bench.run("resolve_film", side * side);   /* a second wave adds up */
@@ -70,8 +73,8 @@ TEST(ResolveFilm, OfSeveralBlocks) {
     }
 }
 
-/// The spread of luminances, 65536 of them, a wave of 256 after the other, is that of a calculation in double precision: of nearly equal ones,
-/// where the difference of two sums of squares would be noise; with weights of either sign and of many sizes; and of one sample among
+/// The spread of luminances, 65536 of them, a wave of 256 after the other, is that of a calculation in double precision: of nearly equal
+/// ones, where the difference of two sums of squares would be noise; with weights of either sign and of many sizes; and of one sample among
 /// others that is brighter than any square may be.
 TEST_F(StageTest, ResolveFilmKnowsTheSpreadOfNearlyEqualSamples) {
     constexpr unsigned pixels = 4, perWave = 256, waves = 256;
@@ -111,14 +114,21 @@ TEST_F(StageTest, ResolveFilmKnowsTheSpreadOfNearlyEqualSamples) {
 
 struct Four { float r, g, b, x; };
 
-/// Each of a sample's four wavelengths adds its radiance, times the sample's weight, to the bucket that it lies in, and to no other; those beside the range add
-/// to none. A second wave adds up, and a sample that is brighter than it may be is scaled down in all buckets alike.
+/// Each of a sample's four wavelengths adds its radiance, times the sample's weight, to the bucket that it lies in, and to no other; those
+/// beside the range add to none. A second wave adds up, and a sample that is brighter than it may be is scaled down in all buckets alike.
 TEST(ResolveFilm, FillsBuckets) {
-    const PackedScene scene = packText("Film \"spectral\" \"integer xresolution\" 16 \"integer yresolution\" 16 \"integer nbuckets\" 7 \"float lambdamin\" 450 \"float lambdamax\" 700 \"float maxcomponentvalue\" 1e8\n"
-                                       "Sampler \"sobol\"\nWorldBegin\nLightSource \"infinite\"\nShape \"sphere\"");
-    static const DeviceFunction<Four> wavelengths({.include = "shade/color.clh", .type = "spectrum", .body = R"(
+    const PackedScene scene = packText(
+        "Film \"spectral\" \"integer xresolution\" 16 \"integer yresolution\" 16 \"integer nbuckets\" 7 \"float lambdamin\" 450 \"float "
+        "lambdamax\" 700 \"float maxcomponentvalue\" 1e8\n"
+        "Sampler \"sobol\"\nWorldBegin\nLightSource \"infinite\"\nShape \"sphere\"");
+    static const DeviceFunction<Four> wavelengths({.include = "shade/color.clh",
+                                                   .type = "spectrum",
+                                                   .body = R"(
         color_tables set = BIND_COLORS;
-        result = path_wavelengths(set, seed, sample).lambda;)", .inputs = {"uint seed", "uint sample"}, .tables = "COLOR_TABLES(TABLE)", .features = Features::everything()});
+        result = path_wavelengths(set, seed, sample).lambda;)",
+                                                   .inputs = {"uint seed", "uint sample"},
+                                                   .tables = "COLOR_TABLES(TABLE)",
+                                                   .features = Features::everything()});
     StageBench bench(scene, paths, true, side * side);
     bench.set(wholeImage, side, side);
     bench.run("generate_rays", paths);
@@ -143,10 +153,18 @@ TEST(ResolveFilm, FillsBuckets) {
     const QueueWords film = bench.read("film");
     const int first = film.layout().field("buckets").slot;
     ASSERT_EQ(film.layout().field("buckets").words, 14);
-    const auto bucket = [&](size_t pixel, int b) { const uint word = film.word(first + BUCKET_WORDS * b, pixel); float x; std::memcpy(&x, &word, sizeof x); return static_cast<double>(x); };
+    const auto bucket = [&](size_t pixel, int b) {
+        const uint word = film.word(first + BUCKET_WORDS * b, pixel);
+        float x;
+        std::memcpy(&x, &word, sizeof x);
+        return static_cast<double>(x);
+    };
     for (size_t pixel = 0; pixel < side * side; ++pixel) {
         if (pixel == 3) continue;
-        for (int b = 0; b < 7; ++b) ASSERT_NEAR(bucket(pixel, b), expected[pixel * 7 + static_cast<size_t>(b)], 1e-6 * std::abs(expected[pixel * 7 + static_cast<size_t>(b)])) << pixel << " " << b;
+        for (int b = 0; b < 7; ++b)
+            ASSERT_NEAR(bucket(pixel, b), expected[pixel * 7 + static_cast<size_t>(b)],
+                        1e-6 * std::abs(expected[pixel * 7 + static_cast<size_t>(b)]))
+                << pixel << " " << b;
     }
     /* Four samples, each of 1e8 in its brightest channel at most, while their light would be some 1e14 */
     const spectrum sum = film.get<spectrum>("sum", 3);

@@ -35,9 +35,12 @@ Inputs inputs() {
 
 const std::vector<Fresnel>& onDevice() {
     static const std::vector<Fresnel> results = [] {
-        const DeviceFunction<Fresnel> function({.include = "bsdf/fresnel.clh", .type = "fresnel",
-            .body = "result.dielectric = fresnel_dielectric(cosine, eta); result.conductor = fresnel_conductor(fabs(cosine), eta, k);",
-            .inputs = {"float cosine", "float eta", "float k"}, .declarations = "typedef struct { float dielectric, conductor; } fresnel;"});
+        const DeviceFunction<Fresnel> function(
+            {.include = "bsdf/fresnel.clh",
+             .type = "fresnel",
+             .body = "result.dielectric = fresnel_dielectric(cosine, eta); result.conductor = fresnel_conductor(fabs(cosine), eta, k);",
+             .inputs = {"float cosine", "float eta", "float k"},
+             .declarations = "typedef struct { float dielectric, conductor; } fresnel;"});
         const Inputs in = inputs();
         return function(in.cosine, in.eta, in.k);
     }();
@@ -51,7 +54,8 @@ TEST(Fresnel, DielectricIsAccurate) {
         const double c = in.cosine[i], eta = c < 0 ? 1 / static_cast<double>(in.eta[i]) : static_cast<double>(in.eta[i]);
         /* At the critical angle a rounding of the sine moves the reflectance by its square root */
         const double sin2 = (1 - c * c) / (eta * eta), tolerance = 2e-6 + 4e-6 / std::sqrt(std::max(std::abs(1 - sin2), 1e-7));
-        ASSERT_NEAR(onDevice()[i].dielectric, sin2 >= 1 ? 1 : reflectance(std::abs(c), eta), tolerance) << "cosine " << c << " eta " << in.eta[i];
+        ASSERT_NEAR(onDevice()[i].dielectric, sin2 >= 1 ? 1 : reflectance(std::abs(c), eta), tolerance)
+            << "cosine " << c << " eta " << in.eta[i];
     }
 }
 
@@ -59,14 +63,16 @@ TEST(Fresnel, ConductorIsAccurate) {
     const Inputs in = inputs();
     for (size_t i = 0; i < in.cosine.size(); ++i) {
         const double c = std::abs(static_cast<double>(in.cosine[i])), eta = in.eta[i], k = in.k[i];
-        const double sin2 = (1 - c * c) / (eta * eta), tolerance = k > 0.05 ? 1e-5 : 1e-5 + 1e-5 / std::sqrt(std::max(std::abs(1 - sin2), 1e-6));
+        const double sin2 = (1 - c * c) / (eta * eta),
+                     tolerance = k > 0.05 ? 1e-5 : 1e-5 + 1e-5 / std::sqrt(std::max(std::abs(1 - sin2), 1e-6));
         ASSERT_NEAR(onDevice()[i].conductor, reflectance(c, {eta, k}), tolerance) << "cosine " << c << " eta " << eta << " k " << k;
     }
 }
 
 /// What passes of diffuse light is the mean of 1 - F over the cosine-weighted hemisphere, here by Simpson's rule.
 TEST(Fresnel, DiffuseTransmittanceIsTheMean) {
-    const DeviceFunction<float> function({.include = "bsdf/fresnel.clh", .type = "float", .body = "result = diffuse_transmittance(eta);", .inputs = {"float eta"}});
+    const DeviceFunction<float> function(
+        {.include = "bsdf/fresnel.clh", .type = "float", .body = "result = diffuse_transmittance(eta);", .inputs = {"float eta"}});
     std::vector<float> eta;
     for (int i = 0; i <= 60; ++i) eta.push_back(std::exp(std::log(3.0f) * static_cast<float>(i - 30) / 30));
     const auto results = function(eta);
@@ -86,7 +92,9 @@ TEST(Fresnel, DiffuseTransmittanceIsTheMean) {
 /// sine is that of w over the relative index, and it is absent exactly when that sine exceeds one.
 TEST(Fresnel, RefractionObeysSnell) {
     struct Refraction { vec3 w; float eta; int ok; };
-    const DeviceFunction<Refraction> function({.include = "bsdf/fresnel.clh", .type = "refraction", .body = "result = refract_direction(w, n, eta);",
+    const DeviceFunction<Refraction> function({.include = "bsdf/fresnel.clh",
+                                               .type = "refraction",
+                                               .body = "result = refract_direction(w, n, eta);",
                                                .inputs = {"vec3 w", "vec3 n", "float eta"}});
     Random random(32);
     const size_t n = 20000;
@@ -94,7 +102,8 @@ TEST(Fresnel, RefractionObeysSnell) {
     const auto eta = generate(n, [&] { return random.between(0.4f, 2.5f); });
     const auto results = function(w, normal, eta);
     for (size_t i = 0; i < n; ++i) {
-        const double c = dot(w[i], normal[i]), e = c < 0 ? 1 / static_cast<double>(eta[i]) : static_cast<double>(eta[i]), sine = std::sqrt(1 - c * c) / e;
+        const double c = dot(w[i], normal[i]), e = c < 0 ? 1 / static_cast<double>(eta[i]) : static_cast<double>(eta[i]),
+                     sine = std::sqrt(1 - c * c) / e;
         if (std::abs(sine - 1) < 1e-5) continue;
         ASSERT_EQ(results[i].ok != 0, sine < 1) << "cosine " << c << " eta " << eta[i];
         if (!results[i].ok) continue;

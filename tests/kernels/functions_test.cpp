@@ -13,10 +13,12 @@ namespace {
 struct Values { float exp, log, angle, asin, bessel; };
 
 TEST(Functions, KeepTheirPromises) {
-    const DeviceFunction<Values> function({.include = "math/functions.clh", .type = "values",
-        .body = "result.exp = exp1(x); result.log = log1(positive); result.angle = atan2_1(at.y, at.x); result.asin = asin1(unit); result.bessel = scaled_bessel_i0(fabs(x));",
-        .inputs = {"float x", "float positive", "vec2 at", "float unit"},
-        .declarations = "typedef struct { float exp, log, angle, asin, bessel; } values;"});
+    const DeviceFunction<Values> function({.include = "math/functions.clh",
+                                           .type = "values",
+                                           .body = "result.exp = exp1(x); result.log = log1(positive); result.angle = atan2_1(at.y, at.x); "
+                                                   "result.asin = asin1(unit); result.bessel = scaled_bessel_i0(fabs(x));",
+                                           .inputs = {"float x", "float positive", "vec2 at", "float unit"},
+                                           .declarations = "typedef struct { float exp, log, angle, asin, bessel; } values;"});
     Random random(3);
     std::vector<float> x{0, -87, 87}, positive{1, 0x1p-126f, 0x1p126f}, unit{0, 1, -1};
     std::vector<vec2> at{{1, 0}, {-1, 0}, {0, -1}};
@@ -38,7 +40,8 @@ TEST(Functions, KeepTheirPromises) {
 }
 
 TEST(Functions, TheExponentialEndsInZeroAndDoesNotOverflow) {
-    const DeviceFunction<float> function({.include = "math/functions.clh", .type = "float", .body = "result = exp1(x);", .inputs = {"float x"}});
+    const DeviceFunction<float> function(
+        {.include = "math/functions.clh", .type = "float", .body = "result = exp1(x);", .inputs = {"float x"}});
     const std::vector<float> results = function(std::vector<float>{-88, -1e30f, 89, 1e30f});
     EXPECT_EQ(results[0], 0);
     EXPECT_EQ(results[1], 0);

@@ -44,7 +44,10 @@ struct ImageLightResult { spectrum L; vec3 wi; float pdf; int isDelta; spectrum 
 
 /// A sample of light 0 at p, and what a portal is found to send along it.
 std::vector<ImageLightResult> sample(const PackedScene& scene, const std::vector<vec3>& p, const std::vector<vec2>& v) {
-    static const DeviceFunction<ImageLightResult> function({.include = "light/choose.clh", .type = "image_light_result", .body = R"(
+    static const DeviceFunction<ImageLightResult> function(
+        {.include = "light/choose.clh",
+         .type = "image_light_result",
+         .body = R"(
         light_tables tables = BIND_LIGHTS;
         color_tables color_set = BIND_COLORS;
         sampled_wavelengths colors = path_wavelengths(color_set, 0u, 0u);
@@ -55,9 +58,10 @@ std::vector<ImageLightResult> sample(const PackedScene& scene, const std::vector
         light_sample s = sample_light(tables, colors, found, p, v);
         light_emission seen = eval_portal_infinite_light(tables, colors, l, eval_color(colors, l.L), p, s.wi, 0u);
         result.L = s.L; result.wi = s.wi; result.pdf = s.pdf; result.is_delta = s.is_delta; result.Le = seen.Le; result.pdf_here = seen.pdf;)",
-        .inputs = {"vec3 p", "vec2 v"},
-        .declarations = "typedef struct { spectrum L; vec3 wi; float pdf; int is_delta; spectrum Le; float pdf_here; } image_light_result;",
-        .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
+         .inputs = {"vec3 p", "vec2 v"},
+         .declarations =
+             "typedef struct { spectrum L; vec3 wi; float pdf; int is_delta; spectrum Le; float pdf_here; } image_light_result;",
+         .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, p, v);
 }
@@ -118,7 +122,8 @@ TEST(ProjectionLight, ProjectsItsImage) {
         int lit = 0;
         for (size_t i = 0; i < p.size(); ++i) {
             const glm::dvec3 w = glm::inverse(glm::dmat3(l.worldFromLight)) * (toGlm(p[i]) - glm::dvec3(l.worldFromLight[3]));
-            const glm::dvec2 at(width * (0.5 + w.x / w.z / opposite * shorter / width / 2), height * (0.5 - w.y / w.z / opposite * shorter / height / 2));
+            const glm::dvec2 at(width * (0.5 + w.x / w.z / opposite * shorter / width / 2),
+                                height * (0.5 - w.y / w.z / opposite * shorter / height / 2));
             const double dx = std::abs(at.x - std::round(at.x)), dy = std::abs(at.y - std::round(at.y));
             if (std::min(dx, dy) < 1e-3 || std::abs(w.z) < 0.01) continue;
             const bool inside = w.z > 0 && at.x > 0 && at.x < width && at.y > 0 && at.y < height;
@@ -159,7 +164,8 @@ TEST(ImageLights, EmitTheirPower) {
         Random random(64);
         const auto p = generate(100000, [&] { return random.direction(); });
         Accumulator flux;
-        for (const ImageLightResult& r : sample(scene, p, std::vector<vec2>(p.size(), {0.5f, 0.5f}))) flux.add(4 * M_PI * (0.2126 * r.L.r + 0.7152 * r.L.g + 0.0722 * r.L.b));
+        for (const ImageLightResult& r : sample(scene, p, std::vector<vec2>(p.size(), {0.5f, 0.5f})))
+            flux.add(4 * M_PI * (0.2126 * r.L.r + 0.7152 * r.L.g + 0.0722 * r.L.b));
         EXPECT_NEAR(flux.estimate().mean, 30, 4 * flux.estimate().error);
     }
 }
@@ -217,14 +223,16 @@ TEST(PortalEnvironment, SamplesFollowTheWindow) {
                 const glm::dvec3 q = p + way * toGlm(r.wi) - at.corners[0];
                 const double slack = 1e-5 * (1 + way * way);
                 ASSERT_GT(way, 0);
-                ASSERT_TRUE(glm::dot(q, at.x) > -slack && glm::dot(q, at.x) < portalWidth + slack && glm::dot(q, at.y) > -slack && glm::dot(q, at.y) < portalHeight + slack);
+                ASSERT_TRUE(glm::dot(q, at.x) > -slack && glm::dot(q, at.x) < portalWidth + slack && glm::dot(q, at.y) > -slack &&
+                            glm::dot(q, at.y) < portalHeight + slack);
                 if (!(std::abs(r.pdfHere / r.pdf - 1) < 1e-3 && r.Le.g == r.L.g)) ++elsewhere;
             }
             EXPECT_LT(elsewhere, 200) << "at edges of texels and of the window only";
             std::array<double, momentCount> expected{};
             constexpr int steps = 300;
             for (int i = 0; i < steps * steps; ++i) {
-                const glm::dvec3 q = at.corners[0] + (i % steps + 0.5) / steps * portalWidth * at.x + (i / steps + 0.5) / steps * portalHeight * at.y;
+                const glm::dvec3 q =
+                    at.corners[0] + (i % steps + 0.5) / steps * portalWidth * at.x + (i / steps + 0.5) / steps * portalHeight * at.y;
                 const glm::dvec3 to = q - p;
                 const double d = glm::length(to), solid = glm::dot(to / d, at.n) / (d * d) * portalWidth * portalHeight / (steps * steps);
                 const auto m = moments(to / d);
@@ -232,7 +240,8 @@ TEST(PortalEnvironment, SamplesFollowTheWindow) {
             }
             for (size_t k = 0; k < momentCount; ++k) {
                 const Estimate e = estimates[k].estimate();
-                EXPECT_NEAR(e.mean, expected[k], 4 * e.error + 1e-3 * expected[0]) << "moment " << k << " from " << p.x << " " << p.y << " " << p.z;
+                EXPECT_NEAR(e.mean, expected[k], 4 * e.error + 1e-3 * expected[0])
+                    << "moment " << k << " from " << p.x << " " << p.y << " " << p.z;
             }
         }
     }
@@ -263,7 +272,8 @@ TEST(PortalEnvironment, ShowsTheEnvironment) {
         ASSERT_NEAR(r.L.g, expected.y, 0.15);
         ASSERT_NEAR(r.L.b, expected.z, 0.15);
     }
-    for (const ImageLightResult& r : sample(portalScene(0), std::vector<vec3>(v.size(), toVec3(portalPoints()[0])), v)) ASSERT_NEAR(r.L.g, 3 * 2, 1e-5);
+    for (const ImageLightResult& r : sample(portalScene(0), std::vector<vec3>(v.size(), toVec3(portalPoints()[0])), v))
+        ASSERT_NEAR(r.L.g, 3 * 2, 1e-5);
 }
 
 /// Behind it, and beside it, all is dark.
@@ -273,11 +283,15 @@ TEST(PortalEnvironment, IsDarkElsewhere) {
     Random random(67);
     const auto v = generate(200, [&] { return random.square(); });
     for (const ImageLightResult& r : sample(scene, std::vector<vec3>(v.size(), toVec3(at.corners[0] + 0.3 * at.n)), v)) ASSERT_EQ(r.pdf, 0);
-    static const DeviceFunction<float> here({.include = "light/choose.clh", .type = "float", .body = R"(
+    static const DeviceFunction<float> here({.include = "light/choose.clh",
+                                             .type = "float",
+                                             .body = R"(
         light_tables tables = BIND_LIGHTS;
         color_tables color_set = BIND_COLORS;
         light_emission seen = eval_portal_infinite_light(tables, path_wavelengths(color_set, 0u, 0u), fetch(tables.lights), uniform_spectrum(1.0f), p, d, 0u);
-        result = seen.pdf + max_component(seen.Le);)", .inputs = {"vec3 p", "vec3 d"}, .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
+        result = seen.pdf + max_component(seen.Le);)",
+                                             .inputs = {"vec3 p", "vec3 d"},
+                                             .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     const DeviceScene onDevice(testContext(), scene);
     const glm::dvec3 p = portalPoints()[0];
     std::vector<vec3> d;
@@ -286,7 +300,8 @@ TEST(PortalEnvironment, IsDarkElsewhere) {
         d.push_back(random.direction());
         const double way = glm::dot(at.corners[0] - p, at.n) / glm::dot(toGlm(d.back()), at.n);
         const glm::dvec3 q = p + way * toGlm(d.back()) - at.corners[0];
-        through.push_back(way > 0 && glm::dot(q, at.x) > 0 && glm::dot(q, at.x) < portalWidth && glm::dot(q, at.y) > 0 && glm::dot(q, at.y) < portalHeight);
+        through.push_back(way > 0 && glm::dot(q, at.x) > 0 && glm::dot(q, at.x) < portalWidth && glm::dot(q, at.y) > 0 &&
+                          glm::dot(q, at.y) < portalHeight);
     }
     const auto results = here.with(onDevice, std::vector<vec3>(d.size(), toVec3(p)), d);
     for (size_t i = 0; i < d.size(); ++i) ASSERT_EQ(results[i] > 0, through[i]);

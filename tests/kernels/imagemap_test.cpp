@@ -64,8 +64,9 @@ TEST(Imagemap, IsWhatTheImageSays) {
         if (c.filter == filter_nearest && (std::abs(x - std::round(x)) < 1e-5 || std::abs(y - std::round(y)) < 1e-5)) continue;
         const float got[3] = {results[i].value.r, results[i].value.g, results[i].value.b};
         for (uint channel = 0; channel < 3; ++channel)
-            ASSERT_NEAR(got[channel], lookUp(c, uv[i].x, uv[i].y, channel), 2e-5) << "format " << c.format << " channels " << c.channels << " wrap " << c.wrap << " filter "
-                                                                                  << c.filter << " at " << uv[i].x << " " << uv[i].y;
+            ASSERT_NEAR(got[channel], lookUp(c, uv[i].x, uv[i].y, channel), 2e-5)
+                << "format " << c.format << " channels " << c.channels << " wrap " << c.wrap << " filter " << c.filter << " at " << uv[i].x
+                << " " << uv[i].y;
     }
 }
 
@@ -73,11 +74,13 @@ TEST(Imagemap, IsWhatTheImageSays) {
 TEST(Imagemap, OctahedralEdgesFoldOntoThemselves) {
     Textures textures;
     Random random(81);
-    textures.program({textures.lookup(textures.image(8, 8, 3, format_float, wrap_octahedral, filter_bilinear, generate(8 * 8 * 3, [&] { return random.unit(); })))});
+    textures.program({textures.lookup(
+        textures.image(8, 8, 3, format_float, wrap_octahedral, filter_bilinear, generate(8 * 8 * 3, [&] { return random.unit(); })))});
     std::vector<vec2> out, in;
     for (int i = 0; i < 500; ++i) {
         const float s = random.between(0.1f, 0.9f), e = random.between(0, 0.06f);
-        const std::array<std::pair<vec2, vec2>, 4> edges{{{{s, -e}, {1 - s, e}}, {{s, 1 + e}, {1 - s, 1 - e}}, {{-e, s}, {e, 1 - s}}, {{1 + e, s}, {1 - e, 1 - s}}}};
+        const std::array<std::pair<vec2, vec2>, 4> edges{
+            {{{s, -e}, {1 - s, e}}, {{s, 1 + e}, {1 - s, 1 - e}}, {{-e, s}, {e, 1 - s}}, {{1 + e, s}, {1 - e, 1 - s}}}};
         out.push_back(edges[static_cast<size_t>(i % 4)].first);
         in.push_back(edges[static_cast<size_t>(i % 4)].second);
     }

@@ -23,7 +23,9 @@ struct Answer { float t; vec3 p, error, ng; float value_low, value_high, slope_l
 
 /// For each ray: where it meets the scene's only shape; and bounds on F and on its slope along d over the box o + [0, size] d.
 std::vector<Answer> ask(const PackedScene& scene, const std::vector<vec3>& o, const std::vector<vec3>& d, const std::vector<float>& size) {
-    static const DeviceFunction<Answer> function({.include = "shape/shapes.clh", .type = "answer", .body = R"(
+    static const DeviceFunction<Answer> function({.include = "shape/shapes.clh",
+                                                  .type = "answer",
+                                                  .body = R"(
         geometry g = BIND_GEOMETRY;
         texture_tables tables = BIND_TEXTURES;
         shape_hit hit = intersect_element(g, 0, o, d, FAR_AWAY);
@@ -43,15 +45,19 @@ std::vector<Answer> ask(const PackedScene& scene, const std::vector<vec3>& o, co
         result.value_low = f.value.low.s3; result.value_high = f.value.high.s3;
         result.slope_low = f.slope.low.s3; result.slope_high = f.slope.high.s3;
         result.undefined = f.undefined.s3 != 0; result.broken = f.broken.s3 != 0;)",
-        .inputs = {"vec3 o", "vec3 d", "float size"},
-        .declarations = "typedef struct { float t; vec3 p, error, ng; float value_low, value_high, slope_low, slope_high; uint undefined, broken; } answer;",
-        .tables = "GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE)", .features = Features().require(Feature::SHAPE_IMPLICIT)});
+                                                  .inputs = {"vec3 o", "vec3 d", "float size"},
+                                                  .declarations = "typedef struct { float t; vec3 p, error, ng; float value_low, "
+                                                                  "value_high, slope_low, slope_high; uint undefined, broken; } answer;",
+                                                  .tables = "GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE)",
+                                                  .features = Features().require(Feature::SHAPE_IMPLICIT)});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, o, d, size);
 }
 
 /// In a box from -2 to 2, so that scene space is object space over 4.
-PackedScene sceneOf(const std::string& F) { return packText("WorldBegin Shape \"implicit\" \"string F\" \"" + F + "\" \"point3 bounds\" [-2 -2 -2  2 2 2]"); }
+PackedScene sceneOf(const std::string& F) {
+    return packText("WorldBegin Shape \"implicit\" \"string F\" \"" + F + "\" \"point3 bounds\" [-2 -2 -2  2 2 2]");
+}
 constexpr double scale = 4;
 
 glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
@@ -65,8 +71,10 @@ const Known expressions[] = {
     {"1/x + y/z - x^-3", [](double x, double y, double z) { return 1 / x + y / z - 1 / (x * x * x); }},
     {"sqrt(x + y) - sqrt(x*x + z*z)", [](double x, double y, double z) { return std::sqrt(x + y) - std::sqrt(x * x + z * z); }},
     {"x^1.5 + (y*y)^.3 - z^-.7", [](double x, double y, double z) { return std::pow(x, 1.5) + std::pow(y * y, .3) - std::pow(z, -.7); }},
-    {"exp(2*x - y) - log(z) + log(x*x + y*y)", [](double x, double y, double z) { return std::exp(2 * x - y) - std::log(z) + std::log(x * x + y * y); }},
-    {"sin(7*x)*cos(5*y) + sin(20*z*x)", [](double x, double y, double z) { return std::sin(7 * x) * std::cos(5 * y) + std::sin(20 * z * x); }},
+    {"exp(2*x - y) - log(z) + log(x*x + y*y)",
+     [](double x, double y, double z) { return std::exp(2 * x - y) - std::log(z) + std::log(x * x + y * y); }},
+    {"sin(7*x)*cos(5*y) + sin(20*z*x)",
+     [](double x, double y, double z) { return std::sin(7 * x) * std::cos(5 * y) + std::sin(20 * z * x); }},
     {"tan(x + y) - z", [](double x, double y, double z) { return std::tan(x + y) - z; }},
     {"asin(x) + acos(y*z)", [](double x, double y, double z) { return std::asin(x) + std::acos(y * z); }},
     {"atan(3*x) - atan2(y, z)", [](double x, double y, double z) { return std::atan(3 * x) - std::atan2(y, z); }},
@@ -74,7 +82,10 @@ const Known expressions[] = {
     {"min(x*y, z) + max(x, max(y, -.5))", [](double x, double y, double z) { return std::min(x * y, z) + std::max(x, std::max(y, -.5)); }},
     {"sinh(x) - cosh(y*z) + tanh(5*z)", [](double x, double y, double z) { return std::sinh(x) - std::cosh(y * z) + std::tanh(5 * z); }},
     {"(x*x + 1)^y - z", [](double x, double y, double z) { return std::pow(x * x + 1, y) - z; }},
-    {"exp(exp(exp(4*x))) - 1/exp(exp(exp(4*y))) + z^200", [](double x, double y, double z) { return std::exp(std::exp(std::exp(4 * x))) - 1 / std::exp(std::exp(std::exp(4 * y))) + std::pow(z, 200); }},
+    {"exp(exp(exp(4*x))) - 1/exp(exp(exp(4*y))) + z^200",
+     [](double x, double y, double z) {
+         return std::exp(std::exp(std::exp(4 * x))) - 1 / std::exp(std::exp(std::exp(4 * y))) + std::pow(z, 200);
+     }},
 };
 
 TEST(ImplicitBounds, HoldWhateverFIsInABox) {
@@ -101,14 +112,19 @@ TEST(ImplicitBounds, HoldWhateverFIsInABox) {
                 if (std::isnan(value)) { EXPECT_TRUE(a.broken || a.undefined) << known.text; continue; }
                 ++defined;
                 /* The boxes' corners were rounded once more here than there */
-                const double slope = (along(s + 1e-7) - along(s - 1e-7)) / (2e-7 * std::max(static_cast<double>(size[i]), 1e-30)), moved = 3e-7 * std::abs(slope);
+                const double slope = (along(s + 1e-7) - along(s - 1e-7)) / (2e-7 * std::max(static_cast<double>(size[i]), 1e-30)),
+                             moved = 3e-7 * std::abs(slope);
                 const double slack = std::isfinite(moved) && size[i] > 0 ? moved : 1e-5 * std::abs(value) + 1e-5;
                 if (a.undefined) { ADD_FAILURE() << known.text << " is defined in box " << i; break; }
                 if (a.value_low > -1e36f) { ASSERT_GE(value, static_cast<double>(a.value_low) - slack) << known.text << ", box " << i; }
                 if (a.value_high < 1e36f) { ASSERT_LE(value, static_cast<double>(a.value_high) + slack) << known.text << ", box " << i; }
                 if (size[i] < 1e-2f || a.broken || !std::isfinite(slope) || s == 0 || s == 1) continue;
-                if (a.slope_low > -1e36f) { ASSERT_GE(slope, static_cast<double>(a.slope_low) - 1e-4 * std::abs(slope) - 1e-3) << known.text << ", box " << i; }
-                if (a.slope_high < 1e36f) { ASSERT_LE(slope, static_cast<double>(a.slope_high) + 1e-4 * std::abs(slope) + 1e-3) << known.text << ", box " << i; }
+                if (a.slope_low > -1e36f) {
+                    ASSERT_GE(slope, static_cast<double>(a.slope_low) - 1e-4 * std::abs(slope) - 1e-3) << known.text << ", box " << i;
+                }
+                if (a.slope_high < 1e36f) {
+                    ASSERT_LE(slope, static_cast<double>(a.slope_high) + 1e-4 * std::abs(slope) + 1e-3) << known.text << ", box " << i;
+                }
             }
             /* And are of some use: at a point there is not much between them */
             if (size[i] > 0 || a.broken || a.undefined || std::abs(a.value_high) > 1e4f) continue;
@@ -124,12 +140,25 @@ TEST(ImplicitBounds, HoldWhateverFIsInABox) {
 struct Surface { const char* text; Function f; };
 const Surface surfaces[] = {
     {"x^2 + y^2 + z^2 - 1", [](double x, double y, double z) { return x * x + y * y + z * z - 1; }},
-    {"(x^2 + y^2 + z^2 + .91)^2 - 4*(x^2 + y^2)", [](double x, double y, double z) { const double s = x * x + y * y + z * z + .91; return s * s - 4 * (x * x + y * y); }},
-    {"x^2*y^2 + y^2*z^2 + z^2*x^2 - x*y*z", [](double x, double y, double z) { return x * x * y * y + y * y * z * z + z * z * x * x - x * y * z; }},
+    {"(x^2 + y^2 + z^2 + .91)^2 - 4*(x^2 + y^2)",
+     [](double x, double y, double z) {
+         const double s = x * x + y * y + z * z + .91;
+         return s * s - 4 * (x * x + y * y);
+     }},
+    {"x^2*y^2 + y^2*z^2 + z^2*x^2 - x*y*z",
+     [](double x, double y, double z) { return x * x * y * y + y * y * z * z + z * z * x * x - x * y * z; }},
     {"x^20 + y^20 + z^20 - 1", [](double x, double y, double z) { return std::pow(x, 20) + std::pow(y, 20) + std::pow(z, 20) - 1; }},
-    {"8*x^4 - 8*x^2 + 8*y^4 - 8*y^2 + 8*z^4 - 8*z^2 + 3", [](double x, double y, double z) { const auto T = [](double t) { return 8 * t * t * t * t - 8 * t * t + 1; }; return T(x) + T(y) + T(z); }},
-    {"sin(4*x)*cos(4*y) + sin(4*y)*cos(4*z) + sin(4*z)*cos(4*x)", [](double x, double y, double z) { return std::sin(4 * x) * std::cos(4 * y) + std::sin(4 * y) * std::cos(4 * z) + std::sin(4 * z) * std::cos(4 * x); }},
-    {"max(x^2 + y^2 + z^2 - 1, .6 - sqrt(x^2 + y^2))", [](double x, double y, double z) { return std::max(x * x + y * y + z * z - 1, .6 - std::sqrt(x * x + y * y)); }},
+    {"8*x^4 - 8*x^2 + 8*y^4 - 8*y^2 + 8*z^4 - 8*z^2 + 3",
+     [](double x, double y, double z) {
+         const auto T = [](double t) { return 8 * t * t * t * t - 8 * t * t + 1; };
+         return T(x) + T(y) + T(z);
+     }},
+    {"sin(4*x)*cos(4*y) + sin(4*y)*cos(4*z) + sin(4*z)*cos(4*x)",
+     [](double x, double y, double z) {
+         return std::sin(4 * x) * std::cos(4 * y) + std::sin(4 * y) * std::cos(4 * z) + std::sin(4 * z) * std::cos(4 * x);
+     }},
+    {"max(x^2 + y^2 + z^2 - 1, .6 - sqrt(x^2 + y^2))",
+     [](double x, double y, double z) { return std::max(x * x + y * y + z * z - 1, .6 - std::sqrt(x * x + y * y)); }},
     {"x^2 + y^2 - z^3", [](double x, double y, double z) { return x * x + y * y - z * z * z; }},
     {"z - .5*log(x + 1) + 1/(y - .2)", [](double x, double y, double z) { return z - .5 * std::log(x + 1) + 1 / (y - .2); }},
 };
@@ -167,7 +196,10 @@ TEST(ImplicitRoots, AreTheFirstOnesOfDoublePrecision) {
         const auto answers = ask(sceneOf(surface.text), r.o, r.d, r.size);
         size_t met = 0;
         for (size_t i = 0; i < rays; ++i) {
-            const auto at = [&](double t) { const glm::dvec3 p = scale * (toGlm(r.o[i]) + t * toGlm(r.d[i])); return surface.f(p.x, p.y, p.z); };
+            const auto at = [&](double t) {
+                const glm::dvec3 p = scale * (toGlm(r.o[i]) + t * toGlm(r.d[i]));
+                return surface.f(p.x, p.y, p.z);
+            };
             const auto [enter, leave] = spanOf(r.o[i], r.d[i]);
             const double step = (leave - enter) / steps;
             double root = -1;
@@ -185,9 +217,13 @@ TEST(ImplicitRoots, AreTheFirstOnesOfDoublePrecision) {
             if (found < 0) continue;
             const glm::dvec3 p = scale * toGlm(answers[i].p), n = toGlm(answers[i].ng);
             constexpr double by = 2e-4;
-            const double inside = surface.f(p.x - by * n.x, p.y - by * n.y, p.z - by * n.z), outside = surface.f(p.x + by * n.x, p.y + by * n.y, p.z + by * n.z);
+            const double inside = surface.f(p.x - by * n.x, p.y - by * n.y, p.z - by * n.z),
+                         outside = surface.f(p.x + by * n.x, p.y + by * n.y, p.z + by * n.z);
             if (root >= 0) { ASSERT_LT(found, root + 2e-5) << surface.text << ", ray " << i; }
-            if (root < 0 || found < root - 2e-5) { EXPECT_LT(std::abs(at(found)), 1e-4 + 2e-5 * std::abs(at(found + 1e-7) - at(found - 1e-7)) / 2e-7) << surface.text << ", ray " << i << " finds a root at " << found << " that is none; there is one at " << root; }
+            if (root < 0 || found < root - 2e-5) {
+                EXPECT_LT(std::abs(at(found)), 1e-4 + 2e-5 * std::abs(at(found + 1e-7) - at(found - 1e-7)) / 2e-7)
+                    << surface.text << ", ray " << i << " finds a root at " << found << " that is none; there is one at " << root;
+            }
             /* The normal goes from negative to positive; at an edge or a tip it may not */
             if (inside * outside < 0) { EXPECT_GT(outside, inside) << surface.text << ", ray " << i; }
             ASSERT_NEAR(glm::length(n), 1, 1e-5);
@@ -197,7 +233,8 @@ TEST(ImplicitRoots, AreTheFirstOnesOfDoublePrecision) {
     }
 }
 
-/// Where F touches zero and nowhere changes its sign, the surface is what single precision cannot tell from zero: here less than 1e-3 thick.
+/// Where F touches zero and nowhere changes its sign, the surface is what single precision cannot tell from zero: here less than 1e-3
+/// thick.
 TEST(ImplicitRoots, ThatTouchAreFound) {
     for (const char* text : {"(x^2 + y^2 + z^2 - 1)^2", "abs(x^2 + y^2 + z^2 - 1)", "-(1 - sqrt(x^2 + y^2 + z^2))^2"}) {
         const Rays r = raysAtBox(4000, 92);
@@ -212,7 +249,8 @@ TEST(ImplicitRoots, ThatTouchAreFound) {
             if (first <= 1e-2) { continue; }   // it starts on the surface, or behind it
             if (answers[i].t < 0) { ++missed; continue; }
             EXPECT_NEAR(scale * static_cast<double>(answers[i].t), first, 2e-3 / half) << text << ", ray " << i;
-            EXPECT_LT(glm::dot(toGlm(answers[i].ng), d) * (text[0] == '-' ? -1 : 1), 0) << "the normal is the gradient where the ray comes from";
+            EXPECT_LT(glm::dot(toGlm(answers[i].ng), d) * (text[0] == '-' ? -1 : 1), 0)
+                << "the normal is the gradient where the ray comes from";
         }
         EXPECT_EQ(missed, 0u) << text;
     }
@@ -224,19 +262,26 @@ TEST(ImplicitRoots, DoNotDependOnTheUnit) {
     const auto expected = ask(sceneOf("x^2 + y^2 + z^2 - 1"), r.o, r.d, r.size);
     for (const int exponent : {-45, -20, 20, 45}) {
         const double unit = std::ldexp(1, exponent);
-        const PackedScene scene = packText(fmt::format("WorldBegin Shape \"implicit\" \"string F\" \"x^2 + y^2 + z^2 - a^2\" \"float a\" {0:.17g} \"point3 bounds\" [{1:.17g} {1:.17g} {1:.17g}  {2:.17g} {2:.17g} {2:.17g}]", unit, -2 * unit, 2 * unit));
+        const PackedScene scene =
+            packText(fmt::format("WorldBegin Shape \"implicit\" \"string F\" \"x^2 + y^2 + z^2 - a^2\" \"float a\" {0:.17g} \"point3 "
+                                 "bounds\" [{1:.17g} {1:.17g} {1:.17g}  {2:.17g} {2:.17g} {2:.17g}]",
+                                 unit, -2 * unit, 2 * unit));
         const auto answers = ask(scene, r.o, r.d, r.size);
         for (size_t i = 0; i < answers.size(); ++i) {
             ASSERT_NEAR(answers[i].t, expected[i].t, 1e-5f) << "in units of 2^" << exponent << ", ray " << i;
-            if (answers[i].t >= 0) { ASSERT_LT(glm::length(toGlm(answers[i].error)), 1e-5) << "in units of 2^" << exponent << ", ray " << i; }
+            if (answers[i].t >= 0) {
+                ASSERT_LT(glm::length(toGlm(answers[i].error)), 1e-5) << "in units of 2^" << exponent << ", ray " << i;
+            }
         }
     }
 }
 
 /// Nothing that can be written makes the search endless, or its answer no number.
 TEST(ImplicitRoots, EndWhateverFIs) {
-    for (const char* text : {"sin(1/(x^2 + y^2))", "0*x", "x - x", "sqrt(x - 10)", "log(-x*x)", "1/x", "exp(exp(exp(9*x))) - exp(exp(exp(9*y)))", "sin(1e6*x)*sin(1e6*y)*sin(1e6*z)", "tan(30*x*y*z)",
-                             "x^1000 - y^999", "1e-30*x", "1e34*x*y*z*x*y", "(x*y*z)^9", "max(x^2 + y^2 + z^2 - 1, 0)", "atan2(y, x)", "min(sqrt(x), log(y))"}) {
+    for (const char* text :
+         {"sin(1/(x^2 + y^2))", "0*x", "x - x", "sqrt(x - 10)", "log(-x*x)", "1/x", "exp(exp(exp(9*x))) - exp(exp(exp(9*y)))",
+          "sin(1e6*x)*sin(1e6*y)*sin(1e6*z)", "tan(30*x*y*z)", "x^1000 - y^999", "1e-30*x", "1e34*x*y*z*x*y", "(x*y*z)^9",
+          "max(x^2 + y^2 + z^2 - 1, 0)", "atan2(y, x)", "min(sqrt(x), log(y))"}) {
         const Rays r = raysAtBox(200, 93);
         for (const Answer& a : ask(sceneOf(text), r.o, r.d, r.size)) {
             ASSERT_TRUE(std::isfinite(a.t)) << text;

@@ -121,7 +121,8 @@ TEST(Layout, IsEqualOnBothSides) {
 
 /// Each feature that some field of a queue names, alone.
 TEST(Layout, IsEqualForEachFeatureOfAField) {
-    for (Feature f : {Feature::MEDIA, Feature::INTERFACE, Feature::TRANSMISSION, Feature::INSTANCES, Feature::ANISOTROPY, Feature::AOVS, Feature::LIGHT_TREE, Feature::PORTALS})
+    for (Feature f : {Feature::MEDIA, Feature::INTERFACE, Feature::TRANSMISSION, Feature::INSTANCES, Feature::ANISOTROPY, Feature::AOVS,
+                      Feature::LIGHT_TREE, Feature::PORTALS})
         expectEqualLayout(Features().require(f), featureName(f));
 }
 

@@ -52,8 +52,11 @@ TEST(LightSampler, LeavesAUniformRest) {
     struct Chosen { int i; float rest; };
     const PackedScene scene = sceneChoosingBy({0.3, 4, 1, 0.7});
     const DeviceScene onDevice(testContext(), scene);
-    const DeviceFunction<Chosen> function({.include = "light/light.clh", .type = "alias_sample", .body = "result = sample_alias(light_aliases, 4, u);",
-                                           .inputs = {"float u"}, .tables = "LIGHT_TABLES(TABLE)"});
+    const DeviceFunction<Chosen> function({.include = "light/light.clh",
+                                           .type = "alias_sample",
+                                           .body = "result = sample_alias(light_aliases, 4, u);",
+                                           .inputs = {"float u"},
+                                           .tables = "LIGHT_TABLES(TABLE)"});
     Random random(50);
     const auto u = generate(100000, [&] { return random.unit(); });
     std::vector<double> counts(4 * 16), expected;
@@ -67,16 +70,22 @@ TEST(LightSampler, LeavesAUniformRest) {
     EXPECT_GT(chi.probability, significance) << chi.describe();
 }
 
-/// Of 64 points of a low-discrepancy sequence, four lights that are equally likely get 16 each, and what is left of the first number makes of these
-/// again points with one in each of the 16 elementary intervals of every shape. Points that a number of its own had dealt to the lights would not be so.
+/// Of 64 points of a low-discrepancy sequence, four lights that are equally likely get 16 each, and what is left of the first number makes
+/// of these again points with one in each of the 16 elementary intervals of every shape. Points that a number of its own had dealt to the
+/// lights would not be so.
 TEST(LightSampler, LeavesStrataToEachLight) {
     struct Placed { int i; vec2 at; };
     const PackedScene scene = sceneChoosingBy({1, 1, 1, 1});
     const DeviceScene onDevice(testContext(), scene);
-    const DeviceFunction<Placed> function({.include = "light/light.clh", .type = "placed",
-        .body = "light_tables tables = BIND_LIGHTS; vec2 u = sample_2d(seed, sample, 9u); alias_sample lot = sample_light_index(tables, 4u, u.x); result.i = lot.i; result.at = make_vec2(lot.rest, u.y);",
-        .inputs = {"uint seed", "uint sample"}, .declarations = "#include \"math/random.clh\"\ntypedef struct { int i; vec2 at; } placed;", .tables = "LIGHT_TABLES(TABLE)",
-        .features = Features().require(Feature::SOBOL)});
+    const DeviceFunction<Placed> function(
+        {.include = "light/light.clh",
+         .type = "placed",
+         .body = "light_tables tables = BIND_LIGHTS; vec2 u = sample_2d(seed, sample, 9u); alias_sample lot = sample_light_index(tables, "
+                 "4u, u.x); result.i = lot.i; result.at = make_vec2(lot.rest, u.y);",
+         .inputs = {"uint seed", "uint sample"},
+         .declarations = "#include \"math/random.clh\"\ntypedef struct { int i; vec2 at; } placed;",
+         .tables = "LIGHT_TABLES(TABLE)",
+         .features = Features().require(Feature::SOBOL)});
     std::vector<uint> sample(64);
     std::iota(sample.begin(), sample.end(), 0u);
     for (uint seed = 1; seed <= 8; ++seed) {
@@ -84,7 +93,8 @@ TEST(LightSampler, LeavesStrataToEachLight) {
         for (uint a = 0; a <= 4; ++a) {
             std::set<uint> cells;
             for (const Placed& p : placed) {
-                const uint x = static_cast<uint>(p.at.x * static_cast<float>(1u << a)), y = static_cast<uint>(p.at.y * static_cast<float>(1u << (4 - a)));
+                const uint x = static_cast<uint>(p.at.x * static_cast<float>(1u << a)),
+                           y = static_cast<uint>(p.at.y * static_cast<float>(1u << (4 - a)));
                 cells.insert(16 * static_cast<uint>(p.i) + (y << a) + x);
             }
             EXPECT_EQ(cells.size(), 64u) << "seed " << seed << " a " << a;

@@ -6,7 +6,10 @@
 namespace eikonal {
 
 static const DeviceFunction<LightResult>& sampler() {
-    static const DeviceFunction<LightResult> function({.include = "trace/route_items.clh", .type = "light_result", .body = R"(
+    static const DeviceFunction<LightResult> function(
+        {.include = "trace/route_items.clh",
+         .type = "light_result",
+         .body = R"(
         light_tables tables = BIND_LIGHTS;
         color_tables color_set = BIND_COLORS;
         sampled_wavelengths colors = path_wavelengths(color_set, 0u, 0u);
@@ -31,15 +34,17 @@ static const DeviceFunction<LightResult>& sampler() {
         result.pdf_hit = pdf_light(l, hit_light(r, f, at));
         light_emission emission = eval_infinite_light(tables, colors, l, p, s.wi, 0u);
         result.Le = emission.Le; result.pdf_environment = emission.pdf;)",
-        .inputs = {"vec3 p", "float u", "vec2 v", "uint count"},
-        .declarations = "typedef struct { spectrum L; vec3 wi; float distance, pdf; int is_delta; uint index; float pdf_hit; spectrum Le; float pdf_environment; } light_result;",
-        .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
+         .inputs = {"vec3 p", "float u", "vec2 v", "uint count"},
+         .declarations = "typedef struct { spectrum L; vec3 wi; float distance, pdf; int is_delta; uint index; float pdf_hit; spectrum Le; "
+                         "float pdf_environment; } light_result;",
+         .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     return function;
 }
 
 std::vector<LightResult> sample(const PackedScene& scene, vec3 p, const std::vector<float>& u, const std::vector<vec2>& v) {
     const DeviceScene onDevice(testContext(), scene);
-    return sampler().with(onDevice, std::vector<vec3>(u.size(), p), u, v, std::vector<uint>(u.size(), static_cast<uint>(scene.tables.lights.size())));
+    return sampler().with(onDevice, std::vector<vec3>(u.size(), p), u, v,
+                          std::vector<uint>(u.size(), static_cast<uint>(scene.tables.lights.size())));
 }
 
 PackedScene sceneOf(const light& l) {

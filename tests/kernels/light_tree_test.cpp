@@ -20,7 +20,8 @@ std::string crowd(int count) {
     for (int i = 0; i < count; ++i) {
         const vec3 p = random.box(2), to = random.direction();
         const std::string power = fmt::format("\"float scale\" {}", random.logBetween(0.1f, 10));
-        const std::string at = fmt::format("AttributeBegin Translate {} {} {} Rotate {} {} {} {} ", p.x, p.y, p.z, 360 * random.unit(), to.x, to.y, to.z);
+        const std::string at =
+            fmt::format("AttributeBegin Translate {} {} {} Rotate {} {} {} {} ", p.x, p.y, p.z, 360 * random.unit(), to.x, to.y, to.z);
         const std::string area = "AreaLightSource \"diffuse\" " + power;
         switch (i % 10) {
             case 0: text += at + "LightSource \"point\" " + power; break;
@@ -30,13 +31,21 @@ std::string crowd(int count) {
             case 4: text += at + area + " Shape \"sphere\" \"float radius\" .05"; break;
             case 5: text += at + area + " Shape \"bilinearmesh\" \"point3 P\" [0 0 0 .1 0 .05 0 .1 0 .1 .1 0]"; break;
             case 6: text += at + area + " Shape \"cylinder\" \"float radius\" .03 \"float zmin\" -.1 \"float zmax\" .2"; break;
-            case 7: text += at + "LightSource \"goniometric\" \"string filename\" \"" EIKONAL_SOURCE_DIR "/scenes/assets/tiles.png\" " + power; break;
-            case 8: text += at + "LightSource \"projection\" \"float fov\" 70 \"string filename\" \"" EIKONAL_SOURCE_DIR "/scenes/assets/tiles.png\" " + power; break;
+            case 7:
+                text += at + "LightSource \"goniometric\" \"string filename\" \"" EIKONAL_SOURCE_DIR "/scenes/assets/tiles.png\" " + power;
+                break;
+            case 8:
+                text += at +
+                        "LightSource \"projection\" \"float fov\" 70 \"string filename\" \"" EIKONAL_SOURCE_DIR
+                        "/scenes/assets/tiles.png\" " +
+                        power;
+                break;
             case 9: text += at + "LightSource \"spot\" \"float coneangle\" 20 \"float conedeltaangle\" 20 " + power; break;
         }
         text += " AttributeEnd\n";
     }
-    return text + "LightSource \"infinite\" \"string filename\" \"" EIKONAL_SOURCE_DIR "/scenes/assets/tiles.png\" LightSource \"distant\" Shape \"sphere\" \"float radius\" 4";
+    return text + "LightSource \"infinite\" \"string filename\" \"" EIKONAL_SOURCE_DIR
+                  "/scenes/assets/tiles.png\" LightSource \"distant\" Shape \"sphere\" \"float radius\" 4";
 }
 
 struct Chosen { uint light; float pmf, again; };
@@ -100,7 +109,8 @@ TEST_P(LightTrees, TakesLightsByTheirProbability) {
         }
         std::vector<uint> index(lights);
         for (uint i = 0; i < lights; ++i) index[i] = i;
-        const auto all = sender().with(onDevice, index, std::vector<vec3>(lights, at.p), std::vector<vec3>(lights, at.n), std::vector<vec2>(lights, {0.5f, 0.5f}));
+        const auto all = sender().with(onDevice, index, std::vector<vec3>(lights, at.p), std::vector<vec3>(lights, at.n),
+                                       std::vector<vec2>(lights, {0.5f, 0.5f}));
         double sum = 0;
         for (size_t i = 0; i < lights; ++i) { expected[i] = all[i].pmf * draws; sum += all[i].pmf; }
         expected[lights] = (1 - sum) * draws;
@@ -129,7 +139,10 @@ TEST_P(LightTrees, LeavesNothingOut) {
     size_t lit = 0;
     const auto sent = sender().with(onDevice, index, p, n, v);
     for (size_t i = 0; i < draws; ++i) {
-        if (sent[i].contribution > 1e-6f) { ++lit; EXPECT_GT(sent[i].pmf, 0) << "light " << index[i] << " of kind " << scene.tables.lights[index[i]].kind; }
+        if (sent[i].contribution > 1e-6f) {
+            ++lit;
+            EXPECT_GT(sent[i].pmf, 0) << "light " << index[i] << " of kind " << scene.tables.lights[index[i]].kind;
+        }
     }
     EXPECT_GT(lit, draws / 8);
 }

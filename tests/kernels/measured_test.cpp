@@ -10,14 +10,17 @@
 namespace eikonal {
 namespace {
 
-// Between which neighbours of an ascending list a number is, for lists of 1 to 33 squares: 33 are the most whose 32 intervals five steps halve until
-// one is left. Numbers are on each square, between them, and beyond both ends, where the place is the end.
+// Between which neighbours of an ascending list a number is, for lists of 1 to 33 squares: 33 are the most whose 32 intervals five steps
+// halve until one is left. Numbers are on each square, between them, and beyond both ends, where the place is the end.
 TEST(MeasuredSearch, FiveStepsFindTheIntervalInListsOfUpTo33) {
     constexpr uint longest = 33;
-    const DeviceFunction<vec2> find({.include = "bsdf/measured_grid.clh", .type = "vec2",
-                                     .body = "measured_step at = find_step(squares_array[index].n, length, x); result = make_vec2(float_of(at.i), at.t);",
-                                     .inputs = {"list squares", "uint length", "float x"},
-                                     .declarations = "typedef struct { float n[33]; } list;", .constants = {.measuredAngleSteps = 5}});
+    const DeviceFunction<vec2> find(
+        {.include = "bsdf/measured_grid.clh",
+         .type = "vec2",
+         .body = "measured_step at = find_step(squares_array[index].n, length, x); result = make_vec2(float_of(at.i), at.t);",
+         .inputs = {"list squares", "uint length", "float x"},
+         .declarations = "typedef struct { float n[33]; } list;",
+         .constants = {.measuredAngleSteps = 5}});
     WordArray lists{longest, {}};
     std::vector<uint> lengths;
     std::vector<float> numbers;

@@ -38,12 +38,14 @@ void setTravel(QueueWords& q, unsigned i, unsigned depth) {
 }
 
 void expectClean(const QueueWords& q, unsigned i) {
-    for (int w = 0; w < q.layout().words; ++w) ASSERT_NE(q.word(w, i), poison) << "queue " << q.layout().name << " item " << i << " word " << w;
+    for (int w = 0; w < q.layout().words; ++w)
+        ASSERT_NE(q.word(w, i), poison) << "queue " << q.layout().name << " item " << i << " word " << w;
 }
 
 double lengthOf(vec3 v) { return std::sqrt(double(v.x) * v.x + double(v.y) * v.y + double(v.z) * v.z); }
 
-/// Of four rays each: two in fog, one in vacuum, one dead. Shares of what becomes of those in fog are Beer's; all others stay what they were, word by word.
+/// Of four rays each: two in fog, one in vacuum, one dead. Shares of what becomes of those in fog are Beer's; all others stay what they
+/// were, word by word.
 TEST(MediumStages, ExtinguishRaysTakesWhatIsInMedia) {
     StageBench bench(scene(), items, true, items);
     QueueWords rays = bench.empty("ray"), intersections = bench.empty("intersection");

@@ -26,7 +26,9 @@ inline Channels channelsOf(spectrum s) { return {s.r, s.g, s.b}; }
 struct MediumRay { vec3 o, d; };
 constexpr float wayLength = 2;
 /// Through the media, along an axis and askew; the second starts inside.
-inline const std::array<MediumRay, 3> rays = {MediumRay{{-0.9f, 0.3f, 0.1f}, {1, 0, 0}}, MediumRay{{0.1f, 0.25f, 0.05f}, {-0.48f, 0.6f, 0.64f}}, MediumRay{{0.05f, -0.7f, -0.3f}, {0, 0.8f, 0.6f}}};
+inline const std::array<MediumRay, 3> rays = {MediumRay{{-0.9f, 0.3f, 0.1f}, {1, 0, 0}},
+                                              MediumRay{{0.1f, 0.25f, 0.05f}, {-0.48f, 0.6f, 0.64f}},
+                                              MediumRay{{0.05f, -0.7f, -0.3f}, {0, 0.8f, 0.6f}}};
 
 struct Integrals { spectrum tau, absorbed, scattered, emitted; };   ///< up to a distance; the last three: of sigma * T, and sigma_a * Le * T
 const DeviceFunction<Integrals>& integrate();
@@ -37,7 +39,8 @@ const DeviceFunction<Walked>& track();
 const DeviceFunction<Walked>& attenuate();
 
 /// n walks along a ray; heroes take turns, or are all the same.
-std::vector<Walked> walk(const DeviceFunction<Walked>& function, const DeviceScene& scene, const MediumRay& ray, float t, size_t n, int hero = -1);
+std::vector<Walked> walk(const DeviceFunction<Walked>& function, const DeviceScene& scene, const MediumRay& ray, float t, size_t n,
+                         int hero = -1);
 
 inline double mean(spectrum s) { return (double(s.r) + s.g + s.b) / 3; }
 inline bool finite(spectrum s) { return std::isfinite(s.r) && std::isfinite(s.g) && std::isfinite(s.b); }

@@ -53,10 +53,12 @@ Motions manyMotions(size_t n) {
 
 TEST(Motion, DeviceInterpolatesAsTheHost) {
     const Motions all = manyMotions(2000);
-    const DeviceFunction<affine> at({.include = "trace/motion.clh", .type = "affine", .body = "result = place_at(m, time);", .inputs = {"motion m", "float time"}});
+    const DeviceFunction<affine> at(
+        {.include = "trace/motion.clh", .type = "affine", .body = "result = place_at(m, time);", .inputs = {"motion m", "float time"}});
     const auto results = at(all.packed, all.times);
     for (size_t i = 0; i < results.size(); ++i) {
-        const glm::dmat4 expected = all.scene.sceneFromWorld() * all.exact[i].at(static_cast<double>(all.times[i])) * all.group.worldFromScene();
+        const glm::dmat4 expected =
+            all.scene.sceneFromWorld() * all.exact[i].at(static_cast<double>(all.times[i])) * all.group.worldFromScene();
         /* The centre is 880 away, and turns with the rest: what is lost of it is lost in single precision */
         ASSERT_LT(distance(toMatrix(results[i]), expected), 5e-6) << i;
     }
@@ -64,16 +66,22 @@ TEST(Motion, DeviceInterpolatesAsTheHost) {
 
 TEST(Motion, InverseIsTheInverse) {
     const Motions all = manyMotions(2000);
-    const DeviceFunction<affine> both({.include = "trace/motion.clh", .type = "affine", .body = "affine m0 = place_at(m, time); m0.xw *= 1e-2f; m0.yw *= 1e-2f; m0.zw *= 1e-2f; result = compose(invert(m0), m0);", .inputs = {"motion m", "float time"}});
+    const DeviceFunction<affine> both(
+        {.include = "trace/motion.clh",
+         .type = "affine",
+         .body = "affine m0 = place_at(m, time); m0.xw *= 1e-2f; m0.yw *= 1e-2f; m0.zw *= 1e-2f; result = compose(invert(m0), m0);",
+         .inputs = {"motion m", "float time"}});
     for (const affine& m : both(all.packed, all.times)) ASSERT_LT(distance(toMatrix(m), glm::dmat4(1)), 1e-4);
 }
 
 /// The definition of include/eikonal/motion.h, in double precision.
 glm::dmat4 mapAt(const motion& m, double t) {
     const auto blend = [&](float a, float b) { return static_cast<double>(a) * (1 - t) + static_cast<double>(b) * t; };
-    const double angle = static_cast<double>(m.angle), a = angle > 0 ? std::sin((1 - t) * angle) / std::sin(angle) : 1 - t, b = angle > 0 ? std::sin(t * angle) / std::sin(angle) : t;
+    const double angle = static_cast<double>(m.angle), a = angle > 0 ? std::sin((1 - t) * angle) / std::sin(angle) : 1 - t,
+                 b = angle > 0 ? std::sin(t * angle) / std::sin(angle) : t;
     const auto turn = [&](float p, float q) { return a * static_cast<double>(p) + b * static_cast<double>(q); };
-    const glm::dquat q = glm::normalize(glm::dquat(turn(m.start_rotation.w, m.end_rotation.w), turn(m.start_rotation.x, m.end_rotation.x), turn(m.start_rotation.y, m.end_rotation.y), turn(m.start_rotation.z, m.end_rotation.z)));
+    const glm::dquat q = glm::normalize(glm::dquat(turn(m.start_rotation.w, m.end_rotation.w), turn(m.start_rotation.x, m.end_rotation.x),
+                                                   turn(m.start_rotation.y, m.end_rotation.y), turn(m.start_rotation.z, m.end_rotation.z)));
     const glm::dmat4 start = toMatrix(m.start), end = toMatrix(m.end);
     const glm::dmat3 stretch = glm::dmat3(start) * (1 - t) + glm::dmat3(end) * t;
     glm::dmat4 r(glm::mat3_cast(q) * stretch);
@@ -106,7 +114,12 @@ TEST(Motion, RaysMeetWhatIsThereAtTheirTime) {
         QueueWords queue = bench.empty("ray"), shadows = bench.empty("shadow");
         for (size_t i = 0; i < n; ++i) {
             vec3 o = random.box(1), d = random.direction();
-            if (i % 2) { const vec3 at = random.box(0.7f); d = {at.x - o.x, at.y - o.y, at.z - o.z}; const float s = 1 / static_cast<float>(std::sqrt(dot(d, d))); d = {d.x * s, d.y * s, d.z * s}; }
+            if (i % 2) {
+                const vec3 at = random.box(0.7f);
+                d = {at.x - o.x, at.y - o.y, at.z - o.z};
+                const float s = 1 / static_cast<float>(std::sqrt(dot(d, d)));
+                d = {d.x * s, d.y * s, d.z * s};
+            }
             for (QueueWords* q : {&queue, &shadows}) { q->set("o", i, o); q->set("d", i, d); q->set("time", i, time); }
             queue.set("t_max", i, FAR_AWAY);
             shadows.set("t_max", i, 0.5f);
@@ -133,7 +146,9 @@ TEST(Motion, RaysMeetWhatIsThereAtTheirTime) {
             const auto all = truth.meet(queue.get<vec3>("o", i), queue.get<vec3>("d", i));
             const uint element = intersections.get<uint>("element", i);
             hits += element != NONE;
-            ASSERT_EQ(judgeHit(all, element, intersections.get<uint>("instance", i), static_cast<double>(intersections.get<float>("t", i))), "") << "time " << time << " ray " << i;
+            ASSERT_EQ(judgeHit(all, element, intersections.get<uint>("instance", i), static_cast<double>(intersections.get<float>("t", i))),
+                      "")
+                << "time " << time << " ray " << i;
             ASSERT_EQ(judgeShadow(all, 0.5, paths.get<spectrum>("L", i).b == 0), "") << "time " << time << " shadow ray " << i;
         }
     }

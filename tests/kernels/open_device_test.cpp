@@ -9,8 +9,8 @@
 namespace eikonal {
 namespace {
 
-// A scene is read while the device opens, by libraries that read environment variables: none may be added meanwhile, for that moves them all. (ctest gives this
-// test a process of its own; after another test the device is open already.)
+// A scene is read while the device opens, by libraries that read environment variables: none may be added meanwhile, for that moves them
+// all. (ctest gives this test a process of its own; after another test the device is open already.)
 TEST(OpenDevice, LeavesTheEnvironmentWhereItIs) {
     preparePocl(testCacheFolder());
     char** const before = environ;

@@ -47,7 +47,8 @@ template <class F> auto generate(size_t n, F&& f) {
 }
 
 inline double dot(vec3 a, vec3 b) {
-    return static_cast<double>(a.x) * static_cast<double>(b.x) + static_cast<double>(a.y) * static_cast<double>(b.y) + static_cast<double>(a.z) * static_cast<double>(b.z);
+    return static_cast<double>(a.x) * static_cast<double>(b.x) + static_cast<double>(a.y) * static_cast<double>(b.y) +
+           static_cast<double>(a.z) * static_cast<double>(b.z);
 }
 
 }  // namespace eikonal

@@ -30,7 +30,8 @@ TEST_F(StageTest, ClassifyIntersectionsCountsByQueue) {
             const shape& s = sceneOfEverything().tables.shapes[sceneOfEverything().tables.element_shapes[element]];
             found[next_emission] += s.first_light != NONE;
             ASSERT_LT(next_queue, static_cast<uint>(next_miss)) << "a surface scatters";
-            ASSERT_EQ(sceneOfEverything().tables.materials[intersections.get<uint>("material", i)].next_queue, next_queue) << "mixes are resolved";
+            ASSERT_EQ(sceneOfEverything().tables.materials[intersections.get<uint>("material", i)].next_queue, next_queue)
+                << "mixes are resolved";
         }
     }
     EXPECT_EQ(bench.counts(), found);
@@ -44,14 +45,16 @@ TEST_F(StageTest, RouteIntersectionsDeliversEveryIntersectionOnce) {
     classify();
     const auto counts = bench.counts();
     bench.run("route_intersections", paths);
-    const QueueWords intersections = bench.read("intersection"), hits = bench.read("hit"), misses = bench.read("miss"), emissions = bench.read("emission");
+    const QueueWords intersections = bench.read("intersection"), hits = bench.read("hit"), misses = bench.read("miss"),
+                     emissions = bench.read("emission");
 
     std::vector<std::set<uint>> wanted(next_queues), found(next_queues);
     for (size_t i = 0; i < paths; ++i) {
         const uint next_queue = intersections.get<uint>("next_queue", i);
         if (next_queue < next_queues) wanted[next_queue].insert(static_cast<uint>(i));
         const uint element = intersections.get<uint>("element", i);
-        if (element != NONE && sceneOfEverything().tables.shapes[sceneOfEverything().tables.element_shapes[element]].first_light != NONE) wanted[next_emission].insert(static_cast<uint>(i));
+        if (element != NONE && sceneOfEverything().tables.shapes[sceneOfEverything().tables.element_shapes[element]].first_light != NONE)
+            wanted[next_emission].insert(static_cast<uint>(i));
     }
     const std::vector<int> parameterWords{
 #define WORDS_OF(q, type, name, FEATURE) +WORDS_##type
@@ -66,7 +69,8 @@ TEST_F(StageTest, RouteIntersectionsDeliversEveryIntersectionOnce) {
         const QueueWords& queue = next_queue == next_miss ? misses : next_queue == next_emission ? emissions : hits;
         const unsigned start = next_queue < next_miss ? segmentStart(next_queue) : 0;
         for (unsigned i = start; i < start + counts[next_queue]; ++i) {
-            const int words = next_queue < next_miss && next_queue >= next_diffuse ? common + parameterWords[next_queue - next_diffuse] : -1;
+            const int words =
+                next_queue < next_miss && next_queue >= next_diffuse ? common + parameterWords[next_queue - next_diffuse] : -1;
             expectClean(queue, i, words);
             found[next_queue].insert(queue.get<uint>("path", i));
         }
@@ -82,7 +86,8 @@ TEST_F(StageTest, RouteIntersectionsDeliversEveryIntersectionOnce) {
     /* Frames are made of unit vectors, on the side that the path came from or the other, but perpendicular where they must be */
     for (size_t i = 0; i < hits.capacity(); ++i) {
         if (hits.get<uint>("path", i) == poison) continue;
-        const vec3 ng = hits.get<vec3>("ng", i), ns = hits.get<vec3>("ns", i), wo = hits.get<vec3>("wo", i), tangent = hits.get<vec3>("tangent", i);
+        const vec3 ng = hits.get<vec3>("ng", i), ns = hits.get<vec3>("ns", i), wo = hits.get<vec3>("wo", i),
+                   tangent = hits.get<vec3>("tangent", i);
         ASSERT_NEAR(lengthOf(ng), 1, 1e-5);
         ASSERT_NEAR(lengthOf(ns), 1, 1e-5);
         ASSERT_NEAR(lengthOf(wo), 1, 1e-5);
@@ -98,7 +103,8 @@ TEST_F(StageTest, RouteIntersectionsOfNothingWritesNothing) {
     bench.resetCounters();
     bench.run("classify_intersections", 0);
     bench.run("route_intersections", 0);
-    for (const char* queue : {"hit", "miss", "emission", "next_ray"}) EXPECT_EQ(bench.read(queue).words(), bench.empty(queue).words()) << queue;
+    for (const char* queue : {"hit", "miss", "emission", "next_ray"})
+        EXPECT_EQ(bench.read(queue).words(), bench.empty(queue).words()) << queue;
 }
 
 }  // namespace

@@ -28,8 +28,11 @@ Features featuresOf(Kind kind) {
 class Sampler {
 public:
     explicit Sampler(Kind kind)
-        : function_({.include = "math/random.clh", .type = "drawn", .body = "result.one = sample_1d(seed, sample, dimension); result.two = sample_2d(seed, sample, dimension);",
-                     .inputs = {"uint seed", "uint sample", "uint dimension"}, .declarations = "typedef struct { float one; vec2 two; } drawn;",
+        : function_({.include = "math/random.clh",
+                     .type = "drawn",
+                     .body = "result.one = sample_1d(seed, sample, dimension); result.two = sample_2d(seed, sample, dimension);",
+                     .inputs = {"uint seed", "uint sample", "uint dimension"},
+                     .declarations = "typedef struct { float one; vec2 two; } drawn;",
                      .features = featuresOf(kind)}) {}
     /// `count` samples from `first` on, of one dimension of one pixel.
     std::vector<Drawn> draw(uint seed, uint dimension, uint first, uint count) const {
@@ -45,7 +48,8 @@ private:
 /// Of 2^k samples from a multiple of 2^k on, exactly one lies in each of the 2^k elementary intervals, for every shape
 /// 2^-a x 2^-(k-a): the definition of a (0, 2)-sequence in base 2, and Owen scrambling keeps it. In one dimension likewise.
 class SobolSampler : public testing::TestWithParam<Kind> {};
-INSTANTIATE_TEST_SUITE_P(Samplers, SobolSampler, testing::Values(Kind::padded, Kind::joint), [](const auto& info) { return nameOf(info.param); });
+INSTANTIATE_TEST_SUITE_P(Samplers, SobolSampler, testing::Values(Kind::padded, Kind::joint),
+                         [](const auto& info) { return nameOf(info.param); });
 
 TEST_P(SobolSampler, StratifiesEveryBlockInEveryDimension) {
     const Sampler sampler(GetParam());
@@ -58,14 +62,17 @@ TEST_P(SobolSampler, StratifiesEveryBlockInEveryDimension) {
                 const uint n = 1u << k;
                 std::vector<int> strata(n);
                 for (uint i = block; i < block + n; ++i) ++strata[static_cast<size_t>(all[i].one * static_cast<float>(n))];
-                ASSERT_EQ(std::count(strata.begin(), strata.end(), 1), n) << "one dimension, seed " << seed << " dimension " << dimension << " block " << block << " of " << n;
+                ASSERT_EQ(std::count(strata.begin(), strata.end(), 1), n)
+                    << "one dimension, seed " << seed << " dimension " << dimension << " block " << block << " of " << n;
                 for (uint a = 0; a <= k; ++a) {
                     std::vector<int> cells(n);
                     for (uint i = block; i < block + n; ++i) {
-                        const uint x = static_cast<uint>(all[i].two.x * static_cast<float>(1u << a)), y = static_cast<uint>(all[i].two.y * static_cast<float>(1u << (k - a)));
+                        const uint x = static_cast<uint>(all[i].two.x * static_cast<float>(1u << a)),
+                                   y = static_cast<uint>(all[i].two.y * static_cast<float>(1u << (k - a)));
                         ++cells[(y << a) + x];
                     }
-                    ASSERT_EQ(std::count(cells.begin(), cells.end(), 1), n) << "seed " << seed << " dimension " << dimension << " block " << block << " of " << n << " a " << a;
+                    ASSERT_EQ(std::count(cells.begin(), cells.end(), 1), n)
+                        << "seed " << seed << " dimension " << dimension << " block " << block << " of " << n << " a " << a;
                 }
             }
     }
@@ -74,16 +81,22 @@ TEST_P(SobolSampler, StratifiesEveryBlockInEveryDimension) {
 /// The samples of a block of pixels are as well spread as those of one pixel: 4 x 4 pixels with 4 samples each have one sample in each of
 /// the 64 elementary intervals of every shape, wherever an aligned block lies; and so in a tile and beyond it.
 TEST(BlueNoise, SpreadsTheSamplesOfBlocksOfPixels) {
-    const DeviceFunction<Drawn> draw({.include = "camera/camera.clh", .type = "drawn",
-        .body = "sequence_place at = place_in_sequence(x, y, sample, 5u, 2u, 3u); result.one = sample_1d(at.seed, at.index, 9u); result.two = sample_2d(at.seed, at.index, 9u);",
-        .inputs = {"uint x", "uint y", "uint sample"}, .declarations = "typedef struct { float one; vec2 two; } drawn;", .features = Features::all()});
+    const DeviceFunction<Drawn> draw({.include = "camera/camera.clh",
+                                      .type = "drawn",
+                                      .body = "sequence_place at = place_in_sequence(x, y, sample, 5u, 2u, 3u); result.one = "
+                                              "sample_1d(at.seed, at.index, 9u); result.two = sample_2d(at.seed, at.index, 9u);",
+                                      .inputs = {"uint x", "uint y", "uint sample"},
+                                      .declarations = "typedef struct { float one; vec2 two; } drawn;",
+                                      .features = Features::all()});
     for (const auto& [left, top] : {std::pair{0u, 0u}, {4u, 0u}, {4u, 4u}, {8u, 12u}, {1000u, 496u}}) {
         std::vector<uint> x, y, sample;
         for (uint i = 0; i < 64; ++i) { x.push_back(left + i % 4); y.push_back(top + i / 4 % 4); sample.push_back(i / 16); }
         const std::vector<Drawn> drawn = draw(x, y, sample);
         for (uint a = 0; a <= 6; ++a) {
             std::set<uint> cells;
-            for (const Drawn& d : drawn) cells.insert((static_cast<uint>(d.two.y * static_cast<float>(1u << (6 - a))) << a) + static_cast<uint>(d.two.x * static_cast<float>(1u << a)));
+            for (const Drawn& d : drawn)
+                cells.insert((static_cast<uint>(d.two.y * static_cast<float>(1u << (6 - a))) << a) +
+                             static_cast<uint>(d.two.x * static_cast<float>(1u << a)));
             EXPECT_EQ(cells.size(), 64u) << "pixels from (" << left << ", " << top << "), a " << a;
         }
     }
@@ -113,7 +126,8 @@ size_t unevenShapes(const std::vector<std::vector<float>>& coordinates, uint fir
         std::vector<uint> counts(1u << (k - t));
         for (uint i = first; i < first + (1u << k); ++i) {
             uint box = 0;
-            for (size_t c = 0; c < bits.size(); ++c) box = (box << bits[c]) | static_cast<uint>(coordinates[c][i] * static_cast<float>(1u << bits[c]));
+            for (size_t c = 0; c < bits.size(); ++c)
+                box = (box << bits[c]) | static_cast<uint>(coordinates[c][i] * static_cast<float>(1u << bits[c]));
             ++counts[box];
         }
         uneven += static_cast<size_t>(std::count(counts.begin(), counts.end(), 1u << t)) != counts.size();
@@ -133,8 +147,8 @@ std::vector<std::vector<float>> coordinatesOf(const Sampler& sampler, const Proj
 
 uint atVertex(uint depth, uint decision) { return camera_dimensions + depth * bounce_dimensions + decision; }
 
-/// What meets in an integrand is spread together: every block of 16, 64 and 256 samples of a pixel is a (2, 4)-, (3, 6)- and (3, 8)-net in the pairs of
-/// neighbours on a path, four and six numbers each. Padded pairs are no such nets.
+/// What meets in an integrand is spread together: every block of 16, 64 and 256 samples of a pixel is a (2, 4)-, (3, 6)- and (3, 8)-net in
+/// the pairs of neighbours on a path, four and six numbers each. Padded pairs are no such nets.
 TEST(JointPairs, AreNetsOfSmallT) {
     const Sampler joint(Kind::joint), padded(Kind::padded);
     const std::vector<Projection> projections = {
@@ -153,7 +167,8 @@ TEST(JointPairs, AreNetsOfSmallT) {
             const auto points = coordinatesOf(joint, p, seed, 512), others = coordinatesOf(padded, p, seed, 512);
             for (const auto& [k, t] : {std::pair{4u, 2u}, {6u, 3u}, {8u, 3u}})
                 for (uint first : {0u, 1u << k, 512u - (1u << k)}) {
-                    EXPECT_EQ(unevenShapes(points, first, k, t), 0u) << p.name << ", seed " << seed << ", samples " << first << " to " << first + (1u << k);
+                    EXPECT_EQ(unevenShapes(points, first, k, t), 0u)
+                        << p.name << ", seed " << seed << ", samples " << first << " to " << first + (1u << k);
                     unevenPadded += unevenShapes(others, first, k, t);
                 }
         }
@@ -169,12 +184,17 @@ class EverySampler : public testing::TestWithParam<Kind> {};
 TEST_P(EverySampler, IsUniformAndUncorrelatedOverPixels) {
     const Sampler sampler(GetParam());
     constexpr size_t n = 65536;
-    const uint dimensions[] = {dimension_pixel, atVertex(0, dimension_light), atVertex(0, dimension_light_point), atVertex(0, dimension_direction)};
+    const uint dimensions[] = {dimension_pixel, atVertex(0, dimension_light), atVertex(0, dimension_light_point),
+                               atVertex(0, dimension_direction)};
     std::vector<float> columns[3 * std::size(dimensions)];
-    const DeviceFunction<Drawn> perPixel({.include = "camera/camera.clh", .type = "drawn",
-        .body = "uint seed = place_in_sequence(pixel & 255u, pixel >> 8, 3u, 7u, 8u, 0u).seed; result.one = sample_1d(seed, 3u, dimension); result.two = sample_2d(seed, 3u, dimension);",
-        .inputs = {"uint pixel", "uint dimension"}, .declarations = "typedef struct { float one; vec2 two; } drawn;",
-        .features = featuresOf(GetParam())});
+    const DeviceFunction<Drawn> perPixel(
+        {.include = "camera/camera.clh",
+         .type = "drawn",
+         .body = "uint seed = place_in_sequence(pixel & 255u, pixel >> 8, 3u, 7u, 8u, 0u).seed; result.one = sample_1d(seed, 3u, "
+                 "dimension); result.two = sample_2d(seed, 3u, dimension);",
+         .inputs = {"uint pixel", "uint dimension"},
+         .declarations = "typedef struct { float one; vec2 two; } drawn;",
+         .features = featuresOf(GetParam())});
     std::vector<uint> pixels(n);
     for (uint i = 0; i < n; ++i) pixels[i] = i;
     for (size_t d = 0; d < std::size(dimensions); ++d) {
@@ -208,7 +228,8 @@ TEST_P(EverySampler, IsUniformAndUncorrelatedOverPixels) {
 /// Different seeds give different sequences; the same arguments give the same number whatever is computed beside them.
 TEST_P(EverySampler, DependsOnItsArgumentsOnly) {
     const Sampler sampler(GetParam());
-    const auto whole = sampler.draw(77, 9, 0, 512), part = sampler.draw(77, 9, 100, 37), other = sampler.draw(78, 9, 0, 512), dimension = sampler.draw(77, 10, 0, 512);
+    const auto whole = sampler.draw(77, 9, 0, 512), part = sampler.draw(77, 9, 100, 37), other = sampler.draw(78, 9, 0, 512),
+               dimension = sampler.draw(77, 10, 0, 512);
     int sameSeed = 0, sameDimension = 0;
     for (size_t i = 0; i < part.size(); ++i) {
         ASSERT_EQ(part[i].one, whole[100 + i].one);
@@ -223,7 +244,8 @@ TEST_P(EverySampler, DependsOnItsArgumentsOnly) {
     EXPECT_LE(sameDimension, 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Samplers, EverySampler, testing::Values(Kind::independent, Kind::padded, Kind::joint), [](const auto& info) { return nameOf(info.param); });
+INSTANTIATE_TEST_SUITE_P(Samplers, EverySampler, testing::Values(Kind::independent, Kind::padded, Kind::joint),
+                         [](const auto& info) { return nameOf(info.param); });
 
 /// Without Sobol' the samples of one pixel are independent: chi-square over 16 x 16 cells, and no correlation with the next sample.
 TEST(IndependentSampler, SamplesOfAPixelAreIndependent) {
@@ -244,8 +266,11 @@ TEST(IndependentSampler, SamplesOfAPixelAreIndependent) {
 
 /// A stream's numbers are uniform, and streams of neighbouring samples have nothing in common.
 TEST(RandomStream, IsUniformAndItsOwn) {
-    const DeviceFunction<vec2> function({.include = "math/random.clh", .type = "vec2",
-        .body = "random_stream s = make_stream(seed, sample, 5u); float a = next_random(&s); result = make_vec2(a, next_random(&s));", .inputs = {"uint seed", "uint sample"}});
+    const DeviceFunction<vec2> function(
+        {.include = "math/random.clh",
+         .type = "vec2",
+         .body = "random_stream s = make_stream(seed, sample, 5u); float a = next_random(&s); result = make_vec2(a, next_random(&s));",
+         .inputs = {"uint seed", "uint sample"}});
     std::vector<uint> seed, sample;
     for (uint i = 0; i < 65536; ++i) { seed.push_back(i >> 8); sample.push_back(i & 255); }
     const auto drawn = function(seed, sample);

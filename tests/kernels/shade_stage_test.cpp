@@ -102,7 +102,8 @@ TEST_F(StageTest, TestShadowsAddsWhereTheWayIsFree) {
         const float length = static_cast<float>(lengthOf(n));
         const vec3 d{n.x / length, n.y / length, n.z / length};
         shadow.set("path", i, 95 - i);
-        shadow.set("o", i, vec3{center.x + aside - 0.01f * d.x + 0.003f, center.y + aside - 0.01f * d.y + 0.002f, center.z + aside - 0.01f * d.z});
+        shadow.set("o", i,
+                   vec3{center.x + aside - 0.01f * d.x + 0.003f, center.y + aside - 0.01f * d.y + 0.002f, center.z + aside - 0.01f * d.z});
         shadow.set("d", i, d);
         shadow.set("t_max", i, i % 3 == 2 ? -1.0f : 0.02f);
         shadow.set("Ld", i, spectrum{static_cast<float>(i + 1), 2, 3});

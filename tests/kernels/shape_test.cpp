@@ -29,10 +29,15 @@ Features shapeFeatures() {
 /// A shape of each kind, as a pbrt file has it, around the origin.
 std::string textOf(const std::string& kind) {
     if (kind == "triangle")
-        return "Shape \"trianglemesh\" \"point3 P\" [ -1 -1 0  1 -1 .3  0 1 -.2 ] \"normal N\" [ -.2 0 1  .3 0 1  0 .4 1 ] \"point2 uv\" [ 0 0  1 .2  .3 1 ]";
-    if (kind == "bilinear") return "Shape \"bilinearmesh\" \"point3 P\" [ -1 -1 0  1 -1 .4  -1 1 .1  1 1 -.5 ] \"point2 uv\" [ 0 0  1 .2  .3 1  1.2 .9 ]";
-    if (kind == "curve") return "Shape \"curve\" \"string type\" \"cylinder\" \"float width0\" .8 \"float width1\" .4 \"point3 P\" [ -1 0 0  -.3 .4 0  .3 -.2 .3  1 .2 .1 ]";
-    if (kind == "implicit") return "Shape \"implicit\" \"string F\" \"x^4 + y^4 + z^4 - .3 + .1*sin(3*x)*y\" \"point3 bounds\" [ -1 -1 -1  1 .9 1 ]";
+        return "Shape \"trianglemesh\" \"point3 P\" [ -1 -1 0  1 -1 .3  0 1 -.2 ] \"normal N\" [ -.2 0 1  .3 0 1  0 .4 1 ] \"point2 uv\" [ "
+               "0 0  1 .2  .3 1 ]";
+    if (kind == "bilinear")
+        return "Shape \"bilinearmesh\" \"point3 P\" [ -1 -1 0  1 -1 .4  -1 1 .1  1 1 -.5 ] \"point2 uv\" [ 0 0  1 .2  .3 1  1.2 .9 ]";
+    if (kind == "curve")
+        return "Shape \"curve\" \"string type\" \"cylinder\" \"float width0\" .8 \"float width1\" .4 \"point3 P\" [ -1 0 0  -.3 .4 0  .3 "
+               "-.2 .3  1 .2 .1 ]";
+    if (kind == "implicit")
+        return "Shape \"implicit\" \"string F\" \"x^4 + y^4 + z^4 - .3 + .1*sin(3*x)*y\" \"point3 bounds\" [ -1 -1 -1  1 .9 1 ]";
     const std::string part = kind == "disk" ? "\"float innerradius\" .2 \"float height\" .2 " : "\"float zmin\" -.7 \"float zmax\" .6 ";
     return "Shape \"" + kind + "\" \"float phimax\" 290 " + part;
 }
@@ -40,16 +45,22 @@ std::string textOf(const std::string& kind) {
 /// The same under transforms: none, turned and scaled, stretched and mirrored; or in instances.
 std::vector<std::string> scenesOf(const std::string& kind) {
     const std::string shape = textOf(kind) + "\n", stretched = "Rotate 40 1 2 3 Scale 1.5 -.7 .9 Rotate 70 2 -1 .3 ";
-    return {"WorldBegin " + shape, "WorldBegin Translate 3 1 2 Rotate 50 1 1 0 Scale 7 7 7 " + shape, "WorldBegin ReverseOrientation " + stretched + shape,
-            "WorldBegin ObjectBegin \"o\" " + shape + "ObjectEnd ObjectInstance \"o\" Translate 1.5 .5 0 " + stretched + "ObjectInstance \"o\""};
+    return {"WorldBegin " + shape, "WorldBegin Translate 3 1 2 Rotate 50 1 1 0 Scale 7 7 7 " + shape,
+            "WorldBegin ReverseOrientation " + stretched + shape,
+            "WorldBegin ObjectBegin \"o\" " + shape + "ObjectEnd ObjectInstance \"o\" Translate 1.5 .5 0 " + stretched +
+                "ObjectInstance \"o\""};
 }
 
 struct Probe { float t; uint element, instance; float u, v; vec3 p, error, ng, ns, dpdu, dpdv, dndu, dndv, tangent; vec2 uv; float again; };
 
-/// What a ray meets, and how far a ray from there gets, on the side of the normal for side > 0 and on the other one for side < 0, before it meets
-/// the same element again (-1: never).
-std::vector<Probe> probe(const PackedScene& scene, const std::vector<vec3>& o, const std::vector<vec3>& d, const std::vector<vec3>& w, const std::vector<float>& side) {
-    static const DeviceFunction<Probe> function({.include = "trace/bvh.clh", .type = "probe", .body = R"(
+/// What a ray meets, and how far a ray from there gets, on the side of the normal for side > 0 and on the other one for side < 0, before it
+/// meets the same element again (-1: never).
+std::vector<Probe> probe(const PackedScene& scene, const std::vector<vec3>& o, const std::vector<vec3>& d, const std::vector<vec3>& w,
+                         const std::vector<float>& side) {
+    static const DeviceFunction<Probe> function(
+        {.include = "trace/bvh.clh",
+         .type = "probe",
+         .body = R"(
         geometry g = BIND_GEOMETRY;
         texture_tables tables = BIND_TEXTURES;
         nearest_hit best;
@@ -68,9 +79,11 @@ std::vector<Probe> probe(const PackedScene& scene, const std::vector<vec3>& o, c
             walk_bvh(g, tables, offset_origin(at.p, surface_offset(at), at.ng, leaving), leaving, 0.0f, walk_nearest, &next);
             if (next.element == best.element && next.instance == best.instance) result.again = next.t_max;
         })",
-        .inputs = {"vec3 o", "vec3 d", "vec3 w", "float side"},
-        .declarations = "typedef struct { float t; uint element, instance; float u, v; vec3 p, error, ng, ns, dpdu, dpdv, dndu, dndv, tangent; vec2 uv; float again; } probe;",
-        .tables = "GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE)", .features = shapeFeatures()});
+         .inputs = {"vec3 o", "vec3 d", "vec3 w", "float side"},
+         .declarations = "typedef struct { float t; uint element, instance; float u, v; vec3 p, error, ng, ns, dpdu, dpdv, dndu, dndv, "
+                         "tangent; vec2 uv; float again; } probe;",
+         .tables = "GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE)",
+         .features = shapeFeatures()});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, o, d, w, side);
 }
@@ -127,7 +140,8 @@ TEST_P(Shapes, RaysDoNotMeetTheSurfaceTheyLeave) {
         const auto probes = probe(scene, r.o, r.d, r.w, r.side);
         for (size_t i = 0; i < probes.size(); ++i) {
             if (probes[i].t < 0) continue;
-            ASSERT_FALSE(probes[i].again >= 0 && probes[i].again < 2e-5f) << "ray " << i << " meets it after " << probes[i].again << "\n" << text;
+            ASSERT_FALSE(probes[i].again >= 0 && probes[i].again < 2e-5f) << "ray " << i << " meets it after " << probes[i].again << "\n"
+                                                                          << text;
         }
     }
 }
@@ -153,33 +167,41 @@ TEST_P(Shapes, DerivativesFollowTheSurface) {
             const Probe &a = here[i], &b = there[i];
             if (a.t < 0 || b.t < 0 || a.element != b.element || a.instance != b.instance) continue;
             const glm::dvec3 change = toGlm(b.p) - toGlm(a.p);
-            const double du = static_cast<double>(b.uv.x) - static_cast<double>(a.uv.x), dv = static_cast<double>(b.uv.y) - static_cast<double>(a.uv.y), moved = glm::length(change);
+            const double du = static_cast<double>(b.uv.x) - static_cast<double>(a.uv.x),
+                         dv = static_cast<double>(b.uv.y) - static_cast<double>(a.uv.y), moved = glm::length(change);
             /* An implicit surface's texture coordinates jump, or turn, from one face of its box to another */
             const double u_length = glm::length(toGlm(a.dpdu)), v_length = glm::length(toGlm(a.dpdv));
-            const bool turns = glm::length(toGlm(b.dpdu) - toGlm(a.dpdu)) > 0.5 * u_length || glm::length(toGlm(b.dpdv) - toGlm(a.dpdv)) > 0.5 * v_length;
+            const bool turns =
+                glm::length(toGlm(b.dpdu) - toGlm(a.dpdu)) > 0.5 * u_length || glm::length(toGlm(b.dpdv) - toGlm(a.dpdv)) > 0.5 * v_length;
             if (GetParam() == "implicit" && (turns || std::abs(du) * u_length + std::abs(dv) * v_length > 4 * moved)) continue;
             /* The far side of the same shape, the seam, or a grazing ray that gets far */
             if (moved > 0.02 || std::abs(du) > 0.5 || std::abs(dot(a.ng, r.d[i])) < 0.2 || moved < 2e-4) continue;
             ++compared;
-            const glm::dvec3 p = du * toGlm(a.dpdu) + dv * toGlm(a.dpdv), n = du * toGlm(a.dndu) + dv * toGlm(a.dndv), turned = toGlm(b.ns) - toGlm(a.ns);
+            const glm::dvec3 p = du * toGlm(a.dpdu) + dv * toGlm(a.dpdv), n = du * toGlm(a.dndu) + dv * toGlm(a.dndv),
+                             turned = toGlm(b.ns) - toGlm(a.ns);
             ASSERT_LT(glm::length(p - change), 0.2 * moved + 1e-4) << "ray " << i << "\n" << text;
             ASSERT_LT(std::abs(dot(a.ng, a.dpdu)), 1e-4 * glm::length(toGlm(a.dpdu)) + 1e-6);
             ASSERT_LT(std::abs(dot(a.ng, a.dpdv)), 1e-4 * glm::length(toGlm(a.dpdv)) + 1e-6);
-            ASSERT_LT(glm::length(n - turned - glm::dot(n - turned, toGlm(a.ns)) * toGlm(a.ns)), 0.25 * glm::length(turned) + 2e-3) << "ray " << i << "\n" << text;
+            ASSERT_LT(glm::length(n - turned - glm::dot(n - turned, toGlm(a.ns)) * toGlm(a.ns)), 0.25 * glm::length(turned) + 2e-3)
+                << "ray " << i << "\n"
+                << text;
         }
         EXPECT_GT(compared, 50u) << text;
     }
 }
 
-/// A mesh's tangents are interpolated, go with it through its transforms, and turn what depends on the direction along the surface, which stays as it is otherwise.
+/// A mesh's tangents are interpolated, go with it through its transforms, and turn what depends on the direction along the surface, which
+/// stays as it is otherwise.
 TEST(Tangents, TurnTheFrame) {
-    const std::string corners = "Shape \"trianglemesh\" \"point3 P\" [ -1 -1 0  1 -1 0  0 1 0 ] ", mesh = corners + "\"vector3 S\" [ 1 0 0  1 2 3  -1 1 0 ] ";
+    const std::string corners = "Shape \"trianglemesh\" \"point3 P\" [ -1 -1 0  1 -1 0  0 1 0 ] ",
+                      mesh = corners + "\"vector3 S\" [ 1 0 0  1 2 3  -1 1 0 ] ";
     const std::string turned = "Rotate 90 0 0 1 Scale 2 1 1 ", normals = "\"normal N\" [ 0 .6 .8  0 .6 .8  0 .6 .8 ] ";
     const std::vector<vec3> o{{0, -0.2f, 3}}, d{{0, 0, -1}}, w{{0, 0, 1}};
     const auto meet = [&](const std::string& text) { return probe(packText("WorldBegin " + text), o, d, w, {1}).front(); };
     const auto expectTangent = [&](const Probe& at, glm::dmat3 m) {
         const double u = static_cast<double>(at.u), v = static_cast<double>(at.v);
-        const glm::dvec3 t = m * ((1 - u - v) * glm::dvec3(1, 0, 0) + u * glm::dvec3(1, 2, 3) + v * glm::dvec3(-1, 1, 0)), ns = toGlm(at.ns);
+        const glm::dvec3 t = m * ((1 - u - v) * glm::dvec3(1, 0, 0) + u * glm::dvec3(1, 2, 3) + v * glm::dvec3(-1, 1, 0)),
+                         ns = toGlm(at.ns);
         ASSERT_GE(at.t, 0);
         EXPECT_LT(glm::length(toGlm(at.tangent) - glm::normalize(t - glm::dot(t, ns) * ns)), 1e-5);
     };
@@ -194,11 +216,13 @@ TEST(Tangents, TurnTheFrame) {
         const std::string once = with("ObjectBegin \"o\" ", mesh) + "ObjectEnd " + turned + "ObjectInstance \"o\" ";
         expectTangent(meet(once), turn);
         expectTangent(meet(once + "Translate 0 0 -1 ObjectInstance \"o\""), turn);
-        const Probe plain = meet(with("", corners)), zero = meet(with("", corners + "\"vector3 S\" [ 0 0 0  0 0 0  0 0 0 ] ")), still = meet(with("", mesh));
+        const Probe plain = meet(with("", corners)), zero = meet(with("", corners + "\"vector3 S\" [ 0 0 0  0 0 0  0 0 0 ] ")),
+                    still = meet(with("", mesh));
         EXPECT_EQ(toGlm(zero.tangent), toGlm(plain.tangent)) << "no tangent: that of the texture coordinates";
         EXPECT_EQ(toGlm(still.dpdu), toGlm(plain.dpdu)) << "textures stay where they are";
         EXPECT_EQ(toGlm(still.dpdv), toGlm(plain.dpdv));
-        const Probe huge = meet(with("", corners + "\"vector3 S\" [ 1e30 1e30 0  1e30 1e30 0  1e30 1e30 0 ] ")), small = meet(with("", corners + "\"vector3 S\" [ 1e-30 1e-30 0  1e-30 1e-30 0  1e-30 1e-30 0 ] "));
+        const Probe huge = meet(with("", corners + "\"vector3 S\" [ 1e30 1e30 0  1e30 1e30 0  1e30 1e30 0 ] ")),
+                    small = meet(with("", corners + "\"vector3 S\" [ 1e-30 1e-30 0  1e-30 1e-30 0  1e-30 1e-30 0 ] "));
         EXPECT_LT(glm::length(toGlm(huge.tangent) - toGlm(small.tangent)), 1e-6);
     }
 }

@@ -14,11 +14,14 @@ namespace {
 TEST(SparseGrids, AreSampledAsTheLibraryDoes) {
     const PackedScene packed = sceneWith("nanovdb", parametersOf("nanovdb"));
     const DeviceScene onDevice(testContext(), packed);
-    const DeviceFunction<vec2> lookup({.include = "medium/medium.clh", .type = "vec2", .body = R"(
+    const DeviceFunction<vec2> lookup({.include = "medium/medium.clh",
+                                       .type = "vec2",
+                                       .body = R"(
         medium_tables medium_set = BIND_MEDIA;
         vec3 p = transform_point(medium_set.media[0].box_from_scene, at);
         result = make_vec2(lookup_grid(medium_set, medium_set.media[0].density, p), lookup_grid(medium_set, medium_set.media[0].temperature, p));)",
-        .inputs = {"vec3 at"}, .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"});
+                                       .inputs = {"vec3 at"},
+                                       .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     Random random(11);
     std::vector<vec3> points;
     for (int i = 0; i < 5000; ++i) points.push_back(random.box(0.7f));

@@ -31,7 +31,8 @@ PackedScene packText(const std::string& text, ColorMode color = ColorMode::autom
 class StageBench {
 public:
     /// Queues have room for `paths`, as in a wave (WaveSize), even those that the scene does not require. All words are poison at first,
-    /// but paths and film (of as many pixels as there are paths, or `filmPixels`) hold zeros. poisonItems: the device poisons new items, too.
+    /// but paths and film (of as many pixels as there are paths, or `filmPixels`) hold zeros. poisonItems: the device poisons new items,
+    /// too.
     StageBench(const PackedScene& scene, unsigned paths, bool poisonItems = true, unsigned filmPixels = 0);
 
     /// "ray" "next_ray" "intersection" "hit" "scatter" "miss" "emission" "shadow" "path" "film" as on the host.

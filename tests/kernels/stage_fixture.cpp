@@ -53,10 +53,14 @@ const PackedScene& sceneOfEverything() {
 
 void expectClean(const QueueWords& q, size_t i, int words) {
     for (const FieldLayout& f : q.layout().fields)
-        for (int w = 0; w < f.words; ++w) ASSERT_NE(q.word(f.slot + w, i), poison) << "queue " << q.layout().name << " item " << i << " field " << f.name;
-    for (int w = q.layout().fields.back().slot + q.layout().fields.back().words; w < words; ++w) ASSERT_NE(q.word(w, i), poison) << "item " << i << " parameter word " << w;
+        for (int w = 0; w < f.words; ++w)
+            ASSERT_NE(q.word(f.slot + w, i), poison) << "queue " << q.layout().name << " item " << i << " field " << f.name;
+    for (int w = q.layout().fields.back().slot + q.layout().fields.back().words; w < words; ++w)
+        ASSERT_NE(q.word(w, i), poison) << "item " << i << " parameter word " << w;
 }
 
-double lengthOf(vec3 v) { return std::sqrt(static_cast<double>(v.x) * v.x + static_cast<double>(v.y) * v.y + static_cast<double>(v.z) * v.z); }
+double lengthOf(vec3 v) {
+    return std::sqrt(static_cast<double>(v.x) * v.x + static_cast<double>(v.y) * v.y + static_cast<double>(v.z) * v.z);
+}
 
 }  // namespace eikonal

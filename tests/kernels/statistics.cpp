@@ -52,7 +52,9 @@ ChiSquare testChiSquare(const std::vector<double>& counts, const std::vector<dou
     return result;
 }
 
-std::string ChiSquare::describe() const { return fmt::format("chi-square {:.1f} with {} degrees of freedom: probability {:.2g}", chi2, degrees, probability); }
+std::string ChiSquare::describe() const {
+    return fmt::format("chi-square {:.1f} with {} degrees of freedom: probability {:.2g}", chi2, degrees, probability);
+}
 
 Estimate Accumulator::estimate() const {
     const double n = static_cast<double>(n_);

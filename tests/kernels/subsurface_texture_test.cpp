@@ -19,11 +19,13 @@ struct BodyCase { float sigmaA, sigmaS, g; size_t table; };
 Textures texturesOf(const std::vector<BodyCase>& cases, const std::vector<DiffuseAlbedoTable>& tables) {
     Textures t;
     for (const DiffuseAlbedoTable& table : tables)
-        t.image(static_cast<uint>(table.albedos().size()), 1, 1, format_float, wrap_repeat, filter_bilinear, {table.albedos().begin(), table.albedos().end()});
+        t.image(static_cast<uint>(table.albedos().size()), 1, 1, format_float, wrap_repeat, filter_bilinear,
+                {table.albedos().begin(), table.albedos().end()});
     for (const BodyCase& c : cases) {
         texture_instruction albedo = Textures::instruction(kind_diffusealbedo_texture, c.g);
         albedo.image = static_cast<uint>(c.table);
-        const texture_instruction a = Textures::constant({c.sigmaA, c.sigmaA, c.sigmaA}), s = Textures::constant({c.sigmaS, c.sigmaS, c.sigmaS});
+        const texture_instruction a = Textures::constant({c.sigmaA, c.sigmaA, c.sigmaA}),
+                                  s = Textures::constant({c.sigmaS, c.sigmaS, c.sigmaS});
         t.program({a, s, albedo});
         t.program({a, s, Textures::instruction(kind_freepath_texture, c.g)});
     }
@@ -33,7 +35,8 @@ Textures texturesOf(const std::vector<BodyCase>& cases, const std::vector<Diffus
 std::vector<std::pair<double, double>> albedosAndPaths(const std::vector<BodyCase>& cases, const std::vector<DiffuseAlbedoTable>& tables) {
     std::vector<uint> program;
     for (uint i = 0; i < 2 * cases.size(); ++i) program.push_back(i);
-    const auto values = evaluate(texturesOf(cases, tables).scene, program, std::vector<vec2>(program.size()), std::vector<vec3>(program.size()));
+    const auto values =
+        evaluate(texturesOf(cases, tables).scene, program, std::vector<vec2>(program.size()), std::vector<vec3>(program.size()));
     std::vector<std::pair<double, double>> results;
     for (size_t i = 0; i < cases.size(); ++i) results.emplace_back(values[2 * i].value.g, values[2 * i + 1].value.g);
     return results;
@@ -60,8 +63,11 @@ TEST(SubsurfaceTexture, IsTheHostsAlbedoAndFreePath) {
 /// What is empty or only absorbs gives nothing back, what only scatters gives all; and numbers that no coefficient has stay finite.
 TEST(SubsurfaceTexture, KnowsItsEnds) {
     constexpr float infinity = std::numeric_limits<float>::infinity();
-    const std::vector<BodyCase> cases{{0, 0, 0.5f, 0}, {2, 0, 0.5f, 0}, {0, 2, 0.5f, 0}, {-1, 2, 0.5f, 0}, {2, -1, 0.5f, 0}, {infinity, infinity, 0.5f, 0}, {1e20f, 1e-20f, 0.5f, 0}};
-    const std::vector<std::pair<double, double>> expected{{0, 1e9}, {0, 0.5}, {1, 1}, {1, 1}, {0, 0.5}, {DiffuseAlbedoTable(0.5, 1.33).diffuse(0.5), 0}, {0, 0}};
+    const std::vector<BodyCase> cases{{0, 0, 0.5f, 0},         {2, 0, 0.5f, 0},  {0, 2, 0.5f, 0},
+                                      {-1, 2, 0.5f, 0},        {2, -1, 0.5f, 0}, {infinity, infinity, 0.5f, 0},
+                                      {1e20f, 1e-20f, 0.5f, 0}};
+    const std::vector<std::pair<double, double>> expected{
+        {0, 1e9}, {0, 0.5}, {1, 1}, {1, 1}, {0, 0.5}, {DiffuseAlbedoTable(0.5, 1.33).diffuse(0.5), 0}, {0, 0}};
     const auto results = albedosAndPaths(cases, {DiffuseAlbedoTable(0.5, 1.33)});
     for (size_t i = 0; i < cases.size(); ++i) {
         EXPECT_NEAR(results[i].first, expected[i].first, 1e-6) << "case " << i;

@@ -40,7 +40,9 @@ Compiler& testCompiler() {
 BuildSettings shippedSettings(const Features& features, const SceneConstants& constants) {
     BuildSettings settings;
     settings.features = features;
-    settings.constants = {{"LOCAL_SIZE", static_cast<int>(testLocalSize)}, {"ITEMS_PER_WORK_ITEM", static_cast<int>(testRun)}, {"WIDENS_GROUPS", testContext().device().widensGroups}};
+    settings.constants = {{"LOCAL_SIZE", static_cast<int>(testLocalSize)},
+                          {"ITEMS_PER_WORK_ITEM", static_cast<int>(testRun)},
+                          {"WIDENS_GROUPS", testContext().device().widensGroups}};
     constants.forEach([&](const char* name, int number) { settings.constants[name] = number; });
     settings.warningsAreErrors = true;
     return settings;

@@ -54,13 +54,16 @@ TEST(TextureProgram, ComputesWhatItSays) {
             EXPECT_NEAR(results[i].value.b, blue, 2e-5 * std::max(1.0, blue)) << "program " << program[i];
         };
         const auto metal = [](double r) { return 2 * std::sqrt(r / (1 - r)); };
-        const int flat = floorOf(4 * u + 0.25) + floorOf(2 * v), solid = floorOf(3 * p[i].x + 0.1) + floorOf(3 * p[i].y + 0.2) + floorOf(3 * p[i].z + 0.3);
+        const int flat = floorOf(4 * u + 0.25) + floorOf(2 * v),
+                  solid = floorOf(3 * p[i].x + 0.1) + floorOf(3 * p[i].y + 0.2) + floorOf(3 * p[i].z + 0.3);
         switch (program[i]) {
             case 0: same(0.16, 0.05, 0.36); break;
             case 1: same(0.7 * 0.2 + 0.3 * 0.8, 0.7 * 0.5 + 0.3 * 0.1, 0.7 * 0.9 + 0.3 * 0.4); break;
             case 2: same(std::sqrt(0.2), std::sqrt(0.5), std::sqrt(0.9)); break;
             case 3: same(metal(0.2), metal(0.5), metal(0.9)); break;
-            case 4: if (std::abs(4 * u + 0.25 - std::round(4 * u + 0.25)) > 1e-5) { flat & 1 ? same(b.r, b.g, b.b) : same(a.r, a.g, a.b); } break;
+            case 4:
+                if (std::abs(4 * u + 0.25 - std::round(4 * u + 0.25)) > 1e-5) { flat & 1 ? same(b.r, b.g, b.b) : same(a.r, a.g, a.b); }
+                break;
             case 5: solid & 1 ? same(b.r, b.g, b.b) : same(a.r, a.g, a.b); break;
             case 6: same(0.75, 0.5, 0); break;
             case 7: same(std::pow(0.9, 8), std::pow(0.9, 8), std::pow(0.9, 8)); break;
@@ -85,11 +88,15 @@ TEST(TextureProgram, BlendsAndClamps) {
     const auto results = evaluate(t.scene, program, uv, std::vector<vec3>(uv.size()));
     for (size_t i = 0; i < results.size(); ++i) {
         const double s = uv[i].x, v = uv[i].y;
-        const auto between = [&](float a, float b, float c, float d) { return (1 - s) * (1 - v) * a + (1 - s) * v * b + s * (1 - v) * c + s * v * d; };
+        const auto between = [&](float a, float b, float c, float d) {
+            return (1 - s) * (1 - v) * a + (1 - s) * v * b + s * (1 - v) * c + s * v * d;
+        };
         const spectrum got = results[i].value;
-        const spectrum expected = program[i] == 0 ? spectrum{static_cast<float>(between(v00.r, v01.r, v10.r, v11.r)), static_cast<float>(between(v00.g, v01.g, v10.g, v11.g)),
+        const spectrum expected = program[i] == 0   ? spectrum{static_cast<float>(between(v00.r, v01.r, v10.r, v11.r)),
+                                                             static_cast<float>(between(v00.g, v01.g, v10.g, v11.g)),
                                                              static_cast<float>(between(v00.b, v01.b, v10.b, v11.b))}
-                                  : program[i] == 1 ? spectrum{0.6f * v00.r, 0.4f * v01.g, 0.6f * v00.b + 0.4f * v01.b} : spectrum{0, 0.5f, 1};
+                                  : program[i] == 1 ? spectrum{0.6f * v00.r, 0.4f * v01.g, 0.6f * v00.b + 0.4f * v01.b}
+                                                    : spectrum{0, 0.5f, 1};
         ASSERT_NEAR(got.r, expected.r, 1e-5) << "program " << program[i];
         ASSERT_NEAR(got.g, expected.g, 1e-5) << "program " << program[i];
         ASSERT_NEAR(got.b, expected.b, 1e-5) << "program " << program[i];
@@ -116,7 +123,8 @@ TEST(TextureMapping, FindsItsCoordinates) {
     constexpr uint n = 64;
     std::vector<float> ramp;
     for (uint y = 0; y < n; ++y)
-        for (uint x = 0; x < n; ++x) for (float c : {(static_cast<float>(x) + 0.5f) / n, 1 - (static_cast<float>(y) + 0.5f) / n, 0.0f}) ramp.push_back(c);
+        for (uint x = 0; x < n; ++x)
+            for (float c : {(static_cast<float>(x) + 0.5f) / n, 1 - (static_cast<float>(y) + 0.5f) / n, 0.0f}) ramp.push_back(c);
     const uint image = t.image(n, n, 3, format_float, wrap_clamp, filter_bilinear, ramp);
     for (texture_mapping mapping : {mapping_spherical, mapping_cylindrical, mapping_planar}) {
         texture_instruction i = t.lookup(image);
@@ -130,7 +138,9 @@ TEST(TextureMapping, FindsItsCoordinates) {
     const auto results = evaluate(t.scene, program, std::vector<vec2>(p.size()), p);
     for (size_t i = 0; i < results.size(); ++i) {
         const double x = p[i].x, y = p[i].y, z = p[i].z, phi = std::atan2(y, x), turn = (phi < 0 ? phi + 2 * M_PI : phi) / (2 * M_PI);
-        const double s = program[i] == 0 ? std::acos(z / std::sqrt(x * x + y * y + z * z)) / M_PI : program[i] == 1 ? phi / (2 * M_PI) + 0.5 : x;
+        const double s = program[i] == 0   ? std::acos(z / std::sqrt(x * x + y * y + z * z)) / M_PI
+                         : program[i] == 1 ? phi / (2 * M_PI) + 0.5
+                                           : x;
         const double v = program[i] == 0 ? turn : program[i] == 1 ? z : y;
         const double low = 0.5 / n, high = 1 - low;
         ASSERT_NEAR(results[i].value.r, std::clamp(s, low, high), 1e-4) << "mapping " << program[i];

@@ -4,8 +4,12 @@
 
 namespace eikonal {
 
-std::vector<TextureResult> evaluate(const PackedScene& scene, const std::vector<uint>& program, const std::vector<vec2>& uv, const std::vector<vec3>& p) {
-    static const DeviceFunction<TextureResult> function({.include = "texture/bump.clh", .type = "texture_result", .body = R"(
+std::vector<TextureResult> evaluate(const PackedScene& scene, const std::vector<uint>& program, const std::vector<vec2>& uv,
+                                    const std::vector<vec3>& p) {
+    static const DeviceFunction<TextureResult> function(
+        {.include = "texture/bump.clh",
+         .type = "texture_result",
+         .body = R"(
         texture_tables tables = BIND_TEXTURES;
         color_tables colors = BIND_COLORS;
         surface at;
@@ -18,12 +22,15 @@ std::vector<TextureResult> evaluate(const PackedScene& scene, const std::vector<
         result.value = eval_texture(tables, path_wavelengths(colors, 0u, 0u), program, &here);
         result.bumped = displace_normal(tables, program, at).ns;
         result.mapped = map_normal(tables, 0u, at).ns;)",
-        .inputs = {"uint program", "vec2 uv", "vec3 p"}, .declarations = "typedef struct { spectrum value; vec3 bumped, mapped; } texture_result;", .tables = "TEXTURE_TABLES(TABLE) COLOR_TABLES(TABLE)"});
+         .inputs = {"uint program", "vec2 uv", "vec3 p"},
+         .declarations = "typedef struct { spectrum value; vec3 bumped, mapped; } texture_result;",
+         .tables = "TEXTURE_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, program, uv, p);
 }
 
-uint Textures::image(uint width, uint height, uint channels, image_format format, image_wrap wrap, image_filter filter, const std::vector<float>& texels) {
+uint Textures::image(uint width, uint height, uint channels, image_format format, image_wrap wrap, image_filter filter,
+                     const std::vector<float>& texels) {
     eikonal::image im{width, height, channels, static_cast<uint>(format), static_cast<uint>(wrap), static_cast<uint>(filter), 0};
     SceneTables& t = scene.tables;
     if (format == format_float) {
@@ -32,7 +39,8 @@ uint Textures::image(uint width, uint height, uint channels, image_format format
     } else {
         im.first = static_cast<uint>(t.byte_texels.size() * 4);
         t.byte_texels.resize(t.byte_texels.size() + (texels.size() + 3) / 4);
-        for (size_t i = 0; i < texels.size(); ++i) t.byte_texels[im.first / 4 + i / 4] |= static_cast<uint>(std::lround(texels[i] * 255)) << (8 * (i % 4));
+        for (size_t i = 0; i < texels.size(); ++i)
+            t.byte_texels[im.first / 4 + i / 4] |= static_cast<uint>(std::lround(texels[i] * 255)) << (8 * (i % 4));
     }
     t.srgb_levels = srgbLevels();
     t.images.push_back(im);

@@ -12,7 +12,8 @@ struct TextureResult { spectrum value; vec3 bumped, mapped; };
 
 /// Values of programs at points: program[i] at uv[i], p[i]; and the plane z = 0 with dpdu = 2 x, dpdv = 3 y bumped by the program,
 /// and turned by the normal map in image 0.
-std::vector<TextureResult> evaluate(const PackedScene& scene, const std::vector<uint>& program, const std::vector<vec2>& uv, const std::vector<vec3>& p);
+std::vector<TextureResult> evaluate(const PackedScene& scene, const std::vector<uint>& program, const std::vector<vec2>& uv,
+                                    const std::vector<vec3>& p);
 
 /// Tables of textures, filled by hand.
 struct Textures {
@@ -34,11 +35,16 @@ struct Textures {
         i.texture_from_scene.xx = i.texture_from_scene.yy = i.texture_from_scene.zz = 1;
         return i;
     }
-    static texture_instruction constant(spectrum s) { texture_instruction i = instruction(kind_constant_texture); i.value = packRgb({s.r, s.g, s.b}); return i; }
+    static texture_instruction constant(spectrum s) {
+        texture_instruction i = instruction(kind_constant_texture);
+        i.value = packRgb({s.r, s.g, s.b});
+        return i;
+    }
     texture_instruction lookup(uint image) { texture_instruction i = instruction(kind_imagemap_texture); i.image = image; return i; }
 
     /// An image of given texels (in [0, 1]; 8-bit formats keep 255 levels), channels interleaved.
-    uint image(uint width, uint height, uint channels, image_format format, image_wrap wrap, image_filter filter, const std::vector<float>& texels);
+    uint image(uint width, uint height, uint channels, image_format format, image_wrap wrap, image_filter filter,
+               const std::vector<float>& texels);
 };
 
 }  // namespace eikonal

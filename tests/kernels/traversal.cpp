@@ -24,7 +24,8 @@ std::vector<Hit> trace(const PackedScene& scene, const std::vector<Ray>& rays) {
     const QueueWords intersections = bench.read("intersection");
     std::vector<Hit> hits;
     for (size_t i = 0; i < rays.size(); ++i)
-        hits.push_back({intersections.get<float>("t", i), intersections.get<uint>("element", i), scene.features.has(Feature::INSTANCES) ? intersections.get<uint>("instance", i) : NONE,
+        hits.push_back({intersections.get<float>("t", i), intersections.get<uint>("element", i),
+                        scene.features.has(Feature::INSTANCES) ? intersections.get<uint>("instance", i) : NONE,
                         intersections.get<float>("u", i), intersections.get<float>("v", i)});
     return hits;
 }
@@ -57,7 +58,8 @@ PackedScene pack(const Scene& scene) {
 static glm::dmat4 randomTransform(Random& random, double size) {
     const auto axis = [&] { return glm::dvec3(toGlm(random.direction())); };
     const glm::dvec3 z = axis(), x = glm::normalize(glm::cross(z, axis())), y = glm::cross(z, x);
-    glm::dmat4 m(glm::dmat3(x * (size * random.between(0.5f, 1.5f)), y * (size * random.between(0.5f, 1.5f)), z * (size * random.between(0.5f, 1.5f))));
+    glm::dmat4 m(glm::dmat3(x * (size * random.between(0.5f, 1.5f)), y * (size * random.between(0.5f, 1.5f)),
+                            z * (size * random.between(0.5f, 1.5f))));
     m[3] = glm::dvec4(glm::dvec3(toGlm(random.box(1))), 1);
     return m;
 }
@@ -150,7 +152,8 @@ std::shared_ptr<Mesh> closedMesh(int steps, bool round) {
     std::map<std::array<int, 3>, std::uint32_t> known;
     const auto vertex = [&](int x, int y, int z) {
         const auto [at, isNew] = known.try_emplace({x, y, z}, static_cast<std::uint32_t>(mesh->positions.size()));
-        const glm::vec3 p(static_cast<float>(x) / static_cast<float>(steps), static_cast<float>(y) / static_cast<float>(steps), static_cast<float>(z) / static_cast<float>(steps));
+        const glm::vec3 p(static_cast<float>(x) / static_cast<float>(steps), static_cast<float>(y) / static_cast<float>(steps),
+                          static_cast<float>(z) / static_cast<float>(steps));
         if (isNew) mesh->positions.push_back(round ? glm::normalize(p) : p);
         return at->second;
     };
@@ -196,7 +199,8 @@ Scene instancedScene() {
     scene.shapes.push_back(randomTriangles(random, 20));
     scene.objects.resize(2);
     scene.objects[0].shapes = {randomTriangles(random, 30)};
-    scene.objects[1].shapes = {randomTriangles(random, 10), randomPatches(random, 5), randomSphere(random), randomDisk(random), randomCylinder(random), randomCurve(random)};
+    scene.objects[1].shapes = {randomTriangles(random, 10), randomPatches(random, 5), randomSphere(random),
+                               randomDisk(random),          randomCylinder(random),   randomCurve(random)};
     for (int i = 0; i < 24; ++i) scene.instances.push_back({i % 2, randomTransform(random, 0.3), {}});
     return scene;
 }

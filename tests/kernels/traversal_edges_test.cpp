@@ -28,7 +28,9 @@ TEST(TraversalEdges, DegenerateTrianglesAreNotThere) {
     auto mesh = std::make_shared<Mesh>();
     for (int i = 0; i < 60; ++i) {
         const glm::vec3 p = toGlm(random.box(1)), q = toGlm(random.box(1));
-        for (const glm::vec3& corner : i % 3 == 0 ? std::array{p, p, p} : i % 3 == 1 ? std::array{p, p, q} : std::array{p, 0.5f * (p + q), q}) {
+        for (const glm::vec3& corner : i % 3 == 0   ? std::array{p, p, p}
+                                       : i % 3 == 1 ? std::array{p, p, q}
+                                                    : std::array{p, 0.5f * (p + q), q}) {
             mesh->indices.push_back(static_cast<std::uint32_t>(mesh->positions.size()));
             mesh->positions.push_back(corner);
         }
@@ -68,7 +70,10 @@ TEST(TraversalEdges, SizesAndDistancesMayDifferByMillions) {
     for (int i = 0; i < 200; ++i) {
         const float size = random.logBetween(1e-4f, 1);
         const glm::vec3 p = toGlm(random.box(1));
-        for (int k = 0; k < 3; ++k) { mesh->indices.push_back(static_cast<std::uint32_t>(mesh->positions.size())); mesh->positions.push_back(p + toGlm(random.box(size))); }
+        for (int k = 0; k < 3; ++k) {
+            mesh->indices.push_back(static_cast<std::uint32_t>(mesh->positions.size()));
+            mesh->positions.push_back(p + toGlm(random.box(size)));
+        }
     }
     scene.shapes.push_back(triangleMesh(mesh));
     const PackedScene packed = pack(scene);
@@ -79,11 +84,13 @@ TEST(TraversalEdges, SizesAndDistancesMayDifferByMillions) {
         const size_t first = 3 * random.below(static_cast<uint>(packed.tables.indices.size() / 3));
         const auto corner = [&](size_t k) { return toGlm(packed.tables.positions[packed.tables.indices[first + k]]); };
         const float distance = random.logBetween(0.5f, 1000);
-        const glm::vec3 target = (corner(0) + corner(1) + corner(2)) / 3.0f, o = target + distance * toGlm(random.direction()), d = glm::normalize(target - o);
+        const glm::vec3 target = (corner(0) + corner(1) + corner(2)) / 3.0f, o = target + distance * toGlm(random.direction()),
+                        d = glm::normalize(target - o);
         if (distance < 10) rays.push_back({{o.x, o.y, o.z}, {d.x, d.y, d.z}});
     }
     const auto hits = trace(packed, rays);
-    for (size_t i = 0; i < rays.size(); ++i) ASSERT_EQ(judgeHit(truth.meet(rays[i].o, rays[i].d), hits[i].element, hits[i].instance, hits[i].t), "") << "ray " << i;
+    for (size_t i = 0; i < rays.size(); ++i)
+        ASSERT_EQ(judgeHit(truth.meet(rays[i].o, rays[i].d), hits[i].element, hits[i].instance, hits[i].t), "") << "ray " << i;
 }
 
 }  // namespace

@@ -62,7 +62,9 @@ TEST_P(Traversal, RespectsTheLengthOfRays) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Traversal, testing::Values(SceneCase{"triangles", triangleScene, 12000}, SceneCase{"mixed", mixedScene, 12000}, SceneCase{"curves", curveScene, 12000}, SceneCase{"instances", instancedScene, 12000}),
+INSTANTIATE_TEST_SUITE_P(Scenes, Traversal,
+                         testing::Values(SceneCase{"triangles", triangleScene, 12000}, SceneCase{"mixed", mixedScene, 12000},
+                                         SceneCase{"curves", curveScene, 12000}, SceneCase{"instances", instancedScene, 12000}),
                          [](const auto& info) { return info.param.name; });
 
 /// The point that a triangle's coordinates name is the point on the ray.
@@ -75,7 +77,8 @@ TEST(TraversalPoint, CoordinatesNameThePointOfTheRay) {
         const shape& s = scene.tables.shapes[scene.tables.element_shapes[hits[i].element]];
         const uint* index = &scene.tables.indices[s.first_index + 3 * (hits[i].element - s.first_element)];
         const auto corner = [&](int k) { return toGlm(scene.tables.positions[s.first_vertex + index[k]]); };
-        const glm::vec3 p = (1 - hits[i].u - hits[i].v) * corner(0) + hits[i].u * corner(1) + hits[i].v * corner(2), q = toGlm(rays[i].o) + hits[i].t * toGlm(rays[i].d);
+        const glm::vec3 p = (1 - hits[i].u - hits[i].v) * corner(0) + hits[i].u * corner(1) + hits[i].v * corner(2),
+                        q = toGlm(rays[i].o) + hits[i].t * toGlm(rays[i].d);
         const glm::vec3 n = glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
         ASSERT_LT(glm::length(p - q), 1e-5f / std::max(std::abs(glm::dot(n, toGlm(rays[i].d))), 1e-3f)) << "ray " << i;
     }

@@ -40,39 +40,46 @@ constexpr const char* lamp = R"(
 
 /// Every kind of light whose directions are an image's.
 const std::string sky = "\"string filename\" \"" EIKONAL_SOURCE_DIR "/scenes/assets/sky.exr\" ";
-const std::string imageLights = "LightSource \"infinite\" " + sky + "LightSource \"infinite\" " + sky + "\"point3 portal\" [ -1 -1 4  -1 1 4  1 1 4  1 -1 4 ]\n"
-    "LightSource \"goniometric\" " + sky + "LightSource \"projection\" " + sky;
+const std::string imageLights = "LightSource \"infinite\" " + sky + "LightSource \"infinite\" " + sky +
+                                "\"point3 portal\" [ -1 -1 4  -1 1 4  1 1 4  1 -1 4 ]\n"
+                                "LightSource \"goniometric\" " +
+                                sky + "LightSource \"projection\" " + sky;
 
 std::string sphereOf(const std::string& material) { return std::string(lamp) + "Material " + material + "\nShape \"sphere\"\n"; }
 
 /// A measured surface, of a file that the child writes.
 fs::path measuredFile(bool isotropic) { return fs::temp_directory_path() / (isotropic ? "isotropic.bsdf" : "grain.bsdf"); }
-std::string measuredSphere(bool isotropic) { return sphereOf("\"measured\" \"string filename\" \"" + measuredFile(isotropic).string() + "\""); }
+std::string measuredSphere(bool isotropic) {
+    return sphereOf("\"measured\" \"string filename\" \"" + measuredFile(isotropic).string() + "\"");
+}
 
 std::vector<VectorCase> cases() {
-    std::vector<VectorCase> list = {{"generate_rays", "generate_rays", lamp},
-            {"generate_rays_spherical", "generate_rays", lamp, "Camera \"spherical\"\n"},
-            {"generate_rays_moving", "generate_rays", lamp, "ActiveTransform EndTime Rotate 30 0 1 0 ActiveTransform All Camera \"perspective\"\n"},
-            {"shade_misses", "shade_misses", "LightSource \"infinite\" \"rgb L\" [ 1 1 1 ]\nShape \"sphere\"\n"},
-            {"shade_emitters", "shade_emitters", lamp},
-            {"shade_hits_diffuse", "shade_hits diffuse", sphereOf("\"diffuse\"")},
-            {"shade_hits_with_an_environment_guide", "shade_hits diffuse", "LightSource \"infinite\"\n" + sphereOf("\"diffuse\"")},
-            {"shade_hits_diffuse_transmission", "shade_hits diffuse_transmission", sphereOf("\"diffusetransmission\"")},
-            {"shade_misses_with_a_portal", "shade_misses", imageLights + "Shape \"sphere\"\n"},
-            {"shade_hits_with_images_and_a_light_tree", "shade_hits diffuse", imageLights + sphereOf("\"diffuse\""), "Integrator \"path\" \"string lightsampler\" \"bvh\"\n"},
-            {"shade_hits_conductor", "shade_hits conductor", sphereOf("\"conductor\" \"float roughness\" 0.3")},
-            {"shade_hits_specular_conductor", "shade_hits specular_conductor", sphereOf("\"conductor\" \"float roughness\" 0")},
-            {"shade_hits_dielectric", "shade_hits dielectric", sphereOf("\"dielectric\" \"float roughness\" 0.3")},
-            {"shade_hits_specular_dielectric", "shade_hits specular_dielectric", sphereOf("\"dielectric\"")},
-            {"shade_hits_thin_dielectric", "shade_hits thin_dielectric", sphereOf("\"thindielectric\"")},
-            /* No pbrt material is principled: what counts is that the scene has directions along surfaces */
-            {"shade_hits_principled", "shade_hits principled", sphereOf("\"conductor\" \"float uroughness\" 0.3")},
-            {"shade_hits_coated_diffuse", "shade_hits coated_diffuse", sphereOf("\"coateddiffuse\"")},
-            {"shade_hits_coated_conductor", "shade_hits coated_conductor", sphereOf("\"coatedconductor\"")},
-            {"shade_hits_with_a_layer_medium", "shade_hits coated_diffuse", sphereOf("\"coateddiffuse\" \"rgb albedo\" [.8 .4 .2]")},
-            {"shade_hits_hair", "shade_hits hair", sphereOf("\"hair\"")},
-            {"shade_hits_measured", "shade_hits measured", measuredSphere(true)},
-            {"shade_hits_measured_with_a_grain", "shade_hits measured", measuredSphere(false)}};
+    std::vector<VectorCase> list = {
+        {"generate_rays", "generate_rays", lamp},
+        {"generate_rays_spherical", "generate_rays", lamp, "Camera \"spherical\"\n"},
+        {"generate_rays_moving", "generate_rays", lamp,
+         "ActiveTransform EndTime Rotate 30 0 1 0 ActiveTransform All Camera \"perspective\"\n"},
+        {"shade_misses", "shade_misses", "LightSource \"infinite\" \"rgb L\" [ 1 1 1 ]\nShape \"sphere\"\n"},
+        {"shade_emitters", "shade_emitters", lamp},
+        {"shade_hits_diffuse", "shade_hits diffuse", sphereOf("\"diffuse\"")},
+        {"shade_hits_with_an_environment_guide", "shade_hits diffuse", "LightSource \"infinite\"\n" + sphereOf("\"diffuse\"")},
+        {"shade_hits_diffuse_transmission", "shade_hits diffuse_transmission", sphereOf("\"diffusetransmission\"")},
+        {"shade_misses_with_a_portal", "shade_misses", imageLights + "Shape \"sphere\"\n"},
+        {"shade_hits_with_images_and_a_light_tree", "shade_hits diffuse", imageLights + sphereOf("\"diffuse\""),
+         "Integrator \"path\" \"string lightsampler\" \"bvh\"\n"},
+        {"shade_hits_conductor", "shade_hits conductor", sphereOf("\"conductor\" \"float roughness\" 0.3")},
+        {"shade_hits_specular_conductor", "shade_hits specular_conductor", sphereOf("\"conductor\" \"float roughness\" 0")},
+        {"shade_hits_dielectric", "shade_hits dielectric", sphereOf("\"dielectric\" \"float roughness\" 0.3")},
+        {"shade_hits_specular_dielectric", "shade_hits specular_dielectric", sphereOf("\"dielectric\"")},
+        {"shade_hits_thin_dielectric", "shade_hits thin_dielectric", sphereOf("\"thindielectric\"")},
+        /* No pbrt material is principled: what counts is that the scene has directions along surfaces */
+        {"shade_hits_principled", "shade_hits principled", sphereOf("\"conductor\" \"float uroughness\" 0.3")},
+        {"shade_hits_coated_diffuse", "shade_hits coated_diffuse", sphereOf("\"coateddiffuse\"")},
+        {"shade_hits_coated_conductor", "shade_hits coated_conductor", sphereOf("\"coatedconductor\"")},
+        {"shade_hits_with_a_layer_medium", "shade_hits coated_diffuse", sphereOf("\"coateddiffuse\" \"rgb albedo\" [.8 .4 .2]")},
+        {"shade_hits_hair", "shade_hits hair", sphereOf("\"hair\"")},
+        {"shade_hits_measured", "shade_hits measured", measuredSphere(true)},
+        {"shade_hits_measured_with_a_grain", "shade_hits measured", measuredSphere(false)}};
     /* The same at wavelengths */
     for (VectorCase c : std::vector<VectorCase>(list)) {
         c.name += "_spectral";
@@ -92,7 +99,9 @@ std::vector<VectorCase> cases() {
 }
 
 /// What must not pass for vectorised: walks of unknown length, which in a tree of rays do not go in step.
-VectorCase aLoopingStage() { return {"shade_hits_walking_alone", "shade_hits coated_conductor", sphereOf("\"coatedconductor\""), "Integrator \"whitted\"\n"}; }
+VectorCase aLoopingStage() {
+    return {"shade_hits_walking_alone", "shade_hits coated_conductor", sphereOf("\"coatedconductor\""), "Integrator \"whitted\"\n"};
+}
 
 class Vectorizer : public testing::TestWithParam<VectorCase> {};
 
@@ -129,9 +138,10 @@ std::string reason(const std::string& remarks) {
     return at == std::string::npos ? "no remark about a loop" : remarks.substr(at, std::min<size_t>(remarks.find('<', at) - at, 160));
 }
 
-/// Additions, multiplications, divisions, roots, minima and maxima in a program: those of the loop over the last few slots, which works on one
-/// slot at a time, and the lanes of those of the wide loop. Where a processor gathers no faster than it loads, the compiler splits a gather and what
-/// follows it into halves of four lanes, with single operations between; those stand near operations of eight lanes, as nothing in the other loop does.
+/// Additions, multiplications, divisions, roots, minima and maxima in a program: those of the loop over the last few slots, which works on
+/// one slot at a time, and the lanes of those of the wide loop. Where a processor gathers no faster than it loads, the compiler splits a
+/// gather and what follows it into halves of four lanes, with single operations between; those stand near operations of eight lanes, as
+/// nothing in the other loop does.
 struct Arithmetic {
     size_t scalar = 0, lanes = 0;
     size_t wide() const { return lanes / 8; }
@@ -163,12 +173,14 @@ struct Compiled { bool ok = false; std::string remarks; Arithmetic arithmetic; }
 Compiled compile(const std::string& name) {
     const fs::path folder = fs::temp_directory_path() / ("eikonal-vectorizer-" + std::to_string(getpid()));
     fs::create_directories(folder);
-    const std::string command = "cd '" + folder.string() + "' && env -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX TMPDIR='" + folder.string() + "' POCL_CACHE_DIR='" + folder.string() + "' EIKONAL_TEST_STAGE=" + name +
+    const std::string command = "cd '" + folder.string() + "' && env -u GTEST_TOTAL_SHARDS -u GTEST_SHARD_INDEX TMPDIR='" +
+                                folder.string() + "' POCL_CACHE_DIR='" + folder.string() + "' EIKONAL_TEST_STAGE=" + name +
                                 " POCL_VECTORIZER_REMARKS=1 '" + fs::read_symlink("/proc/self/exe").string() +
                                 "' --gtest_also_run_disabled_tests --gtest_filter=VectorizerChild.* > remarks 2>&1" +
                                 " && find . -name '*.so' -exec objdump --disassemble --no-show-raw-insn {} + > code";
     const int status = std::system(command.c_str());
-    Compiled result{WIFEXITED(status) && WEXITSTATUS(status) == 0, contents(folder / "remarks"), countArithmetic(contents(folder / "code"))};
+    Compiled result{WIFEXITED(status) && WEXITSTATUS(status) == 0, contents(folder / "remarks"),
+                    countArithmetic(contents(folder / "code"))};
     std::error_code ignored;
     fs::remove_all(folder, ignored);
     return result;
@@ -188,16 +200,20 @@ std::string obstacle() {
 /// The share of operations that need a wide twin: a few are made once for all slots.
 constexpr double allButAFew = 0.9;
 
-bool isVectorised(const Arithmetic& a) { return a.wide() > 0 && static_cast<double>(a.wide()) >= allButAFew * static_cast<double>(a.scalar); }
+bool isVectorised(const Arithmetic& a) {
+    return a.wide() > 0 && static_cast<double>(a.wide()) >= allButAFew * static_cast<double>(a.scalar);
+}
 
 TEST_P(Vectorizer, VectorisesTheStageByEight) {
     if (!obstacle().empty()) GTEST_SKIP() << obstacle();
     const Compiled stage = compile(GetParam().name);
     ASSERT_TRUE(stage.ok) << "the process that compiles " << GetParam().stage << " failed: " << stage.remarks;
-    EXPECT_TRUE(isVectorised(stage.arithmetic)) << GetParam().stage << " is not vectorised: " << stage.arithmetic.scalar << " scalar operations, "
-                                                << stage.arithmetic.wide() << " of eight lanes; " << reason(stage.remarks);
+    EXPECT_TRUE(isVectorised(stage.arithmetic))
+        << GetParam().stage << " is not vectorised: " << stage.arithmetic.scalar << " scalar operations, " << stage.arithmetic.wide()
+        << " of eight lanes; " << reason(stage.remarks);
     const bool byFrontEnd = stage.remarks.find("vectorized loop (vectorization width: 8") == std::string::npos;
-    EXPECT_TRUE(!byFrontEnd || stage.remarks.find("the loop has already been vectorized") != std::string::npos) << "no remark about a loop of eight lanes";
+    EXPECT_TRUE(!byFrontEnd || stage.remarks.find("the loop has already been vectorized") != std::string::npos)
+        << "no remark about a loop of eight lanes";
 }
 
 TEST(VectorizerControl, ALoopOfUnknownLengthIsNotTakenForVectorised) {

@@ -100,10 +100,13 @@ TEST(Warp, TriangleIsUniform) {
 
 /// Weights of two strategies for the same sample add up to one, also where a density is tiny or huge.
 TEST(Warp, PowerHeuristicIsAPartitionOfOne) {
-    const DeviceFunction<vec2> both({.include = "math/warp.clh", .type = "vec2", .body = "result = make_vec2(power_heuristic(p, q), power_heuristic(q, p));",
+    const DeviceFunction<vec2> both({.include = "math/warp.clh",
+                                     .type = "vec2",
+                                     .body = "result = make_vec2(power_heuristic(p, q), power_heuristic(q, p));",
                                      .inputs = {"float p", "float q"}});
     Random random(3);
-    const auto p = generate(10000, [&] { return random.logBetween(1e-15f, 1e15f); }), q = generate(10000, [&] { return random.logBetween(1e-15f, 1e15f); });
+    const auto p = generate(10000, [&] { return random.logBetween(1e-15f, 1e15f); }),
+               q = generate(10000, [&] { return random.logBetween(1e-15f, 1e15f); });
     const auto weights = both(p, q);
     for (size_t i = 0; i < p.size(); ++i) {
         const double a = p[i], b = q[i], want = a * a / (a * a + b * b);

@@ -26,7 +26,8 @@ TEST(Watertight, NoRayEscapesAClosedMesh) {
         for (int i = 0; i < 120000; ++i) {
             const vec3 o = i % 4 == 0 ? vec3{0, 0, 0} : random.box(0.15f);
             const size_t triangle = 3 * random.below(static_cast<uint>(packed.tables.indices.size() / 3));
-            const glm::vec3 a = toGlm(positions[packed.tables.indices[triangle]]), b = toGlm(positions[packed.tables.indices[triangle + 1]]);
+            const glm::vec3 a = toGlm(positions[packed.tables.indices[triangle]]),
+                            b = toGlm(positions[packed.tables.indices[triangle + 1]]);
             const float s = i % 3 == 0 ? 0 : i % 3 == 1 ? 0.5f : random.unit();
             aim(o, a + s * (b - a));
             /* Along an axis, through a vertex: two coordinates are those of the vertex exactly */
@@ -35,8 +36,12 @@ TEST(Watertight, NoRayEscapesAClosedMesh) {
             (axis == 0 ? from.x : axis == 1 ? from.y : from.z) = 0;
             vec3 d{0, 0, 0};
             (axis == 0 ? d.x : axis == 1 ? d.y : d.z) = random.below(2) ? 1.0f : -1.0f;
-            const double inner = std::abs(static_cast<double>(from.x)) + std::abs(static_cast<double>(from.y)) + std::abs(static_cast<double>(from.z));
-            const double radius = packed.tables.quadrics.empty() ? std::abs(static_cast<double>(positions[0].x)) + std::abs(static_cast<double>(positions[0].y)) + std::abs(static_cast<double>(positions[0].z)) : 1;
+            const double inner =
+                std::abs(static_cast<double>(from.x)) + std::abs(static_cast<double>(from.y)) + std::abs(static_cast<double>(from.z));
+            const double radius = packed.tables.quadrics.empty()
+                                      ? std::abs(static_cast<double>(positions[0].x)) + std::abs(static_cast<double>(positions[0].y)) +
+                                            std::abs(static_cast<double>(positions[0].z))
+                                      : 1;
             if (inner < 0.9 * radius) rays.push_back({from, d});
         }
         size_t escaped = 0;

@@ -59,7 +59,8 @@ template <class Items> void expectVisited(const Items& items, std::initializer_l
 TEST(Wave, EndsFiniteAndClean) {
     StageBench bench(sceneOfEverything(), paths);
     const auto items = traceWave(bench);
-    expectVisited(items, {next_diffuse, next_conductor, next_specular_conductor, next_dielectric, next_specular_dielectric, next_thin_dielectric, next_diffuse_transmission, next_miss, next_emission});
+    expectVisited(items, {next_diffuse, next_conductor, next_specular_conductor, next_dielectric, next_specular_dielectric,
+                          next_thin_dielectric, next_diffuse_transmission, next_miss, next_emission});
 }
 
 /// With an integrator that regularizes, polished things are polished for paths that come straight from the camera or off other mirrors,
@@ -81,7 +82,8 @@ TEST(Wave, RegularizedEndsFiniteAndClean) {
     ASSERT_TRUE(polished.features.has(Feature::REGULARIZE));
     StageBench bench(polished, paths);
     const auto items = traceWave(bench);
-    expectVisited(items, {next_diffuse, next_specular_conductor, next_conductor, next_specular_dielectric, next_dielectric, next_coated_conductor, next_hair});
+    expectVisited(items, {next_diffuse, next_specular_conductor, next_conductor, next_specular_dielectric, next_dielectric,
+                          next_coated_conductor, next_hair});
 }
 
 /// The same through two nested media with an interface between them, lamps inside and outside.

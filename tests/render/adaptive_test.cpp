@@ -16,8 +16,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// On one side a white sky, of which every sample is the same. On the other a wall under it, so large that it sees nothing else, of a material that is
-/// by chance one of two, of reflectances 0.1 and 0.9.
+/// On one side a white sky, of which every sample is the same. On the other a wall under it, so large that it sees nothing else, of a
+/// material that is by chance one of two, of reflectances 0.1 and 0.9.
 constexpr int width = 128, height = 32;
 constexpr double sky = 1, wall = 0.5;
 PackedScene halves(int most, int seed = 0) {
@@ -42,7 +42,8 @@ RenderSetup comingDownTo(double error) {
 /// Whether pixels in this column see the wall: which half that is depends on the camera's handedness.
 bool seesTheWall(const FilmImage& image, int x) { return image.variance[image.index(x, height / 2)] > 1e-9f; }
 
-// Half of the image's average deviation is suspected of the sky, which is a fourth of the wall's; rounding both to powers of two leaves a factor of two.
+// Half of the image's average deviation is suspected of the sky, which is a fourth of the wall's; rounding both to powers of two leaves a
+// factor of two.
 TEST(AdaptiveSampling, SamplesGoWhereTheNoiseIs) {
     const FilmImage image = render(halves(1024), comingDownTo(0.03)).image;
     ASSERT_NE(seesTheWall(image, 1), seesTheWall(image, width - 2));
@@ -58,14 +59,16 @@ TEST(AdaptiveSampling, SamplesGoWhereTheNoiseIs) {
     EXPECT_GT(noisy, 1.9 * flat);
 }
 
-// Over 2048 noisy pixels the mean of squared errors is known to about 4 %, and with doubled samples it may be down to half of what was asked for.
+// Over 2048 noisy pixels the mean of squared errors is known to about 4 %, and with doubled samples it may be down to half of what was
+// asked for.
 TEST(AdaptiveSampling, TheErrorIsWhatWasAskedFor) {
     for (double target : {0.06, 0.03}) {
         const Rendered rendered = render(halves(4096), comingDownTo(target));
         double squares = 0;
         for (int y = 0; y < height; ++y)
             for (int x = 0; x < width; ++x) {
-                const double truth = seesTheWall(rendered.image, x) ? wall : sky, off = rendered.image.color[rendered.image.index(x, y)].g - truth;
+                const double truth = seesTheWall(rendered.image, x) ? wall : sky,
+                             off = rendered.image.color[rendered.image.index(x, y)].g - truth;
                 squares += off * off / (truth * truth + 0.01);
             }
         const double error = std::sqrt(squares / (width * height));
@@ -108,9 +111,13 @@ TEST(AdaptiveSampling, OutOfReachEveryPixelGetsTheMost) {
 class AdaptiveCli : public Cli {};
 
 TEST_F(AdaptiveCli, TheSamplesAreReported) {
-    write("noisy.pbrt", tinyScene("", "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [20 20 20] \"bool twosided\" true Shape \"bilinearmesh\" \"point3 P\" "
-                                       "[-2 2 -3  2 2 -3  -2 2 -1  2 2 -1] AttributeEnd"));
-    const Outcome run = this->run({"render", "noisy.pbrt", "--resolution", "48x32", "--spp", "256", "--target-error", "0.02", "--aov", "sampleCount", "--stats", "-o", "a.exr"});
+    write("noisy.pbrt",
+          tinyScene(
+              "",
+              "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [20 20 20] \"bool twosided\" true Shape \"bilinearmesh\" \"point3 P\" "
+              "[-2 2 -3  2 2 -3  -2 2 -1  2 2 -1] AttributeEnd"));
+    const Outcome run = this->run({"render", "noisy.pbrt", "--resolution", "48x32", "--spp", "256", "--target-error", "0.02", "--aov",
+                                   "sampleCount", "--stats", "-o", "a.exr"});
     ASSERT_EQ(run.status, 0) << run.error;
     const FilmFile file = readImage(path("a.exr"));
     const std::vector<float>& counts = file.image.sampleCount;
@@ -126,7 +133,8 @@ TEST_F(AdaptiveCli, TheSamplesAreReported) {
     const Outcome unreached = this->run({"render", "noisy.pbrt", "--spp", "32", "--target-error", "1e-5", "-o", "b.exr"});
     EXPECT_EQ(unreached.status, 0);
     EXPECT_THAT(unreached.error, HasSubstr("a pixel gets at most 32 samples"));
-    const Outcome late = this->run({"render", "noisy.pbrt", "--spp", "100000000", "--target-error", "1e-5", "--time-limit", "0.5", "-o", "c.exr"});
+    const Outcome late =
+        this->run({"render", "noisy.pbrt", "--spp", "100000000", "--target-error", "1e-5", "--time-limit", "0.5", "-o", "c.exr"});
     EXPECT_EQ(late.status, 0);
     EXPECT_THAT(late.error, HasSubstr("ended by --time-limit"));
 }

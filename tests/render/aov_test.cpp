@@ -27,7 +27,9 @@ void expectAlbedo(const Rendered& r, glm::vec3 expected, float tolerance) {
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(mean[c], expected[c], tolerance);
 }
 
-constexpr const char* wall = "LightSource \"point\" Material \"diffuse\" \"rgb reflectance\" [.5 .4 .3] Shape \"bilinearmesh\" \"point3 P\" [-9 -9 2  9 -9 2  -9 9 2  9 9 2]\n";
+constexpr const char* wall =
+    "LightSource \"point\" Material \"diffuse\" \"rgb reflectance\" [.5 .4 .3] Shape \"bilinearmesh\" \"point3 P\" [-9 -9 2  9 -9 2  -9 9 "
+    "2  9 9 2]\n";
 
 /// However it is lit, and however it is looked at.
 TEST(Aovs, AlbedoIsTheReflectance) {
@@ -39,8 +41,10 @@ TEST(Aovs, AlbedoIsTheReflectance) {
 
 /// Seen in a mirror of reflectance 0.5, 0.25, 0.75 (that seen straight on is, and under 45 degrees nearly), it is what that leaves of it.
 TEST(Aovs, AlbedoIsSeenInMirrors) {
-    const std::string mirror = "LightSource \"point\" Material \"conductor\" \"rgb reflectance\" [.5 .25 .75] \"float roughness\" 0 Shape \"bilinearmesh\" \"point3 P\" [-1 -1 0  1 -1 0  -1 1 0  1 1 0]\n"
-                               "Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5] Shape \"bilinearmesh\" \"point3 P\" [-9 -9 -9  9 -9 -9  -9 9 -9  9 9 -9]";
+    const std::string mirror =
+        "LightSource \"point\" Material \"conductor\" \"rgb reflectance\" [.5 .25 .75] \"float roughness\" 0 Shape \"bilinearmesh\" "
+        "\"point3 P\" [-1 -1 0  1 -1 0  -1 1 0  1 1 0]\n"
+        "Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5] Shape \"bilinearmesh\" \"point3 P\" [-9 -9 -9  9 -9 -9  -9 9 -9  9 9 -9]";
     const Rendered r = renderAovs(view(), mirror);
     expectAlbedo(r, {.25f, .125f, .375f}, 2e-2f);
     /* What is first stays what it is */
@@ -53,14 +57,19 @@ TEST(Aovs, AlbedoIsSeenInMirrors) {
 TEST(Aovs, AlbedoIsSeenThroughGlass) {
     View v = view(40, 12);
     v.maxDepth = 100;
-    expectAlbedo(renderAovs(v, "LightSource \"point\" Material \"dielectric\" Shape \"sphere\" Material \"diffuse\" \"rgb reflectance\" [.5 .4 .3] Shape \"sphere\" \"float radius\" 9"),
+    expectAlbedo(renderAovs(v,
+                            "LightSource \"point\" Material \"dielectric\" Shape \"sphere\" Material \"diffuse\" \"rgb reflectance\" [.5 "
+                            ".4 .3] Shape \"sphere\" \"float radius\" 9"),
                  {.5f, .4f, .3f}, 3e-3f);
 }
 
 /// A rough surface is seen itself, not what it mirrors; where nothing is, it is black.
 TEST(Aovs, AlbedoEndsAtTheFirstRoughSurface) {
-    const std::string metal = "LightSource \"point\" Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5] Shape \"bilinearmesh\" \"point3 P\" [-9 -9 -9  9 -9 -9  -9 9 -9  9 9 -9]\n"
-                              "Material \"conductor\" \"rgb reflectance\" [.9 .9 .9] \"float roughness\" .4 Shape \"bilinearmesh\" \"point3 P\" [-1 -1 0  1 -1 0  -1 1 0  1 1 0]\n";
+    const std::string metal =
+        "LightSource \"point\" Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5] Shape \"bilinearmesh\" \"point3 P\" [-9 -9 -9  9 -9 -9  "
+        "-9 9 -9  9 9 -9]\n"
+        "Material \"conductor\" \"rgb reflectance\" [.9 .9 .9] \"float roughness\" .4 Shape \"bilinearmesh\" \"point3 P\" [-1 -1 0  1 -1 0 "
+        " -1 1 0  1 1 0]\n";
     expectAlbedo(renderAovs(view(), metal), glm::vec3(.9f), 1e-3f);
     expectAlbedo(renderAovs(view(), "LightSource \"infinite\" \"rgb L\" [1 1 1]"), glm::vec3(0), 0);
 }
@@ -78,16 +87,19 @@ TEST(Aovs, PositionsAndNormalsAreThoseOfTheWorld) {
     EXPECT_NEAR(r.image.depth[9], 1, 2e-3);
     /* The plane turned about y: its normal (0, 0, 1) goes to (sin 45, 0, cos 45) */
     EXPECT_NEAR(std::abs(glm::dot(ng, glm::vec3(std::sqrt(.5f), 0, std::sqrt(.5f)))), 1, 1e-5);
-    const glm::vec3 shading = glm::normalize(glm::vec3(1 * std::sqrt(.5f) - 2 * std::sqrt(.5f), 0, -1 * std::sqrt(.5f) - 2 * std::sqrt(.5f)));
+    const glm::vec3 shading =
+        glm::normalize(glm::vec3(1 * std::sqrt(.5f) - 2 * std::sqrt(.5f), 0, -1 * std::sqrt(.5f) - 2 * std::sqrt(.5f)));
     EXPECT_NEAR(std::abs(glm::dot(n, shading)), 1, 1e-5);
 }
 
-/// On a plane 4 away, of which a pixel of the 16 x 16 sees half a unit by half a unit: a square that goes 1 to the right and half a unit up in the
-/// motion's time goes 2 pixels and -1. A shutter that is open for half of it sees half; a camera that goes along with it, or an instance that goes the
-/// other way, none; and what stands still moves against the camera.
+/// On a plane 4 away, of which a pixel of the 16 x 16 sees half a unit by half a unit: a square that goes 1 to the right and half a unit up
+/// in the motion's time goes 2 pixels and -1. A shutter that is open for half of it sees half; a camera that goes along with it, or an
+/// instance that goes the other way, none; and what stands still moves against the camera.
 TEST(Aovs, MotionIsHowFarPointsMoveInTheImage) {
-    const std::string along = " ActiveTransform EndTime Translate 1 .5 0 ActiveTransform All ", back = " ActiveTransform EndTime Translate -1 -.5 0 ActiveTransform All ";
-    const std::string square = "Shape \"bilinearmesh\" \"point3 P\" [-9 -9 0  9 -9 0  -9 9 0  9 9 0]\n", material = "LightSource \"point\" \"point3 from\" [0 0 -3] Material \"diffuse\"\n";
+    const std::string along = " ActiveTransform EndTime Translate 1 .5 0 ActiveTransform All ",
+                      back = " ActiveTransform EndTime Translate -1 -.5 0 ActiveTransform All ";
+    const std::string square = "Shape \"bilinearmesh\" \"point3 P\" [-9 -9 0  9 -9 0  -9 9 0  9 9 0]\n",
+                      material = "LightSource \"point\" \"point3 from\" [0 0 -3] Material \"diffuse\"\n";
     const auto motionOf = [&](const std::string& camera, const std::string& shutter, const std::string& world) {
         View v = view(90, 16);
         v.lookAt = "0 0 -4  0 0 0  0 1 0 " + camera;
@@ -107,7 +119,8 @@ TEST(Aovs, MotionIsHowFarPointsMoveInTheImage) {
     expectMotion(motionOf("", "", ""), 0, 0);
 }
 
-/// Corners of a square that have (u, v) of their own, and of a triangle that has pbrt-v4's (0, 0), (1, 0), (1, 1): what is seen of them at (x, y) is what lies between.
+/// Corners of a square that have (u, v) of their own, and of a triangle that has pbrt-v4's (0, 0), (1, 0), (1, 1): what is seen of them at
+/// (x, y) is what lies between.
 TEST(Aovs, TextureCoordinatesAreThoseOfTheShape) {
     View v = view(90, 8);
     v.lookAt = "0 0 -1  0 0 0  0 1 0";
@@ -120,7 +133,8 @@ TEST(Aovs, TextureCoordinatesAreThoseOfTheShape) {
             EXPECT_NEAR(r.image.uv[i].y, e.y, 1e-5);
         }
     };
-    check("Shape \"bilinearmesh\" \"point3 P\" [-2 -2 0  2 -2 0  -2 2 0  2 2 0] \"point2 uv\" [3 -1  7 -1  3 1  7 1]", [](float x, float y) { return glm::vec2(5 + x, y / 2); });
+    check("Shape \"bilinearmesh\" \"point3 P\" [-2 -2 0  2 -2 0  -2 2 0  2 2 0] \"point2 uv\" [3 -1  7 -1  3 1  7 1]",
+          [](float x, float y) { return glm::vec2(5 + x, y / 2); });
     check("Shape \"trianglemesh\" \"point3 P\" [-4 -4 0  12 -4 0  -4 12 0]", [](float x, float y) {
         const float b = (x + 4) / 16, c = (y + 4) / 16;   /* the weights of the second and the third corner */
         return glm::vec2(b + c, c);
@@ -130,8 +144,9 @@ TEST(Aovs, TextureCoordinatesAreThoseOfTheShape) {
     EXPECT_EQ(nothing.image.depthSlope[19], glm::vec2(0));
 }
 
-/// On the plane z = a + b x + c y, by the columns s = x / z and the rows t = y / z of a camera at the origin: z = a / (1 - b s - c t), so that
-/// dz/ds = b z^2 / a and dz/dt = c z^2 / a; a pixel is 2 / 16 of s and t. Through an orthographic camera, that is b and c for each unit. No sign is kept.
+/// On the plane z = a + b x + c y, by the columns s = x / z and the rows t = y / z of a camera at the origin: z = a / (1 - b s - c t), so
+/// that dz/ds = b z^2 / a and dz/dt = c z^2 / a; a pixel is 2 / 16 of s and t. Through an orthographic camera, that is b and c for each
+/// unit. No sign is kept.
 TEST(Aovs, DepthSlopesAreThoseOfThePlane) {
     constexpr double a = 4, b = .5, c = -.25;
     /* Corners at x, y = +-9; the world is turned, moved and scaled against the camera, which sees itself in camera units */
@@ -161,8 +176,9 @@ TEST(Aovs, DepthSlopesAreThoseOfThePlane) {
     }
 }
 
-/// A spherical camera in the middle of a ball sees it touched by planes across its rays: a turn by an angle of a pixel moves the point by radius times that
-/// (and the sine of the angle to the pole), along z by the sine of the angle to z: at a quarter of a turn from z, all of it; towards z, nothing.
+/// A spherical camera in the middle of a ball sees it touched by planes across its rays: a turn by an angle of a pixel moves the point by
+/// radius times that (and the sine of the angle to the pole), along z by the sine of the angle to z: at a quarter of a turn from z, all of
+/// it; towards z, nothing.
 TEST(Aovs, DepthSlopesInAPanorama) {
     View v = view();
     v.width = 256;
@@ -185,7 +201,8 @@ TEST(Aovs, DepthSlopesInAPanorama) {
 /// Objects are numbered as the scene lists them, instances after shapes; materials likewise; a pixel's number is that of most samples.
 TEST(Aovs, ObjectsAndMaterialsHaveNumbers) {
     View v = view(60, 3);
-    const std::string world = R"(LightSource "point" MakeNamedMaterial "a" "string type" "diffuse" MakeNamedMaterial "b" "string type" "diffuse" "rgb reflectance" [.2 .2 .2]
+    const std::string world =
+        R"(LightSource "point" MakeNamedMaterial "a" "string type" "diffuse" MakeNamedMaterial "b" "string type" "diffuse" "rgb reflectance" [.2 .2 .2]
 ObjectBegin "ball" NamedMaterial "b" Shape "sphere" "float radius" .4 Translate 0 0 .1 Shape "sphere" "float radius" .4 ObjectEnd
 NamedMaterial "a" Shape "bilinearmesh" "point3 P" [-.2 -.2 0  .2 -.2 0  -.2 .2 0  .2 .2 0]
 AttributeBegin Translate -1.54 0 0 Scale 2 2 2 ObjectInstance "ball" AttributeEnd

@@ -51,12 +51,16 @@ TEST_F(Bench, EfficiencyIsOfTheVarianceBetweenSeeds) {
     const auto many = bench({"--efficiency", "--repeats", "8", "--sampler", "independent", "--spp", "64"});
     for (const auto& json : {few, many}) {
         EXPECT_TRUE(std::isfinite(json.at("efficiency").get<double>()));
-        EXPECT_NEAR(json.at("efficiency").get<double>() * json.at("relativeVariance").get<double>() * json.at("renderSeconds").get<double>(), 1, 1e-9);
+        EXPECT_NEAR(
+            json.at("efficiency").get<double>() * json.at("relativeVariance").get<double>() * json.at("renderSeconds").get<double>(), 1,
+            1e-9);
         EXPECT_LT(json.at("efficiencyInterval")[0], json.at("efficiency"));
         EXPECT_GT(json.at("efficiencyInterval")[1], json.at("efficiency"));
     }
     const double ratio = many.at("relativeVariance").get<double>() / few.at("relativeVariance").get<double>();
-    const auto relative = [](const nlohmann::json& json) { return json.at("relativeVarianceStandardError").get<double>() / json.at("relativeVariance").get<double>(); };
+    const auto relative = [](const nlohmann::json& json) {
+        return json.at("relativeVarianceStandardError").get<double>() / json.at("relativeVariance").get<double>();
+    };
     EXPECT_LT(relative(few), .15);
     EXPECT_NEAR(ratio, .25, 4 * ratio * std::hypot(relative(few), relative(many)));
 }

@@ -41,10 +41,12 @@ TEST_F(Cli, NoDamageToTheCacheEndsTheProgram) {
     const std::vector<std::string> compileOne{"compile-kernels", "0", "0", "0", "100"};
     const auto damage = [](const std::filesystem::path& file, int how) {
         if (how < 2) return std::filesystem::resize_file(file, how * std::filesystem::file_size(file) / 2);
-        std::ofstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(40) << "random bytes: \x91\x02\xf7\x5c\xa8\x33\xd0\x6e\x1b\x84";
+        std::ofstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(40)
+            << "random bytes: \x91\x02\xf7\x5c\xa8\x33\xd0\x6e\x1b\x84";
     };
     ASSERT_EQ(run(compileOne, own).status, 0);
-    const std::vector<std::pair<std::string, int>> kinds{{".so", 0}, {".so", 1}, {".so", 2}, {".bc", 0}, {".bc", 1}, {".bc", 2}, {".program", 2}};
+    const std::vector<std::pair<std::string, int>> kinds{{".so", 0}, {".so", 1}, {".so", 2},     {".bc", 0},
+                                                         {".bc", 1}, {".bc", 2}, {".program", 2}};
     for (const auto& [kind, how] : kinds) {
         for (const auto& file : std::filesystem::recursive_directory_iterator(path("cache")))
             if (file.path().extension() == kind) damage(file.path(), how);
@@ -93,7 +95,8 @@ TEST_F(TinyDisk, IsNoPlaceForTheCache) {
     if (!mounted_) GTEST_SKIP() << "only root can make a disk";
     const Outcome run = this->run({"render", "tiny.pbrt"}, {{"EIKONAL_CACHE_DIR", disk_}, {"TMPDIR", temporaryFiles()}});
     EXPECT_EQ(run.status, 0) << run.error;
-    EXPECT_THAT(run.error, testing::ContainsRegex("warning: compiled kernels are kept in .*: " + disk_ + " is on a disk with 0\\.[0-9] MiB left, of 16 at least"));
+    EXPECT_THAT(run.error, testing::ContainsRegex("warning: compiled kernels are kept in .*: " + disk_ +
+                                                  " is on a disk with 0\\.[0-9] MiB left, of 16 at least"));
     EXPECT_TRUE(std::filesystem::is_empty(disk_));
 }
 

@@ -19,7 +19,8 @@ TEST_F(Cli, ErrorsInASceneSayWhereAndExitWith1) {
     EXPECT_THAT(bad.error, testing::MatchesRegex("bad.pbrt:[0-9]+:[0-9]+: .*\n"));
     EXPECT_FALSE(exists("bad.exr"));
     write("worse.pbrt", "WorldBegin\nShape \"a\"\nShape \"b\"\n");
-    EXPECT_THAT(run({"info", "worse.pbrt"}).error, testing::MatchesRegex("worse.pbrt:2:1: .*\nworse.pbrt:3:1: .*\n")) << "each line begins with its place";
+    EXPECT_THAT(run({"info", "worse.pbrt"}).error, testing::MatchesRegex("worse.pbrt:2:1: .*\nworse.pbrt:3:1: .*\n"))
+        << "each line begins with its place";
     EXPECT_EQ(run({"render", "absent.pbrt"}).status, 1);
     EXPECT_EQ(run({"info", "absent.obj"}).status, 1);
     EXPECT_EQ(run({"compare", "absent.exr", "absent.exr"}).status, 1);
@@ -47,8 +48,14 @@ TEST_F(Cli, ASceneThatIsNoTextDoesNotReachTheTerminal) {
 }
 
 TEST_F(Cli, ErrorsOfUsageExitWith2) {
-    for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{{}, {"rendr"}, {"render"}, {"render", "tiny.pbrt", "--no-such-option"}, {"render", "tiny.pbrt", "--spp", "0"},
-                                                                                          {"render", "tiny.pbrt", "--camera", "0,0,1"}, {"render", "tiny.pbrt", "--local-size", "1048576"}}) {
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{},
+                                               {"rendr"},
+                                               {"render"},
+                                               {"render", "tiny.pbrt", "--no-such-option"},
+                                               {"render", "tiny.pbrt", "--spp", "0"},
+                                               {"render", "tiny.pbrt", "--camera", "0,0,1"},
+                                               {"render", "tiny.pbrt", "--local-size", "1048576"}}) {
         const Outcome run = this->run(arguments);
         EXPECT_EQ(run.status, 2) << testing::PrintToString(arguments) << run.error;
         EXPECT_THAT(run.error, HasSubstr("error: "));
@@ -84,7 +91,8 @@ TEST_F(Cli, StrictTurnsWhatIsNotRenderedIntoAnError) {
 /// The option counts more than the scene, and then there is nothing to be warned of.
 TEST_F(Cli, TheIntegratorMayBeChosen) {
     write("photons.pbrt", tinyScene("Integrator \"sppm\""));
-    const Outcome lax = run({"info", "photons.pbrt"}), chosen = run({"info", "photons.pbrt", "--integrator", "ambientocclusion", "--strict"});
+    const Outcome lax = run({"info", "photons.pbrt"}),
+                  chosen = run({"info", "photons.pbrt", "--integrator", "ambientocclusion", "--strict"});
     EXPECT_EQ(lax.error.find("warning: "), lax.error.rfind("warning: ")) << "one warning: " << lax.error;
     EXPECT_EQ(chosen.status, 0);
     EXPECT_EQ(chosen.error, "");

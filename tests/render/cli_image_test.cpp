@@ -59,7 +59,8 @@ TEST_F(Cli, WithoutANameTheImageIsCalledLikeTheScene) {
 TEST_F(Cli, ACropHasTheSamePixelsAsTheWhole) {
     ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "whole.exr"}).status, 0);
     ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "crop.exr", "--cropwindow", "0.25,0.75,0,0.5"}).status, 0);
-    ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "bounds.exr", "--pixelbounds", "4,12,0,6", "--nthreads", "1", "--wave-paths", "100"}).status, 0);
+    ASSERT_EQ(
+        run({"render", "tiny.pbrt", "-o", "bounds.exr", "--pixelbounds", "4,12,0,6", "--nthreads", "1", "--wave-paths", "100"}).status, 0);
     const FilmImage whole = image("whole.exr"), crop = image("crop.exr"), bounds = image("bounds.exr");
     for (const FilmImage* part : {&crop, &bounds}) {
         EXPECT_EQ(part->width, 16);
@@ -90,7 +91,8 @@ TEST_F(Cli, AFilmMayAskForAovs) {
         write("gbuffer.pbrt", scene);
         ASSERT_EQ(run({"render", "gbuffer.pbrt", "-o", "a.exr"}).status, 0);
         const FilmImage seen = image("a.exr");
-        ASSERT_FALSE(seen.albedo.empty() || seen.normal.empty() || seen.position.empty() || seen.uv.empty() || seen.depthSlope.empty() || seen.motion.empty() || seen.object.empty() || seen.variance.empty());
+        ASSERT_FALSE(seen.albedo.empty() || seen.normal.empty() || seen.position.empty() || seen.uv.empty() || seen.depthSlope.empty() ||
+                     seen.motion.empty() || seen.object.empty() || seen.variance.empty());
         EXPECT_NEAR(seen.position[seen.index(8, 6)].z, space == std::string("camera") ? 4 : 0, 0.1);
     }
     const Outcome run = this->run({"render", "gbuffer.pbrt", "-o", "a.png"});
@@ -98,7 +100,8 @@ TEST_F(Cli, AFilmMayAskForAovs) {
     EXPECT_THAT(run.error, HasSubstr("cannot hold them; add `-o FILE.exr`"));
 }
 
-// pbrt-v4's film "spectral": an EXR has the spectra, beside the channels that are asked for; another file has the colours, and that is said.
+// pbrt-v4's film "spectral": an EXR has the spectra, beside the channels that are asked for; another file has the colours, and that is
+// said.
 TEST_F(Cli, AFilmMayKeepSpectra) {
     std::string scene = tinyScene();
     scene.replace(scene.find("\"rgb\""), 5, "\"spectral\" \"integer nbuckets\" 5 \"float lambdamin\" 450 \"float lambdamax\" 700");
@@ -109,9 +112,11 @@ TEST_F(Cli, AFilmMayKeepSpectra) {
     EXPECT_FALSE(seen.depth.empty());
     EXPECT_GT(seen.spectrum.radiance[seen.index(8, 6) * 5 + 2], 0.01f) << "the square is lit";
     EXPECT_EQ(seen.spectrum.radiance[2], 0) << "nothing is in the corner";
-    ASSERT_EQ(run({"render", "spectral.pbrt", "-o", "crop.exr", "--pixelbounds", "4,12,0,6", "--spp", "16", "--wave-paths", "100"}).status, 0);
+    ASSERT_EQ(run({"render", "spectral.pbrt", "-o", "crop.exr", "--pixelbounds", "4,12,0,6", "--spp", "16", "--wave-paths", "100"}).status,
+              0);
     const FilmImage crop = image("crop.exr");
-    for (size_t b = 0; b < 5; ++b) EXPECT_EQ(crop.spectrum.radiance[crop.index(8, 5) * 5 + b], seen.spectrum.radiance[seen.index(8, 5) * 5 + b]);
+    for (size_t b = 0; b < 5; ++b)
+        EXPECT_EQ(crop.spectrum.radiance[crop.index(8, 5) * 5 + b], seen.spectrum.radiance[seen.index(8, 5) * 5 + b]);
 
     const Outcome png = run({"render", "spectral.pbrt", "-o", "a.png"});
     EXPECT_EQ(png.status, 0);
@@ -126,12 +131,15 @@ TEST_F(Cli, AFilmMayKeepSpectra) {
     write("large.pbrt", scene);
     const Outcome large = run({"render", "large.pbrt", "-o", "b.exr", "--resolution", "60000x60000"});
     EXPECT_EQ(large.status, 1);
-    EXPECT_THAT(large.error, testing::ContainsRegex("large.pbrt:[0-9]+:[0-9]+: 60000 x 60000 pixels with spectra of 512 buckets need .*; render parts with --pixelbounds"));
+    EXPECT_THAT(large.error,
+                testing::ContainsRegex(
+                    "large.pbrt:[0-9]+:[0-9]+: 60000 x 60000 pixels with spectra of 512 buckets need .*; render parts with --pixelbounds"));
 }
 
 TEST_F(Cli, AovsNeedAnExr) {
     write("named.pbrt", "Film \"rgb\" \"string filename\" \"a.jpg\"\nWorldBegin\nShape \"sphere\"\n");
-    for (const std::vector<std::string>& arguments : {std::vector<std::string>{"tiny.pbrt", "-o", "a.png", "-o", "a.jpg"}, {"named.pbrt"}}) {
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"tiny.pbrt", "-o", "a.png", "-o", "a.jpg"}, {"named.pbrt"}}) {
         std::vector<std::string> all{"render", "--aov", "object"};
         all.insert(all.end(), arguments.begin(), arguments.end());
         const Outcome run = this->run(all);

@@ -40,7 +40,8 @@ TEST_F(Cli, QuietPrintsNothing) {
 
 TEST_F(Cli, StatsTellWhereTimeAndMemoryWent) {
     const Outcome run = this->run({"render", "tiny.pbrt", "--stats"});
-    for (const char* what : {"read the scene", "compile the kernels", "intersect_rays", "until the first ray", "render ", "shadow rays", "Memory: scene tables"})
+    for (const char* what : {"read the scene", "compile the kernels", "intersect_rays", "until the first ray", "render ", "shadow rays",
+                             "Memory: scene tables"})
         EXPECT_THAT(run.out, HasSubstr(what));
 }
 
@@ -80,7 +81,8 @@ TEST_F(Cli, CompareFindsAnImageEqualToItself) {
 
 /// --scatter takes an image as if it had no variance.
 TEST_F(Cli, ComparesByScatter) {
-    for (const std::string seed : {"1", "2"}) ASSERT_EQ(run({"render", "tiny.pbrt", "--seed", seed, "--aov", "variance", "-o", seed + ".exr"}).status, 0);
+    for (const std::string seed : {"1", "2"})
+        ASSERT_EQ(run({"render", "tiny.pbrt", "--seed", seed, "--aov", "variance", "-o", seed + ".exr"}).status, 0);
     ASSERT_EQ(run({"render", "tiny.pbrt", "--seed", "1", "-o", "bare.exr"}).status, 0);
     const auto worst = [&](std::vector<std::string> arguments) {
         arguments.insert(arguments.begin(), {"compare", "--json"});

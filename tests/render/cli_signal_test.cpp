@@ -17,7 +17,8 @@ namespace {
 using testing::HasSubstr;
 
 TEST_F(Cli, TheTimeLimitLeavesAWholeImage) {
-    const Outcome run = this->run({"render", "tiny.pbrt", "-o", "a.exr", "--spp", "100000000", "--time-limit", "0.2", "--aov", "sampleCount"});
+    const Outcome run =
+        this->run({"render", "tiny.pbrt", "-o", "a.exr", "--spp", "100000000", "--time-limit", "0.2", "--aov", "sampleCount"});
     EXPECT_EQ(run.status, 0);
     EXPECT_THAT(run.error, testing::ContainsRegex("ended by --time-limit: [0-9].* of 100000000 samples a pixel"));
     const FilmFile exr = readImage(path("a.exr"));
@@ -45,7 +46,8 @@ INSTANTIATE_TEST_SUITE_P(Cli, Signals, testing::Values(SIGINT, SIGTERM));
 /// As for a command that a script starts with `&`: Ctrl-C is meant for what is in front.
 TEST_F(Cli, ASignalThatIsIgnoredStaysIgnored) {
     const auto before = std::signal(SIGINT, SIG_IGN);   // inherited
-    const Running running = start({"render", "tiny.pbrt", "-o", "a.exr", "--spp", "100000000", "--time-limit", "1.5", "--log-level", "info"});
+    const Running running =
+        start({"render", "tiny.pbrt", "-o", "a.exr", "--spp", "100000000", "--time-limit", "1.5", "--log-level", "info"});
     std::signal(SIGINT, before);
     EXPECT_TRUE(printed(running, "rendering 16 x 12 pixels"));
     ::usleep(300'000);

@@ -21,8 +21,11 @@ class Displaced : public Cli {
 protected:
     /// A square from (-1, -1, 0) to (1, 1, 0), its texture coordinates from (0, 0) to (1, 1), as two triangles.
     Displaced() {
-        write("square.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty float u\nproperty float v\n"
-                            "element face 2\nproperty list uchar int vertex_indices\nend_header\n-1 -1 0 0 0\n1 -1 0 1 0\n1 1 0 1 1\n-1 1 0 0 1\n3 0 1 2\n3 0 2 3\n");
+        write("square.ply",
+              "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty float u\nproperty "
+              "float v\n"
+              "element face 2\nproperty list uchar int vertex_indices\nend_header\n-1 -1 0 0 0\n1 -1 0 1 0\n1 1 0 1 1\n-1 1 0 0 1\n3 0 1 "
+              "2\n3 0 2 3\n");
     }
 
     /// The mesh of the first shape, displaced.
@@ -53,9 +56,12 @@ TEST_F(Displaced, BySlopesStaysFlat) {
 
 /// Solid textures are looked up in world space: with two checks along x, what is beyond x = 5.03 in the world is high.
 TEST_F(Displaced, BySolidTexturesInTheWorld) {
-    const std::string checks = "Translate 5.03 -1e4 -1e4 Scale 1000 1e9 1e9 Texture \"height\" \"float\" \"checkerboard\" \"integer dimension\" 3 \"float tex1\" 1 \"float tex2\" 0 Identity ";
+    const std::string checks =
+        "Translate 5.03 -1e4 -1e4 Scale 1000 1e9 1e9 Texture \"height\" \"float\" \"checkerboard\" \"integer dimension\" 3 \"float tex1\" "
+        "1 \"float tex2\" 0 Identity ";
     const std::string placed = "Translate 4.75 .1 .1 " + square + "\"float edgelength\" .125 ";
-    for (const std::string& text : {checks + placed, checks + "ObjectBegin \"o\" " + placed + "ObjectEnd ObjectInstance \"o\" Translate 9 9 9 ObjectInstance \"o\""}) {
+    for (const std::string& text : {checks + placed, checks + "ObjectBegin \"o\" " + placed +
+                                                         "ObjectEnd ObjectInstance \"o\" Translate 9 9 9 ObjectInstance \"o\""}) {
         const Mesh mesh = meshOf(text);
         size_t high = 0;
         for (size_t i = 0; i < mesh.positions.size(); ++i) {
@@ -75,25 +81,43 @@ std::string asText(const Mesh& mesh) {
         uv += fmt::format("{:.9g} {:.9g} ", mesh.uvs[i].x, mesh.uvs[i].y);
     }
     for (const std::uint32_t i : mesh.indices) indices += fmt::format("{} ", i);
-    return fmt::format("Shape \"trianglemesh\" \"point3 P\" [{}] \"normal N\" [{}] \"point2 uv\" [{}] \"integer indices\" [{}] ", p, n, uv, indices);
+    return fmt::format("Shape \"trianglemesh\" \"point3 P\" [{}] \"normal N\" [{}] \"point2 uv\" [{}] \"integer indices\" [{}] ", p, n, uv,
+                       indices);
 }
 
-/// The same bits as the mesh that comes out, written down: mirrored, reversed, cut out, emitting, moving, in an object that is used once or twice. Of triangles and patches.
+/// The same bits as the mesh that comes out, written down: mirrored, reversed, cut out, emitting, moving, in an object that is used once or
+/// twice. Of triangles and patches.
 TEST_F(Displaced, RenderLikeTheMeshThatTheyBecome) {
-    write("tent.ply", "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\nproperty float u\nproperty float v\n"
-                      "element face 3\nproperty list uchar int vertex_indices\nend_header\n-1 -1 0 0 0\n0 -1 .5 .5 0\n1 -1 0 1 0\n-1 1 0 0 1\n0 1 .5 .5 1\n1 1 0 1 1\n4 0 1 4 3\n3 1 2 5\n3 1 5 4\n");
-    const std::string height = "Texture \"height\" \"float\" \"checkerboard\" \"float uscale\" 3 \"float vscale\" 1 \"float tex1\" .2 \"float tex2\" 0 "
-                               "Texture \"holes\" \"float\" \"checkerboard\" \"float uscale\" 9 \"float vscale\" 9 \"float tex1\" 0 ";
+    write("tent.ply",
+          "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\nproperty float z\nproperty float u\nproperty float "
+          "v\n"
+          "element face 3\nproperty list uchar int vertex_indices\nend_header\n-1 -1 0 0 0\n0 -1 .5 .5 0\n1 -1 0 1 0\n-1 1 0 0 1\n0 1 .5 "
+          ".5 1\n1 1 0 1 1\n4 0 1 4 3\n3 1 2 5\n3 1 5 4\n");
+    const std::string height =
+        "Texture \"height\" \"float\" \"checkerboard\" \"float uscale\" 3 \"float vscale\" 1 \"float tex1\" .2 \"float tex2\" 0 "
+        "Texture \"holes\" \"float\" \"checkerboard\" \"float uscale\" 9 \"float vscale\" 9 \"float tex1\" 0 ";
     const std::string tent = "Shape \"plymesh\" \"string filename\" \"tent.ply\" \"texture displacement\" \"height\" \"float edgelength\" 9 ";   // as it is, wherever it is
-    const std::string head = "LookAt 0 1 -4  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 50 \"float shutterclose\" 1 Film \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 16\n"
-                             "Sampler \"independent\" \"integer pixelsamples\" 16 WorldBegin LightSource \"infinite\" LightSource \"point\" \"rgb I\" [9 8 7] \"point3 from\" [1 2 -3]\n" + height;
+    const std::string head =
+        "LookAt 0 1 -4  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 50 \"float shutterclose\" 1 Film \"rgb\" \"integer xresolution\" "
+        "16 \"integer yresolution\" 16\n"
+        "Sampler \"independent\" \"integer pixelsamples\" 16 WorldBegin LightSource \"infinite\" LightSource \"point\" \"rgb I\" [9 8 7] "
+        "\"point3 from\" [1 2 -3]\n" +
+        height;
     const std::string becomes = asText(meshOf(height + tent));
     const auto scene = [&](const std::string& shape) {
-        return head + "AttributeBegin ReverseOrientation Translate -1 0 0 Scale -.5 .7 1 " + shape + "\"texture alpha\" \"holes\" AttributeEnd\n"
-               "AttributeBegin AreaLightSource \"diffuse\" Translate 1.2 .5 0 Scale .4 .4 .4 " + shape + "AttributeEnd\n"
-               "AttributeBegin ActiveTransform EndTime Translate 0 .2 0 ActiveTransform All Translate 0 -1 0 Scale .5 .5 .5 " + shape + "AttributeEnd\n"
-               "ObjectBegin \"once\" " + shape + "ObjectEnd ObjectBegin \"twice\" " + shape + "ObjectEnd\n"
-               "AttributeBegin Translate 0 1 1 Scale .5 .5 .5 ObjectInstance \"once\" Translate 1 0 0 ObjectInstance \"twice\" Translate -2 0 0 ObjectInstance \"twice\" AttributeEnd\n";
+        return head + "AttributeBegin ReverseOrientation Translate -1 0 0 Scale -.5 .7 1 " + shape +
+               "\"texture alpha\" \"holes\" AttributeEnd\n"
+               "AttributeBegin AreaLightSource \"diffuse\" Translate 1.2 .5 0 Scale .4 .4 .4 " +
+               shape +
+               "AttributeEnd\n"
+               "AttributeBegin ActiveTransform EndTime Translate 0 .2 0 ActiveTransform All Translate 0 -1 0 Scale .5 .5 .5 " +
+               shape +
+               "AttributeEnd\n"
+               "ObjectBegin \"once\" " +
+               shape + "ObjectEnd ObjectBegin \"twice\" " + shape +
+               "ObjectEnd\n"
+               "AttributeBegin Translate 0 1 1 Scale .5 .5 .5 ObjectInstance \"once\" Translate 1 0 0 ObjectInstance \"twice\" Translate "
+               "-2 0 0 ObjectInstance \"twice\" AttributeEnd\n";
     };
     write("displaced.pbrt", scene(tent));
     write("written.pbrt", scene(becomes));
@@ -112,12 +136,18 @@ TEST_F(Displaced, SaysWhatIsWrong) {
     write("fine.pbrt", "WorldBegin\nTexture \"height\" \"float\" \"windy\"\n" + square + "\"float edgelength\" 1e-5");
     const Outcome fine = run({"render", "fine.pbrt"});
     EXPECT_EQ(fine.status, static_cast<int>(ExitCode::scene));
-    EXPECT_THAT(fine.error, HasSubstr("fine.pbrt:3:48: edges shorter than 1e-05 make more than 33554432 triangles of this mesh, which are the most; \"float edgelength\" 0.0014 would work"));
+    EXPECT_THAT(fine.error, HasSubstr("fine.pbrt:3:48: edges shorter than 1e-05 make more than 33554432 triangles of this mesh, which are "
+                                      "the most; \"float edgelength\" 0.0014 would work"));
     write("far.pbrt", constant + square);
     EXPECT_THAT(run({"render", "far.pbrt"}).error, HasSubstr("moves a vertex to where no finite number reaches"));
-    write("bare.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n");
-    write("bare.pbrt", "WorldBegin Texture \"height\" \"float\" \"windy\" Shape \"plymesh\" \"string filename\" \"bare.ply\" \"texture displacement\" \"height\"");
-    EXPECT_THAT(run({"info", "bare.pbrt"}).error, HasSubstr("this mesh has no texture coordinates: the texture that displaces it is looked up at (0, 0)"));
+    write("bare.ply",
+          "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list "
+          "uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n");
+    write("bare.pbrt",
+          "WorldBegin Texture \"height\" \"float\" \"windy\" Shape \"plymesh\" \"string filename\" \"bare.ply\" \"texture displacement\" "
+          "\"height\"");
+    EXPECT_THAT(run({"info", "bare.pbrt"}).error,
+                HasSubstr("this mesh has no texture coordinates: the texture that displaces it is looked up at (0, 0)"));
 }
 
 }  // namespace

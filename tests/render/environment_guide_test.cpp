@@ -17,13 +17,16 @@ std::string room(const std::string& inside, const std::string& integrator) {
         Material "diffuse" "rgb reflectance" [.6 .5 .4]
         Shape "trianglemesh" "point3 P" [-2 -2 -2  2 -2 -2  2 2 -2  -2 2 -2  -2 -2 2  2 -2 2  2 2 2  -2 2 2] "integer indices" [0 1 2 0 2 3  4 5 6 4 6 7  0 4 7 0 7 3  1 5 6 1 6 2  0 1 5 0 5 4]
         Shape "trianglemesh" "point3 P" [-2 2 -2  1 2 -2  1 2 2  -2 2 2] "integer indices" [0 1 2 0 2 3]
-        Shape "trianglemesh" "point3 P" [1 2 -2  2 2 -2  2 2 0  1 2 0] "integer indices" [0 1 2 0 2 3])" + inside);
+        Shape "trianglemesh" "point3 P" [1 2 -2  2 2 -2  2 2 0  1 2 0] "integer indices" [0 1 2 0 2 3])" +
+                               inside);
 }
 
 const std::string withLights = "\"volpath\"", withoutLights = "\"simplepath\" \"bool samplelights\" false";
 
 TEST(EnvironmentGuide, ARoomIsAsBrightAsWithoutIt) {
-    for (const std::string inside : {"", "\nMaterial \"diffusetransmission\" AttributeBegin Translate 0 -1.5 0 Rotate 30 1 0 0 Translate .6 -.1 .4 Shape \"disk\" \"float radius\" .5 AttributeEnd"}) {
+    for (const std::string inside : {"",
+                                     "\nMaterial \"diffusetransmission\" AttributeBegin Translate 0 -1.5 0 Rotate 30 1 0 0 Translate .6 "
+                                     "-.1 .4 Shape \"disk\" \"float radius\" .5 AttributeEnd"}) {
         const PackedScene guided = packScene(room(inside, withLights)), alone = packScene(room(inside, withoutLights));
         ASSERT_TRUE(guided.features.has(Feature::ENVIRONMENT_GUIDE));
         ASSERT_FALSE(alone.features.has(Feature::ENVIRONMENT_GUIDE));
@@ -35,8 +38,10 @@ TEST(EnvironmentGuide, ARoomIsAsBrightAsWithoutIt) {
 
 // In a medium, points look in all directions.
 TEST(EnvironmentGuide, FogInARoomIsAsBrightAsWithoutIt) {
-    const std::string fog = "\nAttributeBegin Material \"interface\" MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [.1 .1 .1] \"rgb sigma_s\" [.3 .3 .3] "
-                            "MediumInterface \"fog\" \"\" Translate 1 -1.8 .6 Shape \"sphere\" \"float radius\" 1.1 AttributeEnd";
+    const std::string fog =
+        "\nAttributeBegin Material \"interface\" MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [.1 .1 .1] \"rgb "
+        "sigma_s\" [.3 .3 .3] "
+        "MediumInterface \"fog\" \"\" Translate 1 -1.8 .6 Shape \"sphere\" \"float radius\" 1.1 AttributeEnd";
     const PackedScene guided = packScene(room(fog, withLights));
     ASSERT_TRUE(guided.features.has(Feature::ENVIRONMENT_GUIDE));
     RenderSetup unsampled;   // a sky that light samples never choose
@@ -62,7 +67,8 @@ TEST(EnvironmentGuide, LeavesOpenScenesAlone) {
     View view;
     view.width = view.height = 64;
     view.samples = 96;
-    PackedScene scene = packScene(sceneText(view, "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMaterial \"diffuse\" \"rgb reflectance\" [1 1 1] Shape \"sphere\""));
+    PackedScene scene = packScene(
+        sceneText(view, "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMaterial \"diffuse\" \"rgb reflectance\" [1 1 1] Shape \"sphere\""));
     ASSERT_TRUE(scene.features.has(Feature::ENVIRONMENT_GUIDE));
     expectRadiance(render(scene), 1, 0.001);
     for (const glm::vec3& c : render(scene).image.color) ASSERT_NEAR(c.g, 1, 1e-5);

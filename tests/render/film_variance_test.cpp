@@ -25,15 +25,19 @@ TEST(FilmVariance, OfAnEvenSkyIsZeroWhateverTheFilter) {
     }
 }
 
-// The squared difference of two images with other seeds has the expectation of the sum of both variances. Some 250 pixels at the edge of the
-// ball in each of two pairs: their mean is known to about 6 %.
+// The squared difference of two images with other seeds has the expectation of the sum of both variances. Some 250 pixels at the edge of
+// the ball in each of two pairs: their mean is known to about 6 %.
 TEST(FilmVariance, IsHowMuchSeedsDiffer) {
     for (const char* filter : {"box", "mitchell"}) {
         constexpr int pairs = 2;
         double expected = 0, found = 0;
         for (int i = 0; i < pairs; ++i) {
             const auto image = [&](int seed) {
-                return render(sceneText(wide(filter, seed, 128), "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMaterial \"diffuse\" \"rgb reflectance\" [0 0 0]\nShape \"sphere\""), surfaces()).image;
+                return render(sceneText(wide(filter, seed, 128),
+                                        "LightSource \"infinite\" \"rgb L\" [1 1 1]\nMaterial \"diffuse\" \"rgb reflectance\" [0 0 "
+                                        "0]\nShape \"sphere\""),
+                              surfaces())
+                    .image;
             };
             const FilmImage a = image(2 * i), b = image(2 * i + 1);
             for (size_t p = 0; p < a.pixelCount(); ++p) {

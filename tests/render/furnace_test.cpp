@@ -23,8 +23,8 @@ Rendered underWhiteSky(const std::string& material, const std::string& shape = "
     return render(sceneText(view, "LightSource \"infinite\" \"rgb L\" [1 1 1]\n" + material + "\n" + shape), surfaces());
 }
 
-// A sphere of radius 1 that reflects rho = 1/2, I = pi in its middle: direct irradiance E = I, and every bounce spreads evenly over the sphere,
-// whose points see each other all alike, so L = rho E / (pi (1 - rho)) = 1.
+// A sphere of radius 1 that reflects rho = 1/2, I = pi in its middle: direct irradiance E = I, and every bounce spreads evenly over the
+// sphere, whose points see each other all alike, so L = rho E / (pi (1 - rho)) = 1.
 TEST(Furnace, AClosedDiffuseSphereAroundAPointLightIsOne) {
     View view;
     view.lookAt = ".3 -.2 -.4  0 0 1  0 1 0";
@@ -52,21 +52,25 @@ TEST(Furnace, WhiteThingsOfEveryShapeCannotBeSeen) {
         Shape "curve" "string type" "cylinder" "float width" .3 "point3 P" [-1.5 .2 -1.5  -.5 1.5 -1.5  .5 -.5 -1.5  1.5 .6 -1.2]
         AttributeBegin Translate .3 .3 -1.4 Scale .8 .8 .8 Shape "implicit" "string F" "x^2*y^2 + y^2*z^2 + z^2*x^2 - x*y*z" "point3 bounds" [-.5 -.5 -.5 .5 .5 .5] AttributeEnd
         Shape "loopsubdiv" "point3 P" [.2 1 .5  .6 1.6 .5  .6 1 1  .1 1.2 .9] "integer indices" [0 1 2 0 2 3 0 3 1 1 3 2]
-        Shape "bilinearmesh" "point3 P" [-1 0 -1  1 .3 -1  -1 .3 1  1 0 1])"), surfaces()), 1, 0.002);
+        Shape "bilinearmesh" "point3 P" [-1 0 -1  1 .3 -1  -1 .3 1  1 0 1])"),
+                          surfaces()),
+                   1, 0.002);
 }
 
 TEST(Furnace, WhiteDiffuseOnBothSides) {
-    expectRadiance(underWhiteSky("Material \"diffusetransmission\" \"rgb reflectance\" [.4 .4 .4] \"rgb transmittance\" [.6 .6 .6]"), 1, 0.005);
+    expectRadiance(underWhiteSky("Material \"diffusetransmission\" \"rgb reflectance\" [.4 .4 .4] \"rgb transmittance\" [.6 .6 .6]"), 1,
+                   0.005);
 }
 
-// At wavelengths: a ball under a white sky has the colour that its reflectance was given as, since that is what the smooth spectrum is made for;
-// and white glass that disperses cannot be seen, whichever wavelength is left.
+// At wavelengths: a ball under a white sky has the colour that its reflectance was given as, since that is what the smooth spectrum is made
+// for; and white glass that disperses cannot be seen, whichever wavelength is left.
 TEST(Furnace, AColorIsItselfAtWavelengths) {
     View view;
     view.samples = 1024;
     view.sampler = "sobol";
     const auto seen = [&](const std::string& material) {
-        const PackedScene scene = packScene(sceneText(view, "LightSource \"infinite\" \"rgb L\" [1 1 1]\n" + material + "\nShape \"sphere\""), ColorMode::spectral);
+        const PackedScene scene = packScene(
+            sceneText(view, "LightSource \"infinite\" \"rgb L\" [1 1 1]\n" + material + "\nShape \"sphere\""), ColorMode::spectral);
         return estimate(render(scene).image).mean;
     };
     const glm::dvec3 wall = seen("Material \"diffuse\" \"rgb reflectance\" [.8 .3 .1]"),
@@ -78,17 +82,23 @@ TEST(Furnace, AColorIsItselfAtWavelengths) {
     }
 }
 
-// Under a tube, what a paint of measured reflectance sends to a camera: the sum over 360, 361, ... 830 nm of response * light * reflectance, the light
-// divided by its own sum with the matching function y; times 200 / 100. Seen by the eye, the same with the matching functions.
+// Under a tube, what a paint of measured reflectance sends to a camera: the sum over 360, 361, ... 830 nm of response * light *
+// reflectance, the light divided by its own sum with the matching function y; times 200 / 100. Seen by the eye, the same with the matching
+// functions.
 TEST(Furnace, ACameraSeesTheProductOfSpectra) {
-    const DenseCurve tube = Spectrum::sampled(namedSpectrum("stdillum-F11")).dense(), paint = densify({{400, 500, 600, 700}, {.1, .8, .3, .9}});
+    const DenseCurve tube = Spectrum::sampled(namedSpectrum("stdillum-F11")).dense(),
+                     paint = densify({{400, 500, 600, 700}, {.1, .8, .3, .9}});
     View view;
     view.samples = 1024;
     view.sampler = "sobol";
-    const std::string text = sceneText(view, "LightSource \"infinite\" \"spectrum L\" \"stdillum-F11\" Material \"diffuse\" \"spectrum reflectance\" [400 .1 500 .8 600 .3 700 .9] Shape \"sphere\"");
-    for (const SensorDescription& sensor : {SensorDescription{.imagingRatio = 2}, {.name = "nikon_d810", .whiteBalance = 3200, .imagingRatio = 2}}) {
+    const std::string text = sceneText(view,
+                                       "LightSource \"infinite\" \"spectrum L\" \"stdillum-F11\" Material \"diffuse\" \"spectrum "
+                                       "reflectance\" [400 .1 500 .8 600 .3 700 .9] Shape \"sphere\"");
+    for (const SensorDescription& sensor :
+         {SensorDescription{.imagingRatio = 2}, {.name = "nikon_d810", .whiteBalance = 3200, .imagingRatio = 2}}) {
         std::string film = text;
-        film.insert(film.find("\"rgb\"") + 5, fmt::format(" \"float iso\" 200 \"string sensor\" \"{}\" \"float whitebalance\" {}", sensor.name, sensor.whiteBalance));
+        film.insert(film.find("\"rgb\"") + 5,
+                    fmt::format(" \"float iso\" 200 \"string sensor\" \"{}\" \"float whitebalance\" {}", sensor.name, sensor.whiteBalance));
         glm::dvec3 expected(0);
         const auto response = linearSrgbResponse(sensor);
         for (int i = 0; i < wavelengthCount; ++i) expected += response[i] * tube[i] * paint[i] / integrateXyz(tube).y;
@@ -107,7 +117,9 @@ TEST(Furnace, AMirrorReflectsAllButATenThousandth) {
 // One bounce off microfacets loses what would bounce again: nothing to speak of where they are flat, never a gain.
 TEST(Furnace, RoughMetalNeverGains) {
     for (const char* roughness : {".001", ".01", ".1", ".3", "1"}) {
-        const Rendered r = underWhiteSky("Material \"conductor\" \"rgb reflectance\" [1 1 1] \"bool remaproughness\" false \"float roughness\" " + std::string(roughness));
+        const Rendered r =
+            underWhiteSky("Material \"conductor\" \"rgb reflectance\" [1 1 1] \"bool remaproughness\" false \"float roughness\" " +
+                          std::string(roughness));
         const Estimate e = estimate(r.image);
         EXPECT_LE(e.mean.g, 1 + standardErrors * e.error.g) << roughness;
         EXPECT_GE(e.mean.g, std::atof(roughness) < 0.2 ? 0.98 : 0.3) << roughness;
@@ -117,17 +129,21 @@ TEST(Furnace, RoughMetalNeverGains) {
 
 // Radiance is squeezed by eta^2 on its way in and stretched by the same on its way out; Fresnel's parts add up to one.
 TEST(Furnace, ClearGlassCannotBeSeen) { expectRadiance(underWhiteSky("Material \"dielectric\" \"float eta\" 1.5"), 1, 0.005); }
-// So does a surface that is given by a formula: of a torus, which light passes through twice or is led around in; and of a shell between two balls.
+// So does a surface that is given by a formula: of a torus, which light passes through twice or is led around in; and of a shell between
+// two balls.
 TEST(Furnace, AGlassTorusCannotBeSeen) {
     for (const char* F : {"(x^2 + y^2 + z^2 + .3456)^2 - 1.7424*(x^2 + y^2)", "abs(sqrt(x^2 + y^2 + z^2) - .8) - .1"})
-        expectRadiance(underWhiteSky("Material \"dielectric\" \"float eta\" 1.5", "Shape \"implicit\" \"point3 bounds\" [-1 -1 -1 1 1 1] \"string F\" \"" + std::string(F) + "\""), 1, 0.005);
+        expectRadiance(underWhiteSky("Material \"dielectric\" \"float eta\" 1.5",
+                                     "Shape \"implicit\" \"point3 bounds\" [-1 -1 -1 1 1 1] \"string F\" \"" + std::string(F) + "\""),
+                       1, 0.005);
 }
 TEST(Furnace, AnAirBubbleCannotBeSeen) { expectRadiance(underWhiteSky("Material \"dielectric\" \"float eta\" .7"), 1, 0.005); }
 TEST(Furnace, ThinGlassCannotBeSeen) { expectRadiance(underWhiteSky("Material \"thindielectric\" \"float eta\" 1.8"), 1, 0.005); }
 
 TEST(Furnace, RoughGlassNeverGains) {
     for (const char* roughness : {".01", ".1", ".5"}) {
-        const Rendered r = underWhiteSky("Material \"dielectric\" \"float eta\" 1.5 \"bool remaproughness\" false \"float roughness\" " + std::string(roughness));
+        const Rendered r = underWhiteSky("Material \"dielectric\" \"float eta\" 1.5 \"bool remaproughness\" false \"float roughness\" " +
+                                         std::string(roughness));
         const Estimate e = estimate(r.image);
         EXPECT_LE(e.mean.g, 1 + standardErrors * e.error.g) << roughness;
         EXPECT_GE(e.mean.g, std::atof(roughness) < 0.2 ? 0.97 : 0.6) << roughness;
@@ -135,11 +151,13 @@ TEST(Furnace, RoughGlassNeverGains) {
     }
 }
 
-// The walk between coat and base is cut off, and each passage through a rough coat loses what its microfacets would pass on among themselves; nothing
-// of it can gain light.
+// The walk between coat and base is cut off, and each passage through a rough coat loses what its microfacets would pass on among
+// themselves; nothing of it can gain light.
 TEST(Furnace, WhiteUnderACoatNeverGains) {
     for (const char* roughness : {"0", ".1"}) {
-        const Rendered r = underWhiteSky("Material \"coateddiffuse\" \"rgb reflectance\" [1 1 1] \"integer maxdepth\" 100 \"float roughness\" " + std::string(roughness));
+        const Rendered r =
+            underWhiteSky("Material \"coateddiffuse\" \"rgb reflectance\" [1 1 1] \"integer maxdepth\" 100 \"float roughness\" " +
+                          std::string(roughness));
         const Estimate e = estimate(r.image);
         EXPECT_LE(e.mean.g, 1 + standardErrors * e.error.g) << roughness;
         EXPECT_GE(e.mean.g, std::atof(roughness) == 0 ? 0.9 : 0.6) << roughness;
@@ -149,8 +167,10 @@ TEST(Furnace, WhiteUnderACoatNeverGains) {
 
 TEST(Furnace, MetalUnderACoatNeverGains) {
     for (const char* interface : {"0", ".1"}) {
-        const Rendered r = underWhiteSky("Material \"coatedconductor\" \"rgb reflectance\" [1 1 1] \"integer maxdepth\" 100 \"float conductor.roughness\" .05 "
-                                         "\"float interface.roughness\" " + std::string(interface));
+        const Rendered r = underWhiteSky(
+            "Material \"coatedconductor\" \"rgb reflectance\" [1 1 1] \"integer maxdepth\" 100 \"float conductor.roughness\" .05 "
+            "\"float interface.roughness\" " +
+            std::string(interface));
         const Estimate e = estimate(r.image);
         EXPECT_LE(e.mean.g, 1 + standardErrors * e.error.g) << interface;
         EXPECT_GE(e.mean.g, 0.5) << interface;
@@ -162,11 +182,12 @@ TEST(Furnace, MetalUnderACoatNeverGains) {
 // scattered into the ball goes on inside of it.
 TEST(Furnace, HairWithoutPigmentCannotBeSeen) {
     expectRadiance(underWhiteSky("Material \"hair\" \"rgb sigma_a\" [0 0 0]"), 1, 0.002);
-    expectRadiance(underWhiteSky("Material \"hair\" \"rgb sigma_a\" [0 0 0] \"float beta_m\" .1 \"float beta_n\" .8 \"float alpha\" 4"), 1, 0.002);
+    expectRadiance(underWhiteSky("Material \"hair\" \"rgb sigma_a\" [0 0 0] \"float beta_m\" .1 \"float beta_n\" .8 \"float alpha\" 4"), 1,
+                   0.002);
 }
 
-// Nearly flat facets that reflect 0.6 of the light at every wavelength: all of that gets away, and the file's number is the result, but for the straight
-// lines between its values (2 %).
+// Nearly flat facets that reflect 0.6 of the light at every wavelength: all of that gets away, and the file's number is the result, but for
+// the straight lines between its values (2 %).
 TEST(Furnace, AMeasuredSurfaceReflectsWhatItsFileSays) {
     const std::filesystem::path file = std::filesystem::temp_directory_path() / ("eikonal-furnace-" + std::to_string(getpid()) + ".bsdf");
     MeasuredFile measured;
@@ -199,7 +220,8 @@ TEST(Furnace, EveryDepthAddsItsTerm) {
     }
 }
 
-// The same wall in the three channels, rho = 0.8, 0.5, 0.1: either rule of roulette follows the brightest channel and must keep the others right.
+// The same wall in the three channels, rho = 0.8, 0.5, 0.1: either rule of roulette follows the brightest channel and must keep the others
+// right.
 TEST(Furnace, RouletteKeepsEveryChannelRight) {
     View view;
     view.lookAt = ".3 -.2 -.4  0 0 1  0 1 0";
@@ -208,8 +230,10 @@ TEST(Furnace, RouletteKeepsEveryChannelRight) {
     PackedScene scene = packScene(sceneText(view, R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [.8 .5 .1]
         ReverseOrientation Shape "sphere")"));
     using enum RouletteRule;
-    for (const Roulette& rule : {Roulette{throughput, 1, 1}, {throughput, 1, 1000}, {throughput, 3, 1}, {root, 1, 0}, {root, 1, 4}, {root, 1.5, 2}}) {
-        SCOPED_TRACE(testing::Message() << (rule.rule == root ? "root" : "throughput") << " x " << rule.scale << " from bounce " << rule.depth);
+    for (const Roulette& rule :
+         {Roulette{throughput, 1, 1}, {throughput, 1, 1000}, {throughput, 3, 1}, {root, 1, 0}, {root, 1, 4}, {root, 1.5, 2}}) {
+        SCOPED_TRACE(testing::Message() << (rule.rule == root ? "root" : "throughput") << " x " << rule.scale << " from bounce "
+                                        << rule.depth);
         setRoulette(scene.tables.frame[0], rule);
         expectRadiance(render(scene, surfaces()), {1 / .2, 1 / .5, 1 / .9}, 0.003);
     }

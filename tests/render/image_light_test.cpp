@@ -21,22 +21,29 @@ protected:
     ~ImageLights() override { std::filesystem::remove(file_); }
     /// At height 2, its +z turned by an angle from the floor's origin, in degrees.
     std::string slide(double angle) const {
-        return fmt::format("AttributeBegin Translate 0 2 0 Rotate {} 1 0 0 LightSource \"projection\" \"float fov\" 90 \"float scale\" 3 \"string filename\" \"{}\" AttributeEnd\n", 90 + angle, file_.string());
+        return fmt::format(
+            "AttributeBegin Translate 0 2 0 Rotate {} 1 0 0 LightSource \"projection\" \"float fov\" 90 \"float scale\" 3 \"string "
+            "filename\" \"{}\" AttributeEnd\n",
+            90 + angle, file_.string());
     }
     /// The same with its +y.
     std::string lamp(double angle) const {
-        return fmt::format("AttributeBegin Translate 0 2 0 Rotate {} 1 0 0 LightSource \"goniometric\" \"rgb I\" [3 1 2] \"string filename\" \"{}\" AttributeEnd\n", 180 + angle, file_.string());
+        return fmt::format(
+            "AttributeBegin Translate 0 2 0 Rotate {} 1 0 0 LightSource \"goniometric\" \"rgb I\" [3 1 2] \"string filename\" \"{}\" "
+            "AttributeEnd\n",
+            180 + angle, file_.string());
     }
     static double linear(double byte) { return std::pow((byte / 255 + 0.055) / 1.055, 2.4); }
     static inline const glm::dvec3 texel{1, linear(188), linear(137)};
-    static inline const glm::dvec3 fromSlide = rho / pi * 3. / 4 * texel, fromLamp = rho / pi / 4 * (texel.x + texel.y + texel.z) / 3 * glm::dvec3(3, 1, 2);
+    static inline const glm::dvec3 fromSlide = rho / pi * 3. / 4 * texel,
+                                   fromLamp = rho / pi / 4 * (texel.x + texel.y + texel.z) / 3 * glm::dvec3(3, 1, 2);
 
 private:
     const std::filesystem::path file_ = std::filesystem::temp_directory_path() / fmt::format("eikonal_light_image_{}.ppm", ::getpid());
 };
 
-// E = I / d^2. The middle texel of the slide ends at atan(1/3) = 18.4 degrees. That of the lamp, a third of the square, is met in its middle:
-// there z = 1 - (1/3)^2 in Clarberg's mapping, which is at 27.3 degrees.
+// E = I / d^2. The middle texel of the slide ends at atan(1/3) = 18.4 degrees. That of the lamp, a third of the square, is met in its
+// middle: there z = 1 - (1/3)^2 in Clarberg's mapping, which is at 27.3 degrees.
 TEST_F(ImageLights, SendAsTheirImageSays) {
     expectRadiance(onTheFloor(slide(0)), fromSlide);
     expectRadiance(onTheFloor(slide(17)), fromSlide);
@@ -53,7 +60,8 @@ TEST_F(ImageLights, AreTheSameAtWavelengths) {
     view.samples = 1024;
     view.more = "Integrator \"volpath\" \"integer maxdepth\" 1 \"string lightsampler\" \"bvh\"";
     const std::string sky = "LightSource \"infinite\" \"rgb L\" [4 3 1] \"point3 portal\" [0 1 0  1.2 1 0  1.2 1 .7  0 1 .7]\n";
-    const glm::dvec3 seen = estimate(render(packScene(sceneText(view, slide(0) + lamp(0) + sky + floorShape), ColorMode::spectral)).image).mean;
+    const glm::dvec3 seen =
+        estimate(render(packScene(sceneText(view, slide(0) + lamp(0) + sky + floorShape), ColorMode::spectral)).image).mean;
     const glm::dvec3 expected = fromSlide + fromLamp + rho / pi * irradianceOfRectangle(1.2, .7) / Le * glm::dvec3(4, 3, 1);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c] / expected[c], 1, 0.01) << "channel " << c;
 }

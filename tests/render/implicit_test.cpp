@@ -9,7 +9,8 @@
 namespace eikonal {
 namespace {
 
-const std::string quadric = "Shape \"sphere\"", formula = "Shape \"implicit\" \"string F\" \"x^2 + y^2 + z^2 - 1\" \"point3 bounds\" [-1.1 -1.1 -1.1  1.1 1.1 1.1]";
+const std::string quadric = "Shape \"sphere\"",
+                  formula = "Shape \"implicit\" \"string F\" \"x^2 + y^2 + z^2 - 1\" \"point3 bounds\" [-1.1 -1.1 -1.1  1.1 1.1 1.1]";
 
 /// Nearly every path finds the same points, so that the images are far closer to each other than to their expectation.
 void expectSameImage(const std::string& before, const std::string& after) {
@@ -25,12 +26,14 @@ void expectSameImage(const std::string& before, const std::string& after) {
     /* The same kernels for both, in which directions along the surface, which are not the same, have no part */
     RenderSetup both;
     both.forced.require(Feature::SHAPE_SPHERE).require(Feature::SHAPE_IMPLICIT).require(Feature::INSTANCES);
-    const Rendered a = render(sceneText(view, room + before + quadric + after), both), b = render(sceneText(view, room + before + formula + after), both);
+    const Rendered a = render(sceneText(view, room + before + quadric + after), both),
+                   b = render(sceneText(view, room + before + formula + after), both);
     EXPECT_EQ(a.invalid.count + b.invalid.count, 0u);
     const Estimate x = estimate(a.image), y = estimate(b.image);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(x.mean[c], y.mean[c], 0.01 * x.mean[c]) << before;
     size_t different = 0;
-    for (size_t i = 0; i < a.image.color.size(); ++i) different += std::abs(a.image.color[i].g - b.image.color[i].g) > 0.02f * a.image.color[i].g;
+    for (size_t i = 0; i < a.image.color.size(); ++i)
+        different += std::abs(a.image.color[i].g - b.image.color[i].g) > 0.02f * a.image.color[i].g;
     EXPECT_LT(different, a.image.color.size() / 10) << before;
 }
 
@@ -40,12 +43,15 @@ TEST(Implicit, ABallIsABall) {
     /* Not a coat, whose walk draws its numbers from the bits of directions */
     expectSameImage("Material \"conductor\" \"float roughness\" .3 ReverseOrientation " + stretched, "");
     expectSameImage("Translate 0 .6 0 Material \"dielectric\" \"float eta\" 1.5 ", "");
-    expectSameImage("Material \"diffuse\" ObjectBegin \"a\" " + stretched, "ObjectEnd ObjectInstance \"a\" Translate -1.5 0 1 Scale .5 .5 .5 ObjectInstance \"a\"");
+    expectSameImage("Material \"diffuse\" ObjectBegin \"a\" " + stretched,
+                    "ObjectEnd ObjectInstance \"a\" Translate -1.5 0 1 Scale .5 .5 .5 ObjectInstance \"a\"");
 }
 
 /// The same ball as a root that only touches zero; and a ring around the y axis, whose tube rays along z meet twice.
 const std::string thin = "Shape \"implicit\" \"string F\" \"(x^2 + y^2 + z^2 - 1)^2\" \"point3 bounds\" [-1.1 -1.1 -1.1  1.1 1.1 1.1]";
-const std::string ring = "Shape \"implicit\" \"string F\" \"(x^2 + y^2 + z^2 + a^2 - b^2)^2 - 4 * a^2 * (x^2 + z^2)\" \"float a\" .7 \"float b\" .35 \"point3 bounds\" [-1.1 -.4 -1.1  1.1 .4 1.1]";
+const std::string ring =
+    "Shape \"implicit\" \"string F\" \"(x^2 + y^2 + z^2 + a^2 - b^2)^2 - 4 * a^2 * (x^2 + z^2)\" \"float a\" .7 \"float b\" .35 \"point3 "
+    "bounds\" [-1.1 -.4 -1.1  1.1 .4 1.1]";
 
 /// The ring of triangles, with its normals.
 std::string ringOfTriangles() {
@@ -62,28 +68,35 @@ std::string ringOfTriangles() {
     return "Shape \"trianglemesh\" \"integer indices\" [" + indices + "] \"point3 P\" [" + p + "] \"normal N\" [" + normals + "]";
 }
 
-/// Stretched, mirrored, turned and moved, in an object and out of one: between a lamp and a floor, on which half of what is seen is its shadow.
+/// Stretched, mirrored, turned and moved, in an object and out of one: between a lamp and a floor, on which half of what is seen is its
+/// shadow.
 TEST(Implicit, ARingIsItsTriangles) {
     View view;
     view.lookAt = "0 3 -5  0 .3 0  0 1 0";
     view.fov = 35;
     view.width = view.height = 32;
     view.samples = 64;
-    const std::string room = R"(AttributeBegin AreaLightSource "diffuse" "rgb L" [20 18 15] Translate 1 4 -1 Rotate 90 1 0 0 Shape "disk" "float radius" .5 AttributeEnd
+    const std::string room =
+        R"(AttributeBegin AreaLightSource "diffuse" "rgb L" [20 18 15] Translate 1 4 -1 Rotate 90 1 0 0 Shape "disk" "float radius" .5 AttributeEnd
         LightSource "infinite" "rgb L" [.05 .05 .05] Material "diffuse" Shape "bilinearmesh" "point3 P" [-5 -.5 -5  5 -.5 -5  -5 -.5 5  5 -.5 5] )";
     RenderSetup both = surfaces();
     both.forced.require(Feature::SHAPE_IMPLICIT);
     const auto seen = [&](const std::string& shape) {
-        return render(sceneText(view, room + "ObjectBegin \"ring\" Material \"conductor\" \"float roughness\" .3 Rotate 70 1 0 0 Scale 1 .8 -1.2 " + shape +
-            " ObjectEnd AttributeBegin Translate .8 .7 0 Scale -.7 1 .7 ObjectInstance \"ring\" AttributeEnd\n"
-            "AttributeBegin Material \"dielectric\" Translate -.8 .6 0 Rotate 50 1 1 0 Scale 1 -1 .7 " + shape + " AttributeEnd"), both);
+        return render(
+            sceneText(view, room + "ObjectBegin \"ring\" Material \"conductor\" \"float roughness\" .3 Rotate 70 1 0 0 Scale 1 .8 -1.2 " +
+                                shape +
+                                " ObjectEnd AttributeBegin Translate .8 .7 0 Scale -.7 1 .7 ObjectInstance \"ring\" AttributeEnd\n"
+                                "AttributeBegin Material \"dielectric\" Translate -.8 .6 0 Rotate 50 1 1 0 Scale 1 -1 .7 " +
+                                shape + " AttributeEnd"),
+            both);
     };
     const Rendered a = seen(ring), b = seen(ringOfTriangles());
     EXPECT_EQ(a.invalid.count + b.invalid.count, 0u);
     const Estimate x = estimate(a.image), y = estimate(b.image);
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(x.mean[c], y.mean[c], 0.01 * y.mean[c]);
     size_t different = 0;
-    for (size_t i = 0; i < a.image.color.size(); ++i) different += std::abs(a.image.color[i].g - b.image.color[i].g) > 0.05f * a.image.color[i].g;
+    for (size_t i = 0; i < a.image.color.size(); ++i)
+        different += std::abs(a.image.color[i].g - b.image.color[i].g) > 0.05f * a.image.color[i].g;
     EXPECT_LT(different, a.image.color.size() / 5);
 }
 
@@ -92,9 +105,14 @@ TEST(Implicit, HoldsAMedium) {
     View view;
     view.maxDepth = 0;
     const glm::dvec3 left = 4. * glm::exp(-glm::dvec3(.2, .5, 1) * (2 * 4 * .35));
-    expectRadiance(render(sceneText(view, "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [4 4 4] Translate 0 0 5 ReverseOrientation Shape \"disk\" \"float radius\" 9 AttributeEnd\n"
-        "MakeNamedMedium \"ink\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [.2 .5 1] \"rgb sigma_s\" [0 0 0]\n"
-        "Material \"interface\" MediumInterface \"ink\" \"\" Scale 1 1 -2 " + ring)), left, 0.02);
+    expectRadiance(
+        render(sceneText(view,
+                         "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [4 4 4] Translate 0 0 5 ReverseOrientation Shape \"disk\" "
+                         "\"float radius\" 9 AttributeEnd\n"
+                         "MakeNamedMedium \"ink\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [.2 .5 1] \"rgb sigma_s\" [0 0 0]\n"
+                         "Material \"interface\" MediumInterface \"ink\" \"\" Scale 1 1 -2 " +
+                             ring)),
+        left, 0.02);
 }
 
 /// Half of its points are cut out; which half a ray meets is drawn by its bits, so that only means agree.
@@ -102,7 +120,9 @@ TEST(Implicit, IsCutOutByAlpha) {
     View view;
     view.lookAt = "0 0 -4  .2 .1 0  0 1 0";
     const auto seen = [&](const std::string& shape) {
-        return render(sceneText(view, "LightSource \"infinite\" \"rgb L\" [1 .5 0] Material \"diffuse\" \"rgb reflectance\" [0 0 0] " + shape + " \"float alpha\" .5"), surfaces());
+        return render(sceneText(view, "LightSource \"infinite\" \"rgb L\" [1 .5 0] Material \"diffuse\" \"rgb reflectance\" [0 0 0] " +
+                                          shape + " \"float alpha\" .5"),
+                      surfaces());
     };
     /* Black, but for a fourth of the rays that pass its front and its back; a ring has two of each */
     expectRadiance(seen(formula), glm::dvec3(.25, .125, 0), 0.02);

@@ -1,5 +1,5 @@
-// Integrators other than path tracing: values that can be derived, what must be the same image, and that no bit depends on how a tree of rays is laid
-// over the device.
+// Integrators other than path tracing: values that can be derived, what must be the same image, and that no bit depends on how a tree of
+// rays is laid over the device.
 
 #include "rendering.h"
 
@@ -36,19 +36,20 @@ Rendered renderOcclusion(const std::string& parameters, const std::string& world
     return render(sceneText(view("\"ambientocclusion\" " + parameters), world));
 }
 
-/// Nothing is in the way of a plane. With directions by the cosine there is no noise either. What the plane is made of, what it emits and which lights there
-/// are does not matter.
+/// Nothing is in the way of a plane. With directions by the cosine there is no noise either. What the plane is made of, what it emits and
+/// which lights there are does not matter.
 TEST(AmbientOcclusion, APlaneUnderTheSkyIsOpen) {
-    for (const std::string material : {"Material \"diffuse\" \"rgb reflectance\" [.1 .2 .3]\n", "Material \"conductor\" AreaLightSource \"diffuse\" LightSource \"point\"\n"}) {
+    for (const std::string material : {"Material \"diffuse\" \"rgb reflectance\" [.1 .2 .3]\n",
+                                       "Material \"conductor\" AreaLightSource \"diffuse\" LightSource \"point\"\n"}) {
         const Rendered r = renderOcclusion("", material + across(0));
         expectRadiance(r, 1, 1e-6);
     }
     expectRadiance(renderOcclusion("\"bool cossample\" false", across(0)), 1);
 }
 
-/// A wall beside the point, one unit away and sqrt(3) high, hides what is less than 60 degrees above the plane on its side: by the form factor of a strip,
-/// (1 - cos 60) / 2 of the light. Of a wall without end, what is less than 2 away is in directions within 60 degrees of the wall's normal: by
-/// Nusselt's analogue a segment of the unit disk, (acos(1/2) - sqrt(3)/4) / pi.
+/// A wall beside the point, one unit away and sqrt(3) high, hides what is less than 60 degrees above the plane on its side: by the form
+/// factor of a strip, (1 - cos 60) / 2 of the light. Of a wall without end, what is less than 2 away is in directions within 60 degrees of
+/// the wall's normal: by Nusselt's analogue a segment of the unit disk, (acos(1/2) - sqrt(3)/4) / pi.
 TEST(AmbientOcclusion, AWallHidesItsFormFactor) {
     const auto wall = [](double height) {
         return across(0) + fmt::format("Shape \"bilinearmesh\" \"point3 P\" [1 -1000 {0}  1 1000 {0}  1 -1000 0  1 1000 0]\n", -height);
@@ -116,12 +117,15 @@ Rendered renderTree(const std::string& parameters, const std::string& world, int
     return render(sceneText(v, world), tree());
 }
 
-/// A pane of index 1.5 reflects r = 0.04 at each of its sides, 2 r / (1 + r) in all. Through it one sees a wall (0.5) with a lamp (2) half a unit
-/// before it, and in it another wall (0.8) with a lamp (9) one and a half units before it: 0.5 / pi * 2 * 4, and 0.8 / pi * 9 / 1.5^2.
+/// A pane of index 1.5 reflects r = 0.04 at each of its sides, 2 r / (1 + r) in all. Through it one sees a wall (0.5) with a lamp (2) half
+/// a unit before it, and in it another wall (0.8) with a lamp (9) one and a half units before it: 0.5 / pi * 2 * 4, and 0.8 / pi * 9
+/// / 1.5^2.
 constexpr double reflected = 0.08 / 1.04, behind = 4 / M_PI, before = 3.2 / M_PI;
 std::string pane() {
-    return "LightSource \"point\" \"rgb I\" [2 2 2] \"point3 from\" [0 0 .5] LightSource \"point\" \"rgb I\" [9 9 9] \"point3 from\" [0 0 -6.5]\n"
-           "Material \"thindielectric\"" + across(0, 10) + "Material \"diffuse\"" + across(1, 10) + "Material \"diffuse\" \"rgb reflectance\" [.8 .8 .8]" + across(-8, 10);
+    return "LightSource \"point\" \"rgb I\" [2 2 2] \"point3 from\" [0 0 .5] LightSource \"point\" \"rgb I\" [9 9 9] \"point3 from\" [0 0 "
+           "-6.5]\n"
+           "Material \"thindielectric\"" +
+           across(0, 10) + "Material \"diffuse\"" + across(1, 10) + "Material \"diffuse\" \"rgb reflectance\" [.8 .8 .8]" + across(-8, 10);
 }
 
 /// Both rays are followed, and light comes from both lamps: one sample has it all, but for the width of the pixels.
@@ -140,12 +144,14 @@ TEST(Whitted, GoesOnAsAPathWhereItMayForkNoMore) {
 
 /// A ray that would bring less than the threshold is left out, and nothing else.
 TEST(Whitted, TheThresholdTakesAwayWhatIsBelowIt) {
-    EXPECT_NEAR(estimate(renderTree("\"float threshold\" .0769", pane()).image).mean.x, reflected * before + (1 - reflected) * behind, 1e-4);
+    EXPECT_NEAR(estimate(renderTree("\"float threshold\" .0769", pane()).image).mean.x, reflected * before + (1 - reflected) * behind,
+                1e-4);
     EXPECT_NEAR(estimate(renderTree("\"float threshold\" .077", pane()).image).mean.x, (1 - reflected) * behind, 1e-4);
     expectRadiance(renderTree("\"float threshold\" .95", pane()), 0);
 }
 
-/// Among mirrors and glass the image is that of path tracing, with less noise from the same samples: pixel by pixel, the differences have a mean of 0.
+/// Among mirrors and glass the image is that of path tracing, with less noise from the same samples: pixel by pixel, the differences have a
+/// mean of 0.
 TEST(Whitted, HasTheExpectationOfPathsWithLessNoise) {
     const std::string world = R"(LightSource "infinite" "rgb L" [.2 .2 .2]
 AttributeBegin AreaLightSource "diffuse" "rgb L" [5 2 1] Translate -3 2 -3 Shape "sphere" "float radius" 2 AttributeEnd
@@ -184,23 +190,32 @@ Material "thindielectric")" + across(2);
 
 /// A bundle sees a uniform sky in a rough metal as a path of depth 1 does, and through rough glass with all that it reflects inside.
 TEST(Whitted, BundlesSpreadAsTheSurfaceDoes) {
-    const std::string lamps = "LightSource \"infinite\" \"rgb L\" [1 .8 .6]\nAttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [5 5 5] Translate 0 1 -3 Shape \"sphere\" \"float radius\" .5 AttributeEnd\n";
-    for (const std::string material : {"Material \"conductor\" \"float roughness\" .3\n", "Material \"dielectric\" \"float roughness\" .3\n"}) {
+    const std::string lamps =
+        "LightSource \"infinite\" \"rgb L\" [1 .8 .6]\nAttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [5 5 5] Translate 0 1 -3 Shape "
+        "\"sphere\" \"float radius\" .5 AttributeEnd\n";
+    for (const std::string material :
+         {"Material \"conductor\" \"float roughness\" .3\n", "Material \"dielectric\" \"float roughness\" .3\n"}) {
         const std::string world = lamps + material + "Shape \"sphere\"";
         const Rendered path = render(sceneText(view("\"path\" \"integer maxdepth\" 4"), world), ofCabinet(false));
         for (const char* bundle : {"4", "16"})
-            expectEqualMeans(path, renderTree(fmt::format("\"integer maxdepth\" 4 \"float threshold\" 0 \"integer bundle\" {}", bundle), world, 128));
+            expectEqualMeans(
+                path, renderTree(fmt::format("\"integer maxdepth\" 4 \"float threshold\" 0 \"integer bundle\" {}", bundle), world, 128));
     }
     /* Without one there is only what comes straight from lights */
-    const Rendered direct = render(sceneText(view("\"direct\""), lamps + "Material \"conductor\" \"float roughness\" .3 Shape \"sphere\""), ofCabinet(false));
-    expectEqualMeans(direct, renderTree("\"integer bundle\" 0", lamps + "Material \"conductor\" \"float roughness\" .3 Shape \"sphere\"", 256), 0.02);
+    const Rendered direct =
+        render(sceneText(view("\"direct\""), lamps + "Material \"conductor\" \"float roughness\" .3 Shape \"sphere\""), ofCabinet(false));
+    expectEqualMeans(
+        direct, renderTree("\"integer bundle\" 0", lamps + "Material \"conductor\" \"float roughness\" .3 Shape \"sphere\"", 256), 0.02);
 }
 
 /// Where there are more lights than it looks at, or one has a portal, one of them is chosen, as for paths.
 TEST(Whitted, ChoosesAmongManyLightsAndWithPortals) {
     std::string points;
-    for (int i = 0; i < 20; ++i) points += fmt::format("LightSource \"point\" \"rgb I\" [{0} {0} 1] \"point3 from\" [{1} .3 -1.5]\n", i % 3 + 1, .2 * i - 2);
-    const std::string portal = "LightSource \"infinite\" \"rgb L\" [2 2 2] \"point3 portal\" [-1 -1 -1  1 -1 -1  1 1 -1  -1 1 -1] LightSource \"point\" \"point3 from\" [0 0 -1]\n";
+    for (int i = 0; i < 20; ++i)
+        points += fmt::format("LightSource \"point\" \"rgb I\" [{0} {0} 1] \"point3 from\" [{1} .3 -1.5]\n", i % 3 + 1, .2 * i - 2);
+    const std::string portal =
+        "LightSource \"infinite\" \"rgb L\" [2 2 2] \"point3 portal\" [-1 -1 -1  1 -1 -1  1 1 -1  -1 1 -1] LightSource \"point\" \"point3 "
+        "from\" [0 0 -1]\n";
     for (const std::string& lights : {points, portal}) {
         const std::string world = lights + "Material \"diffuse\"" + across(0);
         expectEqualMeans(render(sceneText(view("\"direct\""), world), surfaces()), renderTree("", world, 256), 0.02);

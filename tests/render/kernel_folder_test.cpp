@@ -46,7 +46,8 @@ TEST_F(KernelFolder, IsNamedWithFileAndLineIfAKernelIsWrong) {
     const auto lines = std::count(std::istreambuf_iterator<char>(file), {}, '\n');
     const Outcome run = this->run({"compile-kernels", "0", "0", "0", "100"}, own());
     EXPECT_EQ(run.status, 3);
-    EXPECT_THAT(run.error, AllOf(HasSubstr("film/pixel.clh:" + std::to_string(lines) + ":"), HasSubstr("this is the last line"), HasSubstr(root_.string())));
+    EXPECT_THAT(run.error, AllOf(HasSubstr("film/pixel.clh:" + std::to_string(lines) + ":"), HasSubstr("this is the last line"),
+                                 HasSubstr(root_.string())));
 }
 
 TEST_F(KernelFolder, MustHoldTheHeadersThatTheProgramWasBuiltWith) {
@@ -62,7 +63,8 @@ TEST_F(KernelFolder, MayBeReadAsTheCompilerGetsIt) {
     int files = 0;
     for (const auto& file : fs::directory_iterator(path("dump"))) {
         const std::string text = read(file.path());
-        EXPECT_THAT(text, AllOf(testing::StartsWith("/* options: -cl-std=CL1.2 "), HasSubstr("#line 1 \"eikonal/portable.h\""))) << file.path();
+        EXPECT_THAT(text, AllOf(testing::StartsWith("/* options: -cl-std=CL1.2 "), HasSubstr("#line 1 \"eikonal/portable.h\"")))
+            << file.path();
         EXPECT_EQ(text.find("#include \""), std::string::npos) << file.path();
         ++files;
     }
@@ -77,7 +79,8 @@ class Installation : public ProgramTest {
 protected:
     Installation() {
         write("tiny.pbrt", tinyScene());
-        const std::string command = "cmake --install '" + fs::path(EIKONAL_BINARY).parent_path().string() + "' --prefix '" + prefix_.string() + "' > '" + path("log") + "' 2>&1";
+        const std::string command = "cmake --install '" + fs::path(EIKONAL_BINARY).parent_path().string() + "' --prefix '" +
+                                    prefix_.string() + "' > '" + path("log") + "' 2>&1";
         const int status = std::system(command.c_str());
         EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << read(path("log"));
         program_ = prefix_ / "bin" / "eikonal";

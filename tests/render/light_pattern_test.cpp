@@ -16,13 +16,17 @@ namespace {
 
 const std::string leftHalf = "Texture \"half\" \"float\" \"checkerboard\" \"float uscale\" 2\n";
 const std::string rectanglePatch = "Shape \"bilinearmesh\" \"point3 P\" [0 1 0  1.2 1 0  0 1 .7  1.2 1 .7] ";
-const std::string rectangleTriangles = "Shape \"trianglemesh\" \"point3 P\" [0 1 0  1.2 1 0  1.2 1 .7  0 1 .7] \"point2 uv\" [0 0  1 0  1 1  0 1] \"integer indices\" [0 1 2 0 2 3] ";
+const std::string rectangleTriangles =
+    "Shape \"trianglemesh\" \"point3 P\" [0 1 0  1.2 1 0  1.2 1 .7  0 1 .7] \"point2 uv\" [0 0  1 0  1 1  0 1] \"integer indices\" [0 1 2 "
+    "0 2 3] ";
 
 /// As in light_test.cpp: a wall around the point, from height .5 to 3 at distance 3.
-const std::string wallAround = "ReverseOrientation Rotate -90 1 0 0 Shape \"cylinder\" \"float radius\" 3 \"float zmin\" .5 \"float zmax\" 3 ";
+const std::string wallAround =
+    "ReverseOrientation Rotate -90 1 0 0 Shape \"cylinder\" \"float radius\" 3 \"float zmin\" .5 \"float zmax\" 3 ";
 constexpr double wallBand = 9 / (9 + .25) - 9 / (9 + 9.);
 
-// Where alpha is 0 nothing shines: half of a rectangle; half of a disk or a sphere above the floor, by symmetry; and any alpha between takes its share.
+// Where alpha is 0 nothing shines: half of a rectangle; half of a disk or a sphere above the floor, by symmetry; and any alpha between
+// takes its share.
 TEST(LightPattern, WhatIsCutOutIsDark) {
     const std::string half = "\"texture alpha\" \"half\"";
     for (const std::string& rectangle : {rectanglePatch, rectangleTriangles}) {
@@ -30,14 +34,17 @@ TEST(LightPattern, WhatIsCutOutIsDark) {
         expectRadiance(onTheFloor(leftHalf + emitter(rectangle + half)), rho / pi * irradianceOfRectangle(.6, .7));
         expectRadiance(onTheFloor(emitter(rectangle + "\"float alpha\" .3")), rho / pi * .3 * irradianceOfRectangle(1.2, .7));
     }
-    expectRadiance(onTheFloor(leftHalf + emitter("Translate 0 2 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" 1.5 " + half)), rho * Le * 2.25 / (2.25 + 4) / 2);
-    expectRadiance(onTheFloor(leftHalf + emitter("Translate 0 2 0 Rotate 90 1 0 0 Shape \"sphere\" \"float radius\" .8 " + half)), rho * Le * 0.16 / 2);
+    expectRadiance(onTheFloor(leftHalf + emitter("Translate 0 2 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" 1.5 " + half)),
+                   rho * Le * 2.25 / (2.25 + 4) / 2);
+    expectRadiance(onTheFloor(leftHalf + emitter("Translate 0 2 0 Rotate 90 1 0 0 Shape \"sphere\" \"float radius\" .8 " + half)),
+                   rho * Le * 0.16 / 2);
     expectRadiance(onTheFloor(leftHalf + emitter(wallAround + half)), rho * Le * wallBand / 2);
 }
 
 // Without its lower half (u < 1/2 is y > 0), a sphere that shines inside as well looks like a disk of its radius at its centre.
 TEST(LightPattern, TheFarSideOfASphereIsSeenThroughItsHole) {
-    expectRadiance(onTheFloor(leftHalf + emitter("Translate 0 2 0 Shape \"sphere\" \"float radius\" .8 \"texture alpha\" \"half\"", "\"bool twosided\" true")),
+    expectRadiance(onTheFloor(leftHalf + emitter("Translate 0 2 0 Shape \"sphere\" \"float radius\" .8 \"texture alpha\" \"half\"",
+                                                 "\"bool twosided\" true")),
                    rho * Le * 0.64 / (0.64 + 4));
 }
 
@@ -49,23 +56,30 @@ TEST(LightPattern, AnImageShinesWhereItIsBright) {
     constexpr int n = 400;
     for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) {
-            const double u = (i + .5) / n, blue = std::clamp(2 * u - .5, 0., 1.), d2 = 1 + std::pow(1.2 * u, 2) + std::pow(.7 * (j + .5) / n, 2);
+            const double u = (i + .5) / n, blue = std::clamp(2 * u - .5, 0., 1.),
+                         d2 = 1 + std::pow(1.2 * u, 2) + std::pow(.7 * (j + .5) / n, 2);
             E += glm::dvec3(1 - blue, 0, blue) * Le * (1.2 * .7 / (n * n)) / (d2 * d2);
         }
     for (const std::string& rectangle : {rectanglePatch, rectangleTriangles}) {
         SCOPED_TRACE(rectangle);
         const std::string L = fmt::format("AreaLightSource \"diffuse\" \"string filename\" \"{}\" ", file.string());
         const auto lit = [&](const std::string& more) {
-            return onTheFloor("AttributeBegin " + L + more + " Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n" + rectangle + "\nAttributeEnd");
+            return onTheFloor("AttributeBegin " + L + more + " Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n" + rectangle +
+                              "\nAttributeEnd");
         };
         expectRadiance(lit("\"float scale\" 4"), rho / pi * E);
-        /* In watts, of each triangle or patch (as in pbrt-v4): pi times the area times the mean luminance, of which red has 0.2126 and blue 0.0722 */
+        /* In watts, of each triangle or patch (as in pbrt-v4): pi times the area times the mean luminance, of which red has 0.2126 and blue
+         * 0.0722 */
         const double elements = rectangle == rectangleTriangles ? 2 : 1;
         expectRadiance(lit("\"float power\" 3"), rho / pi * E / Le * 3. * elements / (pi * 1.2 * .7 * (0.2126 + 0.0722) / 2));
     }
-    /* Around the axis of a disk, a ball and a wall, on both sides: each colour takes half of the circle, and what one loses to the other at one end it gets at the other */
+    /* Around the axis of a disk, a ball and a wall, on both sides: each colour takes half of the circle, and what one loses to the other at
+     * one end it gets at the other */
     const auto round = [&](const std::string& shape) {
-        return onTheFloor(fmt::format("AttributeBegin AreaLightSource \"diffuse\" \"string filename\" \"{}\" \"float scale\" 4 \"bool twosided\" true Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n{}\nAttributeEnd", file.string(), shape));
+        return onTheFloor(
+            fmt::format("AttributeBegin AreaLightSource \"diffuse\" \"string filename\" \"{}\" \"float scale\" 4 \"bool twosided\" true "
+                        "Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n{}\nAttributeEnd",
+                        file.string(), shape));
     };
     const glm::dvec3 each = rho * Le * glm::dvec3(.5, 0, .5);
     expectRadiance(round("Translate 0 2 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" 1.5"), each * (2.25 / (2.25 + 4)));

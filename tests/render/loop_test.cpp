@@ -1,4 +1,5 @@
-// The wavefront against the same functions in a plain loop for each path (kernels/stages/loop.cl): queues, routing and compaction must not show.
+// The wavefront against the same functions in a plain loop for each path (kernels/stages/loop.cl): queues, routing and compaction must not
+// show.
 
 #include "rendering.h"
 

@@ -22,8 +22,9 @@ TEST(Motion, ASquareIsSeenWhileItPasses) { expectRadiance(render(sceneText(view(
 /// The square is there from 0.375 to 0.625. What the film misses in a shorter time its speed makes up for.
 TEST(Motion, TheShutterSaysWhichPart) {
     const auto world = [](double open, double close) {
-        return "Camera \"perspective\" \"float fov\" 0.02 \"float shutteropen\" " + std::to_string(open) + " \"float shutterclose\" " + std::to_string(close) +
-               "\nFilm \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 16 \"float iso\" " + std::to_string(100 / (close - open));
+        return "Camera \"perspective\" \"float fov\" 0.02 \"float shutteropen\" " + std::to_string(open) + " \"float shutterclose\" " +
+               std::to_string(close) + "\nFilm \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 16 \"float iso\" " +
+               std::to_string(100 / (close - open));
     };
     expectRadiance(render(sceneText(view(world(0.5, 1)), passingSquare)), 0.75);
     expectRadiance(render(sceneText(view(world(0.25, 0.5)), passingSquare)), 0.5);
@@ -39,7 +40,8 @@ AttributeBegin ActiveTransform EndTime Translate -8 0 0 ActiveTransform All Tran
     expectRadiance(render(sceneText(view(), world)), 0);
 }
 
-/// A disk between a point light and a white floor covers the point that is seen during half of the time: irradiance I / d^2 / 2, radiance that times 0.8 / pi.
+/// A disk between a point light and a white floor covers the point that is seen during half of the time: irradiance I / d^2 / 2, radiance
+/// that times 0.8 / pi.
 TEST(Motion, ShadowsMove) {
     View v = view();
     v.lookAt = "3 3 0  0 0 0  0 1 0";
@@ -63,7 +65,8 @@ AttributeBegin ActiveTransform EndTime Translate 1 .2 -.5 Rotate 150 1 2 3 Scale
     expectRadiance(render(sceneText(v, world)), 1, 1e-3);
 }
 
-/// A camera that turns by a quarter in front of a wall that is bright on one half, black on the other: it sees the middle at half of the turn.
+/// A camera that turns by a quarter in front of a wall that is bright on one half, black on the other: it sees the middle at half of the
+/// turn.
 TEST(Motion, CamerasTurn) {
     View v = view("TransformTimes 0 1");
     v.lookAt = "0 0 0  1 0 1  0 1 0 ActiveTransform EndTime Rotate 90 0 1 0 ActiveTransform All";

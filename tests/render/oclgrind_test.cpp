@@ -13,15 +13,16 @@ namespace {
 
 class Oclgrind : public ProgramTest {
 protected:
-    /// What it reports, entry by entry. Left out: that resolve_film reads uninitialised memory. The film reaches it as a rectangle, and Oclgrind 21.10
-    /// remembers the last row of such a copy only; kernel tests look for poison there instead.
+    /// What it reports, entry by entry. Left out: that resolve_film reads uninitialised memory. The film reaches it as a rectangle, and
+    /// Oclgrind 21.10 remembers the last row of such a copy only; kernel tests look for poison there instead.
     std::vector<std::string> reports(const std::string& log) const {
         std::vector<std::string> list;
         const std::string text = read(log);
         const std::regex gap("\n\\s*\n");
         for (std::sregex_token_iterator at(text.begin(), text.end(), gap, -1), end; at != end; ++at) {
             const std::string entry = *at;
-            const bool isKnown = entry.find("Kernel: resolve_film") != std::string::npos && std::regex_search(entry, std::regex("[Uu]ninitialized"));
+            const bool isKnown =
+                entry.find("Kernel: resolve_film") != std::string::npos && std::regex_search(entry, std::regex("[Uu]ninitialized"));
             if (!isKnown && entry.find_first_not_of(" \t\n") != std::string::npos) list.push_back(entry);
         }
         return list;
@@ -31,7 +32,10 @@ protected:
         if (std::system("oclgrind --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "oclgrind is not installed (Debian package oclgrind)";
         write("scene.pbrt", scene);
         /* Functions are called, not inlined: inlining leaves an intrinsic behind that Oclgrind 21.10 does not know */
-        const std::string command = "cd '" + path("") + "' && oclgrind --build-options -disable-llvm-passes --data-races --uninitialized --check-api --max-errors 100000 --log log.txt '" EIKONAL_BINARY
+        const std::string command =
+            "cd '" + path("") +
+            "' && oclgrind --build-options -disable-llvm-passes --data-races --uninitialized --check-api --max-errors 100000 --log log.txt "
+            "'" EIKONAL_BINARY
             "' render scene.pbrt -o image.exr --device Oclgrind --no-cache --wave-paths 64 --local-size 16 > out.txt 2>&1";
         ASSERT_EQ(std::system(command.c_str()), 0) << read(path("out.txt"));
         ASSERT_TRUE(std::filesystem::exists(path("log.txt")));
@@ -40,8 +44,8 @@ protected:
     }
 };
 
-/// All stages and most of what they do: a medium behind an interface, a sky, a lamp, every family of BSDFs, an instance, a cut-out, a texture, tangents, a displaced mesh.
-/// (Not Sobol': Oclgrind 21.10 cannot reverse bits.)
+/// All stages and most of what they do: a medium behind an interface, a sky, a lamp, every family of BSDFs, an instance, a cut-out, a
+/// texture, tangents, a displaced mesh. (Not Sobol': Oclgrind 21.10 cannot reverse bits.)
 constexpr const char* everything = R"(LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 40 "float lensradius" .01 "float focaldistance" 4
 Sampler "independent" "integer pixelsamples" 1
@@ -80,13 +84,16 @@ Translate 0 -1 0 Shape "plymesh" "string filename" "ground.ply" "texture displac
 
 TEST_F(Oclgrind, FindsNothing) {
     MeasuredFile{.isotropic = false}.write(path("brushed.bsdf"));
-    write("ground.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty float u\nproperty float v\n"
-                        "element face 1\nproperty list uchar int vertex_indices\nend_header\n-1 0 -1 0 0\n1 0 -1 1 0\n1 0 1 1 1\n-1 0 1 0 1\n4 0 1 2 3\n");
+    write(
+        "ground.ply",
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nproperty float u\nproperty float "
+        "v\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n-1 0 -1 0 0\n1 0 -1 1 0\n1 0 1 1 1\n-1 0 1 0 1\n4 0 1 2 3\n");
     expectNothingIn(everything);
 }
 
-/// A film that keeps a spectrum, of a range that some wavelengths are beside of. (Not a body that light is diffused in: rays that are no probes
-/// leave a probe's fields as they are, and Oclgrind reports that they are copied.)
+/// A film that keeps a spectrum, of a range that some wavelengths are beside of. (Not a body that light is diffused in: rays that are no
+/// probes leave a probe's fields as they are, and Oclgrind reports that they are copied.)
 TEST_F(Oclgrind, FindsNothingInSpectra) {
     expectNothingIn(R"(LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 40

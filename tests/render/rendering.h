@@ -57,7 +57,8 @@ PackedScene packScene(const std::string& text, ColorMode color = ColorMode::auto
 /// Renders on the tests' device (device(), below).
 Rendered render(PackedScene scene, const RenderSetup& setup = {});
 inline Rendered render(const std::string& text, const RenderSetup& setup = {}) { return render(packScene(text), setup); }
-/// The same samples, each path followed by one kernel that loops (kernels/stages/loop.cl): the reference for the stages. Heeds contraction, shape and targetError alone.
+/// The same samples, each path followed by one kernel that loops (kernels/stages/loop.cl): the reference for the stages. Heeds contraction,
+/// shape and targetError alone.
 FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup);
 
 /// Mean over all pixels and its standard error, by channel, from how the pixels differ: they are independent estimates.
@@ -70,7 +71,9 @@ constexpr double standardErrors = 4;
 /// Holds an image whose pixels all have the expectation `expected` to it: within 4 standard errors and what floats round (1e-5 of it).
 /// The test has to have a chance to see an error of `resolution`: standard errors above that fail as well. No sample may be invalid.
 void expectRadiance(const Rendered& rendered, glm::dvec3 expected, double resolution = 0.01);
-inline void expectRadiance(const Rendered& rendered, double expected, double resolution = 0.01) { expectRadiance(rendered, glm::dvec3(expected), resolution); }
+inline void expectRadiance(const Rendered& rendered, double expected, double resolution = 0.01) {
+    expectRadiance(rendered, glm::dvec3(expected), resolution);
+}
 /// The same of two images with the same unknown expectation.
 void expectEqualMeans(const Rendered& a, const Rendered& b, double resolution = 0.01);
 /// Holds two images to the same bits in colour, variance and number of samples, in all pixels that both have; and those of the same

@@ -18,8 +18,11 @@ std::string hall(double reflectance, int samples = 16, const std::string& integr
     view.sampler = "sobol";
     view.more = "Integrator " + integrator + "\n";
     const std::string rho = std::to_string(reflectance);
-    return sceneText(view, "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [5 5 5] Translate 0 .8 0 Shape \"sphere\" \"float radius\" .1 AttributeEnd\n"
-                           "Material \"diffuse\" \"rgb reflectance\" [" + rho + " " + rho + " " + rho + "] ReverseOrientation Shape \"sphere\"");
+    return sceneText(
+        view,
+        "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [5 5 5] Translate 0 .8 0 Shape \"sphere\" \"float radius\" .1 AttributeEnd\n"
+        "Material \"diffuse\" \"rgb reflectance\" [" +
+            rho + " " + rho + " " + rho + "] ReverseOrientation Shape \"sphere\"");
 }
 
 bool isSame(const Roulette& a, const Roulette& b) { return a.rule == b.rule && a.scale == b.scale && a.depth == b.depth; }
@@ -59,7 +62,8 @@ TEST(RoulettePilot, WavesPartsAndSeedsHaveTheSameRule) {
 
 // Short renders, and integrators without roulette, keep the default.
 TEST(RoulettePilot, LeavesTheRestAlone) {
-    for (const std::string integrator : {"\"whitted\"", "\"direct\"", "\"ambientocclusion\""}) EXPECT_TRUE(isSame(render(hall(.6, 16, integrator)).roulette, {})) << integrator;
+    for (const std::string integrator : {"\"whitted\"", "\"direct\"", "\"ambientocclusion\""})
+        EXPECT_TRUE(isSame(render(hall(.6, 16, integrator)).roulette, {})) << integrator;
     EXPECT_TRUE(isSame(render(hall(.6, 15)).roulette, {}));
 }
 

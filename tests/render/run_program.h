@@ -18,7 +18,9 @@ struct Outcome {
 class ProgramTest : public TemporaryFolder {
 protected:
     using Environment = std::map<std::string, std::string>;
-    Outcome run(const std::vector<std::string>& arguments, const Environment& environment = {}) const { return wait(start(arguments, environment)); }
+    Outcome run(const std::vector<std::string>& arguments, const Environment& environment = {}) const {
+        return wait(start(arguments, environment));
+    }
 
     /// A run that goes on. Every one is to be waited for.
     struct Running { int process; std::string out, error; };

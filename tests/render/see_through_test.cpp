@@ -7,7 +7,8 @@
 namespace eikonal {
 namespace {
 
-const std::string brightWall = "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [4 4 4] Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n"
+const std::string brightWall =
+    "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [4 4 4] Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n"
     "Shape \"trianglemesh\" \"point3 P\" [-50 -50 5  -50 50 5  50 50 5  50 -50 5] \"integer indices\" [0 1 2 0 2 3] AttributeEnd\n";
 const std::string card = "Shape \"trianglemesh\" \"point3 P\" [-9 -9 Z  9 -9 Z  9 9 Z  -9 9 Z] \"integer indices\" [0 1 2 0 2 3]\n";
 std::string cardAt(double z, const std::string& material, const std::string& more = "") {
@@ -31,16 +32,23 @@ TEST(Light, HalfOfAlphaIsHalfOfTheLight) {
 
 // Shadow rays see the same holes.
 TEST(Light, AlphaLetsShadowRaysPass) {
-    expectRadiance(onTheFloor("LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 2 0]\nAttributeBegin Material \"diffuse\" Translate 0 1.5 0 Rotate 90 1 0 0 "
-                              "Shape \"disk\" \"float radius\" .2 \"float alpha\" .25 AttributeEnd"), rho / pi * 3. / 4 * 0.75);
+    expectRadiance(onTheFloor("LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 2 0]\nAttributeBegin Material \"diffuse\" "
+                              "Translate 0 1.5 0 Rotate 90 1 0 0 "
+                              "Shape \"disk\" \"float radius\" .2 \"float alpha\" .25 AttributeEnd"),
+                   rho / pi * 3. / 4 * 0.75);
 }
 
-// Glass is in the way of light samples, as in pbrt-v4: a point behind it lights nothing; a lamp only by the rays that find it through the pane.
+// Glass is in the way of light samples, as in pbrt-v4: a point behind it lights nothing; a lamp only by the rays that find it through the
+// pane.
 TEST(Light, GlassBlocksLightSamples) {
-    const std::string pane = "AttributeBegin Material \"thindielectric\" \"float eta\" 1.5 Translate 0 1.5 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" .2 AttributeEnd\n";
+    const std::string pane =
+        "AttributeBegin Material \"thindielectric\" \"float eta\" 1.5 Translate 0 1.5 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" .2 "
+        "AttributeEnd\n";
     expectRadiance(onTheFloor("LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 2 0]\n" + pane), 0);
     /* Straight above and small, through both of its sides: (1 - R) / (1 + R); at a depth of two */
-    expectRadiance(render(sceneText(atTheOrigin(2), pane + emitter("Translate 0 2 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" .2") + "\n" + floorShape), surfaces()),
+    expectRadiance(render(sceneText(atTheOrigin(2), pane + emitter("Translate 0 2 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" .2") +
+                                                        "\n" + floorShape),
+                          surfaces()),
                    rho * Le * .04 / (.04 + 4) * .96 / 1.04, 0.06);
 }
 
@@ -49,8 +57,10 @@ TEST(Light, GlassBlocksLightSamples) {
 TEST(Light, APaneTransmitsWhatTwoBoundariesDo) {
     const double R = 0.04, T = (1 - R) / (1 + R);
     expectRadiance(throughCards(cardAt(0, "\"thindielectric\" \"float eta\" 1.5")), Le * T);
-    expectRadiance(throughCards("AttributeBegin Material \"dielectric\" \"float eta\" 1.5 Scale 9 9 .5 Shape \"trianglemesh\" \"integer indices\" [0 1 2 0 2 3 4 6 5 4 7 6] "
-                                "\"point3 P\" [-1 -1 -1  -1 1 -1  1 1 -1  1 -1 -1  -1 -1 1  -1 1 1  1 1 1  1 -1 1] AttributeEnd"), Le * T);
+    expectRadiance(throughCards("AttributeBegin Material \"dielectric\" \"float eta\" 1.5 Scale 9 9 .5 Shape \"trianglemesh\" \"integer "
+                                "indices\" [0 1 2 0 2 3 4 6 5 4 7 6] "
+                                "\"point3 P\" [-1 -1 -1  -1 1 -1  1 1 -1  1 -1 -1  -1 -1 1  -1 1 1  1 1 1  1 -1 1] AttributeEnd"),
+                   Le * T);
 }
 
 // Interfaces are no depth, but a ray that passes more than a thousand is lost: nobody would wait for one between two that touch.
@@ -62,7 +72,8 @@ TEST(Light, AThousandInterfacesArePassed) {
             points += fmt::format("-9 -9 {0} 9 -9 {0} 9 9 {0} -9 9 {0} ", z);
             indices += fmt::format("{} {} {} {} {} {} ", 4 * i, 4 * i + 1, 4 * i + 2, 4 * i, 4 * i + 2, 4 * i + 3);
         }
-        return "AttributeBegin Material \"interface\" Shape \"trianglemesh\" \"point3 P\" [" + points + "] \"integer indices\" [" + indices + "] AttributeEnd\n";
+        return "AttributeBegin Material \"interface\" Shape \"trianglemesh\" \"point3 P\" [" + points + "] \"integer indices\" [" +
+               indices + "] AttributeEnd\n";
     };
     /* Without a medium anywhere there are no interfaces */
     const std::string fog = "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\"\n"

@@ -1,4 +1,5 @@
-// A film that keeps a spectrum of each pixel: its buckets hold what light there is between their wavelengths, and are as reproducible as the rest.
+// A film that keeps a spectrum of each pixel: its buckets hold what light there is between their wavelengths, and are as reproducible as
+// the rest.
 
 #include "rendering.h"
 
@@ -21,8 +22,10 @@ View view(const Range& range, const std::string& more = "", const std::string& f
     View v;
     v.width = v.height = 64;
     v.samples = 64;
-    v.more = fmt::format("Film \"spectral\" \"integer xresolution\" 64 \"integer yresolution\" 64 \"integer nbuckets\" {} \"float lambdamin\" {} \"float lambdamax\" {} {}\n{}",
-                         range.buckets, range.first, range.last, film, more);
+    v.more = fmt::format(
+        "Film \"spectral\" \"integer xresolution\" 64 \"integer yresolution\" 64 \"integer nbuckets\" {} \"float lambdamin\" {} \"float "
+        "lambdamax\" {} {}\n{}",
+        range.buckets, range.first, range.last, film, more);
     return v;
 }
 
@@ -32,7 +35,8 @@ DenseCurve one() { DenseCurve c; c.fill(1); return c; }
 /// The mean between two wavelengths of a curve that, as the device's, has the value of the nearest nm.
 double meanOf(const DenseCurve& curve, double from, double to) {
     double sum = 0;
-    for (int i = 0; i < wavelengthCount; ++i) sum += curve[i] * std::max(0.0, std::min(to, shortestWavelength + i + 0.5) - std::max(from, shortestWavelength + i - 0.5));
+    for (int i = 0; i < wavelengthCount; ++i)
+        sum += curve[i] * std::max(0.0, std::min(to, shortestWavelength + i + 0.5) - std::max(from, shortestWavelength + i - 0.5));
     return sum / (to - from);
 }
 
@@ -63,7 +67,8 @@ void expectSpectrum(const Rendered& r, const Range& range, const DenseCurve& exp
     }
 }
 
-/// A sky of a spectrum s is one of s, in units in which its luminance is that of 1 at all wavelengths: whatever the sampler, and whatever the range.
+/// A sky of a spectrum s is one of s, in units in which its luminance is that of 1 at all wavelengths: whatever the sampler, and whatever
+/// the range.
 TEST(SpectralFilm, ASkyHasItsSpectrum) {
     const SampledCurve steps{{360, 450, 500, 501, 620, 830}, {1, 4, 2, .5, 3, .2}};
     const DenseCurve pairs = densify(steps), glow = Spectrum::blackbody(4000).dense();
@@ -75,18 +80,22 @@ TEST(SpectralFilm, ASkyHasItsSpectrum) {
                 v.sampler = sampler;
                 DenseCurve expected = sky.curve;
                 for (double& x : expected) x *= sumOf(one()) / sumOf(sky.curve);
-                expectSpectrum(render(sceneText(v, "LightSource \"infinite\" " + sky.light)), range, expected, fmt::format("{} in {}, {}", sky.light, range.buckets, sampler));
+                expectSpectrum(render(sceneText(v, "LightSource \"infinite\" " + sky.light)), range, expected,
+                               fmt::format("{} in {}, {}", sky.light, range.buckets, sampler));
             }
 }
 
-/// Under a sky of 1, white glass that disperses cannot be seen at any wavelength, though most of its paths have one wavelength left; and a filter with negative
-/// weights does not show either.
+/// Under a sky of 1, white glass that disperses cannot be seen at any wavelength, though most of its paths have one wavelength left; and a
+/// filter with negative weights does not show either.
 TEST(SpectralFilm, DispersionKeepsTheSpectrum) {
     const Range range{10, 400, 700};
     View v = view(range, "PixelFilter \"mitchell\"");
     v.samples = 256;
     v.maxDepth = 60;
-    expectSpectrum(render(sceneText(v, "LightSource \"infinite\" \"spectrum L\" [360 1 830 1]\nMaterial \"dielectric\" \"spectrum eta\" \"glass-F11\"\nShape \"sphere\"")), range, one(), "glass");
+    expectSpectrum(render(sceneText(v,
+                                    "LightSource \"infinite\" \"spectrum L\" [360 1 830 1]\nMaterial \"dielectric\" \"spectrum eta\" "
+                                    "\"glass-F11\"\nShape \"sphere\"")),
+                   range, one(), "glass");
 }
 
 /// Coloured things under a lamp and a sky, with fog.
@@ -113,19 +122,23 @@ std::string thinLens() {
     return fmt::format("Camera \"realistic\" \"string lensfile\" \"{}\" \"float aperturediameter\" 1.6 \"float focusdistance\" 2\n", file);
 }
 
-/// The colour of a pixel is its spectrum, seen through the eye's matching functions: the same samples make both, so buckets of 1 nm leave but what the functions change
-/// within one, which is no more than 0.5 % of a sample. Samples that are brighter than they may be are held down in both; iso counts in the colour alone.
+/// The colour of a pixel is its spectrum, seen through the eye's matching functions: the same samples make both, so buckets of 1 nm leave
+/// but what the functions change within one, which is no more than 0.5 % of a sample. Samples that are brighter than they may be are held
+/// down in both; iso counts in the colour alone.
 TEST(SpectralFilm, AColorIsThatOfItsSpectrum) {
     const Range range{470, 360, 830};
     struct Case { const char* what; std::string more, film; double exposure; };
-    for (const Case& c : {Case{"plain", "", "", 1}, {"held down", "PixelFilter \"gaussian\"", "\"float maxcomponentvalue\" .5 \"float iso\" 200", 2}, {"through a lens", thinLens(), "", 1}}) {
+    for (const Case& c : {Case{"plain", "", "", 1},
+                          {"held down", "PixelFilter \"gaussian\"", "\"float maxcomponentvalue\" .5 \"float iso\" 200", 2},
+                          {"through a lens", thinLens(), "", 1}}) {
         const Rendered r = render(sceneText(viewOfRoom(range, c.more, c.film), room));
         glm::dvec3 seen(0), fromSpectrum(0);
         double worst = 0;
         const glm::dmat3 rgbFromSpectrum = c.exposure / sumOf(one()) * rgbFromXyz(ColorSpace::srgb);
         for (size_t i = 0; i < r.image.pixelCount(); ++i) {
             glm::dvec3 xyz(0);
-            for (size_t b = 0; b < 470; ++b) xyz += 0.5 * (matchingFunctions()[b] + matchingFunctions()[b + 1]) * double(r.image.spectrum.radiance[i * 470 + b]);
+            for (size_t b = 0; b < 470; ++b)
+                xyz += 0.5 * (matchingFunctions()[b] + matchingFunctions()[b + 1]) * double(r.image.spectrum.radiance[i * 470 + b]);
             const glm::dvec3 color = rgbFromSpectrum * xyz, own(r.image.color[i]);
             seen += own;
             fromSpectrum += color;
@@ -166,7 +179,9 @@ TEST(SpectralFilm, ColorsAreAsUsual) {
 /// Of a small image, for many renders of it.
 PackedScene smallRoom(int samples = 8) {
     View v = viewOfRoom({31, 400, 710}, "PixelFilter \"sinc\"");
-    v.more += "Film \"spectral\" \"integer xresolution\" 24 \"integer yresolution\" 20 \"integer nbuckets\" 31 \"float lambdamin\" 400 \"float lambdamax\" 710\n";
+    v.more +=
+        "Film \"spectral\" \"integer xresolution\" 24 \"integer yresolution\" 20 \"integer nbuckets\" 31 \"float lambdamin\" 400 \"float "
+        "lambdamax\" 710\n";
     v.samples = samples;
     PackedScene scene = packScene(sceneText(v, room));
     scene.require(Feature::AOVS, "the test");
@@ -194,7 +209,9 @@ TEST(SpectralFilm, HowTheWorkIsCutDoesNotShow) {
     expectSameBits(reference, part, "the crop");
     for (int y = 3; y < 16; ++y)
         for (int x = 5; x < 18; ++x)
-            for (size_t b = 0; b < 31; ++b) ASSERT_EQ(part.spectrum.radiance[part.index(x, y) * 31 + b], reference.spectrum.radiance[reference.index(x, y) * 31 + b]) << x << " " << y;
+            for (size_t b = 0; b < 31; ++b)
+                ASSERT_EQ(part.spectrum.radiance[part.index(x, y) * 31 + b], reference.spectrum.radiance[reference.index(x, y) * 31 + b])
+                    << x << " " << y;
 }
 
 /// The same of adaptive sampling; and each pixel has the spectrum of a render of as many samples as it got.
@@ -214,7 +231,8 @@ TEST(SpectralFilm, AdaptiveSamplingKeepsSpectra) {
         const FilmImage uniform = render(scene, setup).image;
         for (size_t i = 0; i < uniform.pixelCount(); ++i) {
             if (adaptive.sampleCount[i] != static_cast<float>(n)) continue;
-            for (size_t b = 0; b < 31; ++b, ++compared) ASSERT_EQ(adaptive.spectrum.radiance[i * 31 + b], uniform.spectrum.radiance[i * 31 + b]) << n << " samples, pixel " << i;
+            for (size_t b = 0; b < 31; ++b, ++compared)
+                ASSERT_EQ(adaptive.spectrum.radiance[i * 31 + b], uniform.spectrum.radiance[i * 31 + b]) << n << " samples, pixel " << i;
         }
     }
     EXPECT_GT(compared, 0u);

@@ -7,9 +7,9 @@
 namespace eikonal {
 namespace {
 
-// Direct light on a rough metal and a diffuse floor under a large and a small lamp, by both strategies weighted against each other, by BSDF sampling
-// alone (the light sampler never picks a light: `pmf` 0 in its table, include/eikonal/lights.h), and by light sampling alone (lamps with an alpha of 0
-// cannot be hit, but shine, as in pbrt-v4). All have the same expectation.
+// Direct light on a rough metal and a diffuse floor under a large and a small lamp, by both strategies weighted against each other, by BSDF
+// sampling alone (the light sampler never picks a light: `pmf` 0 in its table, include/eikonal/lights.h), and by light sampling alone
+// (lamps with an alpha of 0 cannot be hit, but shine, as in pbrt-v4). All have the same expectation.
 void expectStrategiesAgree(const std::string& material, const std::string& lamps) {
     View view = atTheOrigin(1);
     view.samples = 1024;
@@ -21,7 +21,8 @@ void expectStrategiesAgree(const std::string& material, const std::string& lamps
     view.more = "";
     RenderSetup bsdfOnly = surfaces();
     bsdfOnly.edit = [](PackedScene& s) { for (light& l : s.tables.lights) l.pmf = 0; };
-    const Rendered both = render(scene(""), surfaces()), bsdf = render(scene(""), bsdfOnly), light = render(scene("\"float alpha\" 0"), surfaces());
+    const Rendered both = render(scene(""), surfaces()), bsdf = render(scene(""), bsdfOnly),
+                   light = render(scene("\"float alpha\" 0"), surfaces());
     expectEqualMeans(both, bsdf, 0.03);
     expectEqualMeans(both, light, 0.03);
     /* And weighting pays: neither strategy alone has less noise than both by more than chance */
@@ -58,15 +59,17 @@ TEST(Strategies, AgreeWithALightTree) {
     }
 }
 
-// Two skies: paths find by themselves the one that is the same everywhere, and light samples go to that of an image. Where directions do not follow the BSDF,
-// both are sampled. Both have the same expectation.
+// Two skies: paths find by themselves the one that is the same everywhere, and light samples go to that of an image. Where directions do
+// not follow the BSDF, both are sampled. Both have the same expectation.
 TEST(Strategies, AgreeUnderASky) {
     View following = atTheOrigin(1);
     following.samples = 1024;
     View uniform = following;
     uniform.more = "Integrator \"simplepath\" \"bool samplebsdf\" false \"integer maxdepth\" 1";
-    const std::string world = "LightSource \"infinite\" \"rgb L\" [.3 .3 .3]\nLightSource \"infinite\" \"string filename\" \"" EIKONAL_SOURCE_DIR "/scenes/assets/tiles.png\"\n"
-                              "Material \"conductor\" \"float roughness\" .3\nTranslate 0 -1 0 Shape \"sphere\"";
+    const std::string world =
+        "LightSource \"infinite\" \"rgb L\" [.3 .3 .3]\nLightSource \"infinite\" \"string filename\" \"" EIKONAL_SOURCE_DIR
+        "/scenes/assets/tiles.png\"\n"
+        "Material \"conductor\" \"float roughness\" .3\nTranslate 0 -1 0 Shape \"sphere\"";
     expectEqualMeans(render(sceneText(following, world), surfaces()), render(sceneText(uniform, world), surfaces()), 0.01);
 }
 

@@ -1,5 +1,5 @@
-// Bodies that light enters, wanders in and leaves, under skies for which the answer is known, by a walk and by a profile. None of them has depth for
-// more than one event: what happens inside is not counted.
+// Bodies that light enters, wanders in and leaves, under skies for which the answer is known, by a walk and by a profile. None of them has
+// depth for more than one event: what happens inside is not counted.
 
 #include "rendering.h"
 #include "color/diffuse_albedo.h"
@@ -25,7 +25,8 @@ Rendered look(const std::string& world, const std::string& more = "") {
     return render(sceneText(view, world), media());
 }
 
-// Radiance 1 everywhere solves the transport equation where nothing absorbs, whatever the boundary's index, the coefficients and the phase function.
+// Radiance 1 everywhere solves the transport equation where nothing absorbs, whatever the boundary's index, the coefficients and the phase
+// function.
 TEST(Subsurface, AWhiteBallUnderAWhiteSkyCannotBeSeen) {
     for (const char* boundary : {"\"float eta\" 1", "\"float eta\" 1.5 \"float g\" .7", "\"float eta\" .8"}) {
         SCOPED_TRACE(boundary);
@@ -33,7 +34,8 @@ TEST(Subsurface, AWhiteBallUnderAWhiteSkyCannotBeSeen) {
     }
 }
 
-// A rough boundary sends all light but what bounces between its facets, each time that a path meets it: about 6 % at roughness 0.01 (docs/subsurface.md).
+// A rough boundary sends all light but what bounces between its facets, each time that a path meets it: about 6 % at roughness 0.01
+// (docs/subsurface.md).
 TEST(Subsurface, ARoughBoundaryLetsLightInAndOut) {
     const Estimate seen = estimate(look(whiteSky + ball(white + "\"float eta\" 1.4 \"float roughness\" .01")).image);
     for (int c = 0; c < 3; ++c) {
@@ -43,10 +45,11 @@ TEST(Subsurface, ARoughBoundaryLetsLightInAndOut) {
     }
 }
 
-// A deep slab, seen straight on under a white sky: the boundary reflects F = ((eta - 1) / (eta + 1))^2, and of what enters the reflectance leaves.
-// It is no closed mesh, and its normal points to the camera.
+// A deep slab, seen straight on under a white sky: the boundary reflects F = ((eta - 1) / (eta + 1))^2, and of what enters the reflectance
+// leaves. It is no closed mesh, and its normal points to the camera.
 TEST(Subsurface, ASlabHasTheReflectanceThatItIsGiven) {
-    const std::string slab = "Material \"subsurface\" \"rgb reflectance\" [.6 .4 .2] \"rgb mfp\" [.05 .03 .04] \"float g\" {} \"string method\" \"{}\"\n"
+    const std::string slab =
+        "Material \"subsurface\" \"rgb reflectance\" [.6 .4 .2] \"rgb mfp\" [.05 .03 .04] \"float g\" {} \"string method\" \"{}\"\n"
         "Shape \"trianglemesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 50 0  50 -50 0] \"integer indices\" [0 1 2 0 2 3]\n";
     const double F = 0.33 * 0.33 / (2.33 * 2.33);
     for (const auto& [g, method] : {std::pair("0", "randomwalk"), std::pair(".7", "randomwalk"), std::pair("0", "diffusion")}) {
@@ -55,19 +58,24 @@ TEST(Subsurface, ASlabHasTheReflectanceThatItIsGiven) {
     }
 }
 
-// Of a sphere of radius R, pi r^2 lie within the distance r of any of its points, as of a plane, as long as r < 2 R: a profile that ends before spreads over
-// all of itself. So a ball is as bright as a slab, and a white one cannot be seen; whichever axes its probes have, each of which meets it twice.
+// Of a sphere of radius R, pi r^2 lie within the distance r of any of its points, as of a plane, as long as r < 2 R: a profile that ends
+// before spreads over all of itself. So a ball is as bright as a slab, and a white one cannot be seen; whichever axes its probes have, each
+// of which meets it twice.
 TEST(Subsurface, AProfileIsWholeOnABall) {
     const std::string diffused = "\"string method\" \"diffusion\" \"rgb mfp\" [.02 .03 .04] ";
     expectRadiance(look(whiteSky + ball(diffused + "\"rgb reflectance\" [1 1 1] \"float eta\" 1.5")), 1, 0.02);
     expectRadiance(look(whiteSky + ball(diffused + "\"rgb reflectance\" [.8 .5 .2] \"float eta\" 1")), glm::dvec3(.8, .5, .2), 0.02);
 }
 
-// A texture that says the same everywhere is as good as a number; and of a board of two colours, whose squares are far larger than what is seen, each is a slab by itself.
+// A texture that says the same everywhere is as good as a number; and of a board of two colours, whose squares are far larger than what is
+// seen, each is a slab by itself.
 TEST(Subsurface, TheReflectanceMayBeATexture) {
     const auto slab = [](const std::string& texture, const std::string& uv) {
-        return "Texture \"t\" \"spectrum\" " + texture + " Material \"subsurface\" \"texture reflectance\" \"t\" \"rgb mfp\" [.05 .03 .04]\n"
-            "Shape \"trianglemesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 50 0  50 -50 0] \"integer indices\" [0 1 2 0 2 3] \"point2 uv\" [" + uv + "]\n";
+        return "Texture \"t\" \"spectrum\" " + texture +
+               " Material \"subsurface\" \"texture reflectance\" \"t\" \"rgb mfp\" [.05 .03 .04]\n"
+               "Shape \"trianglemesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 50 0  50 -50 0] \"integer indices\" [0 1 2 0 2 3] \"point2 "
+               "uv\" [" +
+               uv + "]\n";
     };
     const double F = 0.33 * 0.33 / (2.33 * 2.33);
     const glm::dvec3 one(.6, .4, .2), other(.2, .8, .9);
@@ -84,10 +92,14 @@ TEST(Subsurface, ATextureSaysHowFarLightSpreads) {
         View view;
         view.maxDepth = 1;
         view.samples = 4096;   // of which few find the way to the light
-        return render(sceneText(view, "LightSource \"spot\" \"point3 from\" [.5 0 -3] \"point3 to\" [.5 0 0] \"float coneangle\" 4 \"float conedeltaangle\" .1 \"rgb I\" [50 50 50]\n"
-            "Texture \"t\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [.8 .5 .3] \"rgb tex2\" [.8 .5 .3]\n"
-            "Texture \"path\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [.12 .08 .1] \"rgb tex2\" [.12 .08 .1]\n"
-            "Material \"subsurface\" \"float roughness\" .2 " + parameters + " Shape \"bilinearmesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 -50 0  50 50 0]\n"), media());
+        return render(sceneText(view,
+                                "LightSource \"spot\" \"point3 from\" [.5 0 -3] \"point3 to\" [.5 0 0] \"float coneangle\" 4 \"float "
+                                "conedeltaangle\" .1 \"rgb I\" [50 50 50]\n"
+                                "Texture \"t\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [.8 .5 .3] \"rgb tex2\" [.8 .5 .3]\n"
+                                "Texture \"path\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [.12 .08 .1] \"rgb tex2\" [.12 .08 .1]\n"
+                                "Material \"subsurface\" \"float roughness\" .2 " +
+                                    parameters + " Shape \"bilinearmesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 -50 0  50 50 0]\n"),
+                      media());
     };
     const auto plain = beside("\"rgb reflectance\" [.8 .5 .3] \"rgb mfp\" [.12 .08 .1]");
     expectEqualMeans(beside("\"texture reflectance\" \"t\" \"rgb mfp\" [.12 .08 .1]"), plain, 0.05);
@@ -100,29 +112,40 @@ Rendered besideASpot(const std::string& parameters, ColorMode color, const std::
     View view;
     view.maxDepth = 1;
     view.samples = 1024;
-    return render(packScene(sceneText(view, "LightSource \"spot\" \"point3 from\" [.5 0 -3] \"point3 to\" [.5 0 0] \"float coneangle\" 9 \"float conedeltaangle\" .1 \"rgb I\" [50 50 50]\n" +
-        textures + " Material \"subsurface\" \"float roughness\" .2 \"float g\" .4 \"float scale\" 2 " + parameters + " Shape \"bilinearmesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 -50 0  50 50 0]\n"), color),
-        color == ColorMode::rgb ? media() : RenderSetup{});
+    return render(packScene(sceneText(view,
+                                      "LightSource \"spot\" \"point3 from\" [.5 0 -3] \"point3 to\" [.5 0 0] \"float coneangle\" 9 \"float "
+                                      "conedeltaangle\" .1 \"rgb I\" [50 50 50]\n" +
+                                          textures + " Material \"subsurface\" \"float roughness\" .2 \"float g\" .4 \"float scale\" 2 " +
+                                          parameters + " Shape \"bilinearmesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 -50 0  50 50 0]\n"),
+                            color),
+                  color == ColorMode::rgb ? media() : RenderSetup{});
 }
 /// The mean distance of pixels, in their mean.
 double distance(const FilmImage& a, const FilmImage& b) {
     double difference = 0, sum = 0;
     for (size_t i = 0; i < a.color.size(); ++i)
-        for (const auto& [x, y] : {std::pair(a.color[i].r, b.color[i].r), std::pair(a.color[i].g, b.color[i].g), std::pair(a.color[i].b, b.color[i].b)}) {
+        for (const auto& [x, y] :
+             {std::pair(a.color[i].r, b.color[i].r), std::pair(a.color[i].g, b.color[i].g), std::pair(a.color[i].b, b.color[i].b)}) {
             difference += std::abs(x - y);
             sum += y;
         }
     return difference / sum;
 }
 
-// Textures that say the same everywhere make the paths that numbers make, to rounding: in RGB, and at wavelengths from spectra and from colours. Each of both may be a number.
+// Textures that say the same everywhere make the paths that numbers make, to rounding: in RGB, and at wavelengths from spectra and from
+// colours. Each of both may be a number.
 TEST(Subsurface, CoefficientsMayBeTextures) {
     const auto compare = [](ColorMode color, const std::string& type, const std::string& a, const std::string& s) {
-        const auto given = [&](const std::string& name, const std::string& value) { return "\"" + type + " " + name + "\" " + value + " "; };
-        const std::string textures = "Texture \"a\" \"spectrum\" \"constant\" " + given("value", a) + "Texture \"s\" \"spectrum\" \"constant\" " + given("value", s);
+        const auto given = [&](const std::string& name, const std::string& value) {
+            return "\"" + type + " " + name + "\" " + value + " ";
+        };
+        const std::string textures =
+            "Texture \"a\" \"spectrum\" \"constant\" " + given("value", a) + "Texture \"s\" \"spectrum\" \"constant\" " + given("value", s);
         const Rendered plain = besideASpot(given("sigma_a", a) + given("sigma_s", s), color);
         EXPECT_GT(estimate(plain.image).mean.g, 0.01);
-        for (const std::string& body : {std::string("\"texture sigma_a\" \"a\" \"texture sigma_s\" \"s\""), "\"texture sigma_a\" \"a\" " + given("sigma_s", s), given("sigma_a", a) + "\"texture sigma_s\" \"s\""})
+        for (const std::string& body :
+             {std::string("\"texture sigma_a\" \"a\" \"texture sigma_s\" \"s\""), "\"texture sigma_a\" \"a\" " + given("sigma_s", s),
+              given("sigma_a", a) + "\"texture sigma_s\" \"s\""})
             EXPECT_LT(distance(besideASpot(body, color, textures).image, plain.image), 1e-3) << body;
     };
     compare(ColorMode::rgb, "rgb", "[.1 .3 1.5]", "[6 4 2]");
@@ -133,9 +156,11 @@ TEST(Subsurface, CoefficientsMayBeTextures) {
 // Of a board of two bodies, whose squares are far larger than what is seen, each is a slab by itself.
 TEST(Subsurface, ABoardHasTheAlbedosOfItsCoefficients) {
     const auto slab = [](const std::string& more) {
-        return "Texture \"board\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [.9 .5 .3] \"rgb tex2\" [.1 .4 .8] " + more + " Texture \"s\" \"spectrum\" \"scale\" \"texture tex\" \"board\" \"float scale\" 50\n"
-            "Material \"subsurface\" \"rgb sigma_a\" [1 2 3] \"texture sigma_s\" \"s\" \"float g\" .3\n"
-            "Shape \"trianglemesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 50 0  50 -50 0] \"integer indices\" [0 1 2 0 2 3] \"point2 uv\" [0 0 0 1e-4 1e-4 1e-4 1e-4 0]\n";
+        return "Texture \"board\" \"spectrum\" \"checkerboard\" \"rgb tex1\" [.9 .5 .3] \"rgb tex2\" [.1 .4 .8] " + more +
+               " Texture \"s\" \"spectrum\" \"scale\" \"texture tex\" \"board\" \"float scale\" 50\n"
+               "Material \"subsurface\" \"rgb sigma_a\" [1 2 3] \"texture sigma_s\" \"s\" \"float g\" .3\n"
+               "Shape \"trianglemesh\" \"point3 P\" [-50 -50 0  -50 50 0  50 50 0  50 -50 0] \"integer indices\" [0 1 2 0 2 3] \"point2 "
+               "uv\" [0 0 0 1e-4 1e-4 1e-4 1e-4 0]\n";
     };
     const double F = 0.33 * 0.33 / (2.33 * 2.33);
     const auto expected = [&](glm::dvec3 sigmaS) {
@@ -147,19 +172,22 @@ TEST(Subsurface, ABoardHasTheAlbedosOfItsCoefficients) {
     expectRadiance(look(whiteSky + slab("\"float udelta\" 1")), expected({5, 20, 40}), 0.02);
 }
 
-// A body that nothing happens in keeps out what is around it: of the 9 from the camera to the wall, light goes 7 through the haze, whether the camera says
-// that it is there or a ball of radius 3 around both, of which it is 4. Shapes name no media.
+// A body that nothing happens in keeps out what is around it: of the 9 from the camera to the wall, light goes 7 through the haze, whether
+// the camera says that it is there or a ball of radius 3 around both, of which it is 4. Shapes name no media.
 TEST(Subsurface, WhatIsAroundABodyGoesOnBehindIt) {
-    const std::string wall = "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [4 4 4] Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n"
+    const std::string wall =
+        "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [4 4 4] Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n"
         "Shape \"trianglemesh\" \"point3 P\" [-50 -50 5  -50 50 5  50 50 5  50 -50 5] \"integer indices\" [0 1 2 0 2 3] AttributeEnd\n";
-    const std::string haze = "MakeNamedMedium \"haze\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [.02 .1 .05] \"rgb sigma_s\" [0 0 0]\n";
+    const std::string haze =
+        "MakeNamedMedium \"haze\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [.02 .1 .05] \"rgb sigma_s\" [0 0 0]\n";
     const std::string hole = ball(walk + "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [0 0 0] \"float eta\" 1");
     const glm::dvec3 sigma(.02, .1, .05);
     View view;
     view.maxDepth = 1;
     const std::string text = haze + "MediumInterface \"\" \"haze\"\n" + sceneText(view, "MediumInterface \"\" \"\"\n" + hole + wall);
     expectRadiance(render(text, media()), 4.0 * glm::exp(-sigma * 7.0), 0.02);
-    const std::string cloud = "AttributeBegin MediumInterface \"haze\" \"\" Material \"interface\" Shape \"sphere\" \"float radius\" 3 AttributeEnd\n";
+    const std::string cloud =
+        "AttributeBegin MediumInterface \"haze\" \"\" Material \"interface\" Shape \"sphere\" \"float radius\" 3 AttributeEnd\n";
     expectRadiance(render(sceneText(view, haze + cloud + hole + wall), media()), 4.0 * glm::exp(-sigma * 4.0), 0.02);
 }
 

@@ -40,7 +40,8 @@ TEST(PlanSamples, TheErrorIsAsAskedAndNotMuchLess) {
 }
 
 // Of all ways to come down to an error, samples in proportion to standard deviations take the fewest: (mean deviation)^2 / error a pixel.
-// Powers of two in place of them cost 4 % (the mean of q and of 1/q, for q evenly spread between 1/sqrt(2) and sqrt(2) in its logarithm: 1.0202^2).
+// Powers of two in place of them cost 4 % (the mean of q and of 1/q, for q evenly spread between 1/sqrt(2) and sqrt(2) in its
+// logarithm: 1.0202^2).
 TEST(PlanSamples, CostsHardlyMoreThanTheLeastThatIsPossible) {
     const auto blocks = noisyBlocks(2000);
     constexpr double target = 1e-4;   // where 16 samples are too few everywhere
@@ -70,8 +71,8 @@ TEST(PlanSamples, LargerBlocksCountMore) {
     EXPECT_DOUBLE_EQ(expectedError(blocks), (256 * 1 + 16 * 16) / 272.0);
 }
 
-// One noisy block in the middle of 9 x 9: its eight neighbours are taken to have the mean deviation of the nine, 1/9 of its own, and all others
-// half of the image's, 1/162.
+// One noisy block in the middle of 9 x 9: its eight neighbours are taken to have the mean deviation of the nine, 1/9 of its own, and all
+// others half of the image's, 1/162.
 TEST(SuspectNoise, OfABlockBesideANoisyOneMoreThanOfOthers) {
     std::vector<BlockNoise> blocks(81, {16, 256, 0, 0});
     blocks[40].variance = 81;

@@ -37,7 +37,9 @@ struct Soup {
 };
 
 float uniform(std::mt19937& rng, float low, float high) { return std::uniform_real_distribution<float>(low, high)(rng); }
-vec3 randomPoint(std::mt19937& rng, float size) { return {uniform(rng, -size, size), uniform(rng, -size, size), uniform(rng, -size, size)}; }
+vec3 randomPoint(std::mt19937& rng, float size) {
+    return {uniform(rng, -size, size), uniform(rng, -size, size), uniform(rng, -size, size)};
+}
 vec3 near(std::mt19937& rng, vec3 p, float size) {
     const vec3 d = randomPoint(rng, size);
     return {p.x + d.x, p.y + d.y, p.z + d.z};
@@ -64,8 +66,8 @@ struct Bounds { vec3 low, high; };
 
 bool contains(const bvh_node& node, int lane, vec3 p, float pad) {
     const float (&b)[6][BVH_WIDTH] = node.bounds;
-    return p.x - pad >= b[0][lane] && p.x + pad <= b[1][lane] && p.y - pad >= b[2][lane] && p.y + pad <= b[3][lane] && p.z - pad >= b[4][lane] &&
-           p.z + pad <= b[5][lane];
+    return p.x - pad >= b[0][lane] && p.x + pad <= b[1][lane] && p.y - pad >= b[2][lane] && p.y + pad <= b[3][lane] &&
+           p.z - pad >= b[4][lane] && p.z + pad <= b[5][lane];
 }
 
 /// Half of what the box must be padded by, for the largest coordinate of what it holds.
@@ -102,7 +104,8 @@ Census inspect(const BvhTables& tables, const BvhRoot& root, const Soup& soup) {
                 continue;
             }
             ++seen.leaves;
-            const uint kind = (child >> LEAF_KIND_SHIFT) & LEAF_KIND_MASK, count = ((child >> LEAF_COUNT_SHIFT) & LEAF_COUNT_MASK) + 1u, first = child & LEAF_FIRST_MASK;
+            const uint kind = (child >> LEAF_KIND_SHIFT) & LEAF_KIND_MASK, count = ((child >> LEAF_COUNT_SHIFT) & LEAF_COUNT_MASK) + 1u,
+                       first = child & LEAF_FIRST_MASK;
             if (kind == leaf_triangles) {
                 seen.lines += (TRIANGLE_WORDS * count + 15) / 16;
                 for (const LeafTriangle& triangle : leafTriangles(tables.triangleLines, child)) {
@@ -290,7 +293,9 @@ TEST(Bvh, TheTablesDoNotDependOnTheNumberOfThreads) {
 TEST(Bvh, LeavesAndNodesOfAMeshAreWellFilled) {
     // A bumpy sheet of 200 x 200 quadrilaterals
     Soup soup;
-    const auto point = [](int x, int y) { return vec3{.01f * static_cast<float>(x), .01f * static_cast<float>(y), .02f * std::sin(.3f * static_cast<float>(x + 2 * y))}; };
+    const auto point = [](int x, int y) {
+        return vec3{.01f * static_cast<float>(x), .01f * static_cast<float>(y), .02f * std::sin(.3f * static_cast<float>(x + 2 * y))};
+    };
     for (int y = 0; y < 200; ++y)
         for (int x = 0; x < 200; ++x) {
             soup.add(point(x, y), point(x + 1, y), point(x, y + 1));

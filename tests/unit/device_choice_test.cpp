@@ -26,10 +26,12 @@ std::string errorOf(const std::vector<DeviceInfo>& list, const std::string& want
 }
 
 TEST(DeviceChoice, PrefersAGpuThenAProcessorAndNothingWithoutACompiler) {
-    const DeviceInfo mute = named("mute", true, false), muteGpu = named("mute gpu", false, false), cpu = named("cpu", true), gpu = named("gpu", false);
+    const DeviceInfo mute = named("mute", true, false), muteGpu = named("mute gpu", false, false), cpu = named("cpu", true),
+                     gpu = named("gpu", false);
     EXPECT_EQ(chooseDevice({mute, cpu, muteGpu, gpu}, "").name, "gpu");
     EXPECT_EQ(chooseDevice({muteGpu, mute, cpu}, "").name, "cpu");
-    EXPECT_THAT(errorOf({muteGpu, mute}, ""), AllOf(HasSubstr("no OpenCL device has a compiler"), HasSubstr("0  mute gpu (Platform), without a compiler")));
+    EXPECT_THAT(errorOf({muteGpu, mute}, ""),
+                AllOf(HasSubstr("no OpenCL device has a compiler"), HasSubstr("0  mute gpu (Platform), without a compiler")));
     EXPECT_THAT(errorOf({}, ""), HasSubstr("no OpenCL device found"));
 }
 
@@ -41,7 +43,8 @@ TEST(DeviceChoice, GoesByNumberOrName) {
     EXPECT_EQ(chooseDevice(list, "platform").name, "Alpha");
     list[1].version = "OpenCL 3.0 PoCL";
     EXPECT_EQ(chooseDevice(list, "pocl").name, "Beta 2") << "as its implementation is called";
-    EXPECT_THAT(errorOf(list, "gamma"), AllOf(HasSubstr("no OpenCL device is called \"gamma\""), HasSubstr("\n  0  Alpha (Platform)\n  1  Beta 2 (Platform)")));
+    EXPECT_THAT(errorOf(list, "gamma"),
+                AllOf(HasSubstr("no OpenCL device is called \"gamma\""), HasSubstr("\n  0  Alpha (Platform)\n  1  Beta 2 (Platform)")));
 }
 
 }  // namespace

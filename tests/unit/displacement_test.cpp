@@ -19,13 +19,15 @@ Mesh octahedron() {
     return mesh;
 }
 
-const Transform stretched = glm::rotate(glm::scale(glm::translate(Transform(1), glm::dvec3(5, 6, 7)), glm::dvec3(3, 0.5, 1)), 0.7, glm::dvec3(1, 2, 3));
+const Transform stretched =
+    glm::rotate(glm::scale(glm::translate(Transform(1), glm::dvec3(5, 6, 7)), glm::dvec3(3, 0.5, 1)), 0.7, glm::dvec3(1, 2, 3));
 
 glm::dvec3 place(const Mesh& mesh, const Transform& m, size_t index) { return m * glm::dvec4(mesh.positions[mesh.indices[index]], 1); }
 
 double areaOf(const Mesh& mesh, const Transform& m) {
     double area = 0;
-    for (size_t i = 0; i < mesh.indices.size(); i += 3) area += 0.5 * glm::length(glm::cross(place(mesh, m, i + 1) - place(mesh, m, i), place(mesh, m, i + 2) - place(mesh, m, i)));
+    for (size_t i = 0; i < mesh.indices.size(); i += 3)
+        area += 0.5 * glm::length(glm::cross(place(mesh, m, i + 1) - place(mesh, m, i), place(mesh, m, i + 2) - place(mesh, m, i)));
     return area;
 }
 
@@ -80,7 +82,8 @@ TEST(Displacement, RefusesWhatWouldNotFit) {
         mesh.indices = {0, 1, 2};
         return mesh;
     };
-    Mesh sliver = triangle({0, 0, 0}, {1e6f, 0, 0}, {1e6f, 1e-9f, 0}), far = triangle({1e8f, 0, 0}, {1e8f + 8, 0, 0}, {1e8f, 8, 0}), point = triangle({1, 2, 3}, {1, 2, 3}, {1, 2, 3});
+    Mesh sliver = triangle({0, 0, 0}, {1e6f, 0, 0}, {1e6f, 1e-9f, 0}), far = triangle({1e8f, 0, 0}, {1e8f + 8, 0, 0}, {1e8f, 8, 0}),
+         point = triangle({1, 2, 3}, {1, 2, 3}, {1, 2, 3});
     EXPECT_EQ(splitLongEdges(sliver, Transform(1), 0.01), Split::tooMany) << "by the length of its edges";
     EXPECT_GT(shortestEdgeLength(sliver, Transform(1)), 0.01);
     EXPECT_EQ(splitLongEdges(far, Transform(1), 0.5), Split::tooFine) << "no number lies between 1e8 and 1e8 + 8";

@@ -14,13 +14,14 @@
 namespace eikonal {
 namespace {
 
-/// An image whose left half has mean 1 and right half mean 3; a sample is exponentially distributed, so that the variance of a pixel is its mean
-/// squared over `samples`. `scale`: an exposure.
+/// An image whose left half has mean 1 and right half mean 3; a sample is exponentially distributed, so that the variance of a pixel is its
+/// mean squared over `samples`. `scale`: an exposure.
 FilmImage noisy(std::mt19937& random, int samples, float scale = 1) {
     FilmImage image(16, 16);
     std::gamma_distribution<float> mean(static_cast<float>(samples), 1 / static_cast<float>(samples));
     for (int y = 0; y < 16; ++y)
-        for (int x = 0; x < 16; ++x) image.color[image.index(x, y)] = scale * (x < 8 ? 1.f : 3.f) * glm::vec3(mean(random), mean(random), mean(random));
+        for (int x = 0; x < 16; ++x)
+            image.color[image.index(x, y)] = scale * (x < 8 ? 1.f : 3.f) * glm::vec3(mean(random), mean(random), mean(random));
     return image;
 }
 
@@ -48,7 +49,8 @@ TEST(SeedVariance, DoesNotDependOnTheExposure) {
     EXPECT_NEAR(brighter.relativeVariance().value, renders.relativeVariance().value, 1e-9);
 }
 
-// A pixel of 10^4 whose seeds differ in the fifth digit: sums of squares would lose it in single precision, and half of the digits in double.
+// A pixel of 10^4 whose seeds differ in the fifth digit: sums of squares would lose it in single precision, and half of the digits in
+// double.
 TEST(SeedVariance, SurvivesCancellation) {
     SeedVariance renders;
     for (const float value : {10000.f, 10001.f, 10002.f, 10003.f}) {
@@ -60,8 +62,8 @@ TEST(SeedVariance, SurvivesCancellation) {
     EXPECT_NEAR(renders.relativeVariance().value, (5. / 3) / (1.01 * mean * mean), 1e-18);
 }
 
-// Deviations of 400 estimates, in units of the standard errors that they state, have a root mean square of 1; channels are independent here but
-// taken for equal, which makes it 1 / sqrt(3). Of 400 squares the mean is known to 10 %.
+// Deviations of 400 estimates, in units of the standard errors that they state, have a root mean square of 1; channels are independent here
+// but taken for equal, which makes it 1 / sqrt(3). Of 400 squares the mean is known to 10 %.
 TEST(SeedVariance, KnowsItsStandardError) {
     std::mt19937 random(7);
     double squares = 0;
@@ -91,7 +93,8 @@ TEST(SeedVariance, IsTheRelativeMseOfCompare) {
     EXPECT_NEAR(renders.relativeVariance().value / error, 1, .02);
 }
 
-// Pixels of mean 1 of which one value in a thousand is 900.1 and the others are 0.1: relative to the mean of four seeds, most of the variance is hidden.
+// Pixels of mean 1 of which one value in a thousand is 900.1 and the others are 0.1: relative to the mean of four seeds, most of the
+// variance is hidden.
 TEST(SeedVariance, AConvergedImageLetsOutliersCount) {
     std::mt19937 random(9);
     std::bernoulli_distribution isOutlier(.001);
@@ -145,7 +148,8 @@ TEST(SeedVariance, BlackHasNone) {
 TEST(SeedVariance, RefusesAnotherSize) {
     SeedVariance renders;
     renders.add(FilmImage(4, 4));
-    EXPECT_THAT([&] { renders.add(FilmImage(4, 5)); }, testing::ThrowsMessage<Error>("a render of 20 pixels cannot be combined with renders of 16"));
+    EXPECT_THAT([&] { renders.add(FilmImage(4, 5)); },
+                testing::ThrowsMessage<Error>("a render of 20 pixels cannot be combined with renders of 16"));
 }
 
 TEST(Efficiency, IsOneOverVarianceTimesTheMedianOfTheSeconds) {

@@ -15,7 +15,8 @@ namespace {
 constexpr size_t bins = GUIDE_SIDE * GUIDE_SIDE;
 
 glm::dvec3 directionOf(size_t bin) {
-    return directionFromSquare({(static_cast<double>(bin % GUIDE_SIDE) + 0.5) / GUIDE_SIDE, (static_cast<double>(bin / GUIDE_SIDE) + 0.5) / GUIDE_SIDE});
+    return directionFromSquare(
+        {(static_cast<double>(bin % GUIDE_SIDE) + 0.5) / GUIDE_SIDE, (static_cast<double>(bin / GUIDE_SIDE) + 0.5) / GUIDE_SIDE});
 }
 
 /// The probability of a bin in a map.
@@ -67,7 +68,8 @@ TEST(EnvironmentGuide, KnowsTheCosineBeforeItLearns) {
     }
 }
 
-// A window over an eighth of the sphere: nine tenths of the samples go there and to the bins around it, and all others that a surface looks at get some.
+// A window over an eighth of the sphere: nine tenths of the samples go there and to the bins around it, and all others that a surface looks
+// at get some.
 TEST(EnvironmentGuide, AimsAtTheWindow) {
     const auto isWindow = [](glm::dvec3 d) { return d.x > 0 && d.y > 0 && d.z > 0; };
     const auto isNear = [](glm::dvec3 d) { return d.x > -0.45 && d.y > -0.45 && d.z > -0.45; };
@@ -106,7 +108,8 @@ TEST(EnvironmentGuide, IsTheSameForTheSamePoints) {
     const Floor floor(5000);
     const auto open = seen([](glm::dvec3 d) { return d.x > 0.3; });
     SceneTables a, b;
-    EXPECT_EQ(learnGuide(a, floor.points, floor.normals, {manyRays, true}, open), learnGuide(b, floor.points, floor.normals, {manyRays, true}, open));
+    EXPECT_EQ(learnGuide(a, floor.points, floor.normals, {manyRays, true}, open),
+              learnGuide(b, floor.points, floor.normals, {manyRays, true}, open));
     EXPECT_EQ(a.guide_maps, b.guide_maps);
     EXPECT_EQ(a.guide_edges, b.guide_edges);
     ASSERT_EQ(a.guide_aliases.size(), b.guide_aliases.size());
@@ -133,7 +136,8 @@ TEST(EnvironmentGuide, LeavesDarkPlacesToThePaths) {
         for (size_t map = 0; map < from.maps; ++map)
             for (size_t bin = 0; bin < bins; ++bin) {
                 float sum = 0;
-                for (size_t k = map * from.perMap; k < (map + 1) * from.perMap; ++k) sum += from.points[k].x < 0.5f ? static_cast<float>(std::max(directionOf(bin).z, 0.0)) : 0.0f;
+                for (size_t k = map * from.perMap; k < (map + 1) * from.perMap; ++k)
+                    sum += from.points[k].x < 0.5f ? static_cast<float>(std::max(directionOf(bin).z, 0.0)) : 0.0f;
                 weights.push_back(sum);
             }
         return weights;
@@ -159,10 +163,11 @@ TEST(EnvironmentGuide, GivesUpInTheOpen) {
     SceneTables tables;
     size_t maps = 0;
     const auto isOpen = seen([](glm::dvec3) { return true; });
-    const double share = learnGuide(tables, floor.points, floor.normals, {.rays = manyRays, .openShare = 0.1}, [&](const GuideRepresentatives& from) {
-        maps += from.maps;
-        return isOpen(from);
-    });
+    const double share =
+        learnGuide(tables, floor.points, floor.normals, {.rays = manyRays, .openShare = 0.1}, [&](const GuideRepresentatives& from) {
+            maps += from.maps;
+            return isOpen(from);
+        });
     EXPECT_NEAR(share, 1, 0.07);   // bins are looked at in their middle
     EXPECT_LT(maps, 600u);
     EXPECT_EQ(tables.guide_aliases.size(), size_t{GUIDE_FACES} * GUIDE_MAP_ENTRIES);

@@ -66,10 +66,28 @@ TEST(Expressions, BindAsInMathematics) {
 }
 
 TEST(Expressions, HaveTheFunctionsOfTheDocument) {
-    const std::pair<const char*, double> functions[] = {
-        {"sqrt(2)", std::sqrt(2.)}, {"abs(-3)", 3}, {"sin(1)", std::sin(1.)}, {"cos(1)", std::cos(1.)}, {"tan(1)", std::tan(1.)}, {"asin(.5)", std::asin(.5)}, {"acos(.5)", std::acos(.5)},
-        {"atan(2)", std::atan(2.)}, {"sinh(1)", std::sinh(1.)}, {"cosh(1)", std::cosh(1.)}, {"tanh(1)", std::tanh(1.)}, {"exp(1)", std::exp(1.)}, {"log(2)", std::log(2.)},
-        {"min(2, 3)", 2}, {"max(2, 3)", 3}, {"pow(2, 3)", 8}, {"atan2(1, -1)", std::atan2(1., -1.)}, {"pi", M_PI}, {"1.5e-3", 1.5e-3}, {".5", .5}, {"2.", 2}, {"1e-400", 0}};
+    const std::pair<const char*, double> functions[] = {{"sqrt(2)", std::sqrt(2.)},
+                                                        {"abs(-3)", 3},
+                                                        {"sin(1)", std::sin(1.)},
+                                                        {"cos(1)", std::cos(1.)},
+                                                        {"tan(1)", std::tan(1.)},
+                                                        {"asin(.5)", std::asin(.5)},
+                                                        {"acos(.5)", std::acos(.5)},
+                                                        {"atan(2)", std::atan(2.)},
+                                                        {"sinh(1)", std::sinh(1.)},
+                                                        {"cosh(1)", std::cosh(1.)},
+                                                        {"tanh(1)", std::tanh(1.)},
+                                                        {"exp(1)", std::exp(1.)},
+                                                        {"log(2)", std::log(2.)},
+                                                        {"min(2, 3)", 2},
+                                                        {"max(2, 3)", 3},
+                                                        {"pow(2, 3)", 8},
+                                                        {"atan2(1, -1)", std::atan2(1., -1.)},
+                                                        {"pi", M_PI},
+                                                        {"1.5e-3", 1.5e-3},
+                                                        {".5", .5},
+                                                        {"2.", 2},
+                                                        {"1e-400", 0}};
     for (const auto& [text, value] : functions) EXPECT_DOUBLE_EQ(number(text), value) << text;
 }
 
@@ -128,7 +146,9 @@ TEST(Expressions, AreNotEndless) {
 /// Whatever is in the text, it is read or refused; instructions name registers that there are.
 TEST(Expressions, GarbageIsRefusedOrUnderstood) {
     std::mt19937 random(7);
-    const std::string alphabet[] = {"x", "y", "z", "+", "-", "*", "/", "^", "(", ")", ",", "1", "2.5", "1e3", ".", "e", " ", "sin(", "atan2(", "min(", "sqrt(", "pi", "\xff", "q", "1e-9", std::string(1, '\0')};
+    const std::string alphabet[] = {
+        "x",   "y", "z", "+", "-",    "*",      "/",    "^",     "(",  ")",    ",", "1",    "2.5",
+        "1e3", ".", "e", " ", "sin(", "atan2(", "min(", "sqrt(", "pi", "\xff", "q", "1e-9", std::string(1, '\0')};
     int understood = 0;
     for (int i = 0; i < 20000; ++i) {
         std::string text;
@@ -138,7 +158,8 @@ TEST(Expressions, GarbageIsRefusedOrUnderstood) {
             ++understood;
             for (const implicit_instruction& step : program) {
                 ASSERT_LT(step.target, static_cast<uint>(IMPLICIT_REGISTERS));
-                ASSERT_TRUE(step.a < IMPLICIT_REGISTERS && (step.b < IMPLICIT_REGISTERS || step.operation == implicit_integer_power)) << text;
+                ASSERT_TRUE(step.a < IMPLICIT_REGISTERS && (step.b < IMPLICIT_REGISTERS || step.operation == implicit_integer_power))
+                    << text;
                 ASSERT_TRUE(std::isfinite(step.number)) << text;
             }
         } catch (const SceneError& error) { ASSERT_THAT(error.what(), StartsWith("test.pbrt:3:")) << text; }

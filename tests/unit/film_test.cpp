@@ -138,7 +138,8 @@ TEST_F(Film, exrKeepsSpectra) {
     EXPECT_EQ(OIIO::ImageInput::open(path("b.exr"))->spec().get_string_attribute("spectralLayoutVersion"), "");
     writeImage(path("a.pfm"), image, metadata);
     EXPECT_TRUE(readImage(path("a.pfm")).image.spectrum.wavelengths.empty());
-    for (const char* other : {"S0.nm", "S0.4,0,0nm", "S0.400nm ", "S1.400,000nm", "T.400,000nm", "S0.400,000", "S0.xnm"}) EXPECT_FALSE(wavelengthOfChannel(other)) << other;
+    for (const char* other : {"S0.nm", "S0.4,0,0nm", "S0.400nm ", "S1.400,000nm", "T.400,000nm", "S0.400,000", "S0.xnm"})
+        EXPECT_FALSE(wavelengthOfChannel(other)) << other;
 }
 
 /// As many channels as there can be at all.

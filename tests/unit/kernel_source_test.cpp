@@ -46,7 +46,8 @@ TEST_F(KernelSources, NameTheFileThatIsMissing) {
 
 TEST_F(KernelSources, DefineTheFeaturesAndConstantsThatTheyMention) {
     write("kernels/a.cl", "#if HAS_MEDIA\nITEMS_PER_WORK_ITEM\n#endif\n");
-    const std::string options = source("#include \"a.cl\"\n").options(Features().require(Feature::MEDIA), {{"ITEMS_PER_WORK_ITEM", 8}, {"LOCAL_SIZE", 4}});
+    const std::string options =
+        source("#include \"a.cl\"\n").options(Features().require(Feature::MEDIA), {{"ITEMS_PER_WORK_ITEM", 8}, {"LOCAL_SIZE", 4}});
     EXPECT_THAT(options, HasSubstr(" -DHAS_MEDIA=1"));
     EXPECT_THAT(options, HasSubstr(" -DITEMS_PER_WORK_ITEM=8"));
     EXPECT_THAT(options, Not(HasSubstr("LOCAL_SIZE")));

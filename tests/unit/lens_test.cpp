@@ -82,7 +82,8 @@ TEST(Lens, WhatCannotBeFocusedIsAnError) {
 TEST(Lens, AperturesHaveTheMeanOfADisk) {
     ImageData image;
     image.width = 2; image.height = 1; image.floats = {0, 3};
-    for (const auto shape : {ApertureShape::gaussian, ApertureShape::square, ApertureShape::pentagon, ApertureShape::star, ApertureShape::image}) {
+    for (const auto shape :
+         {ApertureShape::gaussian, ApertureShape::square, ApertureShape::pentagon, ApertureShape::star, ApertureShape::image}) {
         const ApertureTexels a = apertureTexels(shape, shape == ApertureShape::image ? &image : nullptr);
         double sum = 0;
         for (float v : a.values) sum += static_cast<double>(v);
@@ -102,7 +103,8 @@ protected:
 };
 
 TEST_F(LensFile, IsRead) {
-    const Scene scene = read(camera("# radius thickness eta aperture\n35 4 1.5 20\n0 2 0 18 -40 30 1 20", "\"float aperturediameter\" 3 \"float focusdistance\" 7 \"string aperture\" \"star\""));
+    const Scene scene = read(camera("# radius thickness eta aperture\n35 4 1.5 20\n0 2 0 18 -40 30 1 20",
+                                    "\"float aperturediameter\" 3 \"float focusdistance\" 7 \"string aperture\" \"star\""));
     EXPECT_TRUE(warnings_.empty());
     ASSERT_EQ(scene.camera.lens.size(), 3u);
     EXPECT_EQ(scene.camera.lens[2].curvatureRadius, -40);
@@ -119,7 +121,8 @@ TEST_F(LensFile, ErrorsSayWhere) {
     EXPECT_THAT(errorOf(camera("35 4 1.5 20", "\"float focusdistance\" 0")), HasSubstr("must be in (0, inf)"));
     EXPECT_THAT(errorOf(camera("35 4 1.5 20", "\"string aperture\" \"hexagon.png\"")), HasSubstr("hexagon.png"));
     EXPECT_THAT(errorOf("Camera \"realistic\"\nWorldBegin"), HasSubstr("needs a \"string lensfile\""));
-    EXPECT_THAT(errorOf("Camera \"spherical\" \"string mapping\" \"cubic\"\nWorldBegin"), HasSubstr("it can be \"equalarea\" or \"equirectangular\""));
+    EXPECT_THAT(errorOf("Camera \"spherical\" \"string mapping\" \"cubic\"\nWorldBegin"),
+                HasSubstr("it can be \"equalarea\" or \"equirectangular\""));
 }
 
 }  // namespace

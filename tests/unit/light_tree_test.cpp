@@ -38,8 +38,11 @@ void expectValid(const LightTree& tree, const std::vector<LightBounds>& lights) 
             const light_node& n = tree.nodes[at / LIGHT_TREE_WIDTH];
             const size_t lane = at % LIGHT_TREE_WIDTH;
             const glm::dvec3 center(n.x[lane], n.y[lane], n.z[lane]), axis(n.axis_x[lane], n.axis_y[lane], n.axis_z[lane]);
-            for (const glm::dvec3& corner : {lights[i].box.low, lights[i].box.high}) EXPECT_LE(glm::length(corner - center), n.radius[lane]);
-            if (n.cos_normals[lane] > -1) { EXPECT_GE(glm::dot(axis, lights[i].axis), std::cos(std::acos(n.cos_normals[lane]) - lights[i].normals) - 1e-6); }
+            for (const glm::dvec3& corner : {lights[i].box.low, lights[i].box.high})
+                EXPECT_LE(glm::length(corner - center), n.radius[lane]);
+            if (n.cos_normals[lane] > -1) {
+                EXPECT_GE(glm::dot(axis, lights[i].axis), std::cos(std::acos(n.cos_normals[lane]) - lights[i].normals) - 1e-6);
+            }
             EXPECT_LE(n.cos_emission[lane], std::cos(lights[i].emission) + 1e-6);
             EXPECT_GE(n.intensity[lane], lights[i].intensity * (1 - 1e-6));
             at = n.parent;
@@ -68,7 +71,10 @@ TEST(LightTree, LeavesOutWhatDoesNotShine) {
 TEST(LightTree, StandsWhatDoesNotSplitWell) {
     auto together = crowd(1000), apart = crowd(1000);
     for (LightBounds& b : together) b.box = {glm::dvec3(1), glm::dvec3(1)};
-    for (size_t i = 0; i < apart.size(); ++i) { const glm::dvec3 p(std::pow(2.0, -0.2 * static_cast<double>(i)), 0, 0); apart[i].box = {p, p}; }
+    for (size_t i = 0; i < apart.size(); ++i) {
+        const glm::dvec3 p(std::pow(2.0, -0.2 * static_cast<double>(i)), 0, 0);
+        apart[i].box = {p, p};
+    }
     for (const auto& lights : {together, apart}) {
         const LightTree tree = buildLightTree(lights);
         expectValid(tree, lights);

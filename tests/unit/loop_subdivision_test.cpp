@@ -65,7 +65,8 @@ TEST(LoopSubdivision, verticesLieOnTheLimitSurface) {
     const Mesh coarse = subdivideByLoop(lump(), 0).mesh;
     for (int levels = 1; levels < 5; ++levels) {
         const Mesh fine = subdivideByLoop(lump(), levels).mesh;
-        for (size_t v = 0; v < coarse.positions.size(); ++v) ASSERT_LT(glm::distance(coarse.positions[v], fine.positions[v]), 1e-6f) << "vertex " << v << " at level " << levels;
+        for (size_t v = 0; v < coarse.positions.size(); ++v)
+            ASSERT_LT(glm::distance(coarse.positions[v], fine.positions[v]), 1e-6f) << "vertex " << v << " at level " << levels;
     }
 }
 
@@ -73,7 +74,8 @@ TEST(LoopSubdivision, verticesLieOnTheLimitSurface) {
 TEST(LoopSubdivision, normalsFollowTheSurface) {
     const Mesh mesh = subdivideByLoop(lump(), 5).mesh;
     for (size_t f = 0; f < mesh.indices.size() / 3; ++f)
-        for (size_t k = 0; k < 3; ++k) ASSERT_LT(glm::dot(glm::normalize(faceNormal(mesh, f)), mesh.normals[mesh.indices[3 * f + k]]), -0.98f) << "face " << f;
+        for (size_t k = 0; k < 3; ++k)
+            ASSERT_LT(glm::dot(glm::normalize(faceNormal(mesh, f)), mesh.normals[mesh.indices[3 * f + k]]), -0.98f) << "face " << f;
     const Mesh round = subdivideByLoop(octahedron(), 2).mesh;
     for (size_t v = 0; v < 6; ++v) EXPECT_LT(glm::distance(round.normals[v], -glm::normalize(round.positions[v])), 1e-5f) << v;
 }

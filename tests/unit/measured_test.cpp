@@ -28,7 +28,9 @@ protected:
     std::string problemOf(const Arrays& arrays) { return problemOf(MeasuredFile::bytes(arrays)); }
     Arrays good = MeasuredFile().arrays();
 
-    static void set(MeasuredFile::Array& array, size_t index, float value) { std::memcpy(array.bytes.data() + index * sizeof value, &value, sizeof value); }
+    static void set(MeasuredFile::Array& array, size_t index, float value) {
+        std::memcpy(array.bytes.data() + index * sizeof value, &value, sizeof value);
+    }
 };
 
 TEST_F(MeasuredTest, filesAreReadAsWritten) {

@@ -15,9 +15,12 @@ glm::dmat4 turned(double degrees, glm::dvec3 axis) { return glm::rotate(glm::dma
 glm::dmat4 moved(glm::dvec3 by) { return glm::translate(glm::dmat4(1), by); }
 glm::dmat4 scaled(glm::dvec3 by) { return glm::scale(glm::dmat4(1), by); }
 
-const std::vector<glm::dmat4> maps{
-    glm::dmat4(1), moved({3, -2, 900}), turned(170, {1, 2, 3}) * scaled({2, 2, 2}), moved({0, 1, 0}) * scaled({-1, 1, 1}) * turned(40, {0, 1, 0}),
-    turned(30, {0, 0, 1}) * scaled({1e-3, 4, 500}) * turned(-75, {1, 1, 0}), scaled({1e-6, 1e-6, 1e-6}) * turned(90, {0, 1, 0})};
+const std::vector<glm::dmat4> maps{glm::dmat4(1),
+                                   moved({3, -2, 900}),
+                                   turned(170, {1, 2, 3}) * scaled({2, 2, 2}),
+                                   moved({0, 1, 0}) * scaled({-1, 1, 1}) * turned(40, {0, 1, 0}),
+                                   turned(30, {0, 0, 1}) * scaled({1e-3, 4, 500}) * turned(-75, {1, 1, 0}),
+                                   scaled({1e-6, 1e-6, 1e-6}) * turned(90, {0, 1, 0})};
 
 double distance(const glm::dmat4& a, const glm::dmat4& b) {
     double most = 0, size = 0;
@@ -89,7 +92,8 @@ TEST_F(PbrtMotion, CamerasShapesAndInstancesMove) {
     EXPECT_EQ(scene.motionEnd, 6);
     ASSERT_TRUE(scene.camera.worldFromCameraAtEnd);
     EXPECT_EQ((*scene.camera.worldFromCameraAtEnd)[3].z, -5);
-    ASSERT_TRUE(scene.shapes[0].worldFromObjectAtEnd && scene.objects[0].shapes[0].worldFromObjectAtEnd && scene.instances[0].worldFromObjectAtEnd);
+    ASSERT_TRUE(scene.shapes[0].worldFromObjectAtEnd && scene.objects[0].shapes[0].worldFromObjectAtEnd &&
+                scene.instances[0].worldFromObjectAtEnd);
     EXPECT_EQ(scene.shapes[0].worldFromObject[0].x, 2);
     EXPECT_EQ((*scene.shapes[0].worldFromObjectAtEnd)[0].x, 1);
     EXPECT_FALSE(scene.shapes[1].worldFromObjectAtEnd) << "both are scaled alike again";
@@ -99,8 +103,12 @@ TEST_F(PbrtMotion, CamerasShapesAndInstancesMove) {
 
 TEST_F(PbrtMotion, WhatCannotBeIsNamed) {
     EXPECT_THAT(errorOf("TransformTimes 1 1\nWorldBegin"), HasSubstr("test.pbrt:1:1: TransformTimes are a start and an end after it"));
-    EXPECT_THAT(errorOfWorld("ActiveTransform EndTime Scale 1 0 1\nShape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2]"), HasSubstr("test.pbrt:3:1: the transform of something that moves cannot be inverted"));
-    EXPECT_THAT(warningsOfWorld("AreaLightSource \"diffuse\" ActiveTransform EndTime Translate 1 0 0 Shape \"sphere\""), ElementsAre(HasSubstr("a shape that moves cannot emit")));
+    EXPECT_THAT(
+        errorOfWorld(
+            "ActiveTransform EndTime Scale 1 0 1\nShape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2]"),
+        HasSubstr("test.pbrt:3:1: the transform of something that moves cannot be inverted"));
+    EXPECT_THAT(warningsOfWorld("AreaLightSource \"diffuse\" ActiveTransform EndTime Translate 1 0 0 Shape \"sphere\""),
+                ElementsAre(HasSubstr("a shape that moves cannot emit")));
 }
 
 /// A scene is as large as what moves in it gets while the shutter is open.

@@ -18,10 +18,14 @@ using testing::IsEmpty;
 class ObjMaterials : public ObjTest {
 protected:
     /// The material of the square's one shape.
-    static const Material& materialOf(const Scene& scene) { return scene.materials.at(static_cast<std::size_t>(scene.shapes.at(0).material)); }
+    static const Material& materialOf(const Scene& scene) {
+        return scene.materials.at(static_cast<std::size_t>(scene.shapes.at(0).material));
+    }
     static double number(const Material& material, const std::string& input) { return material.inputs.at(input).value.value(); }
     static glm::dvec3 color(const Material& material, const std::string& input) { return material.inputs.at(input).value.albedo(); }
-    static const Texture& textureOf(const Scene& scene, const Input& input) { return scene.textures.at(static_cast<std::size_t>(input.texture)); }
+    static const Texture& textureOf(const Scene& scene, const Input& input) {
+        return scene.textures.at(static_cast<std::size_t>(input.texture));
+    }
 
     /// A grey image of 2 x 1 texels, as the simplest file that OpenImageIO reads.
     std::string writeImage(const std::string& name, const std::string& texels = "0 0 0 255 255 255") const {
@@ -71,8 +75,8 @@ TEST_F(ObjMaterials, thatMirrorAndScatterAreMixed) {
 }
 
 TEST_F(ObjMaterials, thatRefractAreGlass) {
-    for (const char* statements : {"illum 7\nNi 1.33\n", "illum 6\nKd .5 .5 .5\nNi 1.33\n", "illum 4\nKd 0 0 0\nNi 1.33\n", "Kd 0 0 0\nKs 1 1 1\nNi 1.33\nd 0\n",
-                                   "Kd 0 0 0\nNi 1.33\nTr 1\n"}) {
+    for (const char* statements : {"illum 7\nNi 1.33\n", "illum 6\nKd .5 .5 .5\nNi 1.33\n", "illum 4\nKd 0 0 0\nNi 1.33\n",
+                                   "Kd 0 0 0\nKs 1 1 1\nNi 1.33\nd 0\n", "Kd 0 0 0\nNi 1.33\nTr 1\n"}) {
         const Scene scene = loadMaterial(statements);
         EXPECT_EQ(materialOf(scene).kind, &dielectric_material) << statements;
         EXPECT_EQ(number(materialOf(scene), "eta"), 1.33) << statements;
@@ -82,7 +86,8 @@ TEST_F(ObjMaterials, thatRefractAreGlass) {
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.mtl:4: warning: colored transmission")));
 }
 
-// What is see-through but has a color of its own is covered only in part: d, or 1 - Tr. Where both stand, d counts: exporters disagree about Tr.
+// What is see-through but has a color of its own is covered only in part: d, or 1 - Tr. Where both stand, d counts: exporters disagree
+// about Tr.
 TEST_F(ObjMaterials, thatDissolveCoverInPart) {
     EXPECT_NEAR(loadMaterial("Kd 1 0 0\nd .25\n").shapes[0].alpha.value.value(), .25, 1e-9);
     EXPECT_NEAR(loadMaterial("Kd 1 0 0\nTr .25\n").shapes[0].alpha.value.value(), .75, 1e-9);
@@ -92,7 +97,8 @@ TEST_F(ObjMaterials, thatDissolveCoverInPart) {
 
 // The extension of physically based exporters: widths are squares of the roughness.
 TEST_F(ObjMaterials, withPrAndPmArePrincipledOrMetal) {
-    const Scene metal = loadMaterial("Kd .9 .6 .3\nPm 1\nPr .4\n"), plastic = loadMaterial("Kd .9 .6 .3\nPm 0\nPr .4\nNi 1.6\n"), half = loadMaterial("Kd .9 .6 .3\nPm .3\nPr .4\n");
+    const Scene metal = loadMaterial("Kd .9 .6 .3\nPm 1\nPr .4\n"), plastic = loadMaterial("Kd .9 .6 .3\nPm 0\nPr .4\nNi 1.6\n"),
+                half = loadMaterial("Kd .9 .6 .3\nPm .3\nPr .4\n");
     EXPECT_EQ(materialOf(metal).kind, &conductor_material);
     EXPECT_NEAR(number(materialOf(metal), "uroughness"), .16, 1e-9);
     EXPECT_EQ(color(materialOf(metal), "reflectance"), glm::dvec3(.9, .6, .3));
@@ -176,7 +182,8 @@ TEST_F(ObjMaterials, warnOfWhatIsMissingOrUnknown) {
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:1: warning: there is no material library \"a.mtl\""), HasSubstr("\"b.mtl\"")));
     write("model.mtl", "newmtl m\nKd 1 1 1\nwobble 3\n");
     load("mtllib model.mtl\n" + square + "usemtl n\nf 1 2 3\nusemtl m\nf 1 2 4\n");
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:6: warning: there is no material \"n\""), HasSubstr("model.mtl:3: warning: \"wobble\" is not supported")));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:6: warning: there is no material \"n\""),
+                                       HasSubstr("model.mtl:3: warning: \"wobble\" is not supported")));
     writeImage("grey.ppm");
     loadMaterial("map_Kd -t .1 .1 .1 grey.ppm\n");
     EXPECT_THAT(warnings_, Contains(HasSubstr("the option \"-t .1 .1 .1\" is not supported")));
@@ -185,13 +192,15 @@ TEST_F(ObjMaterials, warnOfWhatIsMissingOrUnknown) {
 // One warning for a statement, at its first number that means nothing, with what counts instead.
 TEST_F(ObjMaterials, warnOfNumbersThatMeanNothing) {
     const Scene scene = loadMaterial("Kd 2 -1 0.5\nKs 1\nNs -5\nNi 0\nd -halo -1\nillum 99\nKe 1e30 0 -1\nPr 5\n");
-    EXPECT_THAT(warnings_, testing::UnorderedElementsAre(HasSubstr("model.mtl:2:4: warning: \"Kd\" is 2 -1 0.5; it counts as 1 0 0.5, since each number must be from 0 to 1"),
-                                                         HasSubstr("model.mtl:4:4: warning: \"Ns\" is -5; it counts as 0, since it must be at least 0"),
-                                                         HasSubstr("model.mtl:5:4: warning: \"Ni\" is 0; it counts as 1, since it must be from 0.001 to 10"),
-                                                         HasSubstr("model.mtl:6:9: warning: \"d\" is -1; it counts as 0, since it must be from 0 to 1"),
-                                                         HasSubstr("model.mtl:7:7: warning: \"illum\" is 99; it counts as 2, since it must be a whole number from 0 to 10"),
-                                                         HasSubstr("model.mtl:8:11: warning: \"Ke\" is 1e30 0 -1; it counts as 1e30 0 0, since each number must be at least 0"),
-                                                         HasSubstr("model.mtl:9:4: warning: \"Pr\" is 5; it counts as 1, since it must be from 0 to 1")));
+    EXPECT_THAT(warnings_,
+                testing::UnorderedElementsAre(
+                    HasSubstr("model.mtl:2:4: warning: \"Kd\" is 2 -1 0.5; it counts as 1 0 0.5, since each number must be from 0 to 1"),
+                    HasSubstr("model.mtl:4:4: warning: \"Ns\" is -5; it counts as 0, since it must be at least 0"),
+                    HasSubstr("model.mtl:5:4: warning: \"Ni\" is 0; it counts as 1, since it must be from 0.001 to 10"),
+                    HasSubstr("model.mtl:6:9: warning: \"d\" is -1; it counts as 0, since it must be from 0 to 1"),
+                    HasSubstr("model.mtl:7:7: warning: \"illum\" is 99; it counts as 2, since it must be a whole number from 0 to 10"),
+                    HasSubstr("model.mtl:8:11: warning: \"Ke\" is 1e30 0 -1; it counts as 1e30 0 0, since each number must be at least 0"),
+                    HasSubstr("model.mtl:9:4: warning: \"Pr\" is 5; it counts as 1, since it must be from 0 to 1")));
     EXPECT_EQ(color(materialOf(scene), "base"), glm::dvec3(1, 0, .5));
     EXPECT_EQ(number(materialOf(scene), "uroughness"), 1);
     EXPECT_EQ(scene.areaLights.at(0).L.color(), glm::dvec3(1e30, 0, 0));

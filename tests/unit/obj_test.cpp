@@ -17,7 +17,8 @@ using testing::IsEmpty;
 double areaOf(const Mesh& mesh) {
     double area = 0;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const glm::vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]], c = mesh.positions[mesh.indices[i + 2]];
+        const glm::vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
+                        c = mesh.positions[mesh.indices[i + 2]];
         area += glm::length(glm::cross(b - a, c - a)) / 2;
     }
     return area;
@@ -88,7 +89,8 @@ TEST_F(ObjTest, smoothsWithinSmoothingGroupsOnly) {
 // One shape for each material of each object; going back to an earlier one adds to its shape.
 TEST_F(ObjTest, makesOneShapeOfEachMaterialOfEachObject) {
     write("two words.mtl", "newmtl dark red # old\nKd .5 0 0\nnewmtl b\nKd 0 1 0\n");
-    const Scene scene = load("mtllib two words.mtl\n" + square + "o one\nusemtl dark red # old\nf 1 2 3\nusemtl b\nf 1 3 4\nusemtl dark red # old\nf 1 2 4\no two\nf 2 3 4\n");
+    const Scene scene = load("mtllib two words.mtl\n" + square +
+                             "o one\nusemtl dark red # old\nf 1 2 3\nusemtl b\nf 1 3 4\nusemtl dark red # old\nf 1 2 4\no two\nf 2 3 4\n");
     ASSERT_EQ(scene.shapes.size(), 3u);
     EXPECT_EQ(meshOf(scene, 0).indices.size(), 6u);
     EXPECT_EQ(scene.shapes[0].material, scene.shapes[2].material);
@@ -126,7 +128,8 @@ TEST_F(ObjTest, saysWhereAFileIsWrong) {
     EXPECT_EQ(errorIn(""), "model.obj: there are no faces (\"f\") in this file");
     EXPECT_EQ(errorIn("v 1 2 abc\n"), "model.obj:1:7: \"abc\" is not a finite number");
     for (const char* word : {"nan", "inf", "-infinity", "1e300"})
-        EXPECT_EQ(errorIn("v " + std::string(word) + " 0 0\nf 1 1 1\n"), "model.obj:1:3: \"" + std::string(word) + "\" is not a finite number");
+        EXPECT_EQ(errorIn("v " + std::string(word) + " 0 0\nf 1 1 1\n"),
+                  "model.obj:1:3: \"" + std::string(word) + "\" is not a finite number");
     EXPECT_EQ(errorIn("v 0 0 0\nvn 0 nan 0\n"), "model.obj:2:6: \"nan\" is not a finite number");
     EXPECT_EQ(errorIn(square + "f 1 2 3\nv 1 2"), "model.obj:6: \"v\" needs 3 numbers, and has 2");
     EXPECT_EQ(errorIn(square + "f 0 1 2\n"), "model.obj:5:3: \"0\" is not a corner of a face: position/texture/normal, numbered from 1");
@@ -135,7 +138,8 @@ TEST_F(ObjTest, saysWhereAFileIsWrong) {
     EXPECT_EQ(errorIn(square + "f 1 2 5\n"), "model.obj:5: a face has position 5, but there are 4");
     EXPECT_EQ(errorIn(square + "f 1/1 2/1 3/1\n"), "model.obj:5: a face has texture coordinate 1, but there are 0");
     EXPECT_EQ(errorIn(square + "f 1//1 2//1 3//1\n"), "model.obj:5: a face has normal 1, but there are 0");
-    EXPECT_EQ(errorIn(square + "f 1 \\\n2 \\\nx\n"), "model.obj:5:9: \"x\" is not a corner of a face: position/texture/normal, numbered from 1");
+    EXPECT_EQ(errorIn(square + "f 1 \\\n2 \\\nx\n"),
+              "model.obj:5:9: \"x\" is not a corner of a face: position/texture/normal, numbered from 1");
     EXPECT_THAT(errorIn(square + "f 1 2\n"), HasSubstr("a face needs three corners"));
     EXPECT_EQ(errorIn(square + std::string("f 1 2 3\n\0", 9)), "model.obj:6: a byte is zero: this is not a text file");
     Diagnostics silent(LogLevel::silent);

@@ -71,8 +71,9 @@ TEST_F(ObjView, standsInAClosedRoom) {
 }
 
 TEST_F(ObjView, obeysItsOptions) {
-    const Scene scene = load(corners(1, 1, 1) + outwards + front,
-                             {.camera = glm::dvec3(5, 6, 7), .lookAt = glm::dvec3(0, 6, 7), .up = {0, 0, 1}, .fov = 30, .width = 320, .height = 200});
+    const Scene scene =
+        load(corners(1, 1, 1) + outwards + front,
+             {.camera = glm::dvec3(5, 6, 7), .lookAt = glm::dvec3(0, 6, 7), .up = {0, 0, 1}, .fov = 30, .width = 320, .height = 200});
     EXPECT_LT(glm::distance(eye(scene), glm::dvec3(5, 6, 7)), 1e-9);
     EXPECT_LT(glm::distance(forward(scene), glm::dvec3(-1, 0, 0)), 1e-9);
     EXPECT_LT(glm::distance(glm::dvec3(scene.camera.worldFromCamera[1]), glm::dvec3(0, 0, 1)), 1e-9);
@@ -91,8 +92,8 @@ TEST_F(ObjView, refusesImpossibleOptions) {
         }
         return ExitCode::success;
     };
-    for (const ObjOptions& options : {ObjOptions{.fov = 0}, ObjOptions{.fov = 180}, ObjOptions{.up = {0, 0, 0}}, ObjOptions{.width = 0}, ObjOptions{.height = -3},
-                                      ObjOptions{.camera = glm::dvec3(1), .lookAt = glm::dvec3(1)}})
+    for (const ObjOptions& options : {ObjOptions{.fov = 0}, ObjOptions{.fov = 180}, ObjOptions{.up = {0, 0, 0}}, ObjOptions{.width = 0},
+                                      ObjOptions{.height = -3}, ObjOptions{.camera = glm::dvec3(1), .lookAt = glm::dvec3(1)}})
         EXPECT_EQ(code(options), ExitCode::usage);
 }
 
@@ -103,7 +104,8 @@ TEST_F(ObjView, isNotMirrored) {
     EXPECT_GT(project(scene, {.5, 1, 0}).y, 0);
 }
 
-// The sky's promise: a white horizontal surface in the open has a radiance of about 0.8, that is E / pi with the irradiance E summed over directions.
+// The sky's promise: a white horizontal surface in the open has a radiance of about 0.8, that is E / pi with the irradiance E summed over
+// directions.
 TEST_F(ObjView, isLitByASkyIfNothingEmits) {
     const Scene scene = load(corners(1, 1, 1) + outwards);
     ASSERT_EQ(scene.lights.size(), 1u);
@@ -115,7 +117,8 @@ TEST_F(ObjView, isLitByASkyIfNothingEmits) {
     for (int i = 0; i < zenithSteps; ++i)
         for (int j = 0; j < azimuthSteps; ++j) {
             const double z = (i + .5) / zenithSteps, phi = 2 * std::numbers::pi * (j + .5) / azimuthSteps, r = std::sqrt(1 - z * z);
-            irradiance += skyRadiance({r * std::cos(phi), r * std::sin(phi), z}) * z * (2 * std::numbers::pi / (double(zenithSteps) * azimuthSteps));
+            irradiance +=
+                skyRadiance({r * std::cos(phi), r * std::sin(phi), z}) * z * (2 * std::numbers::pi / (double(zenithSteps) * azimuthSteps));
         }
     EXPECT_NEAR(irradiance.y / std::numbers::pi, .8, .05);
 }

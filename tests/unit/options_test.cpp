@@ -36,8 +36,10 @@ TEST(Options, WhatIsNotGivenStaysTheScenes) {
     const Options o = parse("render a.pbrt");
     EXPECT_EQ(o.command, Command::render);
     EXPECT_EQ(o.scene.path, "a.pbrt");
-    EXPECT_FALSE(o.scene.spp || o.scene.seed || o.scene.sampler || o.scene.integrator || o.scene.maxDepth || o.scene.resolution || o.scene.cropWindow || o.scene.pixelBounds);
-    EXPECT_FALSE(o.scene.camera || o.scene.lookAt || o.scene.up || o.scene.fov || o.output.timeLimit || o.device.wavePaths || o.device.localSize || o.device.itemsPerWorkItem);
+    EXPECT_FALSE(o.scene.spp || o.scene.seed || o.scene.sampler || o.scene.integrator || o.scene.maxDepth || o.scene.resolution ||
+                 o.scene.cropWindow || o.scene.pixelBounds);
+    EXPECT_FALSE(o.scene.camera || o.scene.lookAt || o.scene.up || o.scene.fov || o.output.timeLimit || o.device.wavePaths ||
+                 o.device.localSize || o.device.itemsPerWorkItem);
     EXPECT_TRUE(o.output.files.empty());
     EXPECT_EQ(o.log, LogLevel::warning);
     EXPECT_TRUE(o.device.cache && o.device.contraction);
@@ -45,7 +47,8 @@ TEST(Options, WhatIsNotGivenStaysTheScenes) {
 }
 
 TEST(Options, PbrtsSpellingsMeanWhatTheyMeanThere) {
-    const Options o = parse("render --spp 64 --seed 7 --outfile a.exr --nthreads 2 --cropwindow 0,0.5,.25,1 --quiet --log-level debug a.pbrt");
+    const Options o =
+        parse("render --spp 64 --seed 7 --outfile a.exr --nthreads 2 --cropwindow 0,0.5,.25,1 --quiet --log-level debug a.pbrt");
     EXPECT_EQ(o.scene.spp, 64);
     EXPECT_EQ(o.scene.seed, 7);
     EXPECT_THAT(o.output.files, testing::ElementsAre("a.exr"));
@@ -57,9 +60,12 @@ TEST(Options, PbrtsSpellingsMeanWhatTheyMeanThere) {
 }
 
 TEST(Options, ValuesOfEveryKindAreRead) {
-    const Options o = parse("render a.obj --camera -1,2.5,3e1 --look-at=0,0,0 --up 0,0,1 --fov 35 --resolution 640x480 --sampler independent --integrator whitted --max-depth 0 --roulette throughput --roulette-scale 2.5 --roulette-depth 1 "
-                            "--time-limit 1.5 --aov albedo,depth --tonemap filmic --exposure -1 --wave-paths 4096 --local-size 32 --items-per-work-item 8 --contraction off --no-cache --build-options=-cl-mad-enable "
-                            "--dump-kernels k --device gpu --strict --stats -o a.exr -o b.png --seed -3");
+    const Options o = parse(
+        "render a.obj --camera -1,2.5,3e1 --look-at=0,0,0 --up 0,0,1 --fov 35 --resolution 640x480 --sampler independent --integrator "
+        "whitted --max-depth 0 --roulette throughput --roulette-scale 2.5 --roulette-depth 1 "
+        "--time-limit 1.5 --aov albedo,depth --tonemap filmic --exposure -1 --wave-paths 4096 --local-size 32 --items-per-work-item 8 "
+        "--contraction off --no-cache --build-options=-cl-mad-enable "
+        "--dump-kernels k --device gpu --strict --stats -o a.exr -o b.png --seed -3");
     EXPECT_EQ(o.scene.camera, glm::dvec3(-1, 2.5, 30));
     EXPECT_EQ(o.scene.lookAt, glm::dvec3(0));
     EXPECT_EQ(o.scene.up, glm::dvec3(0, 0, 1));

@@ -23,8 +23,9 @@ protected:
 // displacement of one constant is the same number of scene units.
 TEST_F(Pack, DisplacementsAreScaledWithTheScene) {
     const auto reliefOf = [&](double radius, double height) {
-        const PackedScene scene = pack("Texture \"relief\" \"float\" \"constant\" \"float value\" " + std::to_string(height) +
-                                       "\nMaterial \"diffuse\" \"texture displacement\" \"relief\"\nShape \"sphere\" \"float radius\" " + std::to_string(radius));
+        const PackedScene scene =
+            pack("Texture \"relief\" \"float\" \"constant\" \"float value\" " + std::to_string(height) +
+                 "\nMaterial \"diffuse\" \"texture displacement\" \"relief\"\nShape \"sphere\" \"float radius\" " + std::to_string(radius));
         const texture_program program = scene.tables.programs.at(scene.tables.materials.at(0).displacement);
         double product = 1;   // a constant, and as long as it is not 1 the scale of the scene
         for (uint i = program.first; i < program.first + program.count; ++i)
@@ -35,11 +36,14 @@ TEST_F(Pack, DisplacementsAreScaledWithTheScene) {
     EXPECT_EQ(reliefOf(4, 0.5) * pack("Shape \"sphere\" \"float radius\" 4").worldScale, 0.5);
 }
 
-// Textures of coefficients are kept as they are, numbers above 1 included, for which nothing else is built; a walk that they would lead is diffused.
+// Textures of coefficients are kept as they are, numbers above 1 included, for which nothing else is built; a walk that they would lead is
+// diffused.
 TEST_F(Pack, CoefficientsOfBodiesMayBeTextures) {
     Diagnostics diagnostics(LogLevel::silent, false);
-    const std::string body = "Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [3 2 .5] Material \"subsurface\" \"string method\" \"randomwalk\" ";
-    const PackedScene textured = packScene(world(body + "\"texture sigma_a\" \"t\" \"rgb sigma_s\" [4 5 6]\nShape \"sphere\""), diagnostics);
+    const std::string body =
+        "Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [3 2 .5] Material \"subsurface\" \"string method\" \"randomwalk\" ";
+    const PackedScene textured =
+        packScene(world(body + "\"texture sigma_a\" \"t\" \"rgb sigma_s\" [4 5 6]\nShape \"sphere\""), diagnostics);
     EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("light is diffused instead")));
     const SceneTables& tables = textured.tables;
     for (const uint index : {tables.profiles.at(0).albedo_texture, tables.profiles.at(0).path_texture}) {
@@ -51,14 +55,17 @@ TEST_F(Pack, CoefficientsOfBodiesMayBeTextures) {
     EXPECT_TRUE(textured.features.has(Feature::TEXTURE_DIFFUSEALBEDO));
     EXPECT_TRUE(textured.features.has(Feature::TEXTURE_FREEPATH));
     const PackedScene plain = pack("Material \"subsurface\" \"rgb sigma_a\" [3 2 .5] \"rgb sigma_s\" [4 5 6]\nShape \"sphere\"");
-    for (const Feature feature : {Feature::TEXTURE_DIFFUSEALBEDO, Feature::TEXTURE_FREEPATH, Feature::BODY_TEXTURES, Feature::TEXTURED}) EXPECT_FALSE(plain.features.has(feature));
+    for (const Feature feature : {Feature::TEXTURE_DIFFUSEALBEDO, Feature::TEXTURE_FREEPATH, Feature::BODY_TEXTURES, Feature::TEXTURED})
+        EXPECT_FALSE(plain.features.has(feature));
 }
 
-// Nor are metals' indices and what a hair absorbs reflectances: at wavelengths, a colour of theirs is a spectrum in [0, 1] times twice its largest channel.
+// Nor are metals' indices and what a hair absorbs reflectances: at wavelengths, a colour of theirs is a spectrum in [0, 1] times twice its
+// largest channel.
 TEST_F(Pack, TexturedCoefficientsAreNoReflectances) {
     for (const std::string material : {"\"conductor\" \"texture k\"", "\"conductor\" \"texture eta\"", "\"hair\" \"texture sigma_a\""}) {
         Diagnostics diagnostics(LogLevel::silent, true);
-        Scene scene = world("Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [3 2 .5] Material " + material + " \"t\" Shape \"sphere\"");
+        Scene scene =
+            world("Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [3 2 .5] Material " + material + " \"t\" Shape \"sphere\"");
         scene.colorMode = ColorMode::spectral;
         const Table<texture_instruction> instructions = packScene(scene, diagnostics).tables.instructions;
         EXPECT_EQ(std::ranges::count_if(instructions, [](const texture_instruction& i) { return i.value.scale == 6; }), 1) << material;
@@ -68,18 +75,23 @@ TEST_F(Pack, TexturedCoefficientsAreNoReflectances) {
 // What is given as a spectrum or by its temperature, wherever it is, asks for wavelengths; metals do not, and what is not used does not.
 TEST_F(Pack, SpectraAskForWavelengths) {
     const auto isSpectral = [&](const std::string& text) { return pack(text + "\nShape \"sphere\"").features.has(Feature::SPECTRAL); };
-    const std::string green = "Texture \"green\" \"spectrum\" \"constant\" \"spectrum value\" [400 .1 550 .8 700 .2]\n", use = "Material \"diffuse\" \"texture reflectance\" ";
+    const std::string green = "Texture \"green\" \"spectrum\" \"constant\" \"spectrum value\" [400 .1 550 .8 700 .2]\n",
+                      use = "Material \"diffuse\" \"texture reflectance\" ";
     EXPECT_FALSE(isSpectral("LightSource \"infinite\" \"rgb L\" [1 2 3] Material \"diffuse\" \"rgb reflectance\" [.1 .2 .3]"));
     EXPECT_FALSE(isSpectral("Material \"conductor\" \"spectrum eta\" \"metal-Au-eta\" \"spectrum k\" \"metal-Au-k\""));
     EXPECT_FALSE(isSpectral(green));
     EXPECT_TRUE(isSpectral(green + use + "\"green\""));
-    EXPECT_TRUE(isSpectral(green + "Texture \"mixed\" \"spectrum\" \"mix\" \"texture tex1\" \"green\" \"rgb tex2\" [0 0 1]\n" + use + "\"mixed\""));
+    EXPECT_TRUE(
+        isSpectral(green + "Texture \"mixed\" \"spectrum\" \"mix\" \"texture tex1\" \"green\" \"rgb tex2\" [0 0 1]\n" + use + "\"mixed\""));
     EXPECT_TRUE(isSpectral("Material \"diffuse\" \"spectrum reflectance\" [400 .1 550 .8 700 .2]"));
     EXPECT_TRUE(isSpectral(green + "Material \"subsurface\" \"rgb sigma_a\" [1 1 1] \"texture sigma_s\" \"green\""));
     EXPECT_TRUE(isSpectral("Material \"dielectric\" \"spectrum eta\" \"glass-BK7\""));
     EXPECT_TRUE(isSpectral("LightSource \"point\" \"blackbody I\" 3000"));
     EXPECT_TRUE(isSpectral("AreaLightSource \"diffuse\" \"spectrum L\" \"stdillum-F11\""));
-    const std::string fire = "MakeNamedMedium \"fire\" \"string type\" \"uniformgrid\" \"integer nx\" 1 \"integer ny\" 1 \"integer nz\" 1 \"float density\" [1] ", inside = "\nMediumInterface \"fire\" \"\" Material \"interface\"";
+    const std::string fire =
+                          "MakeNamedMedium \"fire\" \"string type\" \"uniformgrid\" \"integer nx\" 1 \"integer ny\" 1 \"integer nz\" 1 "
+                          "\"float density\" [1] ",
+                      inside = "\nMediumInterface \"fire\" \"\" Material \"interface\"";
     EXPECT_FALSE(isSpectral(fire + inside));
     EXPECT_TRUE(isSpectral(fire + "\"float temperature\" [2000]" + inside));
 }
@@ -87,7 +99,8 @@ TEST_F(Pack, SpectraAskForWavelengths) {
 // A film that keeps a spectrum asks for them as well, whatever the scene; where the command line has forbidden them, that is said.
 TEST_F(Pack, AFilmMayAskForWavelengths) {
     Diagnostics diagnostics(LogLevel::silent, true);
-    Scene scene = read("Film \"spectral\" \"integer nbuckets\" 30 \"float lambdamin\" 400 \"float lambdamax\" 700\nWorldBegin\nShape \"sphere\"");
+    Scene scene =
+        read("Film \"spectral\" \"integer nbuckets\" 30 \"float lambdamin\" 400 \"float lambdamax\" 700\nWorldBegin\nShape \"sphere\"");
     const PackedScene packed = packScene(scene, diagnostics);
     EXPECT_TRUE(packed.features.has(Feature::SPECTRAL) && packed.features.has(Feature::SPECTRAL_FILM));
     EXPECT_THAT(packed.reasons.at(Feature::SPECTRAL), HasSubstr("test.pbrt:1:1: film \"spectral\""));
@@ -96,14 +109,16 @@ TEST_F(Pack, AFilmMayAskForWavelengths) {
     EXPECT_FLOAT_EQ(range.extent / range.inverse_pdf, range.share) << "the density within the range holds its share";
     EXPECT_FLOAT_EQ((1 - range.share) * range.inverse_pdf_beside, 470 - 300) << "and that beside it the rest";
     scene.colorMode = ColorMode::rgb;
-    EXPECT_THAT([&] { packScene(scene, diagnostics); }, testing::ThrowsMessage<SceneError>(AllOf(HasSubstr("test.pbrt:1:1: film \"spectral\""), HasSubstr("--color spectral"))));
+    EXPECT_THAT([&] { packScene(scene, diagnostics); },
+                testing::ThrowsMessage<SceneError>(AllOf(HasSubstr("test.pbrt:1:1: film \"spectral\""), HasSubstr("--color spectral"))));
     EXPECT_TRUE(pack("Shape \"sphere\"").tables.wavelengths.empty());
 }
 
 // 2^40 steps: nobody waits for them, neither to find out what is in them nor to write them down.
 TEST_F(Pack, TexturesOfTexturesEnd) {
     std::string tower = "Texture \"t0\" \"spectrum\" \"constant\" \"rgb value\" [.1 .8 .2]\n";
-    for (int i = 1; i <= 40; ++i) tower += fmt::format("Texture \"t{0}\" \"spectrum\" \"mix\" \"texture tex1\" \"t{1}\" \"texture tex2\" \"t{1}\"\n", i, i - 1);
+    for (int i = 1; i <= 40; ++i)
+        tower += fmt::format("Texture \"t{0}\" \"spectrum\" \"mix\" \"texture tex1\" \"t{1}\" \"texture tex2\" \"t{1}\"\n", i, i - 1);
     try {
         pack(tower + "Material \"diffuse\" \"texture reflectance\" \"t40\"\nShape \"sphere\"");
         ADD_FAILURE() << "that is too much";
@@ -114,10 +129,13 @@ TEST_F(Pack, TexturesOfTexturesEnd) {
 
 // pbrt-v4 goes on with one wavelength wherever an index is not one number: of glass, of coats, and if it is given as a colour.
 TEST_F(Pack, IndicesThatDependOnTheWavelengthDisperse) {
-    const std::pair<std::string, std::string> materials[] = {{"dielectric", "eta"}, {"thindielectric", "eta"}, {"coateddiffuse", "eta"}, {"coatedconductor", "interface.eta"}};
+    const std::pair<std::string, std::string> materials[] = {
+        {"dielectric", "eta"}, {"thindielectric", "eta"}, {"coateddiffuse", "eta"}, {"coatedconductor", "interface.eta"}};
     for (const auto& [kind, eta] : materials) {
         const auto disperses = [&](const std::string& type, const std::string& value) {
-            return pack("LightSource \"infinite\" \"spectrum L\" \"stdillum-D65\" Material \"" + kind + "\" \"" + type + " " + eta + "\" " + value + " Shape \"sphere\"").features.has(Feature::DISPERSION);
+            return pack("LightSource \"infinite\" \"spectrum L\" \"stdillum-D65\" Material \"" + kind + "\" \"" + type + " " + eta + "\" " +
+                        value + " Shape \"sphere\"")
+                .features.has(Feature::DISPERSION);
         };
         EXPECT_TRUE(disperses("spectrum", "\"glass-F11\"")) << kind;
         EXPECT_TRUE(disperses("rgb", "[1.2 1.5 2.2]")) << kind;
@@ -130,7 +148,12 @@ TEST_F(Pack, IndicesThatDependOnTheWavelengthDisperse) {
 TEST_F(Pack, SamplesAreHeldToAnExposedValue) {
     const auto most = [&](const std::string& light) {
         Diagnostics diagnostics(LogLevel::silent, true);
-        return packScene(read("Film \"rgb\" \"float maxcomponentvalue\" 2 \"float iso\" 400\nCamera \"perspective\" \"float shutterclose\" .5\nWorldBegin\nLightSource \"infinite\" " + light + "\nShape \"sphere\""), diagnostics).frame().max_component_value;
+        return packScene(read("Film \"rgb\" \"float maxcomponentvalue\" 2 \"float iso\" 400\nCamera \"perspective\" \"float shutterclose\" "
+                              ".5\nWorldBegin\nLightSource \"infinite\" " +
+                              light + "\nShape \"sphere\""),
+                         diagnostics)
+            .frame()
+            .max_component_value;
     };
     EXPECT_EQ(most("\"rgb L\" [1 1 1]"), 1);
     EXPECT_EQ(most("\"blackbody L\" 5000"), 2);
@@ -140,7 +163,8 @@ TEST_F(Pack, SamplesAreHeldToAnExposedValue) {
 TEST_F(Pack, RegularizationMakesARougherTwin) {
     const auto widthOfTwin = [&](const std::string& material) {
         Diagnostics diagnostics(LogLevel::silent, true);
-        const PackedScene scene = packScene(read("Integrator \"path\" \"bool regularize\" true\nWorldBegin\nMaterial " + material + "\nShape \"sphere\""), diagnostics);
+        const PackedScene scene = packScene(
+            read("Integrator \"path\" \"bool regularize\" true\nWorldBegin\nMaterial " + material + "\nShape \"sphere\""), diagnostics);
         const material_input& last = scene.tables.material_inputs.at([&] {
             const ::eikonal::material& twin = scene.tables.materials.at(scene.tables.materials.at(0).regular);
             return twin.first_input + twin.input_count - 1;
@@ -155,7 +179,8 @@ TEST_F(Pack, RegularizationMakesARougherTwin) {
     EXPECT_FLOAT_EQ(widthOfTwin(conductor + ".6"), 0.6f);
 
     Diagnostics diagnostics(LogLevel::silent, true);
-    const PackedScene thin = packScene(read("Integrator \"path\" \"bool regularize\" true\nWorldBegin\nMaterial \"thindielectric\" Shape \"sphere\""), diagnostics);
+    const PackedScene thin = packScene(
+        read("Integrator \"path\" \"bool regularize\" true\nWorldBegin\nMaterial \"thindielectric\" Shape \"sphere\""), diagnostics);
     EXPECT_EQ(thin.tables.materials.at(0).regular, 0u);
     EXPECT_FALSE(thin.features.has(Feature::REGULARIZE));
     EXPECT_EQ(pack("Material \"conductor\" Shape \"sphere\"").tables.materials.size(), 1u);
@@ -167,7 +192,9 @@ TEST_F(Pack, IntegratorsThatAreNotRenderedAreNamedOnce) {
         Scene scene = read("Integrator \"" + std::string(name) + "\"\nWorldBegin\nShape \"sphere\"");
         Diagnostics lax(LogLevel::silent), strict(LogLevel::silent, true);
         packScene(scene, lax);
-        EXPECT_THAT(lax.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1: warning: integrator \"" + std::string(name) + "\""), HasSubstr("\"volpath\"")))) << name;
+        EXPECT_THAT(lax.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1: warning: integrator \"" + std::string(name) + "\""),
+                                                      HasSubstr("\"volpath\""))))
+            << name;
         EXPECT_THROW(packScene(scene, strict), SceneError) << name;
     }
 }
@@ -197,7 +224,8 @@ TEST_F(Pack, MaterialsAreNamedAsPeopleKnowThem) {
     const auto whyDiffuse = [&](const std::string& text) { return pack(text).reasons.at(Feature::BSDF_DIFFUSE); };
     EXPECT_EQ(whyDiffuse("Shape \"sphere\""), "the material of shapes without one");
     EXPECT_EQ(whyDiffuse("Material \"diffuse\" Shape \"sphere\""), "test.pbrt:2:1: a material");
-    EXPECT_EQ(whyDiffuse("MakeNamedMaterial \"m\" \"string type\" \"diffuse\" NamedMaterial \"m\" Shape \"sphere\""), "test.pbrt:2:1: material \"m\"");
+    EXPECT_EQ(whyDiffuse("MakeNamedMaterial \"m\" \"string type\" \"diffuse\" NamedMaterial \"m\" Shape \"sphere\""),
+              "test.pbrt:2:1: material \"m\"");
 }
 
 // Only "volpath" renders media, as in pbrt-v4; the others say what they leave out, where there is something.
@@ -228,13 +256,16 @@ TEST_F(Pack, IntegratorsThatSampleNoLightsHaveNone) {
     EXPECT_TRUE(packScene(read("Integrator \"simplepath\"" + lights), diagnostics).features.has(Feature::LIGHTS));
 }
 
-// Pixels that share a sequence take as many of its points as they have samples, rounded up to a power of two, and points are numbered in 32 bits.
+// Pixels that share a sequence take as many of its points as they have samples, rounded up to a power of two, and points are numbered in 32
+// bits.
 TEST_F(Pack, PixelsShareASequenceForBlueNoise) {
     const auto frameOf = [&](const std::string& sampler) {
         Diagnostics diagnostics(LogLevel::silent, true);
         const PackedScene scene = packScene(read("Sampler " + sampler + "\nWorldBegin\nShape \"sphere\""), diagnostics);
         EXPECT_EQ(scene.features.has(Feature::SOBOL), sampler.find("independent") == std::string::npos) << sampler;
-        EXPECT_EQ(scene.features.has(Feature::JOINT_PAIRS), scene.features.has(Feature::SOBOL) && sampler.find("padded") == std::string::npos) << sampler;
+        EXPECT_EQ(scene.features.has(Feature::JOINT_PAIRS),
+                  scene.features.has(Feature::SOBOL) && sampler.find("padded") == std::string::npos)
+            << sampler;
         return std::pair(scene.frame().sequence_sample_bits, scene.frame().sequence_tile_bits);
     };
     EXPECT_EQ(frameOf("\"independent\" \"integer pixelsamples\" 64"), std::pair(0u, 0u));
@@ -246,11 +277,16 @@ TEST_F(Pack, PixelsShareASequenceForBlueNoise) {
     EXPECT_EQ(frameOf("\"zsobol\" \"integer pixelsamples\" 1000000"), std::pair(20u, 6u));
 }
 
-// A sky that is the same everywhere is sampled by no light sampler where paths follow BSDFs: all samples go to the lamps, and without lamps there are none.
+// A sky that is the same everywhere is sampled by no light sampler where paths follow BSDFs: all samples go to the lamps, and without lamps
+// there are none.
 TEST_F(Pack, PathsFindAnEvenSkyByThemselves) {
-    const std::string sky = "\nFilm \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 16\nWorldBegin\nLightSource \"infinite\" \"rgb L\" [1 2 3]\n", lamp = "LightSource \"point\"\nShape \"sphere\"";
+    const std::string sky =
+                          "\nFilm \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 16\nWorldBegin\nLightSource \"infinite\" "
+                          "\"rgb L\" [1 2 3]\n",
+                      lamp = "LightSource \"point\"\nShape \"sphere\"";
     Diagnostics diagnostics(LogLevel::silent, true);
-    for (const char* integrator : {"\"path\"", "\"volpath\"", "\"volpath\" \"string lightsampler\" \"bvh\"", "\"volpath\" \"string lightsampler\" \"uniform\"", "\"direct\"", "\"simplepath\""}) {
+    for (const char* integrator : {"\"path\"", "\"volpath\"", "\"volpath\" \"string lightsampler\" \"bvh\"",
+                                   "\"volpath\" \"string lightsampler\" \"uniform\"", "\"direct\"", "\"simplepath\""}) {
         const PackedScene alone = packScene(read("Integrator " + std::string(integrator) + sky + "Shape \"sphere\""), diagnostics);
         EXPECT_FALSE(alone.features.has(Feature::LIGHTS)) << integrator;
         EXPECT_EQ(alone.constants.environments, 1) << integrator;
@@ -269,8 +305,11 @@ TEST_F(Pack, PathsFindAnEvenSkyByThemselves) {
 TEST_F(Pack, ALongRenderHasAnEnvironmentGuide) {
     const auto withSamples = [&](const std::string& integrator, int samples) {
         Diagnostics diagnostics(LogLevel::silent, true);
-        return packScene(read("Integrator " + integrator + "\nFilm \"rgb\" \"integer xresolution\" 256 \"integer yresolution\" 256\nSampler \"sobol\" \"integer pixelsamples\" " +
-                              std::to_string(samples) + "\nWorldBegin\nLightSource \"infinite\"\nShape \"sphere\""), diagnostics);
+        return packScene(
+            read("Integrator " + integrator +
+                 "\nFilm \"rgb\" \"integer xresolution\" 256 \"integer yresolution\" 256\nSampler \"sobol\" \"integer pixelsamples\" " +
+                 std::to_string(samples) + "\nWorldBegin\nLightSource \"infinite\"\nShape \"sphere\""),
+            diagnostics);
     };
     const PackedScene guided = withSamples("\"volpath\"", 64);
     EXPECT_TRUE(guided.features.has(Feature::ENVIRONMENT_GUIDE) && guided.features.has(Feature::LIGHTS));
@@ -278,8 +317,10 @@ TEST_F(Pack, ALongRenderHasAnEnvironmentGuide) {
     EXPECT_EQ(guided.tables.light_aliases.size(), 1u);
     EXPECT_EQ(guided.tables.guide_aliases.size(), size_t{GUIDE_FACES} * GUIDE_MAP_ENTRIES);
     EXPECT_FALSE(withSamples("\"volpath\"", 1).features.has(Feature::ENVIRONMENT_GUIDE));
-    for (const char* other : {"\"whitted\"", "\"randomwalk\"", "\"simplepath\" \"bool samplelights\" false", "\"ambientocclusion\"", "\"volpath\" \"string lightsampler\" \"bvh\""})
-        EXPECT_EQ(withSamples(other, 64).features.has(Feature::ENVIRONMENT_GUIDE), std::string(other).find("bvh") != std::string::npos) << other;
+    for (const char* other : {"\"whitted\"", "\"randomwalk\"", "\"simplepath\" \"bool samplelights\" false", "\"ambientocclusion\"",
+                              "\"volpath\" \"string lightsampler\" \"bvh\""})
+        EXPECT_EQ(withSamples(other, 64).features.has(Feature::ENVIRONMENT_GUIDE), std::string(other).find("bvh") != std::string::npos)
+            << other;
 }
 
 // A tree looks at all lights, but of many at one.
@@ -305,11 +346,12 @@ TEST_F(Pack, AmbientOcclusionNeedsNoMaterialsAndNoLights) {
                                              "AreaLightSource \"diffuse\" Material \"conductor\" Shape \"sphere\""), diagnostics);
     EXPECT_TRUE(scene.tables.lights.empty() && scene.tables.material_inputs.empty());
     EXPECT_EQ(scene.constants.environments, 0);
-    for (const Feature f : {Feature::LIGHTS, Feature::EMITTERS, Feature::BSDF_CONDUCTOR, Feature::LIGHT_POINT}) EXPECT_FALSE(scene.features.has(f)) << featureName(f);
+    for (const Feature f : {Feature::LIGHTS, Feature::EMITTERS, Feature::BSDF_CONDUCTOR, Feature::LIGHT_POINT})
+        EXPECT_FALSE(scene.features.has(f)) << featureName(f);
 }
 
-// The reflectance of a measured file is the colour of its spectra under daylight: that of white paper, which reflects the same everywhere, and of what
-// reflects only long wavelengths.
+// The reflectance of a measured file is the colour of its spectra under daylight: that of white paper, which reflects the same everywhere,
+// and of what reflects only long wavelengths.
 TEST_F(Pack, MeasuredSpectraBecomeColors) {
     const auto color = [&](const MeasuredFile& file) {
         file.write(path("a.bsdf"));
@@ -327,14 +369,16 @@ TEST_F(Pack, MeasuredSpectraBecomeColors) {
     EXPECT_LT(red.z, 0.1);
 }
 
-// Kernels search the longest of all files' lists: 31 intervals between 32 facets take five halves, four of brightness two, eight of azimuths or six
-// of polar angles three. Only files with more than one azimuth have a grain.
+// Kernels search the longest of all files' lists: 31 intervals between 32 facets take five halves, four of brightness two, eight of
+// azimuths or six of polar angles three. Only files with more than one azimuth have a grain.
 TEST_F(Pack, MeasuredFilesSetTheStepsOfSearches) {
     MeasuredFile file;
     file.write(path("smooth.bsdf"));
     file.isotropic = false;
     file.write(path("brushed.bsdf"));
-    const auto use = [](const std::string& name) { return "Material \"measured\" \"string filename\" \"" + name + ".bsdf\" Shape \"sphere\"\n"; };
+    const auto use = [](const std::string& name) {
+        return "Material \"measured\" \"string filename\" \"" + name + ".bsdf\" Shape \"sphere\"\n";
+    };
     const PackedScene one = pack(use("smooth") + use("smooth")), both = pack(use("brushed") + use("smooth"));
     EXPECT_EQ(one.constants.measuredFiles, 1);
     EXPECT_EQ(both.constants.measuredFiles, 2);

@@ -43,13 +43,16 @@ TEST_F(PbrtCurves, bezierSegmentsShareTheirEnds) {
 
 /// The basis functions of uniform B-splines.
 TEST_F(PbrtCurves, splines) {
-    const Curve cubic = curve(seven + "\"string basis\" \"bspline\""), quadratic = curve(seven + "\"string basis\" \"bspline\" \"integer degree\" 2");
+    const Curve cubic = curve(seven + "\"string basis\" \"bspline\""),
+                quadratic = curve(seven + "\"string basis\" \"bspline\" \"integer degree\" 2");
     ASSERT_EQ(cubic.segments.size(), 4u);
     ASSERT_EQ(quadratic.segments.size(), 5u);
     for (const float u : {0.f, .3f, .5f, 1.f}) {
         const float v = 1 - u;
         for (size_t i = 0; i < 4; ++i) {
-            const glm::vec3 want = (v * v * v * points[i] + (3 * u * u * u - 6 * u * u + 4) * points[i + 1] + (3 * v * v * v - 6 * v * v + 4) * points[i + 2] + u * u * u * points[i + 3]) / 6.f;
+            const glm::vec3 want = (v * v * v * points[i] + (3 * u * u * u - 6 * u * u + 4) * points[i + 1] +
+                                    (3 * v * v * v - 6 * v * v + 4) * points[i + 2] + u * u * u * points[i + 3]) /
+                                   6.f;
             EXPECT_LT(glm::distance(at(cubic.segments[i], u), want), 1e-5f);
         }
         for (size_t i = 0; i < 5; ++i) {
@@ -69,11 +72,14 @@ TEST_F(PbrtCurves, widthsAndNormalsGoFromEndToEnd) {
 
 TEST_F(PbrtCurves, errors) {
     EXPECT_THAT(error(""), HasSubstr("needs its control points, \"point3 P\""));
-    EXPECT_THAT(error("\"point3 P\" [0 0 0 1 0 0 2 0 0 3 0 0 4 0 0]"), HasSubstr("has 5 control points; of degree 3 in the basis \"bezier\" it has 4, and 3 for each further segment"));
-    EXPECT_THAT(error("\"string basis\" \"bspline\" \"point3 P\" [0 0 0 1 0 0 2 0 0]"), HasSubstr("has 3 control points; of degree 3 in the basis \"bspline\" it has 4 or more"));
+    EXPECT_THAT(error("\"point3 P\" [0 0 0 1 0 0 2 0 0 3 0 0 4 0 0]"),
+                HasSubstr("has 5 control points; of degree 3 in the basis \"bezier\" it has 4, and 3 for each further segment"));
+    EXPECT_THAT(error("\"string basis\" \"bspline\" \"point3 P\" [0 0 0 1 0 0 2 0 0]"),
+                HasSubstr("has 3 control points; of degree 3 in the basis \"bspline\" it has 4 or more"));
     EXPECT_THAT(error(seven + "\"integer degree\" 4"), HasSubstr("the degree can be 2 or 3"));
     EXPECT_THAT(error(seven + "\"string basis\" \"catmull\""), HasSubstr("it can be \"bezier\" or \"bspline\""));
-    EXPECT_THAT(error(seven + "\"string type\" \"ribbon\" \"normal N\" [0 0 1]"), HasSubstr("at both ends of each segment: 3 normals, not 1"));
+    EXPECT_THAT(error(seven + "\"string type\" \"ribbon\" \"normal N\" [0 0 1]"),
+                HasSubstr("at both ends of each segment: 3 normals, not 1"));
 }
 
 TEST_F(PbrtCurves, whatMakesNoSenseIsNamed) {

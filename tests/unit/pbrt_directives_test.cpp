@@ -24,7 +24,8 @@ TEST_F(PbrtDirectives, theLastTransformIsAppliedFirst) {
 
 // LookAt makes a camera's transform: it takes where the camera looks at to the +z axis, at its distance.
 TEST_F(PbrtDirectives, lookAtIsTheViewOfACamera) {
-    expectNear(apply(glm::inverse(read("LookAt 1 2 3  1 2 8  0 1 0 Camera \"perspective\" WorldBegin").camera.worldFromCamera), {1, 2, 8}), {0, 0, 5});
+    expectNear(apply(glm::inverse(read("LookAt 1 2 3  1 2 8  0 1 0 Camera \"perspective\" WorldBegin").camera.worldFromCamera), {1, 2, 8}),
+               {0, 0, 5});
     // Looking along +z with y up, x is to the right: pbrt's spaces are left-handed.
     expectNear(origin("LookAt 1 2 3  1 2 8  0 1 0"), {-1, -2, -3});
     EXPECT_THAT(errorOfWorld("LookAt 0 0 0  0 1 0  0 1 0"), HasSubstr("parallel to its up vector"));
@@ -82,7 +83,8 @@ TEST_F(PbrtDirectives, blocksThatDoNotMatch) {
     EXPECT_THAT(errorOfWorld("AttributeEnd"), HasSubstr("test.pbrt:2:1: AttributeEnd without an AttributeBegin"));
     EXPECT_THAT(errorOfWorld("\nAttributeBegin"), HasSubstr("test.pbrt:3:1: AttributeBegin without an AttributeEnd"));
     EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" AttributeEnd ObjectEnd"), HasSubstr("ObjectBegin at test.pbrt:2:1"));
-    EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" AttributeBegin ObjectEnd AttributeEnd ObjectEnd"), HasSubstr("AttributeBegin at test.pbrt:2:17"));
+    EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" AttributeBegin ObjectEnd AttributeEnd ObjectEnd"),
+                HasSubstr("AttributeBegin at test.pbrt:2:17"));
     EXPECT_THAT(errorOfWorld("ObjectEnd"), HasSubstr("ObjectEnd"));
 }
 
@@ -136,7 +138,9 @@ TEST_F(PbrtDirectives, settingsComeBeforeTheWorld) {
 
 TEST_F(PbrtDirectives, options) {
     EXPECT_EQ(read("Option \"seed\" 17 WorldBegin").sampler.seed, 17);
-    EXPECT_EQ(read("Option \"rendercoordsys\" \"world\" Option \"disable-wavelength-jitter\" true TransformTimes 0 1 WorldBegin").sampler.seed, 0);
+    EXPECT_EQ(
+        read("Option \"rendercoordsys\" \"world\" Option \"disable-wavelength-jitter\" true TransformTimes 0 1 WorldBegin").sampler.seed,
+        0);
     EXPECT_THAT(warnings_, IsEmpty());
     read("Option \"forcediffuse\" true WorldBegin");
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("has no effect yet")));

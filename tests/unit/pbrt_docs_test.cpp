@@ -49,8 +49,9 @@ TEST(PbrtDocs, theTableOfKindsIsThatOfTheReader) {
     const std::vector<const KindTable*> tables = settingKinds();
     ASSERT_EQ(tables.size(), std::size(settings));
     for (size_t i = 0; i < tables.size(); ++i) table += row(settings[i], *tables[i]);
-    table += row("LightSource", lightKinds()) + row("AreaLightSource", areaLightKinds()) + row("Shape", shapeKinds()) + row("Material", materialKinds()) +
-             row("Texture float", textureKinds(true), true) + row("Texture spectrum", textureKinds(false), true) + row("MakeNamedMedium", mediumKinds());
+    table += row("LightSource", lightKinds()) + row("AreaLightSource", areaLightKinds()) + row("Shape", shapeKinds()) +
+             row("Material", materialKinds()) + row("Texture float", textureKinds(true), true) +
+             row("Texture spectrum", textureKinds(false), true) + row("MakeNamedMedium", mediumKinds());
 
     const std::string text = document();
     EXPECT_NE(text.find(table), text.npos) << "docs/pbrt.md must hold this table:\n" << table;
@@ -58,7 +59,8 @@ TEST(PbrtDocs, theTableOfKindsIsThatOfTheReader) {
 
 TEST(PbrtDocs, everyDirectiveIsNamed) {
     const std::string text = document();
-    for (const std::string& name : directiveNames()) EXPECT_NE(text.find('`' + name + '`'), text.npos) << "docs/pbrt.md does not name " << name;
+    for (const std::string& name : directiveNames())
+        EXPECT_NE(text.find('`' + name + '`'), text.npos) << "docs/pbrt.md does not name " << name;
 }
 
 }  // namespace

@@ -13,8 +13,10 @@ using PbrtErrors = PbrtTest;
 int lines(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1; }
 
 TEST_F(PbrtErrors, unknownKindsNameTheKnownOnes) {
-    EXPECT_THAT(errorOfWorld("  Shape \"shpere\""), AllOf(HasSubstr("test.pbrt:2:3: there is no shape \"shpere\""), HasSubstr("did you mean \"sphere\"?")));
-    EXPECT_THAT(errorOf("PixelFilter \"lanczos\" WorldBegin"), HasSubstr("it can be \"box\", \"triangle\", \"gaussian\", \"mitchell\" or \"sinc\""));
+    EXPECT_THAT(errorOfWorld("  Shape \"shpere\""),
+                AllOf(HasSubstr("test.pbrt:2:3: there is no shape \"shpere\""), HasSubstr("did you mean \"sphere\"?")));
+    EXPECT_THAT(errorOf("PixelFilter \"lanczos\" WorldBegin"),
+                HasSubstr("it can be \"box\", \"triangle\", \"gaussian\", \"mitchell\" or \"sinc\""));
     EXPECT_THAT(errorOfWorld("Shpae \"sphere\""), HasSubstr("did you mean \"Shape\"?"));
     EXPECT_THAT(errorOfWorld("\"Shape\" \"sphere\""), HasSubstr("found where a directive is expected"));
     EXPECT_THAT(errorOfWorld("]"), HasSubstr("\"]\" found where a directive is expected"));
@@ -28,14 +30,18 @@ TEST_F(PbrtErrors, unknownParametersNameTheKnownOnes) {
 }
 
 TEST_F(PbrtErrors, whatIsNotRenderedIsAnErrorIfAskedFor) {
-    const std::string text = "AttributeBegin ActiveTransform EndTime Translate 1 0 0\nLightSource \"point\" AttributeEnd\nTexture \"a\" \"float\" \"ptex\"\nTexture \"b\" \"float\" \"ptex\"";
+    const std::string text =
+        "AttributeBegin ActiveTransform EndTime Translate 1 0 0\nLightSource \"point\" AttributeEnd\nTexture \"a\" \"float\" "
+        "\"ptex\"\nTexture \"b\" \"float\" \"ptex\"";
     EXPECT_EQ(warningsOfWorld(text).size(), 2u);
-    EXPECT_THAT(errorOfWorld(text, true), AllOf(HasSubstr("test.pbrt:3:1: a light that moves is not rendered yet"), HasSubstr("\ntest.pbrt:4:1: texture \"ptex\"")));
+    EXPECT_THAT(errorOfWorld(text, true),
+                AllOf(HasSubstr("test.pbrt:3:1: a light that moves is not rendered yet"), HasSubstr("\ntest.pbrt:4:1: texture \"ptex\"")));
 }
 
 TEST_F(PbrtErrors, allThatIsWrongIsListed) {
     const std::string error = errorOfWorld("Shape \"a\"\nMaterial \"b\"\nRotate 1 0 0 0\nLightSource \"point\" \"float from\" 1");
-    for (const char* place : {"test.pbrt:2:1: ", "test.pbrt:3:1: ", "test.pbrt:4:1: ", "test.pbrt:5:21: "}) EXPECT_THAT(error, HasSubstr(place));
+    for (const char* place : {"test.pbrt:2:1: ", "test.pbrt:3:1: ", "test.pbrt:4:1: ", "test.pbrt:5:21: "})
+        EXPECT_THAT(error, HasSubstr(place));
     EXPECT_EQ(lines(error), 4);
 
     std::string many;
@@ -92,7 +98,8 @@ TEST_F(PbrtErrors, filesAreFoundFromTheSceneAndFromWhoNamesThem) {
 
 TEST_F(PbrtErrors, version3IsRecognised) {
     const std::string advice = "Eikonal reads pbrt-v4. Convert the scene with pbrt-v4's own program: pbrt --upgrade";
-    EXPECT_THAT(errorOfWorld("Material \"matte\" \"rgb Kd\" [1 1 1]"), AllOf(HasSubstr("test.pbrt:2:1: material \"matte\" belongs to pbrt-v3"), HasSubstr("\"diffuse\""), HasSubstr(advice)));
+    EXPECT_THAT(errorOfWorld("Material \"matte\" \"rgb Kd\" [1 1 1]"),
+                AllOf(HasSubstr("test.pbrt:2:1: material \"matte\" belongs to pbrt-v3"), HasSubstr("\"diffuse\""), HasSubstr(advice)));
     EXPECT_THAT(errorOfWorld("WorldEnd"), HasSubstr(advice));
     EXPECT_THAT(errorOf("Film \"image\" WorldBegin"), HasSubstr("pbrt-v4 has \"rgb\""));
     EXPECT_THAT(errorOf("SurfaceIntegrator \"path\""), HasSubstr(advice));

@@ -24,7 +24,9 @@ TEST_F(PbrtLights, pointLights) {
 }
 
 // A point light of intensity I emits 4 pi I.
-TEST_F(PbrtLights, powerOfAPointLight) { EXPECT_NEAR(light("\"point\" \"float power\" 100 \"float scale\" 2").scale, 2 * 100 / (4 * pi), 1e-9); }
+TEST_F(PbrtLights, powerOfAPointLight) {
+    EXPECT_NEAR(light("\"point\" \"float power\" 100 \"float scale\" 2").scale, 2 * 100 / (4 * pi), 1e-9);
+}
 
 // A spot light of intensity I emits I times its cone's solid angle, the part that falls off counting half.
 TEST_F(PbrtLights, spotLights) {
@@ -49,13 +51,15 @@ TEST_F(PbrtLights, infiniteLights) {
     expectNear(light("\"infinite\"").spectrum.illuminant(), {1, 1, 1});
     EXPECT_NEAR(light("\"infinite\" \"rgb L\" [1 1 1] \"float illuminance\" 10").scale, 10 / pi, 1e-9);
     write("sky.exr", "an image");
-    const Scene scene = world("Rotate 90 1 0 0 LightSource \"infinite\" \"string filename\" \"sky.exr\" \"float scale\" 3 \"float illuminance\" 10");
+    const Scene scene =
+        world("Rotate 90 1 0 0 LightSource \"infinite\" \"string filename\" \"sky.exr\" \"float scale\" 3 \"float illuminance\" 10");
     const Light& sky = scene.lights.at(0);
     EXPECT_EQ(scene.images[sky.image].wrap, WrapMode::octahedral);
     EXPECT_EQ(sky.scale, 3);
     EXPECT_EQ(sky.illuminance, 10);
     expectNear(apply(sky.worldFromLight, {0, 1, 0}), {0, 0, 1});
-    EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"rgb L\" [1 1 1] \"string filename\" \"sky.exr\""), HasSubstr("either \"L\" or \"filename\""));
+    EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"rgb L\" [1 1 1] \"string filename\" \"sky.exr\""),
+                HasSubstr("either \"L\" or \"filename\""));
 }
 
 TEST_F(PbrtLights, theWhiteOfALightIsThatOfItsColorSpace) {
@@ -109,7 +113,8 @@ TEST_F(PbrtLights, lightsWithAnImage) {
     EXPECT_EQ(slide.fov, 90);
     EXPECT_FALSE(slide.power.has_value());
     EXPECT_THAT(errorOfWorld("LightSource \"projection\""), HasSubstr("test.pbrt:2:1: light \"projection\" needs an image"));
-    EXPECT_THAT(errorOfWorld("LightSource \"projection\" \"string filename\" \"slide.png\" \"float fov\" 180"), HasSubstr("it must be in (0, 180)"));
+    EXPECT_THAT(errorOfWorld("LightSource \"projection\" \"string filename\" \"slide.png\" \"float fov\" 180"),
+                HasSubstr("it must be in (0, 180)"));
 }
 
 TEST_F(PbrtLights, portals) {
@@ -118,8 +123,10 @@ TEST_F(PbrtLights, portals) {
     expectNear(l.spectrum.illuminant(), {1, 2, 3});
     expectNear(l.portal[2], {2, 1, 0});
     EXPECT_NEAR(l.scale, 10 / pi, 1e-9);
-    EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"point3 portal\" [0 0 0  1 0 0  1 1 0]"), HasSubstr("a portal has 4 corners; here are 3"));
-    for (const char* crooked : {"0 0 0  1 0 0  1 2 0  0 1 0", "0 0 0  1 0 0  1 1 0  0 1 1", "0 0 0  0 0 0  1 1 0  1 1 0", "0 0 0  1 .2 0  1 1.2 0  0 1 0"})
+    EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"point3 portal\" [0 0 0  1 0 0  1 1 0]"),
+                HasSubstr("a portal has 4 corners; here are 3"));
+    for (const char* crooked :
+         {"0 0 0  1 0 0  1 2 0  0 1 0", "0 0 0  1 0 0  1 1 0  0 1 1", "0 0 0  0 0 0  1 1 0  1 1 0", "0 0 0  1 .2 0  1 1.2 0  0 1 0"})
         EXPECT_THAT(errorOfWorld("LightSource \"infinite\" \"point3 portal\" [" + std::string(crooked) + "]"), HasSubstr("a rectangle"));
 }
 

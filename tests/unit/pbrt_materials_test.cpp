@@ -27,8 +27,9 @@ TEST_F(PbrtMaterials, defaults) {
     EXPECT_EQ(value(material("\"thindielectric\""), "eta"), 1.5);
     EXPECT_EQ(value(material("\"diffusetransmission\""), "transmittance"), .25);
     const Material coated = material("\"coateddiffuse\"");
-    const std::map<std::string, double> expected = {{"reflectance", .5}, {"uroughness", 0}, {"vroughness", 0}, {"thickness", .01}, {"eta", 1.5},
-                                                    {"g", 0},            {"albedo", 0},     {"maxdepth", 10},  {"nsamples", 1}};
+    const std::map<std::string, double> expected = {{"reflectance", .5}, {"uroughness", 0}, {"vroughness", 0},
+                                                    {"thickness", .01},  {"eta", 1.5},      {"g", 0},
+                                                    {"albedo", 0},       {"maxdepth", 10},  {"nsamples", 1}};
     EXPECT_EQ(coated.inputs.size(), expected.size());
     for (const auto& [name, number] : expected) EXPECT_EQ(value(coated, name), number) << name;
 }
@@ -39,14 +40,16 @@ TEST_F(PbrtMaterials, aConductorIsOfCopperOrOfAColor) {
     EXPECT_EQ(copper.inputs.at("k").value.curve().values, namedSpectrum("metal-Cu-k")->values);
     EXPECT_FALSE(copper.inputs.contains("reflectance"));
     EXPECT_THAT(inputsOf(material("\"conductor\" \"rgb reflectance\" [.9 .6 .4]")), ElementsAre("reflectance", "uroughness", "vroughness"));
-    EXPECT_THAT(errorOfWorld("Material \"conductor\" \"rgb reflectance\" [1 1 1] \"spectrum k\" \"metal-Au-k\""), HasSubstr("either \"reflectance\" or \"k\""));
+    EXPECT_THAT(errorOfWorld("Material \"conductor\" \"rgb reflectance\" [1 1 1] \"spectrum k\" \"metal-Au-k\""),
+                HasSubstr("either \"reflectance\" or \"k\""));
 }
 
 TEST_F(PbrtMaterials, aCoatedConductorHasTwoOfEachRoughness) {
     const Material copper = material("\"coatedconductor\" \"float conductor.roughness\" .2 \"float interface.uroughness\" .1");
     EXPECT_EQ(copper.kind, &coated_conductor_material);
-    const std::map<std::string, double> expected = {{"uroughness", .1}, {"vroughness", 0}, {"metal_uroughness", .2}, {"metal_vroughness", .2}, {"thickness", .01},
-                                                    {"eta", 1.5},       {"g", 0},          {"albedo", 0},            {"maxdepth", 10},         {"nsamples", 1}};
+    const std::map<std::string, double> expected = {
+        {"uroughness", .1}, {"vroughness", 0}, {"metal_uroughness", .2}, {"metal_vroughness", .2}, {"thickness", .01}, {"eta", 1.5},
+        {"g", 0},           {"albedo", 0},     {"maxdepth", 10},         {"nsamples", 1}};
     for (const auto& [name, number] : expected) EXPECT_EQ(value(copper, name), number) << name;
     EXPECT_EQ(copper.inputs.at("metal_k").value.curve().values, namedSpectrum("metal-Cu-k")->values);
     EXPECT_FALSE(material("\"coatedconductor\" \"rgb reflectance\" [.9 .6 .4]").inputs.contains("metal_eta"));
@@ -56,10 +59,13 @@ TEST_F(PbrtMaterials, aCoatedConductorHasTwoOfEachRoughness) {
 
 // What hair absorbs: given, or of a colour (Chiang et al. 2016, equation 9), or of melanin; brown if nothing is said.
 TEST_F(PbrtMaterials, hairAbsorbsWhatItIsTold) {
-    const auto absorption = [&](const std::string& parameters) { return material("\"hair\" " + parameters).inputs.at("sigma_a").value.albedo(); };
+    const auto absorption = [&](const std::string& parameters) {
+        return material("\"hair\" " + parameters).inputs.at("sigma_a").value.albedo();
+    };
     expectNear(absorption("\"rgb sigma_a\" [3 2 1]"), {3, 2, 1});
     expectNear(absorption(""), 1.3 * glm::dvec3(.419, .697, 1.37));
-    expectNear(absorption("\"float eumelanin\" 2 \"float pheomelanin\" .5"), 2. * glm::dvec3(.419, .697, 1.37) + .5 * glm::dvec3(.187, .4, 1.05));
+    expectNear(absorption("\"float eumelanin\" 2 \"float pheomelanin\" .5"),
+               2. * glm::dvec3(.419, .697, 1.37) + .5 * glm::dvec3(.187, .4, 1.05));
     const double n = .3, scale = 5.969 - .215 * n + 2.532 * n * n - 10.73 * n * n * n + 5.574 * n * n * n * n + .245 * n * n * n * n * n;
     for (const char* name : {"reflectance", "color"}) {
         const double root = std::log(.5) / scale;
@@ -123,7 +129,8 @@ TEST_F(PbrtMaterials, mixes) {
     EXPECT_EQ(scene.materials[mix.mixed[1]].name, "a");
     EXPECT_THAT(errorOfWorld(parts + "Material \"mix\" \"string materials\" [\"a\"]"), HasSubstr("needs the names of two materials"));
     EXPECT_THAT(errorOfWorld(parts + "Material \"mix\" \"string materials\" [\"a\" \"air\"]"), HasSubstr("cannot be part of a mix"));
-    EXPECT_THAT(errorOfWorld(parts + "MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [\"a\" \"m\"]"), HasSubstr("is a mix of itself"));
+    EXPECT_THAT(errorOfWorld(parts + "MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [\"a\" \"m\"]"),
+                HasSubstr("is a mix of itself"));
 }
 
 TEST_F(PbrtMaterials, diffuseTransmissionIsScaled) {
@@ -138,7 +145,8 @@ TEST_F(PbrtMaterials, diffuseTransmissionIsScaled) {
 
 TEST_F(PbrtMaterials, bumpsAndNormals) {
     write("n.png", "an image");
-    const Scene scene = world("Texture \"bump\" \"float\" \"constant\" Material \"diffuse\" \"texture displacement\" \"bump\" \"string normalmap\" \"n.png\"");
+    const Scene scene = world(
+        "Texture \"bump\" \"float\" \"constant\" Material \"diffuse\" \"texture displacement\" \"bump\" \"string normalmap\" \"n.png\"");
     EXPECT_EQ(scene.textures[scene.materials[0].displacement].name, "bump");
     EXPECT_EQ(scene.images[scene.materials[0].normalMap].encoding, ColorEncoding::linear);
 }

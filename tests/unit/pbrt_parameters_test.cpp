@@ -14,7 +14,9 @@ protected:
     double roughness(const std::string& parameter) {
         return world("Material \"dielectric\" " + parameter).materials.at(0).inputs.at("uroughness").value.value();
     }
-    bool remap(const std::string& value) { return world("Material \"dielectric\" \"bool remaproughness\" " + value).materials.at(0).remapRoughness; }
+    bool remap(const std::string& value) {
+        return world("Material \"dielectric\" \"bool remaproughness\" " + value).materials.at(0).remapRoughness;
+    }
 };
 
 TEST_F(PbrtParameters, valuesWithAndWithoutBrackets) {
@@ -30,7 +32,8 @@ TEST_F(PbrtParameters, booleansBareAndQuoted) {
     EXPECT_FALSE(remap("\"false\""));
     EXPECT_FALSE(remap("[ \"false\" ]"));
     EXPECT_TRUE(remap("true"));
-    EXPECT_THAT(errorOfWorld("Material \"dielectric\" \"bool remaproughness\" 1"), HasSubstr("test.pbrt:2:45: \"1\" found where \"bool remaproughness\" has true or false"));
+    EXPECT_THAT(errorOfWorld("Material \"dielectric\" \"bool remaproughness\" 1"),
+                HasSubstr("test.pbrt:2:45: \"1\" found where \"bool remaproughness\" has true or false"));
 }
 
 TEST_F(PbrtParameters, colors) {
@@ -62,11 +65,14 @@ TEST_F(PbrtParameters, spectraBySamplesByFileAndByName) {
     EXPECT_THAT(errorOfWorld("Material \"conductor\" \"spectrum eta\" \"metal-Ag-etha\""), HasSubstr("did you mean \"metal-Ag-eta\"?"));
     EXPECT_THAT(errorOfWorld("Material \"conductor\" \"spectrum eta\" [400 1 300 1]"), HasSubstr("must ascend"));
     EXPECT_THAT(errorOfWorld("Material \"conductor\" \"spectrum eta\" [400 1 500]"), HasSubstr("pairs of a wavelength in nm and a value"));
-    EXPECT_THAT(errorOfWorld("LightSource \"point\" \"spectrum I\" \"neon\""), AllOf(HasSubstr("it can be glass-BAF10, "), HasSubstr("stdillum-F9, or a file of wavelengths")));
+    EXPECT_THAT(errorOfWorld("LightSource \"point\" \"spectrum I\" \"neon\""),
+                AllOf(HasSubstr("it can be glass-BAF10, "), HasSubstr("stdillum-F9, or a file of wavelengths")));
     write("fallen.spd", "300 .4\n\n500 1 400 1\n");
-    EXPECT_THAT(errorOfWorld("Material \"diffuse\" \"spectrum reflectance\" \"fallen.spd\""), HasSubstr("fallen.spd:3:7: the wavelengths of a spectrum must ascend: 400 follows 500"));
+    EXPECT_THAT(errorOfWorld("Material \"diffuse\" \"spectrum reflectance\" \"fallen.spd\""),
+                HasSubstr("fallen.spd:3:7: the wavelengths of a spectrum must ascend: 400 follows 500"));
     write("bad.spd", "300 .4\n900 none\n");
-    EXPECT_THAT(errorOfWorld("Material \"diffuse\" \"spectrum reflectance\" \"bad.spd\""), HasSubstr("bad.spd:2:5: \"none\" found where a number is expected"));
+    EXPECT_THAT(errorOfWorld("Material \"diffuse\" \"spectrum reflectance\" \"bad.spd\""),
+                HasSubstr("bad.spd:2:5: \"none\" found where a number is expected"));
 }
 
 // As pbrt-v4 does, which looks for a file whatever its name.
@@ -116,7 +122,8 @@ TEST_F(PbrtParameters, attributeGivesWhatADirectiveDoesNot) {
     EXPECT_EQ(roughnesses, (std::map<double, int>{{0, 1}, {.1, 1}, {.2, 1}}));
     EXPECT_EQ(scene.shapes[0].radius, 3);
     EXPECT_EQ(scene.shapes[1].radius, 4);
-    EXPECT_THAT(errorOfWorld("Attribute \"shapes\" \"float radius\" 1"), HasSubstr("it can be \"shape\", \"light\", \"material\", \"medium\" or \"texture\""));
+    EXPECT_THAT(errorOfWorld("Attribute \"shapes\" \"float radius\" 1"),
+                HasSubstr("it can be \"shape\", \"light\", \"material\", \"medium\" or \"texture\""));
 }
 
 TEST_F(PbrtParameters, includeBetweenParametersAndInsideOfValues) {
@@ -130,10 +137,12 @@ TEST_F(PbrtParameters, includeBetweenParametersAndInsideOfValues) {
 }
 
 TEST_F(PbrtParameters, whatIsNoParameterIsSaidSo) {
-    EXPECT_THAT(errorOfWorld("Shape \"sphere\" \"radius\" 1"), HasSubstr("test.pbrt:2:16: \"radius\" found where a parameter's type and name are expected"));
+    EXPECT_THAT(errorOfWorld("Shape \"sphere\" \"radius\" 1"),
+                HasSubstr("test.pbrt:2:16: \"radius\" found where a parameter's type and name are expected"));
     EXPECT_THAT(errorOfWorld("Shape \"sphere\" \"flaot radius\" 1"), HasSubstr("did you mean \"float\"?"));
     EXPECT_THAT(errorOfWorld("Shape \"sphere\" \"float radius\" []"), HasSubstr("\"float radius\" has no value"));
-    EXPECT_THAT(errorOfWorld("Shape \"sphere\" \"float radius\""), HasSubstr("the end of the file found where \"float radius\" has a number"));
+    EXPECT_THAT(errorOfWorld("Shape \"sphere\" \"float radius\""),
+                HasSubstr("the end of the file found where \"float radius\" has a number"));
     EXPECT_THAT(errorOfWorld("Shape \"sphere\" \"float radius\" \"1\""), HasSubstr("\"1\" found where \"float radius\" has a number"));
     EXPECT_THAT(errorOfWorld("Shape \"sphere\" \"float radius\" [1 2]"), HasSubstr("has 2 values; one is expected"));
     EXPECT_THAT(errorOfWorld("Shape \"sphere\" \"integer radius\" 1"), HasSubstr("found where shape \"sphere\" has \"float radius\""));

@@ -50,7 +50,8 @@ TEST_F(PbrtSettings, cameras) {
 }
 
 TEST_F(PbrtSettings, theCamerasMediumMayBeMadeLater) {
-    const Scene scene = read("MediumInterface \"\" \"fog\" Camera \"perspective\" WorldBegin MakeNamedMedium \"fog\" \"string type\" \"homogeneous\"");
+    const Scene scene =
+        read("MediumInterface \"\" \"fog\" Camera \"perspective\" WorldBegin MakeNamedMedium \"fog\" \"string type\" \"homogeneous\"");
     EXPECT_EQ(scene.camera.medium, 0);
 }
 
@@ -58,7 +59,8 @@ TEST_F(PbrtSettings, films) {
     const FilmDescription film = settings(R"(ColorSpace "rec2020"
         Film "rgb" "integer xresolution" 200 "integer yresolution" [100] "string filename" "a.exr" "float iso" 400 "string sensor" "nikon_d850"
         "float whitebalance" 5000 "float maxcomponentvalue" 10 "float diagonal" 20 "bool savefp16" false
-        Camera "perspective" "float shutterclose" .5)").film;
+        Camera "perspective" "float shutterclose" .5)")
+                                     .film;
     EXPECT_EQ(film.width, 200);
     EXPECT_EQ(film.height, 100);
     EXPECT_EQ(film.filename, "a.exr");
@@ -73,7 +75,8 @@ TEST_F(PbrtSettings, films) {
     EXPECT_EQ(settings("Film \"gbuffer\"").film.gbuffer, GBuffer::cameraSpace);
     EXPECT_EQ(settings("Film \"gbuffer\" \"string coordinatesystem\" \"world\"").film.gbuffer, GBuffer::worldSpace);
     EXPECT_THAT(errorOfSettings("Film \"gbuffer\" \"string coordinatesystem\" \"screen\""), HasSubstr("\"camera\" or \"world\""));
-    EXPECT_THAT(errorOfSettings("Film \"rgb\" \"float whitebalance\" 32"), HasSubstr("a temperature in kelvin of at least 100, or 0 for none"));
+    EXPECT_THAT(errorOfSettings("Film \"rgb\" \"float whitebalance\" 32"),
+                HasSubstr("a temperature in kelvin of at least 100, or 0 for none"));
     EXPECT_THAT(errorOfSettings("Film \"rgb\" \"string sensor\" \"leica\""), HasSubstr("it can be canon_eos_100d, "));
     EXPECT_THAT(errorOfSettings("Film \"rgb\" \"string sensor\" \"nikon_d85\""), HasSubstr("did you mean \"nikon_d850\"?"));
     EXPECT_THAT(errorOfSettings("Film \"rgb\" \"integer xresolution\" 0"), HasSubstr("it needs at least one"));
@@ -86,7 +89,10 @@ TEST_F(PbrtSettings, aFilmMayKeepASpectrum) {
     EXPECT_EQ(plain.spectrum->buckets, 16);
     EXPECT_EQ(plain.spectrum->first, 360);
     EXPECT_EQ(plain.spectrum->last, 830);
-    const FilmDescription film = settings("Film \"spectral\" \"integer nbuckets\" 31 \"float lambdamin\" 400 \"float lambdamax\" 710 \"float iso\" 200 \"float maxcomponentvalue\" 9").film;
+    const FilmDescription film = settings(
+                                     "Film \"spectral\" \"integer nbuckets\" 31 \"float lambdamin\" 400 \"float lambdamax\" 710 \"float "
+                                     "iso\" 200 \"float maxcomponentvalue\" 9")
+                                     .film;
     EXPECT_EQ(film.spectrum->buckets, 31);
     EXPECT_EQ(film.spectrum->first, 400);
     EXPECT_EQ(film.spectrum->last, 710);
@@ -135,7 +141,8 @@ TEST_F(PbrtSettings, samplers) {
     EXPECT_EQ(sampler("\"stratified\" \"integer xsamples\" 3 \"integer ysamples\" 5").pixelSamples, 15);
     EXPECT_EQ(sampler("\"zsobol\" \"integer pixelsamples\" 64 \"integer seed\" 5").seed, 5);
     EXPECT_THAT(errorOfSettings("Sampler \"halton\" \"integer pixelsamples\" 0"), HasSubstr("a pixel has 0 samples"));
-    EXPECT_THAT(errorOfSettings("Sampler \"stratified\" \"integer xsamples\" 100000 \"integer ysamples\" 100000"), HasSubstr("10000000000 samples"));
+    EXPECT_THAT(errorOfSettings("Sampler \"stratified\" \"integer xsamples\" 100000 \"integer ysamples\" 100000"),
+                HasSubstr("10000000000 samples"));
 }
 
 TEST_F(PbrtSettings, integrators) {
@@ -155,7 +162,8 @@ TEST_F(PbrtSettings, integrators) {
 TEST_F(PbrtSettings, parametersOfIntegrators) {
     const auto read = [&](const std::string& directive) { return settings("Integrator " + directive).integrator; };
     EXPECT_TRUE(read("\"simplepath\"").sampleLights && read("\"simplepath\"").sampleBsdf);
-    EXPECT_FALSE(read("\"simplepath\" \"bool samplelights\" false").sampleLights || read("\"simplepath\" \"bool samplebsdf\" false").sampleBsdf);
+    EXPECT_FALSE(read("\"simplepath\" \"bool samplelights\" false").sampleLights ||
+                 read("\"simplepath\" \"bool samplebsdf\" false").sampleBsdf);
     EXPECT_TRUE(read("\"ambientocclusion\"").cosine);
     EXPECT_EQ(read("\"ambientocclusion\"").maxDistance, 0);
     EXPECT_FALSE(read("\"ambientocclusion\" \"bool cossample\" false").cosine);
@@ -167,8 +175,10 @@ TEST_F(PbrtSettings, parametersOfIntegrators) {
     EXPECT_EQ(tree.threshold, 0.1);
     EXPECT_THAT(warnings_, IsEmpty());
     for (const char* rays : {"0", "3", "128", "-2"})
-        EXPECT_THAT(errorOfSettings("Integrator \"whitted\" \"integer rays\" " + std::string(rays)), HasSubstr("a power of two from 1 to 64"));
-    EXPECT_THAT(errorOfSettings("Integrator \"whitted\" \"integer bundle\" 5"), HasSubstr("test.pbrt:1:22: \"integer bundle\" is 5; it must be 0 or a power of two from 1 to 64"));
+        EXPECT_THAT(errorOfSettings("Integrator \"whitted\" \"integer rays\" " + std::string(rays)),
+                    HasSubstr("a power of two from 1 to 64"));
+    EXPECT_THAT(errorOfSettings("Integrator \"whitted\" \"integer bundle\" 5"),
+                HasSubstr("test.pbrt:1:22: \"integer bundle\" is 5; it must be 0 or a power of two from 1 to 64"));
     EXPECT_THAT(errorOfSettings("Integrator \"ambientocclusion\" \"float maxdistance\" 0"), HasSubstr("(0, inf)"));
     EXPECT_THAT(errorOfSettings("Integrator \"directlighting\""), HasSubstr("\"direct\""));
 }
@@ -185,7 +195,8 @@ TEST_F(PbrtSettings, integratorsThatAreNotRenderedAreRemembered) {
 }
 
 TEST_F(PbrtSettings, theLastOfASortCounts) {
-    const Scene scene = settings("PixelFilter \"sinc\" PixelFilter \"box\" Camera \"orthographic\" Camera \"perspective\" \"float fov\" 20");
+    const Scene scene =
+        settings("PixelFilter \"sinc\" PixelFilter \"box\" Camera \"orthographic\" Camera \"perspective\" \"float fov\" 20");
     EXPECT_EQ(scene.filter.kind, FilterKind::box);
     EXPECT_EQ(scene.filter.xRadius, .5);
     EXPECT_EQ(&kindOf(scene.camera), &kindOf(camera_perspective));

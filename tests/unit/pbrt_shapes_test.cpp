@@ -51,31 +51,40 @@ TEST_F(PbrtShapes, implicitSurfaces) {
     expectNear(surface.low, {-1, 0, -3});
     expectNear(surface.high, {1, 2, 4});
     const std::string cube = " \"point3 bounds\" [-1 -1 -1 1 1 1]";
-    EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x + * y\"" + cube), HasSubstr("test.pbrt:2:34: F: \"*\" found where a number"));
-    EXPECT_THAT(errorOfWorld("Shape \"implicit\"" + cube + " \"string F\" [\n \"x + b\"]"), HasSubstr("test.pbrt:3:7: F: there is no \"b\": give it with \"float b\""));
+    EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x + * y\"" + cube),
+                HasSubstr("test.pbrt:2:34: F: \"*\" found where a number"));
+    EXPECT_THAT(errorOfWorld("Shape \"implicit\"" + cube + " \"string F\" [\n \"x + b\"]"),
+                HasSubstr("test.pbrt:3:7: F: there is no \"b\": give it with \"float b\""));
     EXPECT_THAT(errorOfWorld("Shape \"implicit\"" + cube), HasSubstr("needs its function, as in"));
     EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x\""), HasSubstr("needs a box that bounds it"));
-    EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x\" \"point3 bounds\" [0 0 0 1 0 1]"), HasSubstr("both corners have the same y"));
+    EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x\" \"point3 bounds\" [0 0 0 1 0 1]"),
+                HasSubstr("both corners have the same y"));
     EXPECT_EQ(world("AreaLightSource \"diffuse\" Shape \"implicit\" \"string F\" \"x\"" + cube).shapes.at(0).areaLight, none);
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("an implicit surface cannot emit")));
 }
 
 TEST_F(PbrtShapes, quadricsWithoutAreaAreLeftOut) {
-    for (const char* text : {"\"sphere\" \"float radius\" 0", "\"sphere\" \"float zmin\" 1", "\"disk\" \"float phimax\" 0", "\"disk\" \"float innerradius\" 1",
-                             "\"cylinder\" \"float zmin\" 1", "\"cylinder\" \"float radius\" 0"}) {
+    for (const char* text : {"\"sphere\" \"float radius\" 0", "\"sphere\" \"float zmin\" 1", "\"disk\" \"float phimax\" 0",
+                             "\"disk\" \"float innerradius\" 1", "\"cylinder\" \"float zmin\" 1", "\"cylinder\" \"float radius\" 0"}) {
         EXPECT_THAT(world("Shape " + std::string(text)).shapes, IsEmpty()) << text;
         EXPECT_THAT(warnings_, ElementsAre(HasSubstr("has no area"))) << text;
     }
 }
 
 TEST_F(PbrtShapes, subdividedMeshes) {
-    const std::string octahedron = "\"loopsubdiv\" \"point3 P\" [1 0 0 -1 0 0 0 1 0 0 -1 0 0 0 1 0 0 -1] \"integer indices\" [0 2 4 2 1 4 1 3 4 3 0 4 2 0 5 1 2 5 3 1 5 0 3 5] ";
+    const std::string octahedron =
+        "\"loopsubdiv\" \"point3 P\" [1 0 0 -1 0 0 0 1 0 0 -1 0 0 0 1 0 0 -1] \"integer indices\" [0 2 4 2 1 4 1 3 4 3 0 4 2 0 5 1 2 5 3 1 "
+        "5 0 3 5] ";
     EXPECT_EQ(shape(octahedron).mesh->indices.size(), 3u * 8 * 64);
     EXPECT_EQ(shape(octahedron + "\"integer levels\" 0").mesh->indices.size(), 3u * 8);
-    EXPECT_THAT(errorOfWorld("Shape " + octahedron + "\"integer levels\" 12"), HasSubstr("\"integer levels\" is 12, which makes more than 33554432 triangles of this mesh; 11 would work"));
+    EXPECT_THAT(errorOfWorld("Shape " + octahedron + "\"integer levels\" 12"),
+                HasSubstr("\"integer levels\" is 12, which makes more than 33554432 triangles of this mesh; 11 would work"));
     EXPECT_THAT(errorOfWorld("Shape \"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0]"), HasSubstr("needs the vertices of its faces"));
-    EXPECT_EQ(shape("\"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 1 0 1 2] \"string scheme\" \"butterfly\"").mesh->indices.size(), 3u * 64);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("no subdivision scheme \"butterfly\""), HasSubstr("1 faces that name a vertex twice are skipped")));
+    EXPECT_EQ(shape("\"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 1 0 1 2] \"string scheme\" \"butterfly\"")
+                  .mesh->indices.size(),
+              3u * 64);
+    EXPECT_THAT(warnings_,
+                ElementsAre(HasSubstr("no subdivision scheme \"butterfly\""), HasSubstr("1 faces that name a vertex twice are skipped")));
 }
 
 TEST_F(PbrtShapes, triangleMeshes) {
@@ -107,7 +116,8 @@ TEST_F(PbrtShapes, bilinearMeshes) {
 TEST_F(PbrtShapes, plyFilesAreReadOnce) {
     write("m.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
                    "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n4 0 1 2 3\n");
-    const Scene scene = world("Shape \"plymesh\" \"string filename\" \"m.ply\" Translate 1 0 0 Shape \"plymesh\" \"string filename\" \"m.ply\"");
+    const Scene scene =
+        world("Shape \"plymesh\" \"string filename\" \"m.ply\" Translate 1 0 0 Shape \"plymesh\" \"string filename\" \"m.ply\"");
     ASSERT_EQ(scene.shapes.size(), 4u);  // triangles and quadrilaterals apart, twice
     EXPECT_EQ(scene.shapes[0].mesh, scene.shapes[2].mesh);
     EXPECT_EQ(scene.shapes[3].kind, &kindOf(shape_bilinear));
@@ -127,18 +137,26 @@ TEST_F(PbrtShapes, displacedMeshes) {
     EXPECT_THAT(scene.shapes[0].mesh->indices, ElementsAre(0, 1, 2, 0, 1, 2, 0, 2, 3));
     EXPECT_EQ(scene.shapes[0].displacement->edgeLength, .25);
     EXPECT_EQ(scene.textures[static_cast<size_t>(scene.shapes[0].displacement->texture)].name, "waves");
-    EXPECT_EQ(read("Option \"displacementedgescale\" 4\nWorldBegin " + waves + mesh + "\"texture displacement\" \"waves\"").shapes[0].displacement->edgeLength, 4);
-    EXPECT_THAT(errorOf("Option \"displacementedgescale\" 0\nWorldBegin"), HasSubstr("test.pbrt:1:32: \"0\" found where a number above 0 is expected"));
-    EXPECT_THAT(errorOfWorld(waves + mesh + "\"texture displacement\" \"waves\" \"float edgelength\" 0"), HasSubstr("\"float edgelength\" is 0; it must be in (0, inf)"));
-    write("edge.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
-                      "0 0 0\n1 0 0\n2 0 1\n");
+    EXPECT_EQ(read("Option \"displacementedgescale\" 4\nWorldBegin " + waves + mesh + "\"texture displacement\" \"waves\"")
+                  .shapes[0]
+                  .displacement->edgeLength,
+              4);
+    EXPECT_THAT(errorOf("Option \"displacementedgescale\" 0\nWorldBegin"),
+                HasSubstr("test.pbrt:1:32: \"0\" found where a number above 0 is expected"));
+    EXPECT_THAT(errorOfWorld(waves + mesh + "\"texture displacement\" \"waves\" \"float edgelength\" 0"),
+                HasSubstr("\"float edgelength\" is 0; it must be in (0, inf)"));
+    write("edge.ply",
+          "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list "
+          "uchar int vertex_indices\nend_header\n"
+          "0 0 0\n1 0 0\n2 0 1\n");
     EXPECT_THAT(world(waves + "Shape \"plymesh\" \"string filename\" \"edge.ply\" \"texture displacement\" \"waves\"").shapes, IsEmpty());
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 faces with fewer than three corners, which are skipped")));
     EXPECT_THAT(errorOfWorld(mesh + "\"texture displacement\" \"waves\""), HasSubstr("there is no float texture \"waves\""));
 }
 
 TEST_F(PbrtShapes, tangents) {
-    EXPECT_THAT(shape(triangle + "\"vector3 S\" [1 0 0  0 1 0  0 0 1]").mesh->tangents, ElementsAre(glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)));
+    EXPECT_THAT(shape(triangle + "\"vector3 S\" [1 0 0  0 1 0  0 0 1]").mesh->tangents,
+                ElementsAre(glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)));
     EXPECT_THAT(warnings_, IsEmpty());
     EXPECT_THAT(shape(triangle + "\"vector3 S\" [1 0 0]").mesh->tangents, IsEmpty());
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"S\" is ignored: it has 1 vertices, and \"P\" has 3")));
@@ -173,7 +191,8 @@ TEST_F(PbrtShapes, objectsAndInstances) {
 }
 
 TEST_F(PbrtShapes, objectsThatMakeNoSense) {
-    EXPECT_THAT(errorOfWorld("ObjectBegin \"tree\" ObjectEnd ObjectInstance \"treee\""), HasSubstr("there is no object \"treee\"; did you mean \"tree\"?"));
+    EXPECT_THAT(errorOfWorld("ObjectBegin \"tree\" ObjectEnd ObjectInstance \"treee\""),
+                HasSubstr("there is no object \"treee\"; did you mean \"tree\"?"));
     EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectBegin \"b\" ObjectEnd ObjectEnd"), HasSubstr("ObjectBegin inside the object \"a\""));
     EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectEnd ObjectBegin \"a\" ObjectEnd"), HasSubstr("there is already an object \"a\""));
     EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectInstance \"a\" ObjectEnd"), HasSubstr("objects cannot contain instances"));

@@ -42,7 +42,8 @@ TEST_F(PbrtTextures, patterns) {
     const auto dots = kind<DotsTexture>("\"float\" \"dots\"");
     EXPECT_EQ(dots.inside.value.value(), 0);   // the parameters are exchanged, as in pbrt-v4
     EXPECT_EQ(dots.outside.value.value(), 1);
-    const auto mix = std::get<DirectionMixTexture>(world("Rotate 90 1 0 0 Scale 2 2 2 Texture \"t\" \"float\" \"directionmix\"").textures.at(0).kind);
+    const auto mix =
+        std::get<DirectionMixTexture>(world("Rotate 90 1 0 0 Scale 2 2 2 Texture \"t\" \"float\" \"directionmix\"").textures.at(0).kind);
     EXPECT_EQ(mix.a.value.value(), 0);
     EXPECT_EQ(mix.b.value.value(), 1);
     expectNear(mix.direction, {0, 0, 1});
@@ -60,7 +61,8 @@ TEST_F(PbrtTextures, noise) {
     EXPECT_EQ(marble.pattern, NoisePattern::marble);
     EXPECT_EQ(marble.scale, 2);
     EXPECT_EQ(marble.variation, .2);
-    EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"fbm\" \"integer octaves\" 40"), HasSubstr("\"integer octaves\" is 40; it can be 0 to 32"));
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"fbm\" \"integer octaves\" 40"),
+                HasSubstr("\"integer octaves\" is 40; it can be 0 to 32"));
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"fbm\""), HasSubstr("fbm"));
 }
 
@@ -77,7 +79,8 @@ TEST_F(PbrtTextures, imagemaps) {
     EXPECT_EQ(file.encoding, ColorEncoding::automatic);
     EXPECT_EQ(file.wrap, WrapMode::repeat);
     EXPECT_EQ(file.filter, FilterMode::bilinear);
-    EXPECT_EQ(image("\"string filename\" \"a.png\" \"string wrap\" \"octahedralsphere\" \"string filter\" \"point\"").wrap, WrapMode::octahedral);
+    EXPECT_EQ(image("\"string filename\" \"a.png\" \"string wrap\" \"octahedralsphere\" \"string filter\" \"point\"").wrap,
+              WrapMode::octahedral);
     EXPECT_EQ(image("\"string filename\" \"a.png\" \"string filter\" \"point\"").filter, FilterMode::nearest);
     EXPECT_EQ(image("\"string filename\" \"a.png\" \"string filter\" \"ewa\"").filter, FilterMode::bilinear);
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"imagemap\" \"string filename\" \"a.png\" \"string wrap\" \"mirror\""),
@@ -90,26 +93,33 @@ TEST_F(PbrtTextures, encodingsAreOfPngs) {
     EXPECT_EQ(image("\"string filename\" \"a.PNG\" \"string encoding\" \"sRGB\"").encoding, ColorEncoding::srgb);
     EXPECT_EQ(image("\"string filename\" \"a.png\" \"string encoding\" \"gamma 2.2\"").gamma, 2.2);
     EXPECT_EQ(image("\"string filename\" \"a.jpg\" \"string encoding\" \"linear\"").encoding, ColorEncoding::automatic);
-    EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"imagemap\" \"string filename\" \"a.png\" \"string encoding\" \"log\""), HasSubstr("\"gamma 2.2\""));
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"imagemap\" \"string filename\" \"a.png\" \"string encoding\" \"log\""),
+                HasSubstr("\"gamma 2.2\""));
 }
 
 TEST_F(PbrtTextures, anImageIsKeptOnce) {
-    const Scene scene = world("Texture \"a\" \"float\" \"imagemap\" \"string filename\" \"a.png\" Texture \"b\" \"spectrum\" \"imagemap\" \"string filename\" \"a.png\"");
+    const Scene scene = world(
+        "Texture \"a\" \"float\" \"imagemap\" \"string filename\" \"a.png\" Texture \"b\" \"spectrum\" \"imagemap\" \"string filename\" "
+        "\"a.png\"");
     EXPECT_EQ(scene.textures.size(), 2u);
     EXPECT_EQ(scene.images.size(), 1u);
 }
 
 TEST_F(PbrtTextures, mappingsFollowTheTransform) {
-    const Scene scene = world("Translate 1 2 3 Texture \"t\" \"float\" \"checkerboard\" \"string mapping\" \"planar\" \"vector3 v1\" [0 0 2] \"float udelta\" 4");
+    const Scene scene = world(
+        "Translate 1 2 3 Texture \"t\" \"float\" \"checkerboard\" \"string mapping\" \"planar\" \"vector3 v1\" [0 0 2] \"float udelta\" 4");
     const Mapping& mapping = std::get<CheckerboardTexture>(scene.textures[0].kind).mapping;
     EXPECT_EQ(mapping.kind, TextureMapping::planar);
     expectNear(mapping.planeU, {0, 0, 2});
     expectNear(mapping.planeV, {0, 1, 0});
     EXPECT_EQ(mapping.uOffset, 4);
     expectNear(apply(mapping.worldFromTexture, {0, 0, 0}), {1, 2, 3});
-    EXPECT_EQ(kind<CheckerboardTexture>("\"float\" \"checkerboard\" \"string mapping\" \"spherical\"").mapping.kind, TextureMapping::spherical);
-    EXPECT_EQ(kind<CheckerboardTexture>("\"float\" \"checkerboard\" \"string mapping\" \"cylindrical\"").mapping.kind, TextureMapping::cylindrical);
-    EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"checkerboard\" \"string mapping\" \"cubic\""), HasSubstr("it can be \"uv\", \"spherical\""));
+    EXPECT_EQ(kind<CheckerboardTexture>("\"float\" \"checkerboard\" \"string mapping\" \"spherical\"").mapping.kind,
+              TextureMapping::spherical);
+    EXPECT_EQ(kind<CheckerboardTexture>("\"float\" \"checkerboard\" \"string mapping\" \"cylindrical\"").mapping.kind,
+              TextureMapping::cylindrical);
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"checkerboard\" \"string mapping\" \"cubic\""),
+                HasSubstr("it can be \"uv\", \"spherical\""));
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"checkerboard\" \"integer dimension\" 4"), HasSubstr("it can be 2 or 3"));
 }
 
@@ -126,17 +136,20 @@ TEST_F(PbrtTextures, texturesAreMadeOfTextures) {
 TEST_F(PbrtTextures, floatAndSpectrumTexturesHaveNamesOfTheirOwn) {
     const std::string both = "Texture \"t\" \"float\" \"constant\" Texture \"t\" \"spectrum\" \"constant\" ";
     EXPECT_EQ(world(both).textures.size(), 2u);
-    EXPECT_THAT(errorOfWorld(both + "Texture \"t\" \"float\" \"mix\""), HasSubstr("there is already a float texture \"t\", at test.pbrt:2:1"));
+    EXPECT_THAT(errorOfWorld(both + "Texture \"t\" \"float\" \"mix\""),
+                HasSubstr("there is already a float texture \"t\", at test.pbrt:2:1"));
     EXPECT_THAT(errorOfWorld("Texture \"u\" \"float\" \"constant\" Material \"diffuse\" \"texture reflectance\" \"u\""),
                 HasSubstr("there is no spectrum texture \"u\": \"u\" is a float texture"));
-    EXPECT_THAT(errorOfWorld("Texture \"wood\" \"spectrum\" \"constant\" Material \"diffuse\" \"texture reflectance\" \"woood\""), HasSubstr("did you mean \"wood\"?"));
+    EXPECT_THAT(errorOfWorld("Texture \"wood\" \"spectrum\" \"constant\" Material \"diffuse\" \"texture reflectance\" \"woood\""),
+                HasSubstr("did you mean \"wood\"?"));
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"scale\" \"texture tex\" \"t\""), HasSubstr("refers to itself"));
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"color\" \"constant\""), HasSubstr("pbrt-v3"));
 }
 
 TEST_F(PbrtTextures, whatIsNotRenderedIsNamedOnce) {
     world(R"(Texture "a" "float" "ptex" Texture "b" "float" "ptex" "float scale" 3)");
-    EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("test.pbrt:2:1"), HasSubstr("texture \"ptex\" is not rendered yet; a constant 0.5 stands in for it"))));
+    EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("test.pbrt:2:1"),
+                                             HasSubstr("texture \"ptex\" is not rendered yet; a constant 0.5 stands in for it"))));
 }
 
 }  // namespace

@@ -30,8 +30,9 @@ TEST(Printable, ShowsBytesThatAreNoUtf8AsNumbers) {
 using BinaryScene = PbrtTest;
 TEST_F(BinaryScene, IsQuotedInShort) {
     const std::string bytes(100'000, '\x01');
-    for (const std::string& text : {bytes, "Shape " + bytes, "WorldBegin Shape \"sphere\" \"" + bytes + "\"", "WorldBegin Shape \"sphere\" \"float radius\" " + bytes,
-                                    "Transform " + bytes, "WorldBegin Shape \"sphere\" \"" + bytes + " radius\" 1"})
+    for (const std::string& text :
+         {bytes, "Shape " + bytes, "WorldBegin Shape \"sphere\" \"" + bytes + "\"", "WorldBegin Shape \"sphere\" \"float radius\" " + bytes,
+          "Transform " + bytes, "WorldBegin Shape \"sphere\" \"" + bytes + " radius\" 1"})
         EXPECT_LT(errorOf(text).size(), 500u) << text.substr(0, 40);
 }
 

@@ -26,7 +26,8 @@ RecordedPaths record(const Bounces& scene, size_t pixels = 100) {
         std::vector<PathSegment> path{{static_cast<float>(scene.first), 0, static_cast<float>(scene.albedo)}};
         for (int bounce = 1; bounce <= 10; ++bounce) {
             const double throughput = std::pow(scene.albedo, bounce);
-            path.push_back({static_cast<float>(throughput * scene.light(bounce) * noise(random)), 1, bounce < 10 ? static_cast<float>(throughput * scene.albedo) : 0.f});
+            path.push_back({static_cast<float>(throughput * scene.light(bounce) * noise(random)), 1,
+                            bounce < 10 ? static_cast<float>(throughput * scene.albedo) : 0.f});
         }
         recorded.paths.push_back(path);
     }
@@ -57,7 +58,8 @@ TEST(Roulette, ForecastIsWhatHappens) {
                     estimate += s.light / reached;
                     rays += s.rays / plays;
                     if (depth++ < rule.depth) continue;
-                    const double t = s.throughput / reached, q = std::min(1., rule.scale * (rule.rule == RouletteRule::root ? std::sqrt(t) : t));
+                    const double t = s.throughput / reached,
+                                 q = std::min(1., rule.scale * (rule.rule == RouletteRule::root ? std::sqrt(t) : t));
                     if (uniform(random) >= q) break;
                     reached *= q;
                 }

@@ -139,7 +139,8 @@ TEST(Spectrum, ColorsOfOtherSpacesMoveToSrgb) {
 
 TEST(Uplift, GivesACurveOfTheColor) {
     const DenseCurve& white = whiteSpectrum(ColorSpace::srgb);
-    for (const glm::dvec3& color : {glm::dvec3(.5, .5, .5), {.9, .1, .1}, {.05, .6, .02}, {.1, .2, .95}, {.98, .97, .02}, {.02, .02, .03}}) {
+    for (const glm::dvec3& color :
+         {glm::dvec3(.5, .5, .5), {.9, .1, .1}, {.05, .6, .02}, {.1, .2, .95}, {.98, .97, .02}, {.02, .02, .03}}) {
         const SmoothReflectance smooth = upliftReflectance(color, ColorSpace::srgb);
         DenseCurve reflected;
         for (int i = 0; i < wavelengthCount; ++i) {
@@ -183,7 +184,8 @@ TEST(UpliftTable, GivesACurveOfTheColor) {
     expectNear(colorOf(tabulatedReflectance({0, 0, 0})), glm::dvec3(0), 1e-3);
 }
 
-// Daylight is white to the plain film; balanced to its own colour, to any; a sensor of a camera that is balanced to it sees it as white, too.
+// Daylight is white to the plain film; balanced to its own colour, to any; a sensor of a camera that is balanced to it sees it as white,
+// too.
 TEST(Sensor, SeesTheLightThatItIsBalancedToAsWhite) {
     const auto seen = [](const SensorDescription& sensor, const Spectrum& light) {
         const auto response = linearSrgbResponse(sensor);

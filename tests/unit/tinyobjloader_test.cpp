@@ -64,8 +64,8 @@ Loaded loadMtl(const std::string& text) {
 
 /// Every library has one material, of the library's name without ".mtl".
 class Libraries : public tinyobj::MaterialReader {
-    bool operator()(const std::string& file, std::vector<tinyobj::material_t>* materials, std::map<std::string, int>* names, std::string* warning,
-                    std::string* error) override {
+    bool operator()(const std::string& file, std::vector<tinyobj::material_t>* materials, std::map<std::string, int>* names,
+                    std::string* warning, std::string* error) override {
         std::istringstream stream("newmtl " + file.substr(0, file.find(".mtl")) + "\n");
         tinyobj::LoadMtl(names, materials, &stream, warning, error);
         return true;
@@ -77,7 +77,8 @@ Loaded load(const std::string& text) {
     std::istringstream stream(text);
     Libraries libraries;
     constexpr bool triangulate = false;
-    loaded.succeeds = tinyobj::LoadObj(&loaded.attributes, &loaded.shapes, &loaded.materials, &loaded.warning, &loaded.error, &stream, &libraries, triangulate);
+    loaded.succeeds = tinyobj::LoadObj(&loaded.attributes, &loaded.shapes, &loaded.materials, &loaded.warning, &loaded.error, &stream,
+                                       &libraries, triangulate);
     return loaded;
 }
 
@@ -166,7 +167,8 @@ TEST(TinyObjLoader, roundsNumbersSeveralTimes) {
 TEST(TinyObjLoader, makesOtherTrianglesOfASquare) {
     const Loaded loaded = loadInSilence("v 0.2 0.2 0\nv 0.1 0.3 0\nv 0.0 0.2 0\nv 0.1 0.1 0\nf 1 2 3 4\n");
     std::vector<glm::dvec3> corners;
-    for (std::size_t i = 0; i < 12; i += 3) corners.emplace_back(loaded.attributes.vertices[i], loaded.attributes.vertices[i + 1], loaded.attributes.vertices[i + 2]);
+    for (std::size_t i = 0; i < 12; i += 3)
+        corners.emplace_back(loaded.attributes.vertices[i], loaded.attributes.vertices[i + 1], loaded.attributes.vertices[i + 2]);
     std::vector<std::array<std::uint32_t, 3>> triangles, expected;
     triangulate(corners, triangles);
     triangulate(std::vector<glm::dvec3>{{.2, .2, 0}, {.1, .3, 0}, {0, .2, 0}, {.1, .1, 0}}, expected);
@@ -208,7 +210,8 @@ TEST(TinyObjLoader, takesANamesFirstWordForANumber) {
 
 // What is not given has a number all the same: "Pr 0" would be a mirror, no Pr is no physically based material.
 TEST(TinyObjLoader, doesNotSayWhatIsGiven) {
-    const tinyobj::material_t given = loadMtl("newmtl m\nPr 0\nillum 0\nKd 0 0 0\n").materials.at(0), silent = loadMtl("newmtl m\n").materials.at(0);
+    const tinyobj::material_t given = loadMtl("newmtl m\nPr 0\nillum 0\nKd 0 0 0\n").materials.at(0),
+                              silent = loadMtl("newmtl m\n").materials.at(0);
     EXPECT_EQ(given.roughness, silent.roughness);
     EXPECT_EQ(given.illum, silent.illum);
     EXPECT_EQ(given.diffuse[0], silent.diffuse[0]);

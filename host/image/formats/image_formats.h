@@ -39,7 +39,9 @@ public:
         bool isFloatingPoint = false;
         bool isBytes = false;                 ///< every channel has 8 bits
         std::size_t bytes = 0;                ///< size of all pixels as stored
-        std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth); }
+        std::size_t pixels() const {
+            return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth);
+        }
     };
 
     virtual ~ImageReader() = default;
@@ -61,7 +63,8 @@ public:
     /// Opens a file; null on failure, with the reason in `error`. isAlphaApart: undo the multiplication of colours by alpha.
     virtual std::unique_ptr<ImageReader> open(const std::string& path, bool isAlphaApart, std::string& error) const = 0;
     /// The content of a file in a format given by name and extension. Empty on failure, with the reason in `error`.
-    virtual std::vector<unsigned char> encode(const std::string& format, const std::string& extension, const EncodedImage& image, std::string& error) const = 0;
+    virtual std::vector<unsigned char> encode(const std::string& format, const std::string& extension, const EncodedImage& image,
+                                              std::string& error) const = 0;
     /// The extensions of the readable formats, after each format's name: "openexr:exr,sxr;png:png".
     virtual std::string extensions() const = 0;
 };

@@ -15,6 +15,7 @@ static std::optional<glm::dvec2> project(const PackedScene&, glm::dvec3 p) {
     return p.z > 0 ? std::optional(glm::dvec2(p) / p.z) : std::nullopt;
 }
 
-const CameraTraits perspective_camera{.parameters = "float fov = 90 in (0, 180)", .read = read, .pack = pack, .project = project, .hasThinLens = true};
+const CameraTraits perspective_camera{
+    .parameters = "float fov = 90 in (0, 180)", .read = read, .pack = pack, .project = project, .hasThinLens = true};
 
 }  // namespace eikonal

@@ -46,7 +46,8 @@ static void pack(Packer& packer, const CameraDescription& description, camera& v
     view.film_radius = static_cast<float>(film.diagonal / 2000);
 
     const bool hasImage = description.aperture == ApertureShape::image;
-    const ApertureTexels aperture = apertureTexels(description.aperture, hasImage ? packer.images[static_cast<size_t>(description.apertureImage)].get() : nullptr);
+    const ApertureTexels aperture =
+        apertureTexels(description.aperture, hasImage ? packer.images[static_cast<size_t>(description.apertureImage)].get() : nullptr);
     if (!aperture.values.empty()) packer.packed.require(Feature::APERTURE, description.where.toString());
     tables.aperture_texels = aperture.values;
     view.aperture_width = static_cast<uint>(aperture.width);
@@ -82,7 +83,10 @@ static std::optional<glm::dvec2> project(const PackedScene& scene, glm::dvec3 p)
     return glm::dvec2(p) / magnification;
 }
 
-const CameraTraits realistic_camera{.parameters = "file lensfile; float aperturediameter = 1 in (0, inf); float focusdistance = 10 in (0, inf); string aperture",
-                                   .read = read, .pack = pack, .project = project};
+const CameraTraits realistic_camera{
+    .parameters = "file lensfile; float aperturediameter = 1 in (0, inf); float focusdistance = 10 in (0, inf); string aperture",
+    .read = read,
+    .pack = pack,
+    .project = project};
 
 }  // namespace eikonal

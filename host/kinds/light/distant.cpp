@@ -20,6 +20,7 @@ static PackedLight pack(Packer& packer, const Light& d) {
     return {l, M_PI * sceneRadius(packer) * sceneRadius(packer) * luminanceOf(d.spectrum, d.scale)};
 }
 
-const LightTraits distant_light{.directive = "distant", .parameters = "spectrum L; float illuminance = -1; point3 from; point3 to", .read = read, .pack = pack};
+const LightTraits distant_light{
+    .directive = "distant", .parameters = "spectrum L; float illuminance = -1; point3 from; point3 to", .read = read, .pack = pack};
 
 }  // namespace eikonal

@@ -1,5 +1,5 @@
-// A point whose intensity is I times an image over the sphere of directions, square, in the equal-area mapping (kernels/light/goniometric.clh).
-// Its +z is +y of light space; the mean of R, G and B is the image, as in pbrt-v4.
+// A point whose intensity is I times an image over the sphere of directions, square, in the equal-area mapping
+// (kernels/light/goniometric.clh). Its +z is +y of light space; the mean of R, G and B is the image, as in pbrt-v4.
 
 #include "kinds/light_packing.h"
 #include "kinds/light_reading.h"
@@ -31,6 +31,10 @@ static PackedLight pack(Packer& packer, const Light& d) {
     return {l, 4 * M_PI * mean * luminanceOf(d.spectrum, factor)};
 }
 
-const LightTraits goniometric_light{.directive = "goniometric", .parameters = "spectrum I; file filename; float power = -1", .read = read, .pack = pack, .bound = boundPoint};
+const LightTraits goniometric_light{.directive = "goniometric",
+                                    .parameters = "spectrum I; file filename; float power = -1",
+                                    .read = read,
+                                    .pack = pack,
+                                    .bound = boundPoint};
 
 }  // namespace eikonal

@@ -1,4 +1,5 @@
-// An infinite light as far as it comes in through a rectangle: an image, or the same radiance from all directions (kernels/light/portal_infinite.clh).
+// An infinite light as far as it comes in through a rectangle: an image, or the same radiance from all directions
+// (kernels/light/portal_infinite.clh).
 
 #include "image/equal_area.h"
 #include "kinds/light_packing.h"
@@ -25,7 +26,9 @@ static PackedLight pack(Packer& packer, const Light& d) {
     const ImageData* image = d.image == none ? nullptr : &sphereImage(packer, d);
     const glm::dvec3 x = glm::normalize(d.portal[3] - d.portal[0]), y = glm::normalize(d.portal[1] - d.portal[0]), n = glm::cross(x, y);
     const glm::dmat3 lightFromPortal = glm::transpose(rotationOf(d)) * glm::dmat3(x, y, n);
-    const auto radianceFrom = [&](glm::dvec3 w) { return image ? lookUp(*image, squareFromDirection(lightFromPortal * w)) : glm::dvec3(1); };
+    const auto radianceFrom = [&](glm::dvec3 w) {
+        return image ? lookUp(*image, squareFromDirection(lightFromPortal * w)) : glm::dvec3(1);
+    };
     const PortalImage portal = makePortalImage(image ? image->width : 1, radianceFrom);
     const double scale = d.scale * (image && d.illuminance ? *d.illuminance / upwardIlluminance(*image) : 1);
     light l = newLight(kind_portal_infinite_light, image ? packWhite(packer, scale) : packEmission(packer, d.spectrum, scale));
@@ -39,7 +42,8 @@ static PackedLight pack(Packer& packer, const Light& d) {
     packTexels(packer, {portal.texels.begin(), portal.texels.end()});
     tables.portal_sums.insert(tables.portal_sums.end(), portal.sums.begin(), portal.sums.end());
     packer.packed.require(Feature::PORTALS, d.where.toString());
-    const double area = glm::length(d.portal[3] - d.portal[0]) * glm::length(d.portal[1] - d.portal[0]) * packer.space.scale * packer.space.scale;
+    const double area =
+        glm::length(d.portal[3] - d.portal[0]) * glm::length(d.portal[1] - d.portal[0]) * packer.space.scale * packer.space.scale;
     return {l, area * portal.fluence * (image ? scale : luminanceOf(d.spectrum, scale))};
 }
 

@@ -18,9 +18,10 @@ static bool read(const pbrt::LightReading& in, Light& light) {
     light.coneAngle = arguments.number("coneangle");
     light.coneDeltaAngle = arguments.number("conedeltaangle");
     if (light.coneDeltaAngle > 2 * light.coneAngle) {
-        in.reading.diagnostics.warnOnce("conedeltaangle", arguments.whereOf("conedeltaangle"),
-                                        fmt::format("{}: \"float conedeltaangle\" is {:g}, more than twice coneangle; it counts as coneangle, {:g}",
-                                                    arguments.kind().title(), light.coneDeltaAngle, light.coneAngle));
+        in.reading.diagnostics.warnOnce(
+            "conedeltaangle", arguments.whereOf("conedeltaangle"),
+            fmt::format("{}: \"float conedeltaangle\" is {:g}, more than twice coneangle; it counts as coneangle, {:g}",
+                        arguments.kind().title(), light.coneDeltaAngle, light.coneAngle));
         light.coneDeltaAngle = light.coneAngle;
     }
     if (const double power = powerOf(arguments); power > 0) {
@@ -51,7 +52,10 @@ static void bound(const light& l, double power, LightBounds& bounds) {
 
 const LightTraits spot_light{
     .directive = "spot",
-    .parameters = "spectrum I; float power = -1; point3 from; point3 to; float coneangle = 30 in (0, 180]; float conedeltaangle = 5 in [0, 180]",
-    .read = read, .pack = pack, .bound = bound};
+    .parameters =
+        "spectrum I; float power = -1; point3 from; point3 to; float coneangle = 30 in (0, 180]; float conedeltaangle = 5 in [0, 180]",
+    .read = read,
+    .pack = pack,
+    .bound = bound};
 
 }  // namespace eikonal

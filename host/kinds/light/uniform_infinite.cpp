@@ -1,4 +1,5 @@
-// The same radiance from all directions (kernels/light/uniform_infinite.clh); and the directive "infinite", which has an image or a portal, too.
+// The same radiance from all directions (kernels/light/uniform_infinite.clh); and the directive "infinite", which has an image or a portal,
+// too.
 
 #include "kinds/light_packing.h"
 #include "kinds/light_reading.h"
@@ -11,13 +12,16 @@ namespace eikonal {
 /// The corners of a portal. Throws SceneError unless they are those of a rectangle.
 static std::array<glm::dvec3, 4> readPortal(const pbrt::Arguments& arguments) {
     const std::vector<glm::vec3> corners = arguments.vectors3("portal");
-    if (corners.size() != 4) throw SceneError(arguments.whereOf("portal"), "a portal has 4 corners; here are " + std::to_string(corners.size()));
+    if (corners.size() != 4)
+        throw SceneError(arguments.whereOf("portal"), "a portal has 4 corners; here are " + std::to_string(corners.size()));
     const std::array<glm::dvec3, 4> p{corners[0], corners[1], corners[2], corners[3]};
     const glm::dvec3 x = p[3] - p[0], y = p[1] - p[0], across = p[2] - p[1], up = p[2] - p[3];
     const double size = std::max(glm::length(x), glm::length(y));
     const bool isRectangle = std::min(glm::length(x), glm::length(y)) > 0 && glm::length(across - x) <= 1e-3 * size &&
                              glm::length(up - y) <= 1e-3 * size && std::abs(glm::dot(x, y)) <= 1e-3 * glm::length(x) * glm::length(y);
-    if (!isRectangle) throw SceneError(arguments.whereOf("portal"), "the corners of a portal must be those of a rectangle, one after the other along its edge");
+    if (!isRectangle)
+        throw SceneError(arguments.whereOf("portal"),
+                         "the corners of a portal must be those of a rectangle, one after the other along its edge");
     return p;
 }
 
@@ -44,7 +48,10 @@ static PackedLight pack(Packer& packer, const Light& d) {
     return {newLight(kind_uniform_infinite_light, packEmission(packer, d.spectrum, d.scale)), power};
 }
 
-const LightTraits uniform_infinite_light{.directive = "infinite", .parameters = "spectrum L; file filename; float illuminance = -1; point3s portal",
-                                              .read = read, .pack = pack, .isLeftToBsdfs = true};
+const LightTraits uniform_infinite_light{.directive = "infinite",
+                                         .parameters = "spectrum L; file filename; float illuminance = -1; point3s portal",
+                                         .read = read,
+                                         .pack = pack,
+                                         .isLeftToBsdfs = true};
 
 }  // namespace eikonal

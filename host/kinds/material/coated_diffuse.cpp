@@ -6,7 +6,8 @@ namespace eikonal {
 
 static const MaterialDirective directives[] = {
     {"coateddiffuse",
-     "colormap reflectance = 0.5; floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf);"
+     "colormap reflectance = 0.5; floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to "
+     "[0, inf);"
      "floatmap thickness = 0.01 clamped to [0, inf);"
      "index eta = 1.5 in [0, inf); floatmap g = 0 clamped to [-1, 1]; colormap albedo = 0; integer maxdepth = 10 clamped to [0, inf);"
      "integer nsamples = 1 in [1, inf)"},

@@ -5,7 +5,9 @@
 namespace eikonal {
 
 static const MaterialDirective directives[] = {
-    {"dielectric", "index eta = 1.5 in [0, inf); floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf)"},
+    {"dielectric",
+     "index eta = 1.5 in [0, inf); floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to "
+     "[0, inf)"},
 };
 
 static next_queue pack(InputWriter& in) {

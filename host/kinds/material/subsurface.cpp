@@ -8,12 +8,15 @@ namespace eikonal {
 
 static const MaterialDirective directives[] = {
     {"subsurface",
-     "floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf); index eta = 1.33 in [0, inf);"
+     "floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf); index eta = 1.33 "
+     "in [0, inf);"
      "string name -> -; spectrummap sigma_a -> -; spectrummap sigma_s -> -; colormap reflectance -> -; spectrummap mfp -> -;"
      "string method = diffusion -> -; float scale = 1 in [0, inf) -> -; float g = 0 clamped to [-1, 1] -> -"},
 };
 
-static void read(const pbrt::MaterialReading& in, Material& material) { pbrt::readInterior(in.reading, in.arguments, material, in.textures); }
+static void read(const pbrt::MaterialReading& in, Material& material) {
+    pbrt::readInterior(in.reading, in.arguments, material, in.textures);
+}
 
 static next_queue pack(InputWriter& in) { return dielectric_material.pack(in); }
 

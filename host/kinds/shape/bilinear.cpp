@@ -22,7 +22,8 @@ static size_t pack(const ShapePacking& in) {
     addVertices(in);
     for (size_t i = 0; i < count; ++i) {
         Box box;
-        for (int c = 0; c < 4; ++c) box.grow(toGlm(in.tables.positions[in.packed.first_vertex + mesh.indices[4 * i + static_cast<size_t>(c)]]));
+        for (int c = 0; c < 4; ++c)
+            box.grow(toGlm(in.tables.positions[in.packed.first_vertex + mesh.indices[4 * i + static_cast<size_t>(c)]]));
         addBox(in.group, box, in.packed.first_element + static_cast<uint>(i));
     }
     in.packer.packed.counts.patches += count;
@@ -62,7 +63,8 @@ static void boundLight(const light& l, double, LightBounds& bounds) {
         bounds.box.grow(p + u * x + v * y + u * v * c);
         const glm::dvec3 n = glm::cross(x + v * c, y + u * c);
         const double length = glm::length(n);
-        if (length > 0) bounds.normals = std::max(bounds.normals, angleBetween(n / length * (glm::dot(n, bounds.axis) < 0 ? -1.0 : 1.0), bounds.axis));
+        if (length > 0)
+            bounds.normals = std::max(bounds.normals, angleBetween(n / length * (glm::dot(n, bounds.axis) < 0 ? -1.0 : 1.0), bounds.axis));
     }
     if (bounds.normals > std::numbers::pi / 4) boundAllDirections(bounds);
 }

@@ -60,6 +60,7 @@ static const ShapeDirective directives[] = {
      read},
 };
 
-const ShapeTraits curve_shape{.directives = directives, .bound = bound, .pack = pack, .cannotEmit = "a curve cannot emit (pbrt-v4 stops there)"};
+const ShapeTraits curve_shape{
+    .directives = directives, .bound = bound, .pack = pack, .cannotEmit = "a curve cannot emit (pbrt-v4 stops there)"};
 
 }  // namespace eikonal

@@ -17,7 +17,9 @@ static bool read(const pbrt::ShapeReading& in, pbrt::PendingShape& pending) {
     return keepIf(s.innerRadius < s.radius && s.phiMax > 0, in);
 }
 
-static Box bound(const Shape& s, const glm::dmat4& m) { return transformed({{-s.radius, -s.radius, s.height}, {s.radius, s.radius, s.height}}, m); }
+static Box bound(const Shape& s, const glm::dmat4& m) {
+    return transformed({{-s.radius, -s.radius, s.height}, {s.radius, s.radius, s.height}}, m);
+}
 
 static size_t pack(const ShapePacking& in) {
     quadric q = newRound(in);

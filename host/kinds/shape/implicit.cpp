@@ -19,7 +19,8 @@ static size_t pack(const ShapePacking& in) {
     in.packed.first_index = static_cast<uint>(in.tables.implicits.size());
     const std::vector<implicit_instruction> program = implicitProgram(*surface.F, in.description.where);
     Table<implicit_instruction>& instructions = in.tables.implicit_instructions;
-    in.tables.implicits.push_back({toVec3(surface.low), toVec3(surface.high), static_cast<uint>(instructions.size()), static_cast<uint>(program.size())});
+    in.tables.implicits.push_back(
+        {toVec3(surface.low), toVec3(surface.high), static_cast<uint>(instructions.size()), static_cast<uint>(program.size())});
     instructions.insert(instructions.end(), program.begin(), program.end());
     ++in.packer.packed.counts.implicits;
     /* Its inside is where F is negative, mirrored or not */
@@ -30,6 +31,9 @@ static const ShapeDirective directives[] = {
     {"implicit", "string F; point3s bounds; float a; float b; float c; float d", read},
 };
 
-const ShapeTraits implicit_shape{.directives = directives, .bound = bound, .pack = pack, .cannotEmit = "an implicit surface cannot emit, since no point of it can be sampled"};
+const ShapeTraits implicit_shape{.directives = directives,
+                                 .bound = bound,
+                                 .pack = pack,
+                                 .cannotEmit = "an implicit surface cannot emit, since no point of it can be sampled"};
 
 }  // namespace eikonal

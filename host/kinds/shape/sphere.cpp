@@ -63,7 +63,8 @@ static light packLightOfPart(const AreaElement& e, const color& L) {
     const Shape& sphere = e.description;
     const glm::dmat4& m = e.sceneFromObject;
     light l = newLight(kind_ellipsoid_light, L);
-    const glm::dvec3 a = transformVector(m, {sphere.radius, 0, 0}), b = transformVector(m, {0, sphere.radius, 0}), c = transformVector(m, {0, 0, sphere.radius});
+    const glm::dvec3 a = transformVector(m, {sphere.radius, 0, 0}), b = transformVector(m, {0, sphere.radius, 0}),
+                     c = transformVector(m, {0, 0, sphere.radius});
     l.p = toVec3(transformPoint(m, glm::dvec3(0)));
     l.a = toVec3(a); l.b = toVec3(b); l.c = toVec3(c);
     l.extent = static_cast<float>(shareOfCircle(sphere.phiMax));
@@ -74,7 +75,8 @@ static light packLightOfPart(const AreaElement& e, const color& L) {
     double area = 0;
     constexpr int steps = 64;
     for (int i = 0; i < steps * steps; ++i) {
-        const double phi = 2 * M_PI * l.extent * (i % steps + 0.5) / steps, z = low + (high - low) * (i / steps + 0.5) / steps, r = std::sqrt(1 - z * z);
+        const double phi = 2 * M_PI * l.extent * (i % steps + 0.5) / steps, z = low + (high - low) * (i / steps + 0.5) / steps,
+                     r = std::sqrt(1 - z * z);
         const glm::dvec3 across = r * std::cos(phi) * glm::cross(b, c) + r * std::sin(phi) * glm::cross(c, a) + z * glm::cross(a, b);
         area += glm::length(across) * 2 * M_PI * l.extent * (high - low) / (steps * steps);
     }

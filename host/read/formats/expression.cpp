@@ -14,10 +14,11 @@ namespace {
 struct Function { const char* name; Operation operation; int arguments; };
 
 constexpr Function functions[] = {
-    {"sqrt", Operation::sqrt, 1}, {"abs", Operation::abs, 1},   {"sin", Operation::sin, 1},   {"cos", Operation::cos, 1},   {"tan", Operation::tan, 1},
-    {"asin", Operation::asin, 1}, {"acos", Operation::acos, 1}, {"atan", Operation::atan, 1}, {"sinh", Operation::sinh, 1}, {"cosh", Operation::cosh, 1},
-    {"tanh", Operation::tanh, 1}, {"exp", Operation::exp, 1},   {"log", Operation::log, 1},   {"min", Operation::min, 2},   {"max", Operation::max, 2},
-    {"pow", Operation::power, 2}, {"atan2", Operation::atan2, 2},
+    {"sqrt", Operation::sqrt, 1},   {"abs", Operation::abs, 1},   {"sin", Operation::sin, 1},   {"cos", Operation::cos, 1},
+    {"tan", Operation::tan, 1},     {"asin", Operation::asin, 1}, {"acos", Operation::acos, 1}, {"atan", Operation::atan, 1},
+    {"sinh", Operation::sinh, 1},   {"cosh", Operation::cosh, 1}, {"tanh", Operation::tanh, 1}, {"exp", Operation::exp, 1},
+    {"log", Operation::log, 1},     {"min", Operation::min, 2},   {"max", Operation::max, 2},   {"pow", Operation::power, 2},
+    {"atan2", Operation::atan2, 2},
 };
 
 /// The limit on nested parentheses, signs and powers.
@@ -64,7 +65,10 @@ public:
         skipBlanks();
         if (at_ < text_.size()) {
             const bool factor = isLetter(text_[at_]) || isDigit(text_[at_]) || text_[at_] == '(' || text_[at_] == '.';
-            fail(at_, found() + " where an operator, one of + - * / ^, is expected" + (factor ? "; a product is written with *, as in 2*x" : text_[at_] == ')' ? "; there is no matching (" : ""));
+            fail(at_, found() + " where an operator, one of + - * / ^, is expected" +
+                          (factor              ? "; a product is written with *, as in 2*x"
+                           : text_[at_] == ')' ? "; there is no matching ("
+                                               : ""));
         }
         if (isNumber(whole)) fail(0, "this is constant: F must depend on x, y or z");
         expression_.nodes.resize(static_cast<size_t>(whole) + 1);   // operands that were folded may follow it
@@ -101,15 +105,19 @@ private:
     /// `at`: the place to report if the number is not finite or too large.
     int add(const ExpressionNode& node, size_t at) {
         if (node.operation == Operation::number && !(std::abs(node.number) < 1e35))
-            fail(at, std::isfinite(node.number) ? "this is a number above 1e35, too large to compute with" : "this is not a number: it is infinite, or undefined");
-        const auto [place, isNew] = known_.try_emplace({node.operation, node.number, node.a, node.b}, static_cast<int>(expression_.nodes.size()));
+            fail(at, std::isfinite(node.number) ? "this is a number above 1e35, too large to compute with"
+                                                : "this is not a number: it is infinite, or undefined");
+        const auto [place, isNew] =
+            known_.try_emplace({node.operation, node.number, node.a, node.b}, static_cast<int>(expression_.nodes.size()));
         if (!isNew) return place->second;
-        if (expression_.nodes.size() >= mostOperations) fail(at, "the expression is too long: it may have " + std::to_string(mostOperations) + " different operations and numbers");
+        if (expression_.nodes.size() >= mostOperations)
+            fail(at, "the expression is too long: it may have " + std::to_string(mostOperations) + " different operations and numbers");
         expression_.nodes.push_back(node);
         return place->second;
     }
     int apply(Operation operation, size_t at, int a, int b = -1) {
-        if (isNumber(a) && (b < 0 || isNumber(b))) return add({Operation::number, valueOf(operation, number(a), b < 0 ? 0 : number(b))}, at);
+        if (isNumber(a) && (b < 0 || isNumber(b)))
+            return add({Operation::number, valueOf(operation, number(a), b < 0 ? 0 : number(b))}, at);
         return add({operation, 0, a, b}, at);
     }
 
@@ -155,7 +163,9 @@ private:
         const size_t open = at_;
         if (take('(')) {
             const int inner = readSum();
-            if (!take(')')) fail(at_, found() + " where the ) of the ( in column " + std::to_string(where_.column + static_cast<int>(open)) + " is expected");
+            if (!take(')'))
+                fail(at_, found() + " where the ) of the ( in column " + std::to_string(where_.column + static_cast<int>(open)) +
+                              " is expected");
             return inner;
         }
         fail(at_, found() + " where a number, x, y, z, a function or ( is expected");
@@ -203,7 +213,9 @@ private:
         }
         const std::string near = name.size() > 1 ? nearestWord(name, names) : "";
         const bool constant = name.size() == 1 && name[0] >= 'a' && name[0] <= 'd';
-        fail(at, "there is no \"" + printable(name.substr(0, 40)) + "\"" + (near.empty() ? constant ? ": give it with \"float " + name + "\"" : "; known are " + known : "; did you mean \"" + near + "\"?"));
+        fail(at, "there is no \"" + printable(name.substr(0, 40)) + "\"" +
+                     (near.empty() ? constant ? ": give it with \"float " + name + "\"" : "; known are " + known
+                                   : "; did you mean \"" + near + "\"?"));
     }
 
     int readCall(const Function& f, size_t at) {
@@ -223,7 +235,9 @@ private:
     /// Counts a level of nesting.
     struct Level {
         explicit Level(ExpressionReader& reader) : levels(reader.levels_) {
-            if (++levels > mostLevels) reader.fail(reader.at_, "the expression is nested too deeply here: at most " + std::to_string(mostLevels) + " levels are possible");
+            if (++levels > mostLevels)
+                reader.fail(reader.at_,
+                            "the expression is nested too deeply here: at most " + std::to_string(mostLevels) + " levels are possible");
         }
         ~Level() { --levels; }
         int& levels;

@@ -33,7 +33,8 @@ public:
     std::vector<float> list(const std::string& name) const {
         const std::vector<float> values = get(name, Tensor::Type::float32, {0}).floats();
         requireFinite(name, values);
-        if (std::ranges::adjacent_find(values, std::greater_equal<>()) != values.end()) throw ReadProblem("has the list \"" + name + "\", which is not ascending");
+        if (std::ranges::adjacent_find(values, std::greater_equal<>()) != values.end())
+            throw ReadProblem("has the list \"" + name + "\", which is not ascending");
         return values;
     }
 
@@ -41,15 +42,19 @@ public:
     MeasuredBsdf::Grid grid(const std::string& name, const std::vector<std::uint64_t>& shape, bool mayBeNegative = false) const {
         const Tensor& tensor = get(name, Tensor::Type::float32, shape);
         MeasuredBsdf::Grid grid{tensor.shape[shape.size() - 1], tensor.shape[shape.size() - 2], tensor.floats()};
-        if (grid.width < 2 || grid.height < 2) throw ReadProblem(fmt::format("has the grid \"{}\" of {} x {} values; at least 2 x 2 are needed", name, grid.width, grid.height));
+        if (grid.width < 2 || grid.height < 2)
+            throw ReadProblem(
+                fmt::format("has the grid \"{}\" of {} x {} values; at least 2 x 2 are needed", name, grid.width, grid.height));
         requireFinite(name, grid.values);
-        if (!mayBeNegative && std::ranges::any_of(grid.values, [](float v) { return v < 0; })) throw ReadProblem("has values below zero in \"" + name + "\"");
+        if (!mayBeNegative && std::ranges::any_of(grid.values, [](float v) { return v < 0; }))
+            throw ReadProblem("has values below zero in \"" + name + "\"");
         return grid;
     }
 
 private:
     static void requireFinite(const std::string& name, const std::vector<float>& values) {
-        if (!std::ranges::all_of(values, [](float v) { return std::isfinite(v); })) throw ReadProblem("has values in \"" + name + "\" that are not finite");
+        if (!std::ranges::all_of(values, [](float v) { return std::isfinite(v); }))
+            throw ReadProblem("has values in \"" + name + "\" that are not finite");
     }
     std::map<std::string, Tensor> tensors_;
 };
@@ -58,7 +63,8 @@ private:
 void requirePositive(const std::string& name, const MeasuredBsdf::Grid& grids) {
     const auto size = static_cast<std::ptrdiff_t>(grids.width * grids.height);
     for (auto grid = grids.values.begin(); grid != grids.values.end(); grid += size)
-        if (std::all_of(grid, grid + size, [](float v) { return v == 0; })) throw ReadProblem("has a grid of zeros in \"" + name + "\", from which nothing can be sampled");
+        if (std::all_of(grid, grid + size, [](float v) { return v == 0; }))
+            throw ReadProblem("has a grid of zeros in \"" + name + "\", from which nothing can be sampled");
 }
 
 }  // namespace
@@ -80,7 +86,9 @@ std::shared_ptr<const MeasuredBsdf> readMeasuredBsdf(const std::string& path) {
     if (!bsdf->isIsotropic()) {
         const double turns = 2 * M_PI / (bsdf->phi.back() - bsdf->phi.front());
         if (std::lround(turns) != 1)
-            throw ReadProblem(fmt::format("was measured over 1/{} of a turn only; such symmetric files cannot be read, only isotropic ones and those of a whole turn", std::lround(turns)));
+            throw ReadProblem(fmt::format(
+                "was measured over 1/{} of a turn only; such symmetric files cannot be read, only isotropic ones and those of a whole turn",
+                std::lround(turns)));
     }
     return bsdf;
 }

@@ -44,7 +44,8 @@ bool findGrid(std::istream& file, const std::function<bool(const std::string&)>&
         readRaw(file, &header, sizeof header);
         if (header.magic != NANOVDB_MAGIC_NUMBER) throw ReadProblem("is not a NanoVDB file");
         if (header.version.getMajor() != NANOVDB_MAJOR_VERSION_NUMBER)
-            throw ReadProblem(fmt::format("has NanoVDB's file version {}; only {} can be read", header.version.getMajor(), NANOVDB_MAJOR_VERSION_NUMBER));
+            throw ReadProblem(
+                fmt::format("has NanoVDB's file version {}; only {} can be read", header.version.getMajor(), NANOVDB_MAJOR_VERSION_NUMBER));
 
         /* All headers of a segment come before its data */
         std::vector<std::pair<nanovdb::io::MetaData, std::string>> grids;
@@ -73,7 +74,8 @@ bool findGrid(std::istream& file, const std::function<bool(const std::string&)>&
 template <class Node> const Node& nodeAt(const nanovdb::GridHandle<>& handle, const void* from, std::int64_t offset) {
     const std::int64_t size = static_cast<std::int64_t>(handle.size()), here = static_cast<const std::uint8_t*>(from) - handle.data();
     const std::int64_t at = std::clamp(offset, -size - 1, size + 1) + here;
-    if (at < 0 || at > size - static_cast<std::int64_t>(sizeof(Node)) || at % NANOVDB_DATA_ALIGNMENT) throw ReadProblem("is damaged: a node lies outside the file");
+    if (at < 0 || at > size - static_cast<std::int64_t>(sizeof(Node)) || at % NANOVDB_DATA_ALIGNMENT)
+        throw ReadProblem("is damaged: a node lies outside the file");
     return *reinterpret_cast<const Node*>(handle.data() + at);
 }
 
@@ -87,7 +89,9 @@ public:
         setBounds(root.mBBox, root.mBackground);
         setMap(grid.mMap);
 
-        nodeAt<Tree::RootType::DataType::Tile>(handle_, &root, static_cast<std::int64_t>(sizeof root + (root.mTableSize - std::int64_t(1)) * std::int64_t(sizeof(*root.tile(0)))));
+        nodeAt<Tree::RootType::DataType::Tile>(
+            handle_, &root,
+            static_cast<std::int64_t>(sizeof root + (root.mTableSize - std::int64_t(1)) * std::int64_t(sizeof(*root.tile(0)))));
         for (std::uint32_t i = 0; i < root.mTableSize; ++i) {
             const auto& tile = *root.tile(i);
             const glm::ivec3 origin(tile.origin()[0], tile.origin()[1], tile.origin()[2]);
@@ -107,7 +111,8 @@ private:
         grid_.firstBlock = grid_.low >> 3;
         const glm::dvec3 blocks = glm::dvec3(grid_.high >> 3) - glm::dvec3(grid_.firstBlock) + 1.;
         if (blocks.x * blocks.y * blocks.z > mostBlocks)
-            throw ReadProblem(fmt::format("has a grid of {:.3g} blocks; at most {:.3g} can be read", blocks.x * blocks.y * blocks.z, mostBlocks));
+            throw ReadProblem(
+                fmt::format("has a grid of {:.3g} blocks; at most {:.3g} can be read", blocks.x * blocks.y * blocks.z, mostBlocks));
         grid_.blocks = blocks;
         grid_.blockOf.assign(static_cast<size_t>(grid_.blocks.x) * grid_.blocks.y * grid_.blocks.z, constantBlock(background));
     }
@@ -144,7 +149,8 @@ private:
     /// Fills a cube with one value.
     void fill(glm::ivec3 origin, int side, float value) {
         const std::uint32_t constant = constantBlock(value);
-        const glm::ivec3 low = glm::max(origin >> 3, grid_.firstBlock), high = glm::min((origin >> 3) + side / 8, grid_.firstBlock + grid_.blocks);
+        const glm::ivec3 low = glm::max(origin >> 3, grid_.firstBlock),
+                         high = glm::min((origin >> 3) + side / 8, grid_.firstBlock + grid_.blocks);
         for (int z = low.z; z < high.z; ++z)
             for (int y = low.y; y < high.y; ++y)
                 for (int x = low.x; x < high.x; ++x) *blockAt({x, y, z}) = constant;
@@ -195,12 +201,15 @@ std::shared_ptr<const SparseGrid> readNanoVdb(const std::string& path, const std
     Found found;
     if (!findGrid(file, [&](const std::string& other) { return other == name; }, found)) return nullptr;
     if (found.meta.gridType != nanovdb::GridType::Float)
-        throw ReadProblem(fmt::format("has a grid \"{}\" of {}; only grids of floats can be read", name, found.meta.gridType < nanovdb::GridType::End ? nanovdb::toStr(found.meta.gridType) : "an unknown type"));
+        throw ReadProblem(
+            fmt::format("has a grid \"{}\" of {}; only grids of floats can be read", name,
+                        found.meta.gridType < nanovdb::GridType::End ? nanovdb::toStr(found.meta.gridType) : "an unknown type"));
     if (found.meta.gridClass == nanovdb::GridClass::LevelSet)
         throw ReadProblem(fmt::format("has a grid \"{}\" that is a level set; only fog volumes are rendered", name));
     try {
         /* No codec compresses by a factor of thousands */
-        if (found.meta.gridSize > 4096 * found.meta.fileSize || found.meta.gridSize == 0) throw ReadProblem("is damaged: the size of its grid is impossible");
+        if (found.meta.gridSize > 4096 * found.meta.fileSize || found.meta.gridSize == 0)
+            throw ReadProblem("is damaged: the size of its grid is impossible");
         nanovdb::GridHandle<> handle(nanovdb::HostBuffer::create(found.meta.gridSize));
         if (!handle.data()) throw ReadProblem("has a grid that does not fit into memory");
         nanovdb::io::Internal::read(file, handle, found.codec);

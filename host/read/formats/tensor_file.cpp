@@ -55,10 +55,12 @@ std::vector<float> Tensor::floats() const {
 std::map<std::string, Tensor> readTensorFile(const std::string& path) {
     const std::vector<char> bytes = readBytes(path);
     Reader reader(bytes);
-    if (bytes.size() < 12 || std::memcmp(bytes.data(), "tensor_file", 12) != 0) throw ReadProblem("is not a tensor file (it does not begin with \"tensor_file\")");
+    if (bytes.size() < 12 || std::memcmp(bytes.data(), "tensor_file", 12) != 0)
+        throw ReadProblem("is not a tensor file (it does not begin with \"tensor_file\")");
     reader.text(12, "its first word");
     const int major = reader.number<std::uint8_t>("its version"), minor = reader.number<std::uint8_t>("its version");
-    if (major != 1 || minor != 0) throw ReadProblem(fmt::format("has version {}.{} of the tensor format; only 1.0 can be read", major, minor));
+    if (major != 1 || minor != 0)
+        throw ReadProblem(fmt::format("has version {}.{} of the tensor format; only 1.0 can be read", major, minor));
 
     std::map<std::string, Tensor> tensors;
     const std::uint32_t count = reader.number<std::uint32_t>("the number of its arrays");
@@ -75,11 +77,14 @@ std::map<std::string, Tensor> readTensorFile(const std::string& path) {
         for (size_t d = 0; d < dimensions; ++d) {
             tensor.shape.push_back(reader.number<std::uint64_t>("a shape"));
             const std::uint64_t side = tensor.shape.back();
-            size = side && size > std::numeric_limits<std::uint64_t>::max() / side ? std::numeric_limits<std::uint64_t>::max() : size * side;
+            size =
+                side && size > std::numeric_limits<std::uint64_t>::max() / side ? std::numeric_limits<std::uint64_t>::max() : size * side;
         }
         if (offset > bytes.size() || size > bytes.size() - offset)
-            throw ReadProblem(fmt::format("is cut short: the array \"{}\" has {} bytes from byte {}, the file has {}", name, size, offset, bytes.size()));
-        tensor.bytes.assign(bytes.begin() + static_cast<std::ptrdiff_t>(offset), bytes.begin() + static_cast<std::ptrdiff_t>(offset + size));
+            throw ReadProblem(
+                fmt::format("is cut short: the array \"{}\" has {} bytes from byte {}, the file has {}", name, size, offset, bytes.size()));
+        tensor.bytes.assign(bytes.begin() + static_cast<std::ptrdiff_t>(offset),
+                            bytes.begin() + static_cast<std::ptrdiff_t>(offset + size));
         if (!tensors.emplace(name, std::move(tensor)).second) throw ReadProblem(fmt::format("has two arrays called \"{}\"", name));
     }
     return tensors;

@@ -95,7 +95,8 @@ private:
     }
 
     std::uint32_t middleOf(std::uint32_t a, std::uint32_t b) {
-        const auto [found, isNew] = middles_.try_emplace(std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), static_cast<std::uint32_t>(mesh_.positions.size()));
+        const auto [found, isNew] =
+            middles_.try_emplace(std::uint64_t(std::min(a, b)) << 32 | std::max(a, b), static_cast<std::uint32_t>(mesh_.positions.size()));
         if (!isNew) return found->second;
         mesh_.positions.push_back(0.5f * (mesh_.positions[a] + mesh_.positions[b]));
         mesh_.normals.push_back(unitOrZero(glm::dvec3(mesh_.normals[a]) + glm::dvec3(mesh_.normals[b])));
@@ -118,7 +119,8 @@ Split splitLongEdges(Mesh& mesh, const Transform& worldFromObject, double edgeLe
        parts belongs to at least n triangles */
     const Extent extent = extentOf(mesh, worldFromObject);
     const double most = static_cast<double>(mostDisplacedTriangles), triangles = static_cast<double>(mesh.indices.size() / 3);
-    if (extent.area / edgeLength > most * std::sqrt(3.0) / 4 * edgeLength || extent.length > (most + triangles) * edgeLength) return Split::tooMany;
+    if (extent.area / edgeLength > most * std::sqrt(3.0) / 4 * edgeLength || extent.length > (most + triangles) * edgeLength)
+        return Split::tooMany;
     if (mesh.normals.empty()) averageNormals(mesh);
     return EdgeSplitter(mesh, worldFromObject, edgeLength).split();
 }

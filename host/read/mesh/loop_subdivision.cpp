@@ -66,7 +66,8 @@ Level firstLevel(const Mesh& mesh, size_t& droppedFaces) {
             const auto [low, high] = std::minmax(level.faces[f].vertex[k], level.faces[f].vertex[next(k)]);
             sides.push_back({low, high, static_cast<Index>(3 * f + k)});
         }
-    std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return std::tie(a.low, a.high, a.side) < std::tie(b.low, b.high, b.side); });
+    std::sort(sides.begin(), sides.end(),
+              [](const Side& a, const Side& b) { return std::tie(a.low, a.high, a.side) < std::tie(b.low, b.high, b.side); });
     for (size_t i = 0; i < sides.size();) {
         const bool pair = i + 1 < sides.size() && sides[i].low == sides[i + 1].low && sides[i].high == sides[i + 1].high;
         const auto edge = static_cast<Index>(level.edges.size());
@@ -107,14 +108,16 @@ Level split(const Level& old) {
     const size_t vertices = old.points.size(), edges = old.edges.size(), faces = old.faces.size();
     const std::vector<Ring> rings = gatherRings(old);
     level.points.resize(vertices + edges);
-    inParallel(vertices, [&](size_t v) { level.points[v] = blend(rings[v], old.points[v], loopBeta(std::max(rings[v].count, 1)), 1. / 8); });
+    inParallel(vertices,
+               [&](size_t v) { level.points[v] = blend(rings[v], old.points[v], loopBeta(std::max(rings[v].count, 1)), 1. / 8); });
 
     /* The corner of a face opposite to one of its edges */
     const auto opposite = [&](Index side) { return old.points[old.faces[side / 3].vertex[previous(static_cast<int>(side % 3))]]; };
     inParallel(edges, [&](size_t e) {
         const Edge& edge = old.edges[e];
         const glm::dvec3 ends = old.points[edge.vertex[0]] + old.points[edge.vertex[1]];
-        level.points[vertices + e] = edge.side[1] == noIndex ? 0.5 * ends : 3. / 8 * ends + 1. / 8 * (opposite(edge.side[0]) + opposite(edge.side[1]));
+        level.points[vertices + e] =
+            edge.side[1] == noIndex ? 0.5 * ends : 3. / 8 * ends + 1. / 8 * (opposite(edge.side[0]) + opposite(edge.side[1]));
     });
 
     level.faces.resize(4 * faces);
@@ -138,7 +141,8 @@ Level split(const Level& old) {
             centre.vertex[k] = middle(face.edge[k]);
             centre.edge[k] = inner(next(k));
             level.edges[inner(k)] = {{middle(face.edge[k]), middle(face.edge[p])},
-                                     {static_cast<Index>(3 * (4 * f + static_cast<size_t>(k)) + static_cast<size_t>(next(k))), static_cast<Index>(3 * (4 * f + 3) + static_cast<size_t>(p))}};
+                                     {static_cast<Index>(3 * (4 * f + static_cast<size_t>(k)) + static_cast<size_t>(next(k))),
+                                      static_cast<Index>(3 * (4 * f + 3) + static_cast<size_t>(p))}};
         }
     });
     inParallel(edges, [&](size_t e) {
@@ -251,7 +255,8 @@ Mesh limitOf(const Level& level) {
         }
     });
     mesh.indices.resize(3 * level.faces.size());
-    inParallel(level.faces.size(), [&](size_t f) { std::copy(level.faces[f].vertex.begin(), level.faces[f].vertex.end(), &mesh.indices[3 * f]); });
+    inParallel(level.faces.size(),
+               [&](size_t f) { std::copy(level.faces[f].vertex.begin(), level.faces[f].vertex.end(), &mesh.indices[3 * f]); });
     return mesh;
 }
 

@@ -90,7 +90,8 @@ PlyMesh parse(std::span<const char> bytes) {
     const Header header = parseHeader({bytes.data(), bytes.size()});
     for (const char* needed : {"vertex", "face"}) {
         const auto found = std::ranges::find(header.elements, needed, &Element::name);
-        if (found == header.elements.end()) throw ReadProblem{fmt::format("has no element \"{}\"; its elements: {}", needed, header.elementNames())};
+        if (found == header.elements.end())
+            throw ReadProblem{fmt::format("has no element \"{}\"; its elements: {}", needed, header.elementNames())};
         if (found->count == 0) throw ReadProblem{fmt::format("has 0 elements \"{}\"; a mesh needs some", needed)};
     }
 
@@ -130,7 +131,8 @@ std::shared_ptr<const Mesh> trianglesOf(const PlyMesh& ply) {
     auto mesh = std::make_shared<Mesh>(*ply.quads);
     mesh->indices = ply.triangles ? ply.triangles->indices : std::vector<std::uint32_t>();
     const std::vector<std::uint32_t>& q = ply.quads->indices;
-    for (std::size_t i = 0; i < q.size(); i += 4) mesh->indices.insert(mesh->indices.end(), {q[i], q[i + 1], q[i + 3], q[i], q[i + 3], q[i + 2]});
+    for (std::size_t i = 0; i < q.size(); i += 4)
+        mesh->indices.insert(mesh->indices.end(), {q[i], q[i + 1], q[i + 3], q[i], q[i + 3], q[i + 2]});
     return mesh;
 }
 

@@ -31,7 +31,8 @@ std::string ObjFiles::require(const std::string& name, const SourceLocation& whe
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
         names.push_back(entry->path().filename().string());
     const std::string similar = nearestWord(fs::path(name).filename().string(), names);
-    const std::string message = fmt::format("there is no image \"{}\"{}", name, similar.empty() ? "" : "; did you mean \"" + similar + "\"?");
+    const std::string message =
+        fmt::format("there is no image \"{}\"{}", name, similar.empty() ? "" : "; did you mean \"" + similar + "\"?");
     const std::string text = SceneError(where, message).what();
     if (std::ranges::find(missing_, text) == missing_.end()) missing_.push_back(text);
     return {};

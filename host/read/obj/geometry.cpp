@@ -52,7 +52,10 @@ private:
         const std::size_t count = lines_.words().size() - 1;
         if (!hasGroup_) setGroup(object_, material_);
         geometry_.faces.push_back({.firstCorner = static_cast<std::uint32_t>(geometry_.corners.size()),
-                                   .cornerCount = static_cast<std::uint32_t>(count), .group = group_, .smoothing = smoothing_, .line = lines_.line()});
+                                   .cornerCount = static_cast<std::uint32_t>(count),
+                                   .group = group_,
+                                   .smoothing = smoothing_,
+                                   .line = lines_.line()});
         for (std::size_t i = 1; i <= count; ++i) geometry_.corners.push_back(parseCorner(i));
     }
 
@@ -67,7 +70,8 @@ private:
             if (part > 0 && (at == end || *at == '/')) continue;
             const auto [stop, error] = std::from_chars(at, end, index);
             if (error != std::errc{} || (stop != end && *stop != '/') || index == 0)
-                throw SceneError(lines_.where(i), fmt::format("\"{}\" is not a corner of a face: position/texture/normal, numbered from 1", word));
+                throw SceneError(lines_.where(i),
+                                 fmt::format("\"{}\" is not a corner of a face: position/texture/normal, numbered from 1", word));
             indices[part] = index > 0 ? index - 1 : static_cast<int>(defined[part]) + index;
             if (indices[part] < 0)
                 throw SceneError(lines_.where(i), fmt::format("\"{}\" counts back beyond the first of {}", word, defined[part]));
@@ -80,7 +84,9 @@ private:
     void parseSmoothing() {
         double value = 0;
         const bool isNumber = lines_.words().size() > 1 && parseNumber(lines_.words()[1], value);
-        smoothing_ = isNumber && value > 0 ? static_cast<std::uint32_t>(value) : lines_.words().size() > 1 && lines_.words()[1] == "on" ? 1 : 0;
+        smoothing_ = isNumber && value > 0                                    ? static_cast<std::uint32_t>(value)
+                     : lines_.words().size() > 1 && lines_.words()[1] == "on" ? 1
+                                                                              : 0;
     }
 
     void setGroup(const std::string& object, const std::string& material) {
@@ -93,23 +99,28 @@ private:
     }
 
     void reportUnsupported(std::string_view keyword) {
-        static const std::set<std::string_view> freeForm{"vp", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole",
-                                                         "scrv", "sp", "end", "con", "mg", "stech", "ctech", "bsp", "bzp", "cdc", "cdp", "res"};
-        static const std::set<std::string_view> harmless{"bevel", "c_interp", "d_interp", "lod", "shadow_obj", "trace_obj", "maplib", "usemap"};
+        static const std::set<std::string_view> freeForm{"vp",    "cstype", "deg",  "bmat", "step", "curv", "curv2", "surf",
+                                                         "parm",  "trim",   "hole", "scrv", "sp",   "end",  "con",   "mg",
+                                                         "stech", "ctech",  "bsp",  "bzp",  "cdc",  "cdp",  "res"};
+        static const std::set<std::string_view> harmless{"bevel",      "c_interp",  "d_interp", "lod",
+                                                         "shadow_obj", "trace_obj", "maplib",   "usemap"};
         const auto report = [&](const std::string& kind, const std::string& message) {
             diagnostics_.unsupported("obj " + kind, lines_.where(), message);
         };
         if (keyword == "l") report("lines", "lines (\"l\") are not rendered");
         else if (keyword == "p") report("points", "points (\"p\") are not rendered");
-        else if (freeForm.contains(keyword)) report("free-form", fmt::format("free-form curves and surfaces (\"{}\") are not rendered", keyword));
-        else if (!harmless.contains(keyword)) report(std::string(keyword), fmt::format("\"{}\" is not a statement of an OBJ file", keyword));
+        else if (freeForm.contains(keyword))
+            report("free-form", fmt::format("free-form curves and surfaces (\"{}\") are not rendered", keyword));
+        else if (!harmless.contains(keyword))
+            report(std::string(keyword), fmt::format("\"{}\" is not a statement of an OBJ file", keyword));
     }
 
     /// Positive numbers may refer to later lines, so they are checked at the end.
     void checkIndices() const {
         const auto check = [&](const ObjFace& face, int index, std::size_t count, const char* what) {
             if (index >= static_cast<int>(count))
-                throw SceneError({lines_.where().file, face.line, 0}, fmt::format("a face has {} {}, but there are {}", what, index + 1, count));
+                throw SceneError({lines_.where().file, face.line, 0},
+                                 fmt::format("a face has {} {}, but there are {}", what, index + 1, count));
         };
         for (const ObjFace& face : geometry_.faces)
             for (std::uint32_t i = 0; i < face.cornerCount; ++i) {
@@ -131,14 +142,17 @@ private:
 
 /// The angle of a face at its corner i.
 double angleAt(const ObjGeometry& geometry, const ObjFace& face, std::uint32_t i) {
-    const auto position = [&](std::uint32_t k) { return geometry.positions[static_cast<std::size_t>(geometry.cornersOf(face)[k % face.cornerCount].position)]; };
+    const auto position = [&](std::uint32_t k) {
+        return geometry.positions[static_cast<std::size_t>(geometry.cornersOf(face)[k % face.cornerCount].position)];
+    };
     const glm::dvec3 a = position(i + 1) - position(i), b = position(i + face.cornerCount - 1) - position(i);
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 glm::dvec3 unitNormal(const ObjGeometry& geometry, const ObjFace& face) {
     std::vector<glm::dvec3> polygon;
-    for (std::uint32_t i = 0; i < face.cornerCount; ++i) polygon.push_back(geometry.positions[static_cast<std::size_t>(geometry.cornersOf(face)[i].position)]);
+    for (std::uint32_t i = 0; i < face.cornerCount; ++i)
+        polygon.push_back(geometry.positions[static_cast<std::size_t>(geometry.cornersOf(face)[i].position)]);
     const glm::dvec3 normal = polygonNormal(polygon);
     const double length = glm::length(normal);
     return length > 0 ? normal / length : glm::dvec3(0);

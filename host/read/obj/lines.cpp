@@ -24,7 +24,8 @@ ObjLines::ObjLines(std::string_view text, std::shared_ptr<const std::string> fil
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
     const std::size_t zero = text_.find('\0');
     if (zero != text_.npos)
-        throw SceneError({file_, static_cast<int>(std::ranges::count(text_.substr(0, zero), '\n')) + 1, 0}, "a byte is zero: this is not a text file");
+        throw SceneError({file_, static_cast<int>(std::ranges::count(text_.substr(0, zero), '\n')) + 1, 0},
+                         "a byte is zero: this is not a text file");
 }
 
 bool ObjLines::next() {

@@ -139,21 +139,28 @@ private:
         const glm::dvec3 filter = mtl_.color("tf").value_or(glm::dvec3(1));
         if (maximum(filter) - std::min({filter.x, filter.y, filter.z}) > 0.05)
             diagnostics_.unsupported("mtl tf", mtl_.whereIs("tf"), "colored transmission (\"Tf\") is not rendered; the glass is clear");
-        return add(dielectric_material, {{"eta", constant(eta, "ni")}, {"uroughness", constant(width, "pr")}, {"vroughness", constant(width, "pr")}});
+        return add(dielectric_material,
+                   {{"eta", constant(eta, "ni")}, {"uroughness", constant(width, "pr")}, {"vroughness", constant(width, "pr")}});
     }
 
     /// Pr Pm Ps Pc Pcr aniso: a mix of plastic and metal under a clear coat, with sheen.
     int physicallyBased() {
         if (mtl_.number("anisor").value_or(0) != 0)
-            diagnostics_.unsupported("mtl anisor", mtl_.whereIs("anisor"), "\"anisor\" is not rendered: stretched highlights follow the texture coordinates");
+            diagnostics_.unsupported("mtl anisor", mtl_.whereIs("anisor"),
+                                     "\"anisor\" is not rendered: stretched highlights follow the texture coordinates");
         const Input base = diffuseColor(), metallic = portion("pm", "map_pm"), sheen = portion("ps", "map_ps");
         const double coat = mtl_.number("pc").value_or(0), coatRoughness = mtl_.number("pcr").value_or(0);
         const Widths widths = roughness();
         if (metallic.texture == none && metallic.value.value() == 1 && coat == 0) return conductor(base, widths);
         const double eta = mtl_.number("ni").value_or(1) > 1 ? *mtl_.number("ni") : 1.5;
-        return add(principled_material,
-                   {{"base", base}, {"metallic", metallic}, {"eta", constant(eta, "ni")}, {"uroughness", widths.u}, {"vroughness", widths.v},
-                    {"coat", constant(coat, "pc")}, {"coatroughness", constant(coatRoughness * coatRoughness, "pcr")}, {"sheen", sheen}});
+        return add(principled_material, {{"base", base},
+                                         {"metallic", metallic},
+                                         {"eta", constant(eta, "ni")},
+                                         {"uroughness", widths.u},
+                                         {"vroughness", widths.v},
+                                         {"coat", constant(coat, "pc")},
+                                         {"coatroughness", constant(coatRoughness * coatRoughness, "pcr")},
+                                         {"sheen", sheen}});
     }
 
     /// A number in [0, 1], times its map; without a number, the map alone.
@@ -239,8 +246,10 @@ private:
         if (const auto map = maximum(Le) > 0 ? image("map_ke", ColorEncoding::automatic) : std::nullopt) {
             const auto& [options, file] = *map;
             light.image = addImage(file);
-            light.imageMapping = {.uScale = options.scale.x, .vScale = options.scale.y, .uOffset = options.offset.x, .vOffset = options.offset.y};
-            if (options.base != 0 || options.gain != 1) diagnostics_.unsupported("mtl map_ke -mm", options.where, "the option \"-mm\" of \"map_Ke\" is not supported");
+            light.imageMapping = {
+                .uScale = options.scale.x, .vScale = options.scale.y, .uOffset = options.offset.x, .vOffset = options.offset.y};
+            if (options.base != 0 || options.gain != 1)
+                diagnostics_.unsupported("mtl map_ke -mm", options.where, "the option \"-mm\" of \"map_Ke\" is not supported");
         }
         if (maximum(Le) <= 0) return none;
         light.L = Spectrum::rgb(Le);
@@ -250,9 +259,10 @@ private:
     }
 
     void reportUnknown() {
-        static const std::set<std::string> known{"ka", "kd", "ks", "ke", "ns", "ni", "tf", "d", "tr", "illum", "sharpness", "map_ka", "map_kd", "map_ks", "map_ke", "map_d",
-                                                 "map_bump", "bump", "norm", "disp", "map_disp", "pr", "pm", "ps", "pc", "pcr", "aniso", "anisor", "map_pr", "map_pm",
-                                                 "map_ps", "map_aat"};
+        static const std::set<std::string> known{"ka",       "kd",    "ks",        "ke",     "ns",       "ni",     "tf",     "d",
+                                                 "tr",       "illum", "sharpness", "map_ka", "map_kd",   "map_ks", "map_ke", "map_d",
+                                                 "map_bump", "bump",  "norm",      "disp",   "map_disp", "pr",     "pm",     "ps",
+                                                 "pc",       "pcr",   "aniso",     "anisor", "map_pr",   "map_pm", "map_ps", "map_aat"};
         for (const auto& [keyword, statement] : mtl_.statements)
             if (!known.contains(keyword))
                 diagnostics_.unsupported("mtl " + keyword, statement.where, fmt::format("\"{}\" is not supported", keyword));

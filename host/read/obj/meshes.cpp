@@ -23,7 +23,8 @@ glm::dvec3 chooseOffset(const ObjGeometry& geometry) {
     }
     const glm::dvec3 farthest = glm::max(glm::abs(low), glm::abs(high)), size = high - low;
     constexpr double farAway = 16;
-    return std::max({farthest.x, farthest.y, farthest.z}) > farAway * std::max({size.x, size.y, size.z}) ? (low + high) / 2. : glm::dvec3(0);
+    return std::max({farthest.x, farthest.y, farthest.z}) > farAway * std::max({size.x, size.y, size.z}) ? (low + high) / 2.
+                                                                                                         : glm::dvec3(0);
 }
 
 /// The vertices of a mesh; equal corners share one.

@@ -15,8 +15,20 @@ namespace {
 
 /// A texture option. It takes `least` to `most` words; words beyond `least` must be numbers.
 struct Option { std::string_view name; std::size_t least, most; };
-constexpr std::array<Option, 14> options{{{"-s", 1, 3}, {"-o", 1, 3}, {"-t", 1, 3}, {"-mm", 2, 2}, {"-bm", 1, 1}, {"-clamp", 1, 1}, {"-blendu", 1, 1},
-    {"-blendv", 1, 1}, {"-boost", 1, 1}, {"-texres", 1, 1}, {"-imfchan", 1, 1}, {"-type", 1, 1}, {"-colorspace", 1, 1}, {"-cc", 1, 1}}};
+constexpr std::array<Option, 14> options{{{"-s", 1, 3},
+                                          {"-o", 1, 3},
+                                          {"-t", 1, 3},
+                                          {"-mm", 2, 2},
+                                          {"-bm", 1, 1},
+                                          {"-clamp", 1, 1},
+                                          {"-blendu", 1, 1},
+                                          {"-blendv", 1, 1},
+                                          {"-boost", 1, 1},
+                                          {"-texres", 1, 1},
+                                          {"-imfchan", 1, 1},
+                                          {"-type", 1, 1},
+                                          {"-colorspace", 1, 1},
+                                          {"-cc", 1, 1}}};
 
 std::string lower(std::string_view word) {
     std::string result(word);
@@ -27,13 +39,16 @@ std::string lower(std::string_view word) {
 /// Word i of a statement as a number.
 double numberIn(const MtlMaterial::Statement& statement, std::size_t i) {
     double value = 0;
-    if (!parseNumber(statement.words[i], value)) throw SceneError(statement.places[i], fmt::format("\"{}\" is not a finite number", statement.words[i]));
+    if (!parseNumber(statement.words[i], value))
+        throw SceneError(statement.places[i], fmt::format("\"{}\" is not a finite number", statement.words[i]));
     return value;
 }
 
 /// Applies an option whose values are the words from number `first` on.
-void applyOption(MtlTexture& texture, const MtlMaterial::Statement& statement, std::string_view name, std::size_t first, std::size_t count) {
-    const std::vector<std::string> values(statement.words.begin() + static_cast<std::ptrdiff_t>(first), statement.words.begin() + static_cast<std::ptrdiff_t>(first + count));
+void applyOption(MtlTexture& texture, const MtlMaterial::Statement& statement, std::string_view name, std::size_t first,
+                 std::size_t count) {
+    const std::vector<std::string> values(statement.words.begin() + static_cast<std::ptrdiff_t>(first),
+                                          statement.words.begin() + static_cast<std::ptrdiff_t>(first + count));
     const auto number = [&](std::size_t i) { return numberIn(statement, first + i); };
     const auto asWritten = [&] { return fmt::format("{} {}", name, fmt::join(values, " ")); };
     if (name == "-s") texture.scale = {number(0), values.size() > 1 ? number(1) : 1};
@@ -41,9 +56,12 @@ void applyOption(MtlTexture& texture, const MtlMaterial::Statement& statement, s
     else if (name == "-mm") { texture.base = number(0); texture.gain = number(1); }
     else if (name == "-bm") texture.bumpMultiplier = number(0);
     else if (name == "-clamp") texture.clamp = values[0] == "on";
-    else if (name == "-t") { if (std::ranges::any_of(std::views::iota(std::size_t(0), count), [&](std::size_t i) { return number(i) != 0; })) texture.ignored.push_back(asWritten()); }
-    else if (name == "-imfchan") { if (values[0] != "m" && values[0] != "l") texture.ignored.push_back(asWritten()); }
-    else if (name == "-type" || name == "-colorspace" || (name == "-cc" && values[0] == "on")) texture.ignored.push_back(asWritten());
+    else if (name == "-t") {
+        if (std::ranges::any_of(std::views::iota(std::size_t(0), count), [&](std::size_t i) { return number(i) != 0; }))
+            texture.ignored.push_back(asWritten());
+    } else if (name == "-imfchan") {
+        if (values[0] != "m" && values[0] != "l") texture.ignored.push_back(asWritten());
+    } else if (name == "-type" || name == "-colorspace" || (name == "-cc" && values[0] == "on")) texture.ignored.push_back(asWritten());
     // -blendu, -blendv, -boost and -texres configure filtering, which the renderer decides.
 }
 
@@ -95,12 +113,14 @@ std::optional<MtlTexture> MtlMaterial::texture(const std::string& keyword) const
         }
         const std::size_t first = i + 1;
         double ignored = 0;
-        while (i + 1 < first + option->most && i + 1 < words.size() && (i + 1 < first + option->least || parseNumber(words[i + 1], ignored))) {
+        while (i + 1 < first + option->most && i + 1 < words.size() &&
+               (i + 1 < first + option->least || parseNumber(words[i + 1], ignored))) {
             ++i;
             searchFrom = statement.rest.find(words[i], searchFrom) + words[i].size();
         }
         const std::size_t count = i + 1 - first;
-        if (count < option->least) throw SceneError(statement.where, fmt::format("\"{}\" needs {} more words", option->name, option->least));
+        if (count < option->least)
+            throw SceneError(statement.where, fmt::format("\"{}\" needs {} more words", option->name, option->least));
         applyOption(texture, statement, option->name, first, count);
     }
     if (nameBegin == std::string::npos) throw SceneError(statement.where, fmt::format("\"{}\" names no image", keyword));

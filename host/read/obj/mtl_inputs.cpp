@@ -27,7 +27,8 @@ std::optional<std::pair<MtlTexture, ImageFile>> MtlInputs::image(const std::stri
     auto texture = mtl_.texture(keyword);
     if (!texture) return {};
     for (const std::string& option : texture->ignored)
-        diagnostics_.unsupported("mtl " + option.substr(0, option.find(' ')), texture->where, fmt::format("the option \"{}\" is not supported", option));
+        diagnostics_.unsupported("mtl " + option.substr(0, option.find(' ')), texture->where,
+                                 fmt::format("the option \"{}\" is not supported", option));
     const std::string path = files_.require(texture->file, texture->where);
     if (path.empty()) return {};
     usesUvs_ = true;
@@ -43,7 +44,8 @@ std::optional<Input> MtlInputs::texture(const std::string& keyword, bool isFloat
     const auto& [options, file] = *found;
     const Mapping mapping{.uScale = options.scale.x, .vScale = options.scale.y, .uOffset = options.offset.x, .vOffset = options.offset.y};
     const auto add = [&](double scale) {
-        return addTexture({.name = file.path, .isFloat = isFloat, .kind = ImagemapTexture{addImage(file), mapping, scale}, .where = options.where});
+        return addTexture(
+            {.name = file.path, .isFloat = isFloat, .kind = ImagemapTexture{addImage(file), mapping, scale}, .where = options.where});
     };
     if (options.base == 0) return add(factor * options.gain);
     // base at 0, base + gain at 1.

@@ -12,7 +12,8 @@ namespace eikonal {
 /// Adds the inputs of a material to the scene.
 class MtlInputs {
 public:
-    MtlInputs(Scene& scene, const MtlMaterial& mtl, ObjFiles& files, Diagnostics& diagnostics) : scene_(scene), mtl_(mtl), files_(files), diagnostics_(diagnostics) {}
+    MtlInputs(Scene& scene, const MtlMaterial& mtl, ObjFiles& files, Diagnostics& diagnostics)
+        : scene_(scene), mtl_(mtl), files_(files), diagnostics_(diagnostics) {}
 
 protected:
     /// Plain values; `keyword` gives their place.

@@ -44,7 +44,9 @@ constexpr Range ranges[] = {
     {.keyword = "aniso", .written = "aniso", .low = 0, .high = 1, .text = fraction},
 };
 
-bool holds(const Range& range, double value) { return value >= range.low && value <= range.high && (!range.isWhole || value == std::floor(value)); }
+bool holds(const Range& range, double value) {
+    return value >= range.low && value <= range.high && (!range.isWhole || value == std::floor(value));
+}
 
 void keepTo(const Range& range, MtlMaterial::Statement& statement, Diagnostics& diagnostics) {
     const std::size_t first = !statement.words.empty() && statement.words[0] == "-halo" ? 1 : 0;
@@ -63,15 +65,17 @@ void keepTo(const Range& range, MtlMaterial::Statement& statement, Diagnostics& 
         kept.push_back(word);
     }
     if (firstBad)
-        diagnostics.warn(statement.places[*firstBad], fmt::format("\"{}\" is {}; it counts as {}, since {} must be {}", range.written, fmt::join(found, " "),
-                                                                  fmt::join(kept, " "), found.size() > 1 ? "each number" : "it", range.text));
+        diagnostics.warn(statement.places[*firstBad],
+                         fmt::format("\"{}\" is {}; it counts as {}, since {} must be {}", range.written, fmt::join(found, " "),
+                                     fmt::join(kept, " "), found.size() > 1 ? "each number" : "it", range.text));
 }
 
 }  // namespace
 
 MtlMaterial withinRanges(MtlMaterial material, Diagnostics& diagnostics) {
     for (const Range& range : ranges)
-        if (const auto found = material.statements.find(range.keyword); found != material.statements.end()) keepTo(range, found->second, diagnostics);
+        if (const auto found = material.statements.find(range.keyword); found != material.statements.end())
+            keepTo(range, found->second, diagnostics);
     return material;
 }
 

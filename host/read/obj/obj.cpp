@@ -105,8 +105,9 @@ void addShapes(Scene& scene, const ObjGeometry& geometry, const ObjMeshes& meshe
             materials[mtl] = mtl ? addMaterial(scene, *mtl, sizes.at(group.material), files, diagnostics) : addDefaultMaterial(scene);
         const ObjMaterial& material = materials[mtl];
         if (material.usesUvs && mesh.mesh->uvs.empty())
-            diagnostics.warnOnce("obj uv " + group.material, where,
-                                 fmt::format("material \"{}\" has textures, but \"{}\" has no texture coordinates", group.material, group.object));
+            diagnostics.warnOnce(
+                "obj uv " + group.material, where,
+                fmt::format("material \"{}\" has textures, but \"{}\" has no texture coordinates", group.material, group.object));
 
         Shape shape = triangleMesh(mesh.mesh);
         shape.worldFromObject = glm::translate(glm::dmat4(1), meshes.offset);
@@ -151,9 +152,11 @@ Scene readObj(const std::string& path, const ObjOptions& options, Diagnostics& d
     if (geometry.faces.empty()) throw SceneError({file, 0, 0}, "there are no faces (\"f\") in this file");
     completeNormals(geometry);
     const ObjMeshes meshes = buildMeshes(geometry);
-    if (meshes.triangles == 0) throw SceneError({file, 0, 0}, "none of the faces has an area: a face needs three corners that are not on one line");
+    if (meshes.triangles == 0)
+        throw SceneError({file, 0, 0}, "none of the faces has an area: a face needs three corners that are not on one line");
     if (meshes.degenerate > 0)
-        diagnostics.warn({file, 0, 0}, fmt::format("{} of {} triangles have no area and are left out", meshes.degenerate, meshes.degenerate + meshes.triangles));
+        diagnostics.warn({file, 0, 0}, fmt::format("{} of {} triangles have no area and are left out", meshes.degenerate,
+                                                   meshes.degenerate + meshes.triangles));
 
     Scene scene;
     scene.name = std::filesystem::path(path).stem().string();

@@ -10,7 +10,9 @@ namespace {
 /// Twice the signed area of a triangle.
 double area(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-bool contains(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 p) { return area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0; }
+bool contains(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 p) {
+    return area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0;
+}
 
 /// The polygon projected along its normal, counter-clockwise, with two of the three coordinates, relative to the first corner.
 std::vector<glm::dvec2> flatten(std::span<const glm::dvec3> corners) {

@@ -39,7 +39,8 @@ glm::dvec3 skyRadiance(glm::dvec3 d) {
 void addSky(Scene& scene, glm::dvec3 up, glm::dvec3 towardsViewer) {
     const glm::dvec3 z = glm::normalize(up);
     glm::dvec3 x = towardsViewer - glm::dot(towardsViewer, z) * z;
-    if (glm::length(x) < 1e-6 * glm::length(towardsViewer)) x = glm::cross(z, std::abs(z.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
+    if (glm::length(x) < 1e-6 * glm::length(towardsViewer))
+        x = glm::cross(z, std::abs(z.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
     x = glm::normalize(x);
 
     ImageFile image{.path = "sky", .wrap = WrapMode::octahedral};

@@ -57,8 +57,8 @@ double fittingDistance(const std::vector<ViewedTriangle>& triangles, const View&
         for (const glm::vec3& vertex : {triangle.a, triangle.b, triangle.c}) {
             const glm::dvec3 p = glm::dvec3(vertex) - view.target;
             const double nearness = -glm::dot(p, forward);
-            distance = std::max({distance, nearness + std::abs(glm::dot(p, right)) * 1.05 / t.x, nearness + std::abs(glm::dot(p, up)) * 1.05 / t.y,
-                                 nearness + 0.05 * size});
+            distance = std::max({distance, nearness + std::abs(glm::dot(p, right)) * 1.05 / t.x,
+                                 nearness + std::abs(glm::dot(p, up)) * 1.05 / t.y, nearness + 0.05 * size});
         }
     return distance;
 }
@@ -70,7 +70,8 @@ struct Candidate {
     double preference = 1;
 };
 
-std::vector<Candidate> candidates(const std::vector<ViewedTriangle>& triangles, const View& start, const Box& box, const ViewWishes& wishes) {
+std::vector<Candidate> candidates(const std::vector<ViewedTriangle>& triangles, const View& start, const Box& box,
+                                  const ViewWishes& wishes) {
     const Compass compass(wishes.up);
     const double size = std::max(glm::length(box.size()), std::numeric_limits<double>::min());
     std::vector<Candidate> result;
@@ -83,14 +84,16 @@ std::vector<Candidate> candidates(const std::vector<ViewedTriangle>& triangles, 
     addOutside({0.6, 0.45, 1}, 1.1);
     addOutside({-0.6, 0.45, 1}, 1.08);
     addOutside({0, 0, 1}, 1);
-    for (const glm::dvec3& direction : {glm::dvec3(0.6, 0.45, -1), {-0.6, 0.45, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 0, -1}}) addOutside(direction, 0.95);
+    for (const glm::dvec3& direction : {glm::dvec3(0.6, 0.45, -1), {-0.6, 0.45, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 0, -1}})
+        addOutside(direction, 0.95);
     addOutside({0, 1, 0.001}, 0.9);
 
     for (const glm::dvec2& corner : {glm::dvec2(1, 1), {-1, 1}, {1, -1}, {-1, -1}}) {
         Candidate candidate{start, true, 0.9};
         const glm::dvec3 extent(glm::dot(glm::abs(compass.right), box.size()), glm::dot(glm::abs(compass.up), box.size()),
                                 glm::dot(glm::abs(compass.front), box.size()));
-        candidate.view.eye = box.middle() + 0.42 * (corner.x * extent.x * compass.right + corner.y * extent.z * compass.front) + 0.2 * extent.y * compass.up;
+        candidate.view.eye =
+            box.middle() + 0.42 * (corner.x * extent.x * compass.right + corner.y * extent.z * compass.front) + 0.2 * extent.y * compass.up;
         if (!wishes.fov) candidate.view.fov = 75;
         result.push_back(candidate);
     }
@@ -155,7 +158,8 @@ View chooseView(const std::vector<ViewedTriangle>& triangles, const ViewWishes& 
 Transform worldFromCamera(const View& view) {
     const glm::dvec3 forward = glm::normalize(view.target - view.eye);
     glm::dvec3 right = glm::cross(forward, view.up);
-    if (glm::length(right) < 1e-9 * glm::length(view.up)) right = glm::cross(forward, std::abs(forward.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1));
+    if (glm::length(right) < 1e-9 * glm::length(view.up))
+        right = glm::cross(forward, std::abs(forward.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1));
     right = glm::normalize(right);
     return {glm::dvec4(right, 0), glm::dvec4(glm::cross(right, forward), 0), glm::dvec4(forward, 0), glm::dvec4(view.eye, 1)};
 }

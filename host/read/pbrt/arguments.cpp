@@ -23,7 +23,8 @@ void reject(Reading& reading, const Kind& kind, const Parameter& parameter) {
     const std::string shown = "\"" + parameter.declaration() + "\"";
     for (const Rule& rule : kind.rules)
         if (rule.name == parameter.name || rule.orElse == parameter.name)
-            throw SceneError(parameter.where, shown + " found where " + kind.title() + " has " + acceptedDeclarations(rule, parameter.name));
+            throw SceneError(parameter.where,
+                             shown + " found where " + kind.title() + " has " + acceptedDeclarations(rule, parameter.name));
     if (const char* successor = successorOf("parameter", parameter.name)) throw Version3Error(parameter.where, shown, successor);
     const std::string near = nearestWord(parameter.name, kind.parameters());
     reading.unsupported("parameter " + kind.title() + " " + parameter.name, parameter.where,
@@ -47,7 +48,8 @@ template <class T> void keepTo(const Range& range, T& number, const Kind& kind, 
     const std::string found = kind.title() + ": \"" + parameter.declaration() + "\" is " + shown(number);
     if (!range.clamps) throw SceneError(parameter.where, found + "; it must be in " + range.text);
     const double end = std::clamp(static_cast<double>(number), range.low, range.high);
-    reading.diagnostics.warnOnce("range of " + kind.title() + " " + parameter.name, parameter.where, found + "; it counts as " + shown(end) + ", since it must be in " + range.text);
+    reading.diagnostics.warnOnce("range of " + kind.title() + " " + parameter.name, parameter.where,
+                                 found + "; it counts as " + shown(end) + ", since it must be in " + range.text);
     number = static_cast<T>(end);
 }
 
@@ -75,7 +77,8 @@ void Arguments::checkRanges() {
             for (int& integer : *integers) keepTo(*rule->range, integer, *kind_, parameter, *reading_);
     };
     for (Parameter& parameter : own_) keep(parameter);
-    if (!inherited_ || std::ranges::none_of(*inherited_, [this](const Parameter& parameter) { return rangedRule(*kind_, parameter); })) return;
+    if (!inherited_ || std::ranges::none_of(*inherited_, [this](const Parameter& parameter) { return rangedRule(*kind_, parameter); }))
+        return;
     ParameterList kept = *inherited_;
     for (Parameter& parameter : kept) keep(parameter);
     inherited_ = std::make_shared<const ParameterList>(std::move(kept));
@@ -116,7 +119,8 @@ template <class T> std::optional<T> Arguments::single(const std::string& name) c
     const std::vector<T>* all = values<T>(name);
     if (!all) return std::nullopt;
     if (all->size() != 1)
-        throw SceneError(whereOf(name), "\"" + given(name)->declaration() + "\" has " + std::to_string(all->size()) + " values; one is expected");
+        throw SceneError(whereOf(name),
+                         "\"" + given(name)->declaration() + "\" has " + std::to_string(all->size()) + " values; one is expected");
     return static_cast<T>(all->front());
 }
 
@@ -152,7 +156,8 @@ glm::dvec3 Arguments::vector(const std::string& name, glm::dvec3 fallback) const
     if (!has(name)) return fallback;
     const std::vector<glm::vec3> all = vectors3(name);
     if (all.size() != 1)
-        throw SceneError(whereOf(name), "\"" + given(name)->declaration() + "\" has " + std::to_string(3 * all.size()) + " values; three are expected");
+        throw SceneError(whereOf(name),
+                         "\"" + given(name)->declaration() + "\" has " + std::to_string(3 * all.size()) + " values; three are expected");
     return all.front();
 }
 
@@ -173,7 +178,9 @@ std::vector<glm::vec3> Arguments::vectors3(const std::string& name) const { retu
 
 std::vector<glm::vec3> Arguments::colors(const std::string& name) const {
     const std::vector<double> all = numbers(name);
-    const auto problem = [&](const std::string& what) { return SceneError(whereOf(name), "\"" + given(name)->declaration() + "\" has " + what); };
+    const auto problem = [&](const std::string& what) {
+        return SceneError(whereOf(name), "\"" + given(name)->declaration() + "\" has " + what);
+    };
     if (all.size() % 3) throw problem(std::to_string(all.size()) + " values; a multiple of 3 is expected");
     if (std::ranges::any_of(all, [](double component) { return component < 0; })) throw problem("a component below 0");
     std::vector<glm::vec3> result(all.size() / 3);
@@ -195,7 +202,8 @@ Spectrum Arguments::spectrum(const std::string& name, const Spectrum& fallback) 
         if (r.wanted == Wanted::colorMap && parameter->type == ParameterType::rgb) {
             const auto& rgb = std::get<std::vector<double>>(parameter->values);
             if (std::ranges::any_of(rgb, [](double component) { return component > 1; }))
-                throw SceneError(parameter->where, "\"" + parameter->declaration() + "\" has a component above 1: it would reflect more light than it gets");
+                throw SceneError(parameter->where,
+                                 "\"" + parameter->declaration() + "\" has a component above 1: it would reflect more light than it gets");
         }
         return spectrum;
     }
@@ -209,7 +217,8 @@ std::optional<std::string> Arguments::file(const std::string& name) const {
 
 std::string typeOf(const ParameterList& parameters, const char* directive, const SourceLocation& where) {
     for (const Parameter& parameter : parameters | std::views::reverse)
-        if (parameter.name == "type" && parameter.type == ParameterType::text) return std::get<std::vector<std::string>>(parameter.values).front();
+        if (parameter.name == "type" && parameter.type == ParameterType::text)
+            return std::get<std::vector<std::string>>(parameter.values).front();
     throw SceneError(where, std::string(directive) + " needs a \"string type\"");
 }
 

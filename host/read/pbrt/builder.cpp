@@ -26,7 +26,8 @@ void Builder::lookAt(glm::dvec3 eye, glm::dvec3 at, glm::dvec3 up, const SourceL
     const glm::dvec3 across = glm::cross(glm::normalize(up), forward);
     if (!(glm::dot(across, across) > 0)) throw SceneError(where, "LookAt has a viewing direction of length 0 or parallel to its up vector");
     const glm::dvec3 right = glm::normalize(across);
-    const Transform worldFromCamera(glm::dvec4(right, 0), glm::dvec4(glm::cross(forward, right), 0), glm::dvec4(forward, 0), glm::dvec4(eye, 1));
+    const Transform worldFromCamera(glm::dvec4(right, 0), glm::dvec4(glm::cross(forward, right), 0), glm::dvec4(forward, 0),
+                                    glm::dvec4(eye, 1));
     concatenate(glm::inverse(worldFromCamera));
 }
 
@@ -43,8 +44,8 @@ void Builder::useCoordinateSystem(const std::string& name, const SourceLocation&
     std::vector<std::string> names;
     for (const auto& [known, transform] : coordinateSystems_) names.push_back(known);
     const std::string near = nearestWord(name, names);
-    reading.diagnostics.warn(where, "there is no coordinate system \"" + name + "\"" + (near.empty() ? "" : " (did you mean \"" + near + "\"?)") +
-                                        ", so CoordSysTransform has no effect");
+    reading.diagnostics.warn(where, "there is no coordinate system \"" + name + "\"" +
+                                        (near.empty() ? "" : " (did you mean \"" + near + "\"?)") + ", so CoordSysTransform has no effect");
 }
 
 void Builder::beginWorld() {
@@ -59,7 +60,8 @@ void Builder::beginAttributes(const SourceLocation& where) { blocks_.push_back({
 
 void Builder::endAttributes(const SourceLocation& where) {
     if (blocks_.empty()) throw SceneError(where, "AttributeEnd without an AttributeBegin before it");
-    if (blocks_.back().isObject) throw SceneError(where, "AttributeEnd where ObjectEnd is expected, for the ObjectBegin at " + blocks_.back().where.toString());
+    if (blocks_.back().isObject)
+        throw SceneError(where, "AttributeEnd where ObjectEnd is expected, for the ObjectBegin at " + blocks_.back().where.toString());
     state = std::move(blocks_.back().saved);
     blocks_.pop_back();
 }
@@ -81,7 +83,8 @@ void Builder::endObject(const SourceLocation& where) {
 void Builder::addAttributes(const std::string& target, ParameterList parameters, const SourceLocation& where) {
     const auto found = std::ranges::find(attributeTargets, target);
     if (found == std::end(attributeTargets))
-        throw SceneError(where, "Attribute has the target \"" + target + "\"; it can be \"shape\", \"light\", \"material\", \"medium\" or \"texture\"");
+        throw SceneError(
+            where, "Attribute has the target \"" + target + "\"; it can be \"shape\", \"light\", \"material\", \"medium\" or \"texture\"");
     auto& attributes = state.attributes[found - std::begin(attributeTargets)];
     auto extended = attributes ? std::make_shared<ParameterList>(*attributes) : std::make_shared<ParameterList>();
     extended->insert(extended->end(), std::make_move_iterator(parameters.begin()), std::make_move_iterator(parameters.end()));
@@ -91,7 +94,9 @@ void Builder::addAttributes(const std::string& target, ParameterList parameters,
 void Builder::closeBlocks() {
     for (; !blocks_.empty(); blocks_.pop_back()) {
         const Block& block = blocks_.back();
-        reading.problems.add(block.where, std::string(block.isObject ? "ObjectBegin without an ObjectEnd" : "AttributeBegin without an AttributeEnd") + " after it");
+        reading.problems.add(
+            block.where,
+            std::string(block.isObject ? "ObjectBegin without an ObjectEnd" : "AttributeBegin without an AttributeEnd") + " after it");
         if (block.isObject) shapes.endObject(block.where);
     }
 }

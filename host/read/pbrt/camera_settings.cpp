@@ -17,14 +17,17 @@ void Settings::applyCamera(const Arguments& arguments) {
         const std::vector<double> window = arguments.numbers("screenwindow");
         expectCount(arguments, "screenwindow", window, 4);
         if (window[0] == window[1] || window[2] == window[3])
-            throw SceneError(arguments.whereOf("screenwindow"), "\"float screenwindow\" is empty: its values are x0 x1 y0 y1, with different x0 and x1, and different y0 and y1");
+            throw SceneError(
+                arguments.whereOf("screenwindow"),
+                "\"float screenwindow\" is empty: its values are x0 x1 y0 y1, with different x0 and x1, and different y0 and y1");
         camera.screenWindow = {window[0], window[1], window[2], window[3]};
     }
     camera.lensRadius = arguments.number("lensradius");
     camera.focalDistance = arguments.number("focaldistance");
     if (camera.lensRadius > 0 && !(camera.focalDistance > 0))
-        throw SceneError(arguments.whereOf("focaldistance"), fmt::format("{}: \"float focaldistance\" is {:g}; with a lens it must be in (0, inf)",
-                                                                         arguments.kind().title(), camera.focalDistance));
+        throw SceneError(arguments.whereOf("focaldistance"),
+                         fmt::format("{}: \"float focaldistance\" is {:g}; with a lens it must be in (0, inf)", arguments.kind().title(),
+                                     camera.focalDistance));
     camera.shutterOpen = arguments.number("shutteropen");
     camera.shutterClose = arguments.number("shutterclose");
     if (!(camera.shutterClose > camera.shutterOpen))

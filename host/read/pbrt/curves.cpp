@@ -23,7 +23,8 @@ CurveKind kindOf(Reading& reading, const Arguments& arguments) {
     if (type == "flat") return CurveKind::flat;
     if (type == "ribbon") return CurveKind::ribbon;
     if (type != "cylinder")
-        reading.diagnostics.warn(arguments.whereOf("type"), "there is no curve of type \"" + type + "\" (types are flat, cylinder, ribbon); \"cylinder\" is used instead");
+        reading.diagnostics.warn(arguments.whereOf("type"), "there is no curve of type \"" + type +
+                                                                "\" (types are flat, cylinder, ribbon); \"cylinder\" is used instead");
     return CurveKind::cylinder;
 }
 
@@ -31,12 +32,15 @@ CurveKind kindOf(Reading& reading, const Arguments& arguments) {
 size_t countSegments(const Arguments& arguments, size_t points, const std::string& basis, int degree) {
     const auto d = static_cast<size_t>(degree);
     const std::string title = arguments.kind().title();
-    const std::string found = title + " has " + std::to_string(points) + " control points; of degree " + std::to_string(degree) + " in the basis \"" + basis + "\" it has ";
+    const std::string found = title + " has " + std::to_string(points) + " control points; of degree " + std::to_string(degree) +
+                              " in the basis \"" + basis + "\" it has ";
     if (basis == "bspline") {
         if (points < d + 1) throw SceneError(arguments.whereOf("P"), found + std::to_string(d + 1) + " or more");
         return points - d;
     }
-    if (points < d + 1 || (points - 1) % d) throw SceneError(arguments.whereOf("P"), found + std::to_string(d + 1) + ", and " + std::to_string(degree) + " for each further segment");
+    if (points < d + 1 || (points - 1) % d)
+        throw SceneError(arguments.whereOf("P"),
+                         found + std::to_string(d + 1) + ", and " + std::to_string(degree) + " for each further segment");
     return (points - 1) / d;
 }
 
@@ -45,8 +49,10 @@ size_t countSegments(const Arguments& arguments, size_t points, const std::strin
 std::shared_ptr<Curve> readCurve(Reading& reading, const Arguments& arguments) {
     const std::string title = arguments.kind().title(), basis = arguments.text("basis");
     const int degree = arguments.integer("degree");
-    if (degree != 2 && degree != 3) throw SceneError(arguments.whereOf("degree"), title + " of degree " + std::to_string(degree) + "; the degree can be 2 or 3");
-    if (basis != "bezier" && basis != "bspline") throw SceneError(arguments.whereOf("basis"), title + " has the basis \"" + basis + "\"; it can be \"bezier\" or \"bspline\"");
+    if (degree != 2 && degree != 3)
+        throw SceneError(arguments.whereOf("degree"), title + " of degree " + std::to_string(degree) + "; the degree can be 2 or 3");
+    if (basis != "bezier" && basis != "bspline")
+        throw SceneError(arguments.whereOf("basis"), title + " has the basis \"" + basis + "\"; it can be \"bezier\" or \"bspline\"");
     if (!arguments.has("P")) throw SceneError(arguments.where(), title + " needs its control points, \"point3 P\"");
     const std::vector<glm::vec3> points = arguments.vectors3("P");
     const size_t count = countSegments(arguments, points.size(), basis, degree);
@@ -56,9 +62,10 @@ std::shared_ptr<Curve> readCurve(Reading& reading, const Arguments& arguments) {
     curve->splitDepth = arguments.integer("splitdepth");
     std::vector<glm::vec3> normals = arguments.vectors3("N");
     if (curve->kind == CurveKind::ribbon && normals.size() != count + 1)
-        throw SceneError(arguments.whereOf("N"), title + " of type \"ribbon\" needs \"normal N\" at both ends of each segment: " + std::to_string(count + 1) + " normals, not " +
-                                                     std::to_string(normals.size()));
-    if (curve->kind != CurveKind::ribbon && !normals.empty()) reading.diagnostics.warn(arguments.whereOf("N"), "only curves of type \"ribbon\" have normals; \"normal N\" is ignored");
+        throw SceneError(arguments.whereOf("N"), title + " of type \"ribbon\" needs \"normal N\" at both ends of each segment: " +
+                                                     std::to_string(count + 1) + " normals, not " + std::to_string(normals.size()));
+    if (curve->kind != CurveKind::ribbon && !normals.empty())
+        reading.diagnostics.warn(arguments.whereOf("N"), "only curves of type \"ribbon\" have normals; \"normal N\" is ignored");
     normals.resize(count + 1);
 
     const double width = arguments.number("width"), width0 = arguments.number("width0", width), width1 = arguments.number("width1", width);

@@ -48,7 +48,9 @@ void colorSpace(Parser& p, Builder& b, Where) {
     const std::string name = p.quoted("the name of a colour space");
     const auto space = colorSpaceNamed(name);
     if (space) b.state.space = *space;
-    else b.reading.problems.add(p.lastPlace(), "there is no colour space \"" + name + "\"; it can be \"srgb\", \"dci-p3\", \"rec2020\" or \"aces2065-1\"");
+    else
+        b.reading.problems.add(p.lastPlace(),
+                               "there is no colour space \"" + name + "\"; it can be \"srgb\", \"dci-p3\", \"rec2020\" or \"aces2065-1\"");
 }
 
 void option(Parser& p, Builder& b, Where) {
@@ -61,7 +63,8 @@ void option(Parser& p, Builder& b, Where) {
 void texture(Parser& p, Builder& b, Where where) {
     const std::string name = p.quoted("the name of a texture"), type = p.quoted("\"float\" or \"spectrum\"");
     if (type == "color") throw Version3Error(p.lastPlace(), "a texture of type \"color\"", "\"spectrum\"");
-    if (type != "float" && type != "spectrum") throw SceneError(p.lastPlace(), "\"" + type + "\" found where \"float\" or \"spectrum\" is expected");
+    if (type != "float" && type != "spectrum")
+        throw SceneError(p.lastPlace(), "\"" + type + "\" found where \"float\" or \"spectrum\" is expected");
     withParameters(p, b, "a kind of texture", [&](const std::string& kind, ParameterList parameters) {
         b.textures.define(name, type == "float", kind, b.state, std::move(parameters), where);
     });
@@ -100,33 +103,40 @@ void transformBegin(Parser&, Builder& b, Where where) {
 const Directive directives[] = {
     // Transforms.
     {"Identity", Place::anywhere, [](Parser&, Builder& b, Where) { b.setTransform(Transform(1)); }},
-    {"Translate", Place::anywhere, [](Parser& p, Builder& b, Where) {
-        const auto [x, y, z] = p.numbers<3>();
-        b.concatenate(glm::translate(Transform(1), {x, y, z}));
-    }},
-    {"Scale", Place::anywhere, [](Parser& p, Builder& b, Where) {
-        const auto [x, y, z] = p.numbers<3>();
-        b.concatenate(glm::scale(Transform(1), {x, y, z}));
-    }},
-    {"Rotate", Place::anywhere, [](Parser& p, Builder& b, Where where) {
-        const auto v = p.numbers<4>();
-        note(b, [&] { b.rotate(v[0], {v[1], v[2], v[3]}, where); });
-    }},
-    {"LookAt", Place::anywhere, [](Parser& p, Builder& b, Where where) {
-        const auto v = p.numbers<9>();
-        note(b, [&] { b.lookAt({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, where); });
-    }},
+    {"Translate", Place::anywhere,
+     [](Parser& p, Builder& b, Where) {
+         const auto [x, y, z] = p.numbers<3>();
+         b.concatenate(glm::translate(Transform(1), {x, y, z}));
+     }},
+    {"Scale", Place::anywhere,
+     [](Parser& p, Builder& b, Where) {
+         const auto [x, y, z] = p.numbers<3>();
+         b.concatenate(glm::scale(Transform(1), {x, y, z}));
+     }},
+    {"Rotate", Place::anywhere,
+     [](Parser& p, Builder& b, Where where) {
+         const auto v = p.numbers<4>();
+         note(b, [&] { b.rotate(v[0], {v[1], v[2], v[3]}, where); });
+     }},
+    {"LookAt", Place::anywhere,
+     [](Parser& p, Builder& b, Where where) {
+         const auto v = p.numbers<9>();
+         note(b, [&] { b.lookAt({v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}, where); });
+     }},
     {"Transform", Place::anywhere, [](Parser& p, Builder& b, Where) { b.setTransform(p.matrix()); }},
     {"ConcatTransform", Place::anywhere, [](Parser& p, Builder& b, Where) { b.concatenate(p.matrix()); }},
     {"CoordinateSystem", Place::anywhere, [](Parser& p, Builder& b, Where) { b.nameCoordinateSystem(p.quoted("a name")); }},
     {"CoordSysTransform", Place::anywhere, [](Parser& p, Builder& b, Where where) { b.useCoordinateSystem(p.quoted("a name"), where); }},
     {"ActiveTransform", Place::anywhere, activeTransform},
-    {"TransformTimes", Place::options, [](Parser& p, Builder& b, Where where) {
-        const auto [start, end] = p.numbers<2>();
-        if (!(start < end)) throw SceneError(where, "TransformTimes are a start and an end after it, not " + std::to_string(start) + " and " + std::to_string(end));
-        b.reading.scene.motionStart = start;
-        b.reading.scene.motionEnd = end;
-    }},
+    {"TransformTimes", Place::options,
+     [](Parser& p, Builder& b, Where where) {
+         const auto [start, end] = p.numbers<2>();
+         if (!(start < end))
+             throw SceneError(
+                 where, "TransformTimes are a start and an end after it, not " + std::to_string(start) + " and " + std::to_string(end));
+         b.reading.scene.motionStart = start;
+         b.reading.scene.motionEnd = end;
+     }},
 
     // Settings.
     {"Camera", Place::options, setting<Settings::Sort::camera>},
@@ -144,40 +154,51 @@ const Directive directives[] = {
     {"AttributeEnd", Place::world, [](Parser&, Builder& b, Where where) { note(b, [&] { b.endAttributes(where); }); }},
     {"TransformBegin", Place::world, transformBegin},
     {"TransformEnd", Place::world, [](Parser&, Builder& b, Where where) { note(b, [&] { b.endAttributes(where); }); }},
-    {"ObjectBegin", Place::world, [](Parser& p, Builder& b, Where where) {
-        const std::string name = p.quoted("a name");
-        note(b, [&] { b.beginObject(name, where); });
-    }},
+    {"ObjectBegin", Place::world,
+     [](Parser& p, Builder& b, Where where) {
+         const std::string name = p.quoted("a name");
+         note(b, [&] { b.beginObject(name, where); });
+     }},
     {"ObjectEnd", Place::world, [](Parser&, Builder& b, Where where) { note(b, [&] { b.endObject(where); }); }},
     {"Import", Place::world, [](Parser& p, Builder&, Where where) { p.import(where); }},
-    {"Attribute", Place::anywhere, [](Parser& p, Builder& b, Where where) {
-        withParameters(p, b, "a target", [&](const std::string& target, ParameterList parameters) { b.addAttributes(target, std::move(parameters), where); });
-    }},
+    {"Attribute", Place::anywhere,
+     [](Parser& p, Builder& b, Where where) {
+         withParameters(p, b, "a target", [&](const std::string& target, ParameterList parameters) {
+             b.addAttributes(target, std::move(parameters), where);
+         });
+     }},
 
     // What the world is made of.
-    {"Shape", Place::world, [](Parser& p, Builder& b, Where where) {
-        withParameters(p, b, "a type", [&](const std::string& kind, ParameterList parameters) { b.shapes.add(kind, b.state, std::move(parameters), where); });
-    }},
-    {"ObjectInstance", Place::world, [](Parser& p, Builder& b, Where where) {
-        const std::string name = p.quoted("the name of an object");
-        note(b, [&] { b.shapes.addInstance(name, b.state, where); });
-    }},
+    {"Shape", Place::world,
+     [](Parser& p, Builder& b, Where where) {
+         withParameters(p, b, "a type", [&](const std::string& kind, ParameterList parameters) {
+             b.shapes.add(kind, b.state, std::move(parameters), where);
+         });
+     }},
+    {"ObjectInstance", Place::world,
+     [](Parser& p, Builder& b, Where where) {
+         const std::string name = p.quoted("the name of an object");
+         note(b, [&] { b.shapes.addInstance(name, b.state, where); });
+     }},
     {"ReverseOrientation", Place::world, [](Parser&, Builder& b, Where) { b.state.reverseOrientation = !b.state.reverseOrientation; }},
     {"Material", Place::world, material},
     {"MakeNamedMaterial", Place::world, makeNamedMaterial},
-    {"NamedMaterial", Place::world, [](Parser& p, Builder& b, Where) { b.state.material = b.materials.numberOf(p.quoted("the name of a material")); }},
+    {"NamedMaterial", Place::world,
+     [](Parser& p, Builder& b, Where) { b.state.material = b.materials.numberOf(p.quoted("the name of a material")); }},
     {"Texture", Place::world, texture},
-    {"LightSource", Place::world, [](Parser& p, Builder& b, Where where) {
-        withParameters(p, b, "a type", [&](const std::string& kind, ParameterList parameters) {
-            addLight(b.reading, b.textures, kind, b.state, std::move(parameters), where);
-        });
-    }},
+    {"LightSource", Place::world,
+     [](Parser& p, Builder& b, Where where) {
+         withParameters(p, b, "a type", [&](const std::string& kind, ParameterList parameters) {
+             addLight(b.reading, b.textures, kind, b.state, std::move(parameters), where);
+         });
+     }},
     {"AreaLightSource", Place::world, areaLightSource},
-    {"MakeNamedMedium", Place::anywhere, [](Parser& p, Builder& b, Where where) {
-        withParameters(p, b, "the name of a medium", [&](const std::string& name, ParameterList parameters) {
-            b.media.define(name, b.state, std::move(parameters), where);
-        });
-    }},
+    {"MakeNamedMedium", Place::anywhere,
+     [](Parser& p, Builder& b, Where where) {
+         withParameters(p, b, "the name of a medium", [&](const std::string& name, ParameterList parameters) {
+             b.media.define(name, b.state, std::move(parameters), where);
+         });
+     }},
     {"MediumInterface", Place::anywhere, mediumInterface},
 };
 
@@ -195,7 +216,8 @@ const Directive& findDirective(const Token& token, const SourceLocation& where) 
         if (const char* successor = successorOf("directive", text)) throw Version3Error(where, "\"" + text + "\"", successor);
     }
     const std::string near = nearestWord(text, directiveNames());
-    throw SceneError(where, "\"" + text + "\" found where a directive is expected" + (near.empty() ? ", such as Shape or Material" : "; did you mean \"" + near + "\"?"));
+    throw SceneError(where, "\"" + text + "\" found where a directive is expected" +
+                                (near.empty() ? ", such as Shape or Material" : "; did you mean \"" + near + "\"?"));
 }
 
 std::vector<std::string> directiveNames() {

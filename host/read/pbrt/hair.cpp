@@ -38,15 +38,20 @@ Input absorptionOfColor(TextureRegistry& textures, const Input& color, const Inp
 
 void readHair(Reading& reading, TextureRegistry& textures, const Arguments& arguments, Material& material) {
     const bool hasMelanin = arguments.has("eumelanin") || arguments.has("pheomelanin");
-    const char* const used = arguments.has("sigma_a") ? "sigma_a" : arguments.has("reflectance") ? "reflectance" : hasMelanin ? "melanin" : "";
+    const char* const used = arguments.has("sigma_a")       ? "sigma_a"
+                             : arguments.has("reflectance") ? "reflectance"
+                             : hasMelanin                   ? "melanin"
+                                                            : "";
     for (const char* name : {"reflectance", "eumelanin", "pheomelanin"}) {
         const bool counts = std::string(name).find(used) != std::string::npos;
         if (*used && !counts && arguments.has(name))
-            reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored, since there is a \"" + used + "\" as well");
+            reading.diagnostics.warn(arguments.whereOf(name),
+                                     "\"" + std::string(name) + "\" is ignored, since there is a \"" + used + "\" as well");
     }
     const Input& betaN = material.inputs.at("beta_n");
     if (hasMelanin && std::string(used) == "melanin") material.inputs["sigma_a"] = melanins(textures, arguments);
-    else if (std::string(used) == "reflectance") material.inputs["sigma_a"] = absorptionOfColor(textures, textures.input(arguments, "reflectance"), betaN);
+    else if (std::string(used) == "reflectance")
+        material.inputs["sigma_a"] = absorptionOfColor(textures, textures.input(arguments, "reflectance"), betaN);
     else if (!*used) material.inputs["sigma_a"] = {Spectrum::rgb(brown * eumelaninAbsorption)};
 
     // Across a curve, v goes from 0 to 1 and h from -1 to 1.

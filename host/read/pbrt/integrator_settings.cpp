@@ -19,8 +19,9 @@ void Settings::applyLightSampler(const Arguments& arguments) {
     /* pbrt-v4's fourth light sampler; the light tree approximates it, with the same expectation */
     if (name == "exhaustive") { sampler = LightSampler::bvh; return; }
     const std::string near = nearestWord(name, words);
-    throw SceneError(arguments.whereOf("lightsampler"), "there is no light sampler \"" + name + "\"; " +
-                                                            (near.empty() ? "there are \"bvh\", \"power\" and \"uniform\"" : "did you mean \"" + near + "\"?"));
+    throw SceneError(arguments.whereOf("lightsampler"),
+                     "there is no light sampler \"" + name + "\"; " +
+                         (near.empty() ? "there are \"bvh\", \"power\" and \"uniform\"" : "did you mean \"" + near + "\"?"));
 }
 
 /// Throws SceneError unless the value is a power of two from 1 to mostTreeRays, or equal to `orElse`.

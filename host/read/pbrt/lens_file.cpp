@@ -15,12 +15,15 @@ std::vector<LensElement> readLensFile(const std::string& path) {
         for (int i = 0; i < 4; ++i) {
             if (i > 0) token = tokens.next();
             if (token.kind == Token::Kind::end)
-                throw SceneError(where, "the last element of this lens has " + std::to_string(i) + " numbers; four are expected: radius of curvature, "
+                throw SceneError(where, "the last element of this lens has " + std::to_string(i) +
+                                            " numbers; four are expected: radius of curvature, "
                                             "thickness, index of refraction, diameter of the aperture");
             numbers[i] = tokens.toNumber<double>(token, "a number");
         }
         const LensElement element{numbers[0], numbers[1], numbers[2], numbers[3]};
-        if (!(element.apertureDiameter > 0)) throw SceneError(where, "an element of this lens has an aperture of " + std::to_string(element.apertureDiameter) + " mm; it must be above 0");
+        if (!(element.apertureDiameter > 0))
+            throw SceneError(where, "an element of this lens has an aperture of " + std::to_string(element.apertureDiameter) +
+                                        " mm; it must be above 0");
         if (element.eta < 0) throw SceneError(where, "an element of this lens has an index of refraction below 0");
         lens.push_back(element);
     }

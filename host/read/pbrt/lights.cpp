@@ -21,8 +21,8 @@ const KindTable& areaLightKinds() {
     return table;
 }
 
-void addLight(Reading& reading, TextureRegistry& textures, const std::string& kindName, const GraphicsState& state, ParameterList parameters,
-              const SourceLocation& where) {
+void addLight(Reading& reading, TextureRegistry& textures, const std::string& kindName, const GraphicsState& state,
+              ParameterList parameters, const SourceLocation& where) {
     const Kind& kind = lightKinds().find(kindName, where);
     const Arguments arguments(reading, kind, where, std::move(parameters), state.attributesOf(Target::light), state.space);
     if (state.transform[0] != state.transform[1])
@@ -39,7 +39,8 @@ void addLight(Reading& reading, TextureRegistry& textures, const std::string& ki
     reading.scene.lights.push_back(std::move(light));
 }
 
-int addAreaLight(Reading& reading, TextureRegistry& textures, const std::string& kindName, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
+int addAreaLight(Reading& reading, TextureRegistry& textures, const std::string& kindName, const GraphicsState& state,
+                 ParameterList parameters, const SourceLocation& where) {
     const Kind& kind = areaLightKinds().find(kindName, where);
     const Arguments arguments(reading, kind, where, std::move(parameters), state.attributesOf(Target::light), state.space);
     if (arguments.has("filename") && arguments.has("L"))

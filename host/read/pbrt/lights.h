@@ -17,6 +17,7 @@ void addLight(Reading& reading, TextureRegistry& textures, const std::string& ki
               const SourceLocation& where);
 
 /// Adds an area light to Scene::areaLights and returns its index. Throws SceneError.
-int addAreaLight(Reading& reading, TextureRegistry& textures, const std::string& kind, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
+int addAreaLight(Reading& reading, TextureRegistry& textures, const std::string& kind, const GraphicsState& state, ParameterList parameters,
+                 const SourceLocation& where);
 
 }  // namespace eikonal::pbrt

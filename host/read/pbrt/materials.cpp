@@ -28,7 +28,8 @@ constexpr const char* commonParameters =
 const KindTable& materialKinds() {
     static const KindTable table = [] {
         std::vector<Row> rows;
-        for (const auto& [kind, directive] : directiveList()) rows.push_back({directive->name, static_cast<int>(rows.size()), directive->parameters});
+        for (const auto& [kind, directive] : directiveList())
+            rows.push_back({directive->name, static_cast<int>(rows.size()), directive->parameters});
         return KindTable("material", commonParameters, rows);
     }();
     return table;
@@ -43,7 +44,8 @@ int MaterialRegistry::numberOf(const std::string& name) {
 int MaterialRegistry::define(const std::string& name, const std::string& kindName, const GraphicsState& state, ParameterList parameters,
                          const SourceLocation& where) {
     const Kind& kind = materialKinds().find(kindName, where);
-    auto arguments = std::make_unique<Arguments>(reading_, kind, where, std::move(parameters), state.attributesOf(Target::material), state.space);
+    auto arguments =
+        std::make_unique<Arguments>(reading_, kind, where, std::move(parameters), state.attributesOf(Target::material), state.space);
     if (kindName == "none" || kindName.empty())
         reading_.diagnostics.warnOnce("material none", where, kind.title() + " is deprecated; \"interface\" is its name in pbrt-v4");
     if (name.empty()) {
@@ -67,7 +69,8 @@ int MaterialRegistry::resolve(int number, const SourceLocation& where) {
         for (const Entry& other : entries_)
             if (other.arguments && !other.name.empty()) names.push_back(other.name);
         const std::string near = nearestWord(entry.name, names);
-        reading_.problems.add(where, "there is no material \"" + entry.name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+        reading_.problems.add(where,
+                              "there is no material \"" + entry.name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
         return none;
     }
     if (entry.beingBuilt) throw SceneError(where, "the material \"" + entry.name + "\" is a mix of itself");
@@ -106,7 +109,8 @@ void MaterialRegistry::preferReflectance(const Arguments& arguments, Material& m
     const auto& indices = material.kind->metalIndices;
     for (const Rule& rule : arguments.kind().rules)
         if (std::ranges::count(indices, rule.as) && arguments.has(rule.name))
-            throw SceneError(arguments.whereOf(rule.name), arguments.kind().title() + " has either \"reflectance\" or \"" + rule.name + "\", not both");
+            throw SceneError(arguments.whereOf(rule.name),
+                             arguments.kind().title() + " has either \"reflectance\" or \"" + rule.name + "\", not both");
     for (const char* index : indices) material.inputs.erase(index);
 }
 
@@ -116,9 +120,12 @@ void MaterialRegistry::readInputs(const Arguments& arguments, Material& material
         Input input;
         if (rule.wanted == Wanted::integer) input = {Spectrum::constant(arguments.integer(rule.name)), none, arguments.whereOf(rule.name)};
         else input = textures_.input(arguments, rule.name);
-        if (const Parameter* given = arguments.given(rule.name); rule.wanted == Wanted::index && given && given->type == ParameterType::number &&
-                                                                  std::get<std::vector<double>>(given->values).front() == 0) {
-            reading_.diagnostics.warnOnce("index of 0", input.where, arguments.kind().title() + ": \"" + given->declaration() + "\" is 0; it counts as 1, as in pbrt-v4");
+        if (const Parameter* given = arguments.given(rule.name); rule.wanted == Wanted::index && given &&
+                                                                 given->type == ParameterType::number &&
+                                                                 std::get<std::vector<double>>(given->values).front() == 0) {
+            reading_.diagnostics.warnOnce(
+                "index of 0", input.where,
+                arguments.kind().title() + ": \"" + given->declaration() + "\" is 0; it counts as 1, as in pbrt-v4");
             input.value = Spectrum::constant(1);
         }
         material.inputs[rule.as] = std::move(input);

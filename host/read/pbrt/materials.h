@@ -24,7 +24,8 @@ public:
     int numberOf(const std::string& name);
 
     /// Defines a material; an empty name makes it unnamed. Returns its number. Throws SceneError.
-    int define(const std::string& name, const std::string& kind, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
+    int define(const std::string& name, const std::string& kind, const GraphicsState& state, ParameterList parameters,
+               const SourceLocation& where);
 
     /// The index in Scene::materials of a number (none stays none). Notes a problem, once per material, if it was never defined.
     int resolve(int number, const SourceLocation& where);

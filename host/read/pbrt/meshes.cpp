@@ -18,26 +18,29 @@ std::shared_ptr<Mesh> readMesh(Reading& reading, const Arguments& arguments, int
     std::vector<int> indices = arguments.integers("indices");
     if (indices.empty()) {
         if (static_cast<int>(mesh->positions.size()) != corners)
-            throw SceneError(arguments.where(), title + " has " + std::to_string(mesh->positions.size()) + " vertices; without \"integer indices\" it has " +
-                                                    std::to_string(corners));
+            throw SceneError(arguments.where(), title + " has " + std::to_string(mesh->positions.size()) +
+                                                    " vertices; without \"integer indices\" it has " + std::to_string(corners));
         for (int i = 0; i < corners; ++i) indices.push_back(i);
     }
     if (indices.size() % corners) {
-        reading.diagnostics.warn(arguments.whereOf("indices"), "\"integer indices\" has " + std::to_string(indices.size()) + " values, not a multiple of " +
-                                                                   std::to_string(corners) + "; the last are ignored");
+        reading.diagnostics.warn(arguments.whereOf("indices"), "\"integer indices\" has " + std::to_string(indices.size()) +
+                                                                   " values, not a multiple of " + std::to_string(corners) +
+                                                                   "; the last are ignored");
         indices.resize(indices.size() - indices.size() % corners);
     }
     const auto count = static_cast<long long>(mesh->positions.size());
     for (const int index : indices)
         if (index < 0 || index >= count)
-            throw SceneError(arguments.whereOf("indices"), "\"integer indices\" has a " + std::to_string(index) + "; \"P\" has vertices 0 to " + std::to_string(count - 1));
+            throw SceneError(arguments.whereOf("indices"), "\"integer indices\" has a " + std::to_string(index) +
+                                                               "; \"P\" has vertices 0 to " + std::to_string(count - 1));
     mesh->indices.assign(indices.begin(), indices.end());
 
     // Per-vertex attributes besides positions.
     const auto perVertex = [&](auto values, const char* name) {
         if (values.empty() || values.size() == mesh->positions.size()) return values;
-        reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored: it has " + std::to_string(values.size()) +
-                                                              " vertices, and \"P\" has " + std::to_string(count));
+        reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored: it has " +
+                                                              std::to_string(values.size()) + " vertices, and \"P\" has " +
+                                                              std::to_string(count));
         return decltype(values)();
     };
     if (arguments.kind().rule("N")) mesh->normals = perVertex(arguments.vectors3("N"), "N");
@@ -51,17 +54,20 @@ std::shared_ptr<Mesh> readSubdividedMesh(Reading& reading, const Arguments& argu
     if (!arguments.has("indices")) throw SceneError(arguments.where(), title + " needs the vertices of its faces, \"integer indices\"");
     const std::shared_ptr<const Mesh> control = readMesh(reading, arguments, 3);
     if (const std::string scheme = arguments.text("scheme"); scheme != "loop")
-        reading.diagnostics.warn(arguments.whereOf("scheme"), "there is no subdivision scheme \"" + scheme + "\"; \"loop\" is used instead");
+        reading.diagnostics.warn(arguments.whereOf("scheme"),
+                                 "there is no subdivision scheme \"" + scheme + "\"; \"loop\" is used instead");
 
     const int levels = control->indices.empty() ? 0 : std::max(arguments.integer("levels"), 0);
     int possible = 0;
     for (size_t count = control->indices.size() / 3; 4 * count <= mostSubdividedTriangles && possible < levels; count *= 4) ++possible;
     if (possible < levels)
-        throw SceneError(arguments.whereOf("levels"), "\"integer levels\" is " + std::to_string(levels) + ", which makes more than " + std::to_string(mostSubdividedTriangles) +
-                                                          " triangles of this mesh; " + std::to_string(possible) + " would work");
+        throw SceneError(arguments.whereOf("levels"), "\"integer levels\" is " + std::to_string(levels) + ", which makes more than " +
+                                                          std::to_string(mostSubdividedTriangles) + " triangles of this mesh; " +
+                                                          std::to_string(possible) + " would work");
     SubdividedMesh result = subdivideByLoop(*control, levels);
     if (result.droppedFaces > 0)
-        reading.diagnostics.warn(arguments.whereOf("indices"), std::to_string(result.droppedFaces) + " faces that name a vertex twice are skipped");
+        reading.diagnostics.warn(arguments.whereOf("indices"),
+                                 std::to_string(result.droppedFaces) + " faces that name a vertex twice are skipped");
     return std::make_shared<Mesh>(std::move(result.mesh));
 }
 
@@ -81,7 +87,8 @@ void PlyFiles::load() {
     for (size_t i = 0; i < files_.size(); ++i) {
         if (errors[i]) reading_.problems.add(*errors[i]);
         if (const size_t dropped = files_[i].mesh.droppedFaces)
-            reading_.diagnostics.warn(files_[i].where, "\"" + files_[i].path + "\" has " + std::to_string(dropped) + " faces with fewer than three corners, which are skipped");
+            reading_.diagnostics.warn(files_[i].where, "\"" + files_[i].path + "\" has " + std::to_string(dropped) +
+                                                           " faces with fewer than three corners, which are skipped");
     }
 }
 

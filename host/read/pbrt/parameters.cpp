@@ -47,7 +47,8 @@ bool isNumeric(ParameterType type) { return type != ParameterType::boolean && ty
 template <class T> std::vector<T> readNumbers(TokenStream& tokens, const Token& first, const Parameter& parameter) {
     std::vector<T> numbers;
     if (first.kind == Token::Kind::open) tokens.readList(numbers);
-    else if (first.kind == Token::Kind::word) numbers.push_back(tokens.toNumber<T>(first, parameter.type == ParameterType::integer ? "an integer" : "a number"));
+    else if (first.kind == Token::Kind::word)
+        numbers.push_back(tokens.toNumber<T>(first, parameter.type == ParameterType::integer ? "an integer" : "a number"));
     else throwUnexpected(tokens, first, parameter);
     return numbers;
 }

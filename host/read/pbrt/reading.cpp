@@ -15,11 +15,13 @@ namespace fs = std::filesystem;
 /// A curve from alternating wavelengths and values; whereOf(i) is the place of number i. Throws SceneError.
 template <class WhereOf> SampledCurve toCurve(const std::vector<double>& numbers, const SourceLocation& where, WhereOf&& whereOf) {
     if (numbers.size() % 2)
-        throw SceneError(where, fmt::format("a spectrum is pairs of a wavelength in nm and a value; {} number{}", numbers.size(), numbers.size() == 1 ? " is no pair" : "s are not pairs"));
+        throw SceneError(where, fmt::format("a spectrum is pairs of a wavelength in nm and a value; {} number{}", numbers.size(),
+                                            numbers.size() == 1 ? " is no pair" : "s are not pairs"));
     SampledCurve curve;
     for (size_t i = 0; i < numbers.size(); i += 2) {
         if (i > 0 && !(numbers[i] > numbers[i - 2]))
-            throw SceneError(whereOf(i), fmt::format("the wavelengths of a spectrum must ascend: {:g} follows {:g}", numbers[i], numbers[i - 2]));
+            throw SceneError(whereOf(i),
+                             fmt::format("the wavelengths of a spectrum must ascend: {:g} follows {:g}", numbers[i], numbers[i - 2]));
         curve.wavelengths.push_back(numbers[i]);
         curve.values.push_back(numbers[i + 1]);
     }
@@ -45,19 +47,22 @@ SampledCurve readCurve(const std::string& path, std::string text) {
 void checkCurve(SampledCurve& curve, const std::string& title, const SourceLocation& where, Diagnostics& diagnostics) {
     const size_t lowest = static_cast<size_t>(std::ranges::min_element(curve.values) - curve.values.begin());
     if (curve.values[lowest] < 0) {
-        diagnostics.warn(where, fmt::format("{} is {:g} at {:g} nm; values below 0 count as 0", title, curve.values[lowest], curve.wavelengths[lowest]));
+        diagnostics.warn(
+            where, fmt::format("{} is {:g} at {:g} nm; values below 0 count as 0", title, curve.values[lowest], curve.wavelengths[lowest]));
         for (double& value : curve.values) value = std::max(value, 0.);
     }
     const auto isDark = [](double value) { return value == 0; };
     if (!std::ranges::all_of(curve.values, isDark) && std::ranges::all_of(densify(curve), isDark))
-        diagnostics.warn(where, fmt::format("{} is black: it is 0 at {}, {}, ... {} nm, where spectra are sampled", title, shortestWavelength, shortestWavelength + 1, longestWavelength));
+        diagnostics.warn(where, fmt::format("{} is black: it is 0 at {}, {}, ... {} nm, where spectra are sampled", title,
+                                            shortestWavelength, shortestWavelength + 1, longestWavelength));
 }
 
 /// The spectrum names for messages, without the channels of sensors.
 std::string commonSpectra() {
     std::string names;
     for (const std::string& name : spectrumNames())
-        if (name.starts_with("glass-") || name.starts_with("illum-") || name.starts_with("metal-") || name.starts_with("stdillum-")) names += name + ", ";
+        if (name.starts_with("glass-") || name.starts_with("illum-") || name.starts_with("metal-") || name.starts_with("stdillum-"))
+            names += name + ", ";
     return names;
 }
 
@@ -72,7 +77,8 @@ std::vector<fs::path> Reading::candidatesFor(const std::string& name, const Sour
 
 bool Reading::hasFile(const std::string& name, const SourceLocation& where) const {
     std::error_code ignored;
-    return !name.empty() && std::ranges::any_of(candidatesFor(name, where), [&](const fs::path& candidate) { return fs::is_regular_file(candidate, ignored); });
+    return !name.empty() && std::ranges::any_of(candidatesFor(name, where),
+                                                [&](const fs::path& candidate) { return fs::is_regular_file(candidate, ignored); });
 }
 
 std::optional<std::string> Reading::findFile(const std::string& name, const SourceLocation& where) {
@@ -92,7 +98,9 @@ void Reading::unsupported(const std::string& kind, const SourceLocation& where, 
 }
 
 Spectrum Reading::readSpectrum(const Parameter& parameter) {
-    const auto fail = [&](const std::string& message) { throw SceneError(parameter.where, "\"" + parameter.declaration() + "\" " + message); };
+    const auto fail = [&](const std::string& message) {
+        throw SceneError(parameter.where, "\"" + parameter.declaration() + "\" " + message);
+    };
     if (const auto* names = std::get_if<std::vector<std::string>>(&parameter.values)) {
         if (names->size() != 1) fail("names " + std::to_string(names->size()) + " spectra; one is expected");
         const std::string& name = names->front();
@@ -100,7 +108,8 @@ Spectrum Reading::readSpectrum(const Parameter& parameter) {
         if (name.find('.') == name.npos && name.find('/') == name.npos && !hasFile(name, parameter.where)) {
             const std::string near = nearestWord(name, spectrumNames());
             fail("names \"" + name + "\", which is neither a spectrum of pbrt-v4 nor a file; " +
-                 (near.empty() ? "it can be " + commonSpectra() + "or a file of wavelengths in nm and values" : "did you mean \"" + near + "\"?"));
+                 (near.empty() ? "it can be " + commonSpectra() + "or a file of wavelengths in nm and values"
+                               : "did you mean \"" + near + "\"?"));
         }
         const std::optional<std::string> path = findFile(name, parameter.where);
         if (!path) return Spectrum::constant(0);
@@ -115,12 +124,14 @@ Spectrum Reading::readSpectrum(const Parameter& parameter) {
 
     const auto& numbers = std::get<std::vector<double>>(parameter.values);
     if (parameter.type == ParameterType::rgb) {
-        if (numbers.size() != 3) fail("has " + std::to_string(numbers.size()) + (numbers.size() == 1 ? " value" : " values") + "; three are expected");
+        if (numbers.size() != 3)
+            fail("has " + std::to_string(numbers.size()) + (numbers.size() == 1 ? " value" : " values") + "; three are expected");
         if (numbers[0] < 0 || numbers[1] < 0 || numbers[2] < 0) fail("has a negative component");
         return Spectrum::rgb({numbers[0], numbers[1], numbers[2]}, parameter.space);
     }
     if (parameter.type == ParameterType::blackbody) {
-        if (numbers.size() == 2) throw Version3Error(parameter.where, "a \"blackbody\" with a scale beside its temperature", "\"float scale\" for lights");
+        if (numbers.size() == 2)
+            throw Version3Error(parameter.where, "a \"blackbody\" with a scale beside its temperature", "\"float scale\" for lights");
         if (numbers.size() != 1) fail("has " + std::to_string(numbers.size()) + " values; one temperature in kelvin is expected");
         if (!(numbers[0] > 0)) fail("has a temperature that is not above 0 K");
         return Spectrum::blackbody(numbers[0]);

@@ -17,7 +17,8 @@ static std::string plain(const std::string& name) {
     return result;
 }
 
-void Settings::set(Sort sort, const std::string& kindName, const GraphicsState& state, ParameterList parameters, const SourceLocation& where) {
+void Settings::set(Sort sort, const std::string& kindName, const GraphicsState& state, ParameterList parameters,
+                   const SourceLocation& where) {
     const Kind& kind = settingKinds()[static_cast<size_t>(sort)]->find(kindName, where);
     given_[sort] = std::make_unique<Arguments>(reading_, kind, where, std::move(parameters), nullptr, state.space);
     if (sort == Sort::camera) {
@@ -33,7 +34,8 @@ void Settings::set(Sort sort, const std::string& kindName, const GraphicsState& 
     }
     if (sort == Sort::film) reading_.scene.film.colorSpace = state.space;
     /* For integrators, packing reports it, because --integrator may choose another */
-    if (kind.standIn && sort != Sort::integrator) reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
+    if (kind.standIn && sort != Sort::integrator)
+        reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
 }
 
 void Settings::setOption(const std::string& name, const std::string& value, const SourceLocation& where, const SourceLocation& valueWhere) {
@@ -51,7 +53,8 @@ void Settings::setOption(const std::string& name, const std::string& value, cons
         if (!read(seed_)) throw SceneError(valueWhere, "\"" + value + "\" found where an integer is expected");
     } else if (option == "displacementedgescale") {
         double& scale = reading_.displacementEdgeScale;
-        if (!read(scale) || !(scale > 0 && std::isfinite(scale))) throw SceneError(valueWhere, "\"" + value + "\" found where a number above 0 is expected");
+        if (!read(scale) || !(scale > 0 && std::isfinite(scale)))
+            throw SceneError(valueWhere, "\"" + value + "\" found where a number above 0 is expected");
     } else if (std::ranges::count(missing, option)) {
         if (value != "false") reading_.unsupported("option " + option, where, "option \"" + name + "\" has no effect yet");
     } else if (!std::ranges::count(harmless, option)) {

@@ -17,7 +17,9 @@ std::optional<Transform> endOfMotion(const GraphicsState& state, const SourceLoc
     if (!state.moves()) return std::nullopt;
     for (const Transform& t : state.transform)
         if (!(std::abs(glm::determinant(glm::dmat3(t))) > 0))
-            throw SceneError(where, "the transform of something that moves cannot be inverted, at the start or the end of its motion; is there a Scale of 0?");
+            throw SceneError(
+                where,
+                "the transform of something that moves cannot be inverted, at the start or the end of its motion; is there a Scale of 0?");
     return state.transform[1];
 }
 
@@ -38,7 +40,8 @@ const std::vector<DirectiveOfKind>& directiveList() {
 const KindTable& shapeKinds() {
     static const KindTable table = [] {
         std::vector<Row> rows;
-        for (const auto& [kind, directive] : directiveList()) rows.push_back({directive->name, static_cast<int>(rows.size()), directive->parameters});
+        for (const auto& [kind, directive] : directiveList())
+            rows.push_back({directive->name, static_cast<int>(rows.size()), directive->parameters});
         return KindTable("shape", "floatmap alpha = 1", rows);
     }();
     return table;
@@ -55,7 +58,8 @@ void ShapeRegistry::add(const std::string& kindName, const GraphicsState& state,
     const ShapeTraits& traits = shapeKind->traits;
     if (!traits.corners && !isInvertible(state.transform)) {
         /* A flattened mesh is still visible */
-        reading_.diagnostics.warnOnce("flattened " + kind.title(), where, kind.title() + ": its transform cannot be inverted, as with a Scale of 0; it is left out");
+        reading_.diagnostics.warnOnce("flattened " + kind.title(), where,
+                                      kind.title() + ": its transform cannot be inverted, as with a Scale of 0; it is left out");
         return;
     }
     pending.shape.where = where;
@@ -68,11 +72,13 @@ void ShapeRegistry::add(const std::string& kindName, const GraphicsState& state,
         pending.shape.areaLight = none;
     }
     if (state.moves() && pending.shape.areaLight != none) {
-        reading_.unsupported("moving area light", where, "a shape that moves cannot emit (nor does it in pbrt-v4); its area light is ignored");
+        reading_.unsupported("moving area light", where,
+                             "a shape that moves cannot emit (nor does it in pbrt-v4); its area light is ignored");
         pending.shape.areaLight = none;
     }
     if (!traits.lightKindOf && state.areaLight != none) {
-        reading_.diagnostics.warnOnce(std::string("emitting ") + shapeKind->name, where, std::string(traits.cannotEmit) + "; its area light is ignored");
+        reading_.diagnostics.warnOnce(std::string("emitting ") + shapeKind->name, where,
+                                      std::string(traits.cannotEmit) + "; its area light is ignored");
         pending.shape.areaLight = none;
     }
     if (const Parameter* alpha = arguments.given("alpha")) pending.alpha = *alpha;
@@ -90,7 +96,8 @@ int ShapeRegistry::objectNamed(const std::string& name) {
 
 void ShapeRegistry::beginObject(const std::string& name, const SourceLocation& where) {
     if (openObject_ != none)
-        throw SceneError(where, "ObjectBegin inside the object \"" + reading_.scene.objects[openObject_].name + "\"; ObjectEnd must come first");
+        throw SceneError(where,
+                         "ObjectBegin inside the object \"" + reading_.scene.objects[openObject_].name + "\"; ObjectEnd must come first");
     const int object = objectNamed(name);
     if (objectIsMade_[object])
         throw SceneError(where, "there is already an object \"" + name + "\", at " + reading_.scene.objects[object].where.toString());
@@ -106,9 +113,11 @@ void ShapeRegistry::endObject(const SourceLocation& where) {
 
 void ShapeRegistry::addInstance(const std::string& name, const GraphicsState& state, const SourceLocation& where) {
     if (openObject_ != none)
-        throw SceneError(where, "ObjectInstance inside the object \"" + reading_.scene.objects[openObject_].name + "\"; objects cannot contain instances");
+        throw SceneError(where, "ObjectInstance inside the object \"" + reading_.scene.objects[openObject_].name +
+                                    "\"; objects cannot contain instances");
     if (!isInvertible(state.transform)) {
-        reading_.diagnostics.warnOnce("flattened instance", where, "the instance's transform cannot be inverted, as with a Scale of 0; it is left out");
+        reading_.diagnostics.warnOnce("flattened instance", where,
+                                      "the instance's transform cannot be inverted, as with a Scale of 0; it is left out");
         return;
     }
     reading_.scene.instances.push_back({objectNamed(name), state.transform[0], endOfMotion(state, where), where});
@@ -124,7 +133,8 @@ void ShapeRegistry::finish() {
         isMissed[instance.object] = true;
         const std::string& name = reading_.scene.objects[instance.object].name;
         const std::string near = nearestWord(name, made);
-        reading_.problems.add(instance.where, "there is no object \"" + name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+        reading_.problems.add(instance.where,
+                              "there is no object \"" + name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
     }
     plyFiles_.load();
     for (PendingShape& pending : pending_) reading_.problems.guard([&] { place(std::move(pending)); });
@@ -143,7 +153,8 @@ void ShapeRegistry::place(PendingShape pending) {
         else shape.alpha.value = Spectrum::constant(std::clamp(std::get<std::vector<double>>(pending.alpha->values).front(), 0., 1.));
     }
     if (shape.areaLight != none && shape.material != none && reading_.scene.materials[shape.material].kind == &interface_material) {
-        reading_.diagnostics.warnOnce("emitting interface", shape.where, "a shape of material \"interface\" cannot emit; its area light is ignored");
+        reading_.diagnostics.warnOnce("emitting interface", shape.where,
+                                      "a shape of material \"interface\" cannot emit; its area light is ignored");
         shape.areaLight = none;
     }
 

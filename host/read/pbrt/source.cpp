@@ -15,7 +15,8 @@ std::string readTextFile(const std::string& path) {
     } catch (const ReadProblem& problem) { throw SceneError(where, std::string("the file ") + problem.what()); }
 
     const std::string_view start(text);
-    if (start.starts_with("\xfe\xff") || start.starts_with("\xff\xfe")) throw SceneError(where, "the file is UTF-16; save it as UTF-8 or ASCII");
+    if (start.starts_with("\xfe\xff") || start.starts_with("\xff\xfe"))
+        throw SceneError(where, "the file is UTF-16; save it as UTF-8 or ASCII");
     if (start.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
     return text;
 }

@@ -9,7 +9,21 @@
 namespace eikonal::pbrt {
 namespace {
 
-enum TextureKind { constantKind, scaleKind, mixKind, imagemapKind, checkerboardKind, bilerpKind, dotsKind, directionMixKind, fbmKind, wrinkledKind, windyKind, marbleKind, ptexKind };
+enum TextureKind {
+    constantKind,
+    scaleKind,
+    mixKind,
+    imagemapKind,
+    checkerboardKind,
+    bilerpKind,
+    dotsKind,
+    directionMixKind,
+    fbmKind,
+    wrinkledKind,
+    windyKind,
+    marbleKind,
+    ptexKind
+};
 
 constexpr const char* mappingParameters =
     "string mapping = uv; float uscale = 1; float vscale = 1; float udelta = 0; float vdelta = 0; vector3 v1; vector3 v2";
@@ -64,13 +78,15 @@ void readEncoding(const Arguments& arguments, ImageFile& file) {
     } else {
         const double gamma = encoding.starts_with("gamma ") ? std::atof(encoding.c_str() + 6) : 0;
         if (!(gamma > 0))
-            throw SceneError(arguments.whereOf("encoding"), "\"string encoding\" is \"" + encoding + "\"; it can be \"sRGB\", \"linear\" or \"gamma 2.2\"");
+            throw SceneError(arguments.whereOf("encoding"),
+                             "\"string encoding\" is \"" + encoding + "\"; it can be \"sRGB\", \"linear\" or \"gamma 2.2\"");
         if (isPng) file.gamma = gamma;
     }
 }
 
 Mapping readMapping(const Arguments& arguments, const Transform& worldFromTexture) {
-    constexpr TextureMapping mappings[] = {TextureMapping::uv, TextureMapping::spherical, TextureMapping::cylindrical, TextureMapping::planar};
+    constexpr TextureMapping mappings[] = {TextureMapping::uv, TextureMapping::spherical, TextureMapping::cylindrical,
+                                           TextureMapping::planar};
     Mapping mapping;
     mapping.kind = mappings[choose(arguments, "mapping", {"uv", "spherical", "cylindrical", "planar"})];
     if (mapping.kind == TextureMapping::uv) {
@@ -90,7 +106,8 @@ Mapping readMapping(const Arguments& arguments, const Transform& worldFromTextur
 int readOctaves(const Arguments& arguments) {
     const int octaves = arguments.integer("octaves");
     if (octaves < 0 || octaves > MOST_OCTAVES)
-        throw SceneError(arguments.whereOf("octaves"), "\"integer octaves\" is " + std::to_string(octaves) + "; it can be 0 to " + std::to_string(MOST_OCTAVES));
+        throw SceneError(arguments.whereOf("octaves"),
+                         "\"integer octaves\" is " + std::to_string(octaves) + "; it can be 0 to " + std::to_string(MOST_OCTAVES));
     return octaves;
 }
 
@@ -120,7 +137,8 @@ const KindTable& textureKinds(bool isFloat) {
 }
 
 std::string textureStandIn(const Kind& kind) {
-    return (kind.rule(kind.standIn) ? "its \"" + std::string(kind.standIn) + "\"" : "a constant " + std::string(kind.standIn)) + " stands in for it";
+    return (kind.rule(kind.standIn) ? "its \"" + std::string(kind.standIn) + "\"" : "a constant " + std::string(kind.standIn)) +
+           " stands in for it";
 }
 
 void TextureRegistry::define(const std::string& name, bool isFloat, const std::string& kindName, const GraphicsState& state,
@@ -133,7 +151,8 @@ void TextureRegistry::define(const std::string& name, bool isFloat, const std::s
                                     place->second.arguments.where().toString());
     order_.push_back(place->first);
     if (state.transform[0] != state.transform[1])
-        reading_.unsupported("moving texture", where, "a texture that moves is not rendered yet; it stays where it is when the shutter opens");
+        reading_.unsupported("moving texture", where,
+                             "a texture that moves is not rendered yet; it stays where it is when the shutter opens");
 }
 
 int TextureRegistry::find(const std::string& name, bool isFloat, const SourceLocation& where) {
@@ -169,7 +188,8 @@ int TextureRegistry::textureOf(const Arguments& arguments, const std::string& na
 int TextureRegistry::textureOf(const Parameter& parameter, bool isFloat) {
     const auto& names = std::get<std::vector<std::string>>(parameter.values);
     if (names.size() != 1)
-        throw SceneError(parameter.where, "\"" + parameter.declaration() + "\" names " + std::to_string(names.size()) + " textures; one is expected");
+        throw SceneError(parameter.where,
+                         "\"" + parameter.declaration() + "\" names " + std::to_string(names.size()) + " textures; one is expected");
     return find(names.front(), isFloat, parameter.where);
 }
 
@@ -215,19 +235,23 @@ decltype(Texture::kind) TextureRegistry::makeKind(const Definition& definition) 
         case checkerboardKind: {
             const int dimensions = arguments.integer("dimension");
             if (dimensions != 2 && dimensions != 3)
-                throw SceneError(arguments.whereOf("dimension"), "\"integer dimension\" is " + std::to_string(dimensions) + "; it can be 2 or 3");
+                throw SceneError(arguments.whereOf("dimension"),
+                                 "\"integer dimension\" is " + std::to_string(dimensions) + "; it can be 2 or 3");
             return CheckerboardTexture{input(arguments, "tex1"), input(arguments, "tex2"),
                                        readMapping(arguments, definition.worldFromTexture), dimensions};
         }
         case bilerpKind: {
             const auto corner = [&](const char* name) { return Input{arguments.spectrum(name), none, arguments.whereOf(name)}; };
-            return BilerpTexture{corner("v00"), corner("v01"), corner("v10"), corner("v11"), readMapping(arguments, definition.worldFromTexture)};
+            return BilerpTexture{corner("v00"), corner("v01"), corner("v10"), corner("v11"),
+                                 readMapping(arguments, definition.worldFromTexture)};
         }
         case dotsKind:
             // pbrt-v4 passes these two in the wrong order: it paints the dots with "outside" and the gaps with "inside"
-            return DotsTexture{input(arguments, "outside"), input(arguments, "inside"), readMapping(arguments, definition.worldFromTexture)};
+            return DotsTexture{input(arguments, "outside"), input(arguments, "inside"),
+                               readMapping(arguments, definition.worldFromTexture)};
         case directionMixKind:
-            return DirectionMixTexture{input(arguments, "tex1"), input(arguments, "tex2"), readDirection(arguments, definition.worldFromTexture)};
+            return DirectionMixTexture{input(arguments, "tex1"), input(arguments, "tex2"),
+                                       readDirection(arguments, definition.worldFromTexture)};
         case fbmKind: return readNoise(arguments, NoisePattern::fbm, definition.worldFromTexture);
         case wrinkledKind: return readNoise(arguments, NoisePattern::wrinkled, definition.worldFromTexture);
         case windyKind: return readNoise(arguments, NoisePattern::windy, definition.worldFromTexture);
@@ -245,9 +269,11 @@ decltype(Texture::kind) TextureRegistry::makeImagemap(const Definition& definiti
     file.where = arguments.whereOf("filename");
     constexpr WrapMode wraps[] = {WrapMode::repeat, WrapMode::black, WrapMode::clamp, WrapMode::octahedral};
     file.wrap = wraps[choose(arguments, "wrap", {"repeat", "black", "clamp", "octahedralsphere"})];
-    file.filter = choose(arguments, "filter", {"point", "bilinear", "trilinear", "ewa", "EWA"}) == 0 ? FilterMode::nearest : FilterMode::bilinear;
+    file.filter =
+        choose(arguments, "filter", {"point", "bilinear", "trilinear", "ewa", "EWA"}) == 0 ? FilterMode::nearest : FilterMode::bilinear;
     readEncoding(arguments, file);
-    return ImagemapTexture{image(file), readMapping(arguments, definition.worldFromTexture), arguments.number("scale"), arguments.flag("invert")};
+    return ImagemapTexture{image(file), readMapping(arguments, definition.worldFromTexture), arguments.number("scale"),
+                           arguments.flag("invert")};
 }
 
 Input TextureRegistry::standIn(const Arguments& arguments) {

@@ -207,7 +207,8 @@ template <class T> void TokenStream::readList(std::vector<T>& numbers) {
         const char* const end = source.end;
         const char* at = skipSpaceAndComments(source.at, end);
         T value;
-        for (const char* stop; at != end && (stop = readUsualNumber(at, end, value)); at = skipSpaceAndComments(stop, end)) numbers.push_back(value);
+        for (const char* stop; at != end && (stop = readUsualNumber(at, end, value)); at = skipSpaceAndComments(stop, end))
+            numbers.push_back(value);
         source.at = at;
 
         // Next is the end of the text, the end of the list, or an unusual number.

@@ -1,8 +1,9 @@
-// Searches the masks of kernels/math/joint_pairs.clh: `joint_pairs_search SEED BEAM` prints those that it finds, and for each projection the quality
-// parameters t of the first 2^2, 2^3 ... points. The shipped masks are those of seed 14 and a beam of 300.
+// Searches the masks of kernels/math/joint_pairs.clh: `joint_pairs_search SEED BEAM` prints those that it finds, and for each projection
+// the quality parameters t of the first 2^2, 2^3 ... points. The shipped masks are those of seed 14 and a beam of 300.
 //
-// A pair of the joint sequence is (U i, P U i): U is a triangular matrix modulo 2, made of steps i ^= (i >> shift) & mask, and P is Pascal's. The
-// first 2^m points depend on the first m columns of U only, so masks grow column by column, and the best of each length are kept.
+// A pair of the joint sequence is (U i, P U i): U is a triangular matrix modulo 2, made of steps i ^= (i >> shift) & mask, and P is
+// Pascal's. The first 2^m points depend on the first m columns of U only, so masks grow column by column, and the best of each length are
+// kept.
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +92,8 @@ Candidate grown(Candidate c, int m, const std::vector<Rows>& others, const std::
     for (size_t p = 0; p < projections.size(); ++p) {
         if (projections[p].with.size() > 1 && m > longestOfThreePairs) continue;
         std::vector<const uint*> coordinates;
-        for (size_t other : projections[p].with) coordinates.insert(coordinates.end(), {others[other].coordinate[0], others[other].coordinate[1]});
+        for (size_t other : projections[p].with)
+            coordinates.insert(coordinates.end(), {others[other].coordinate[0], others[other].coordinate[1]});
         coordinates.insert(coordinates.end(), {own.coordinate[0], own.coordinate[1]});
         c.t[p].push_back(Net(m, coordinates).t());
         c.cost += projections[p].weight * importance(m) * std::pow(2.0, c.t[p].back());

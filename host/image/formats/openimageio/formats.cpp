@@ -16,15 +16,26 @@ class Reader : public ImageReader {
 public:
     explicit Reader(std::unique_ptr<OIIO::ImageInput> input) : input_(std::move(input)) {
         const OIIO::ImageSpec& s = spec();
-        header_ = {s.width, s.height, s.depth, s.x - s.full_x, s.y - s.full_y, s.full_width, s.full_height, s.channelnames, s.format.is_floating_point(),
-                   s.format == TypeDesc::UINT8 && s.channelformats.empty(), static_cast<std::size_t>(s.image_bytes())};
+        header_ = {s.width,
+                   s.height,
+                   s.depth,
+                   s.x - s.full_x,
+                   s.y - s.full_y,
+                   s.full_width,
+                   s.full_height,
+                   s.channelnames,
+                   s.format.is_floating_point(),
+                   s.format == TypeDesc::UINT8 && s.channelformats.empty(),
+                   static_cast<std::size_t>(s.image_bytes())};
     }
 
     const Header& header() const override { return header_; }
     std::optional<int> integer(const char* name) const override { return get<int>(name, TypeDesc::INT); }
     std::optional<float> number(const char* name) const override { return get<float>(name, TypeDesc::FLOAT); }
     std::string text(const char* name) const override { return std::string(spec().get_string_attribute(name)); }
-    std::optional<std::array<float, 8>> chromaticities() const override { return get<std::array<float, 8>>("chromaticities", eightNumbers); }
+    std::optional<std::array<float, 8>> chromaticities() const override {
+        return get<std::array<float, 8>>("chromaticities", eightNumbers);
+    }
     bool read(std::uint8_t* values) override { return input_->read_image(0, 0, 0, spec().nchannels, TypeDesc::UINT8, values); }
     bool read(float* values) override { return input_->read_image(0, 0, 0, spec().nchannels, TypeDesc::FLOAT, values); }
     std::string error() override { return input_->geterror(); }
@@ -73,7 +84,8 @@ public:
         return nullptr;
     }
 
-    std::vector<unsigned char> encode(const std::string& format, const std::string& extension, const EncodedImage& image, std::string& error) const override {
+    std::vector<unsigned char> encode(const std::string& format, const std::string& extension, const EncodedImage& image,
+                                      std::string& error) const override {
         std::vector<unsigned char> bytes;
         OIIO::Filesystem::IOVecOutput memory(bytes);
         auto output = OIIO::ImageOutput::create(format);
@@ -81,7 +93,8 @@ public:
             error = OIIO::geterror();
             return {};
         }
-        if (output->set_ioproxy(&memory) && output->open("image." + extension, specOf(format, image)) && output->write_image(TypeDesc::FLOAT, image.values.data()) && output->close())
+        if (output->set_ioproxy(&memory) && output->open("image." + extension, specOf(format, image)) &&
+            output->write_image(TypeDesc::FLOAT, image.values.data()) && output->close())
             return bytes;
         error = output->geterror();
         return {};
