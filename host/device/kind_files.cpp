@@ -1,6 +1,7 @@
 #include "device/kind_files.h"
 
 #include "eikonal/lights.h"
+#include "eikonal/media.h"
 
 #include <fmt/format.h>
 
@@ -16,6 +17,9 @@ std::optional<std::string> kindFiles(const std::string& name) {
 #define ADD_LIGHT(kind, FEATURE, PLACE) add("light", #kind, #FEATURE);
     LIGHTS(ADD_LIGHT)
 #undef ADD_LIGHT
+#define ADD_MEDIUM(kind, FEATURE, VARIATION) add("medium", #kind, #FEATURE);
+    MEDIA_KINDS(ADD_MEDIUM)
+#undef ADD_MEDIUM
     if (includes.empty()) return std::nullopt;
     return fmt::format("{}/* features of these kinds:{} */\n", includes, features);
 }

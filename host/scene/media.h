@@ -35,23 +35,24 @@ struct ColorGrid {
     ColorSpace space = ColorSpace::srgb;
 };
 
-enum class MediumKind { homogeneous, uniformGrid, rgbGrid, cloud, nanovdb };
+struct MediumKind;   // host/kinds/medium_kind.h
 
+/// A medium. Which fields count depends on its kind (host/kinds/medium/); the others keep their defaults.
 struct Medium {
-    MediumKind kind = MediumKind::homogeneous;
+    const MediumKind* kind = nullptr;   ///< never null in a scene
     std::string name;
-    Spectrum sigmaA, sigmaS;       ///< per world unit, "scale" multiplied in; rgbGrid: that alone, for its colours to multiply
+    Spectrum sigmaA, sigmaS;       ///< per world unit, "scale" multiplied in; rgbgrid: that alone, for its colours to multiply
     Spectrum Le;                   ///< "Lescale" multiplied in, if it is one number
     double g = 0;
-    glm::dvec3 p0{0}, p1{1};       ///< grids and clouds: their box in the medium's own space
+    glm::dvec3 p0{0}, p1{1};       ///< heterogeneous: its box in the medium's own space
     Transform worldFromMedium{1};
 
-    Grid density;                  ///< uniformGrid
-    Grid temperature, LeScale;     ///< uniformGrid: empty if not given
+    Grid density;                  ///< uniformgrid
+    Grid temperature, LeScale;     ///< uniformgrid: empty if not given
     std::shared_ptr<const SparseGrid> sparseDensity, sparseTemperature;  ///< nanovdb; the temperature may be null
     double temperatureOffset = 0, temperatureScale = 1;                  ///< kelvin = (temperature - offset) * scale
     double emissionScale = 1;      ///< of what shines by its temperature, or by the colours of a grid
-    ColorGrid colors;              ///< rgbGrid
+    ColorGrid colors;              ///< rgbgrid
     double cloudDensity = 1, wispiness = 1, frequency = 5;               ///< cloud
 
     SourceLocation where;

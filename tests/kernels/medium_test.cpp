@@ -97,10 +97,9 @@ TEST_P(EveryMedium, IsBounded) {
 
 std::vector<std::string> kinds() {
     std::vector<std::string> names;
-#define MEDIUM_NAME(name, FEATURE) names.push_back(#name);
+#define MEDIUM_NAME(name, FEATURE, VARIATION) names.push_back(#name);
     MEDIA_KINDS(MEDIUM_NAME)
 #undef MEDIUM_NAME
-    for (std::string& name : names) name.resize(name.size() - std::string("_medium").size());
     return names;
 }
 INSTANTIATE_TEST_SUITE_P(Media, EveryMedium, testing::ValuesIn(kinds()), [](const auto& info) { return info.param; });

@@ -76,7 +76,9 @@ Features allButMethods() {
     for (Feature f : {SPECTRAL, SPECTRAL_FILM, DISPERSION, ANISOTROPY, SHAPE_CURVE, SHAPE_IMPLICIT, FILTER, SOBOL, JOINT_PAIRS, LENS, CAMERA_MOTION, MEDIA, EQUIANGULAR,
                       AMBIENT_OCCLUSION, TREE, UNIFORM_DIRECTIONS}) methods.require(f);
 #define REQUIRE(name, FEATURE) methods.require(Feature::FEATURE);
-    MEDIA_KINDS(REQUIRE) CAMERAS(REQUIRE)
+#define REQUIRE_MEDIUM(name, FEATURE, VARIATION) REQUIRE(name, FEATURE)
+    MEDIA_KINDS(REQUIRE_MEDIUM) CAMERAS(REQUIRE)
+#undef REQUIRE_MEDIUM
 #undef REQUIRE
     Features features;
     for (size_t i = 0; i < featureCount; ++i)

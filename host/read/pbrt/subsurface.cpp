@@ -108,6 +108,7 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
 
     std::optional<Spectrum> albedo;
     auto medium = std::make_shared<Medium>();
+    medium->kind = &kindOf(kind_homogeneous_medium);
     medium->where = arguments.where();
     medium->g = std::clamp(arguments.number("g"), -0.99, 0.99);
     const double scale = arguments.number("scale");
