@@ -1,5 +1,5 @@
 #pragma once
-// Warnings and progress notes: nothing in a scene is ever silently ignored.
+// Warnings and progress messages: the readers never ignore anything silently.
 
 #include "error.h"
 
@@ -13,19 +13,19 @@ namespace eikonal {
 
 enum class LogLevel { silent, error, warning, info, debug };
 
-/// Collects what the user should know. Thread-safe.
+/// Collects messages for the user. Thread-safe.
 class Diagnostics {
 public:
-    /// strict: what would be a warning about unsupported or unknown content is thrown as a SceneError instead.
+    /// strict: throw a SceneError instead of warning about unsupported or unknown content.
     explicit Diagnostics(LogLevel level = LogLevel::warning, bool strict = false) : level_(level), strict_(strict) {}
 
-    /// A warning. Printed at once to standard error as "place: warning: message" (if the level allows) and kept.
+    /// Prints "place: warning: message" to standard error (if the level allows) and keeps the message.
     void warn(const SourceLocation& where, const std::string& message);
 
-    /// A warning given once for each `kind`, at the first place that asks; later ones are only counted.
+    /// Warns once for each `kind`, at the first place; later ones are only counted.
     void warnOnce(const std::string& kind, const SourceLocation& where, const std::string& message);
 
-    /// Something in the scene that is understood but not rendered (yet), once for each kind. An error under strict.
+    /// Reports a feature of the scene that is read but not rendered, once for each kind. With strict, throws a SceneError.
     void unsupported(const std::string& kind, const SourceLocation& where, const std::string& message);
 
     /// A line for --log-level info.

@@ -1,5 +1,5 @@
 #pragma once
-// What a scene requires, as bits: the host's side of include/eikonal/features.h.
+// The features that a scene requires, as a bit set; the host's side of include/eikonal/features.h.
 
 #include "eikonal/features.h"
 
@@ -20,7 +20,7 @@ enum class Feature {
 
 constexpr size_t featureCount = static_cast<size_t>(Feature::count);
 
-/// A set of features. The device sees each as HAS_<name>, 0 or 1.
+/// A set of features. Kernels see each as HAS_<name>, 0 or 1.
 class Features {
 public:
     bool has(Feature f) const { return bits_[static_cast<size_t>(f)]; }
@@ -28,24 +28,24 @@ public:
     Features operator|(const Features& other) const { Features both; both.bits_ = bits_ | other.bits_; return both; }
     bool operator==(const Features&) const = default;
     Features without(Feature f) const { Features fewer = *this; fewer.bits_.reset(static_cast<size_t>(f)); return fewer; }
-    /// Every feature of rendering in RGB.
+    /// All features of RGB rendering.
     static Features all() { return allSpectral().without(Feature::SPECTRAL).without(Feature::DISPERSION); }
-    /// Every feature of rendering at wavelengths that are sampled where the eye is sensitive.
+    /// All features of spectral rendering whose wavelengths are sampled where the eye is sensitive.
     static Features allSpectral() { return everything().without(Feature::SPECTRAL_FILM); }
-    /// Every feature there is: allSpectral() with wavelengths that are sampled evenly.
+    /// All features: allSpectral() with evenly sampled wavelengths.
     static Features everything() { Features f; f.bits_.set(); return f; }
 
 private:
     std::bitset<featureCount> bits_;
 };
 
-/// Its name, as in HAS_<name>.
+/// The name X in HAS_X.
 const std::string& featureName(Feature f);
-/// What in a scene asks for it, in words.
+/// What in a scene requires it, in words.
 const std::string& featureReason(Feature f);
-/// Whether it is one of GENERAL_FEATURES, not that of a kind of shape, BSDF, light ...
+/// Whether it is one of GENERAL_FEATURES, rather than for a kind of shape, BSDF, light ...
 bool isGeneral(Feature f);
-/// The feature of that name, or Feature::count.
+/// The feature called `name`, or Feature::count.
 Feature featureNamed(const std::string& name);
 
 }  // namespace eikonal

@@ -5,7 +5,7 @@
 
 namespace eikonal {
 
-/// The middle one of some values, of which there is at least one; of an even number of them the mean of the two in the middle.
+/// The median of at least one value; of an even number, the mean of the two middle values.
 inline double median(std::vector<double> values) {
     std::sort(values.begin(), values.end());
     const size_t n = values.size();

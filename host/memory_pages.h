@@ -1,5 +1,5 @@
 #pragma once
-// Large amounts of memory, straight from the system and straight back to it.
+// Large allocations, mapped from and returned to the system directly.
 
 #include <cstddef>
 #include <new>
@@ -8,25 +8,25 @@
 
 namespace eikonal {
 
-/// Large pages spare walks down large tables most of what looking up addresses costs (docs/performance.md); small ones take up no more than is touched.
+/// Large pages avoid most TLB misses of traversals through large tables (docs/performance.md); small ones only use memory that is touched.
 enum class PageSize { small, large };
 
-/// Bytes of a large page.
+/// Size of a large page in bytes.
 inline constexpr std::size_t largePage = std::size_t{2} << 20;
-/// From this many bytes on, memory is worth pages of its own.
+/// Allocations of at least this size get pages of their own.
 inline constexpr std::size_t worthPages = 2 * largePage;
 
-/// `bytes` zeros, aligned to a large page; null if there is not enough memory. Pages take up memory when they are first touched, and are small
-/// where the system has no large ones.
+/// Allocates `bytes` zeroed bytes, aligned to a large page; null if there is not enough memory. Pages use memory once they are touched, and
+/// are small if the system has no large ones.
 void* mapPages(std::size_t bytes, PageSize size);
-/// Gives back what mapPages returned for so many bytes.
+/// Frees memory from mapPages; `bytes` as given there.
 void unmapPages(void* pages, std::size_t bytes);
 
-/// Whether elements of a type are left uninitialised where a table is made longer without saying what they are. Only for what fills whole tables by many
-/// threads: each page is then touched first by the thread that fills it.
+/// Whether resize() leaves new elements of this type uninitialised. Only for tables that many threads fill, so that each page is first
+/// touched by the thread that fills it.
 template <class T> constexpr bool staysUninitialized = false;
 
-/// For vectors that may be large: these lie in large pages, others are aligned to a cache line.
+/// Allocator for vectors that may be large, which then lie in large pages; others are aligned to a cache line.
 template <class T> struct PageAllocator {
     using value_type = T;
 
@@ -56,7 +56,7 @@ private:
     static constexpr std::align_val_t cacheLine{64};
 };
 
-/// A table as a device may read it where it lies.
+/// A table that a device can read in place.
 template <class T> using Table = std::vector<T, PageAllocator<T>>;
 
 }  // namespace eikonal

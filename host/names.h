@@ -1,5 +1,5 @@
 #pragma once
-// Tables of names and what they name.
+// Tables of names and values.
 
 #include <algorithm>
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace eikonal {
 
-/// The first name of a value in an array of pairs of name and value, which has it.
+/// The first name of `value` in an array of (name, value) pairs. The array must have the value.
 template <class Value, std::size_t count> const char* nameIn(const std::pair<const char*, Value> (&names)[count], Value value) {
     return std::ranges::find(names, value, &std::pair<const char*, Value>::second)->first;
 }

@@ -2,7 +2,7 @@
 
 namespace eikonal {
 
-/// One function of several lambdas, for std::visit: Overloaded{[](const A&) { ... }, [](const B&) { ... }}.
+/// Combines lambdas into one function object for std::visit: Overloaded{[](const A&) { ... }, [](const B&) { ... }}.
 template <class... F> struct Overloaded : F... { using F::operator()...; };
 
 }  // namespace eikonal

@@ -1,5 +1,5 @@
 #pragma once
-// Many things at once, of which several may be wrong.
+// Parallel loops that collect the errors of all iterations.
 
 #include "error.h"
 
@@ -11,8 +11,8 @@
 
 namespace eikonal {
 
-/// Calls f(i) for 0 <= i < count, in parallel, and all of them whatever happens. Throws one Error (ExitCode::scene) that lists the Errors that
-/// they threw, a line each, in the order of i.
+/// Calls f(i) for 0 <= i < count in parallel; an error does not stop the others. Throws one Error (ExitCode::scene) with the messages of
+/// all Errors thrown, one per line, in the order of i.
 template <class F> void forEachInParallel(std::size_t count, const F& f) {
     std::vector<std::string> errors(count);
     tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {

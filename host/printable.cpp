@@ -6,7 +6,7 @@
 
 namespace eikonal {
 
-/// The bytes of the character in UTF-8 that a text begins with; 0 if there is none that may be printed.
+/// Length in bytes of the UTF-8 character that a text begins with; 0 if it is invalid or not printable.
 static size_t characterLength(std::string_view text) {
     const auto byte = [&](size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);

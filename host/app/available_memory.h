@@ -1,11 +1,11 @@
 #pragma once
-// How much memory the machine has left.
+// The memory that the machine has available.
 
 #include <cstddef>
 
 namespace eikonal {
 
-/// Bytes that programs may still take, swap included, as Linux estimates it; the largest number if it does not say.
+/// Bytes that programs may still allocate, swap included, as Linux estimates it; the largest size_t if Linux gives no estimate.
 std::size_t availableMemory();
 
 }  // namespace eikonal

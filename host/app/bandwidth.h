@@ -1,19 +1,18 @@
 #pragma once
-// How far a stage is from what memory would let it do: the bytes of queues that it moves, beside a kernel that does nothing but move them.
+// How close a stage comes to the bandwidth limit: the bytes of queues that it moves, compared with a kernel that only copies a queue.
 
 #include "device/program.h"
 #include "render/stages.h"
 
-#include <string>
-
 namespace eikonal {
 
-/// Bytes of queues that a stage ("shade_hits diffuse") reads and writes for a slot, in a scene with these features: all fields of what it drains and
-/// fills; of queues among which it chooses, the widest; of a path that it adds light to, its radiance twice. Tables of the scene do not count. 0 for
-/// resolve_film, whose slots are pixels.
-double queueBytesPerSlot(const std::string& stage, const Features& features);
+/// Bytes of queues that a stage reads and writes per slot, in a scene with these features. All fields of the queues that it reads and writes
+/// count. Of the queues that route_intersections chooses among, the widest counts; of a path that a stage adds light to, only its radiance,
+/// read and written. Scene tables do not count. 0 for resolve_film, whose slots are pixels.
+double queueBytesPerSlot(const StageProgram& stage, const Features& features);
 
-/// Bytes a second, read and written, at which items of 16 words are copied from a queue into another that is too large for a cache: the best of five.
+/// Bytes per second, read plus written, when items of 16 words are copied between two queues that are too large for the caches; the best of
+/// five runs.
 double queueCopyRate(const Context& context, Compiler& compiler, const StageShape& shape);
 
 }  // namespace eikonal

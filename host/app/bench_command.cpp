@@ -4,7 +4,6 @@
 #include "render/session.h"
 #include "app/statistics.h"
 #include "app/bandwidth.h"
-#include "eikonal/stages.h"
 #include "image/atomic_file.h"
 #include "image/image_file.h"
 #include "image/seed_variance.h"
@@ -22,7 +21,7 @@ namespace {
 
 struct Repeat { double seconds; std::map<std::string, StageProfile> stages; std::uint64_t rays, shadowRays, paths; };
 
-/// Adds the image to `images`, unless that is null.
+/// Also adds the image to `images`, unless that is null.
 Repeat renderOnce(Session& session, Tracer& tracer, Profile& profile, SeedVariance* images = nullptr) {
     const PackedScene& packed = session.packed();
     Film film(packed);
@@ -44,23 +43,16 @@ template <class F> double medianOf(const std::vector<Repeat>& repeats, F&& f) {
     return median(values);
 }
 
-/// The queue that a stage drains.
-std::string drainedBy(const std::string& stage) {
-#define DRAINED_BY(name, reads, writes, FEATURE) if (stage.starts_with(#name)) return std::string(reads).substr(0, std::string_view(reads).find(' '));
-    STAGES(DRAINED_BY)
-#undef DRAINED_BY
-    return "";
-}
-
-/// How full a stage's queue was: of the slots that it ran over, how many held a real ray, path or pixel. 1 for the dense queues of shading.
-double occupancyOf(const std::string& stage, const Repeat& r, std::uint64_t slots) {
-    const std::string queue = drainedBy(stage);
-    const auto share = [&](std::uint64_t real) { return slots ? static_cast<double>(real) / static_cast<double>(slots) : 1; };
-    if (queue == "pixels") return share(r.paths);
-    if (queue == "path") return occupancyOf("generate_rays", r, r.stages.at("generate_rays").slots);  // of the same tiles
-    if (queue == "ray" || queue == "intersection") return share(r.rays);
-    if (queue == "shadow") return share(r.shadowRays);
-    return 1;
+/// Occupancy of a stage: the share of the slots that it ran over that held a real ray, path or pixel. 1 for the dense queues of shading.
+double occupancyOf(const StageProgram& stage, const Repeat& r, std::uint64_t slots) {
+    const auto share = [](std::uint64_t real, std::uint64_t all) { return all ? static_cast<double>(real) / static_cast<double>(all) : 1; };
+    switch (stage.over) {
+        case each_sample: return share(r.paths, slots);
+        case each_ray: return share(r.rays, slots);
+        case each_shadow: return share(r.shadowRays, slots);
+        case each_pixel: return share(r.paths, r.stages.at(rowOf(StageName::generate_rays).name).slots);  // of the same blocks
+        default: return 1;
+    }
 }
 
 double medianSeconds(const std::vector<Repeat>& repeats) {
@@ -94,7 +86,8 @@ nlohmann::ordered_json measure(const Options& o, const Session& session, const s
     for (const auto& [name, stage] : first.stages) {
         const double stageSeconds = medianOf(repeats, [&, &key = name](const Repeat& r) { return r.stages.at(key).seconds; });
         const double slots = static_cast<double>(stage.slots);
-        const double occupancy = occupancyOf(name, first, stage.slots), bytes = queueBytesPerSlot(name, session.packed().features);
+        const StageProgram& program = stageProgram(name);
+        const double occupancy = occupancyOf(program, first, stage.slots), bytes = queueBytesPerSlot(program, session.packed().features);
         json["stages"].push_back({{"stage", name}, {"launches", stage.launches}, {"slots", stage.slots}, {"seconds", stageSeconds},
                                   {"nanosecondsPerSlot", slots > 0 ? stageSeconds / slots * 1e9 : 0}, {"occupancy", occupancy},
                                   {"waveFill", slots / (static_cast<double>(stage.launches) * session.shape().wavePaths)},
@@ -121,12 +114,12 @@ void addEfficiency(nlohmann::ordered_json& json, const std::vector<Repeat>& repe
 std::string asTable(const nlohmann::ordered_json& j) {
     std::string text = fmt::format("{} on {}\nmedian of {} renders of {} samples: {:.3f} s; {:.2f} M paths/s\n", j["scene"].get<std::string>(), j["device"].get<std::string>(),
                                    j["repeats"].get<int>(), j["samples"].get<int>(), j["renderSeconds"].get<double>(), j["pathsPerSecond"].get<double>() * 1e-6);
-    text += fmt::format("rays {} ({:.2f} M/s), shadow rays {} ({:.2f} M/s); {} kernels compiled in {:.2f} s, apart\n", j["rays"].get<std::uint64_t>(), j["raysPerSecond"].get<double>() * 1e-6,
+    text += fmt::format("rays {} ({:.2f} M/s), shadow rays {} ({:.2f} M/s); {} kernels compiled in {:.2f} s (not included)\n", j["rays"].get<std::uint64_t>(), j["raysPerSecond"].get<double>() * 1e-6,
                         j["shadowRays"].get<std::uint64_t>(), j["shadowRaysPerSecond"].get<double>() * 1e-6, j["compiledKernels"].get<int>(), j["compileSeconds"].get<double>());
     if (j.contains("efficiency"))
         text += fmt::format("relative variance between seeds {:.4g} +- {:.2g} ({:.4g} without the worst thousandth of the pixels); efficiency 1 / (variance x seconds) {:.4g}, 95 % within {:.4g} to {:.4g}\n", j["relativeVariance"].get<double>(),
                             j["relativeVarianceStandardError"].get<double>(), j["relativeVarianceWithoutOutliers"].get<double>(), j["efficiency"].get<double>(), j["efficiencyInterval"][0].get<double>(), j["efficiencyInterval"][1].get<double>());
-    text += fmt::format("{:<28}{:>9}{:>13}{:>10}{:>9}{:>11}{:>11}{:>8}{:>14}{:>12}\n", "stage", "launches", "slots", "seconds", "share", "ns a slot", "occupancy", "fill", "bytes a slot", "of copying");
+    text += fmt::format("{:<28}{:>9}{:>13}{:>10}{:>9}{:>11}{:>11}{:>8}{:>14}{:>12}\n", "stage", "launches", "slots", "seconds", "share", "ns/slot", "occupancy", "fill", "bytes/slot", "of copying");
     double all = 0;
     for (const auto& s : j["stages"]) all += s["seconds"].get<double>();
     for (const auto& s : j["stages"])
@@ -135,22 +128,23 @@ std::string asTable(const nlohmann::ordered_json& j) {
                             s["waveFill"].get<double>() * 100, s["queueBytesPerSlot"].get<double>(), s["shareOfCopyRate"].get<double>() * 100);
     text += fmt::format("{:<28}{:>32.3f}, of {:.3f} s of wall clock; a queue is copied at {:.1f} GB/s\n", "all stages", all, j["renderSeconds"].get<double>(), j["queueCopyBytesPerSecond"].get<double>() * 1e-9);
     if (j.contains("loopSeconds"))
-        text += fmt::format("one kernel with a loop: {:.3f} s, {:.2f} times as long\n", j["loopSeconds"].get<double>(), j["loopSeconds"].get<double>() / j["renderSeconds"].get<double>());
+        text += fmt::format("one kernel with a loop: {:.3f} s, {:.2f} times the time of the stages\n", j["loopSeconds"].get<double>(), j["loopSeconds"].get<double>() / j["renderSeconds"].get<double>());
     return text;
 }
 
-/// A converged image of the pixels that are rendered. Throws an Error (ExitCode::scene) if it cannot be that.
+/// Reads a converged image of the pixels that are rendered. Throws an Error (ExitCode::scene) if its pixels do not match or it is black or
+/// not finite.
 FilmImage readReference(const std::string& file, const PackedScene& packed) {
     FilmImage image = readImage(file).image;
     const PixelRect& p = packed.pixels;
     const PixelBounds& b = image.bounds;
     if (static_cast<uint>(image.width) != packed.frame().width || static_cast<uint>(image.height) != packed.frame().height || b.x0 != p.x0 || b.x1 != p.x1 || b.y0 != p.y0 || b.y1 != p.y1)
-        throw Error(ExitCode::scene, fmt::format("--reference: \"{}\" has pixels {},{} to {},{} of {} x {}; those of {},{} to {},{} of {} x {} are rendered", file, b.x0, b.y0, b.x1, b.y1,
+        throw Error(ExitCode::scene, fmt::format("--reference: \"{}\" has the pixels {},{} to {},{} of {} x {}; the render has {},{} to {},{} of {} x {}", file, b.x0, b.y0, b.x1, b.y1,
                                                  image.width, image.height, p.x0, p.y0, p.x1, p.y1, packed.frame().width, packed.frame().height));
     glm::dvec3 sum(0);
     for (const glm::vec3& c : image.color) sum += glm::dvec3(c);
     if (!std::isfinite(sum.x + sum.y + sum.z) || !(sum.x + sum.y + sum.z > 0))
-        throw Error(ExitCode::scene, fmt::format("--reference: \"{}\" is black or has pixels that are not finite; errors relative to it mean nothing", file));
+        throw Error(ExitCode::scene, fmt::format("--reference: \"{}\" is black or has pixels that are not finite, so relative errors are undefined", file));
     return image;
 }
 
@@ -167,7 +161,7 @@ int benchCommand(const Options& o) {
     std::vector<Repeat> repeats, loops;
     Profile loopProfile;
     const std::unique_ptr<Tracer> loop = o.loop ? session.makeLoop(loopProfile) : nullptr;
-    if (loop) renderOnce(session, *loop, loopProfile);   // some implementations compile on the way
+    if (loop) renderOnce(session, *loop, loopProfile);   // some implementations compile at the first launch
     SeedVariance images;
     for (int i = 0; i < o.repeats; ++i) {
         if (o.efficiency) session.setSeed(session.scene().sampler.seed + i);

@@ -2,8 +2,8 @@
 
 namespace eikonal {
 
-/// Set when the program is loaded, before main(). (The kernel's own record, in /proc/self/stat, is no use: it counts from the fork, and
-/// `./dev render` spends minutes building between that and its exec.)
+/// Initialized when the program is loaded, before main(). (/proc/self/stat does not help: its start time is that of the fork, and `./dev
+/// render` may build for minutes between its fork and the exec of this program.)
 static const Stopwatch sinceStart;
 
 double secondsSinceStart() { return sinceStart.seconds(); }

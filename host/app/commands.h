@@ -1,13 +1,14 @@
 #pragma once
-// What the program can do. Each command returns the program's exit status, or throws an Error that carries it.
+// The commands of the program. Each returns the exit status, or throws an Error that carries it.
 
 #include "app/options.h"
 
 namespace eikonal {
 
-/// Renders a scene into image files. 0: they are all on disk, with a sample in every pixel; 128 + the signal's number if one ended it early.
+/// Renders a scene into image files. Returns 0 if all files are written and every sample was taken or the time limit was reached, and 128
+/// plus the signal's number if a signal ended the render early.
 int renderCommand(const Options& options);
-/// Prints what a scene holds, what it requires and why, and the memory that it would take.
+/// Prints the contents of a scene, the features that it requires with the reasons, and the memory that a render would take.
 int infoCommand(const Options& options);
 /// Measures a scene, stage by stage.
 int benchCommand(const Options& options);
@@ -15,7 +16,7 @@ int benchCommand(const Options& options);
 int cacheCommand(const Options& options);
 /// Prints every OpenCL device.
 int listDevicesCommand(const Options& options);
-/// Prints how far an image is from another.
+/// Prints the difference of two images.
 int compareCommand(const Options& options);
 
 }  // namespace eikonal

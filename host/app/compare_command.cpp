@@ -9,7 +9,7 @@
 
 namespace eikonal {
 
-/// What the gallery's table calls agreement of a block: 5 % and 4 standard errors.
+/// Tolerances of a block, as in the gallery's table: 5 % and 4 standard errors.
 constexpr double relative = 0.05, sigmas = 4;
 
 static nlohmann::ordered_json asJson(glm::dvec3 v) { return {v.x, v.y, v.z}; }
@@ -34,7 +34,7 @@ int compareCommand(const Options& o) {
         std::fputs((json.dump(2) + "\n").c_str(), stdout);
     } else {
         std::fputs(fmt::format("mean            {:.6g} {:.6g} {:.6g}\nreference mean  {:.6g} {:.6g} {:.6g}\nworst channel   {:.3f} % off\nrelative MSE    {:.4g}\n"
-                               "blocks off      {} of {}, by more than {:.0f} % and {:.0f} standard errors; the worst, at pixel ({}, {}), by {:.3g} times that\npixels left out {} that are not finite\n",
+                               "blocks off      {} of {}, by more than {:.0f} % and {:.0f} standard errors; the worst, at pixel ({}, {}), by {:.3g} times that\npixels skipped  {} that are not finite\n",
                                c.mean.x, c.mean.y, c.mean.z, c.referenceMean.x, c.referenceMean.y, c.referenceMean.z, c.worstMean() * 100, c.relativeMse, off, c.blocks.size(),
                                relative * 100, sigmas, worst.x, worst.y, worst.distance(relative, sigmas), c.invalid).c_str(), stdout);
     }

@@ -8,7 +8,7 @@
 
 namespace eikonal {
 
-/// Of the median of normally distributed values; 0 for a single one.
+/// Standard error of the median of normally distributed values; 0 for a single value.
 static double standardErrorOfMedian(const std::vector<double>& values) {
     const double n = static_cast<double>(values.size()), mean = std::reduce(values.begin(), values.end()) / n;
     double squares = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Error per second, of one scene by one program.
+// Efficiency of a renderer on one scene: the inverse of variance times time.
 
 #include "image/seed_variance.h"
 
@@ -7,11 +7,11 @@
 
 namespace eikonal {
 
-/// 1 / (relative variance x seconds): twice as much is the same noise in half the time. `low` and `high`: an interval that holds the truth 19 times of 20.
+/// 1 / (relative variance x seconds): twice the value is the same noise in half the time. [low, high] is a 95 % confidence interval.
 struct Efficiency { double value = 0, low = 0, high = 0; };
 
-/// relativeVariance: at the samples that a render of `seconds` takes (SeedVariance); seconds: of several renders, the median counts. The interval is that
-/// of a log-normal distribution: relative errors of both factors are small and independent.
+/// relativeVariance: of a render that takes `seconds` (SeedVariance). seconds: of several renders; the median counts. The interval assumes
+/// a log-normal distribution, since the relative errors of both factors are small and independent.
 Efficiency efficiencyOf(const Estimate& relativeVariance, const std::vector<double>& seconds);
 
 }  // namespace eikonal

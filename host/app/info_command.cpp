@@ -23,8 +23,8 @@ std::string asText(const Options& o, const PackedScene& packed, const MemoryPlan
     const PixelRect& r = packed.pixels;
     const settings& frame = packed.frame();
     std::string text = fmt::format("{}\n  image      {} x {}", o.scene.path, frame.width, frame.height);
-    if (r.width() != static_cast<int>(frame.width) || r.height() != static_cast<int>(frame.height)) text += fmt::format(", of it {} <= x < {}, {} <= y < {}", r.x0, r.x1, r.y0, r.y1);
-    text += fmt::format("\n  sampling   {} samples a pixel, at most {} bounces\n  holds      ", packed.samples, frame.max_depth);
+    if (r.width() != static_cast<int>(frame.width) || r.height() != static_cast<int>(frame.height)) text += fmt::format(", only {} <= x < {}, {} <= y < {}", r.x0, r.x1, r.y0, r.y1);
+    text += fmt::format("\n  sampling   {} samples per pixel, at most {} bounces\n  contents   ", packed.samples, frame.max_depth);
     bool first = true;
     for (const Count& c : countsOf(packed.counts)) {
         if (c.value == 0) continue;

@@ -1,13 +1,14 @@
 #pragma once
-// Ctrl-C and the polite request to end.
+// Handling of SIGINT (Ctrl-C) and SIGTERM.
 
 namespace eikonal {
 
-/// What whoever started the program has it ignore, as a shell does for `eikonal ... &` in a script or nohup does, stays ignored, whatever
-/// handlers are set later: LLVM, inside PoCL, sets its own. To be called before there are threads.
+/// Blocks the signals that the parent process made this one ignore, as nohup and shells running `eikonal ... &` in a script do. They then
+/// stay without effect even if a library sets a handler, as LLVM inside PoCL does. Call this before any thread starts.
 void keepIgnoredSignals();
 
-/// While it lives, a first SIGINT or SIGTERM is only noted, so that what is rendered can be written; a second one ends the program at once.
+/// While this object lives, the first SIGINT or SIGTERM is only noted, so that the image so far can be written; a second one ends the
+/// program at once.
 class Interrupt {
 public:
     Interrupt();
@@ -15,7 +16,7 @@ public:
     Interrupt(const Interrupt&) = delete;
     Interrupt& operator=(const Interrupt&) = delete;
 
-    /// The signal's number, or 0.
+    /// The number of the noted signal, or 0.
     static int signal();
 };
 

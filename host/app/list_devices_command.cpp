@@ -11,7 +11,7 @@ namespace eikonal {
 int listDevicesCommand(const Options& o) {
     prepareOpenCl(o.device);
     const std::vector<DeviceInfo> devices = listDevices();
-    if (devices.empty()) throw DeviceError("no OpenCL device found. On Debian, `apt install pocl-opencl-icd` makes the processor one.");
+    if (devices.empty()) throw DeviceError("no OpenCL device found. On Debian, `apt install pocl-opencl-icd` makes the CPU an OpenCL device.");
     for (size_t i = 0; i < devices.size(); ++i) {
         const DeviceInfo& d = devices[i];
         std::fputs(fmt::format("{}  {}\n   {}, {}, driver {}\n   {} compute units, {} of memory, {} in one buffer{}\n", i, d.name, d.platformName, d.version, d.driver, d.computeUnits,

@@ -26,13 +26,13 @@ static int run(const Options& options) {
     return static_cast<int>(ExitCode::usage);
 }
 
-/// What is wrong with scenes and files says so line by line, each beginning with its place: nothing comes before that.
+/// Errors of scenes and files are lines that begin with file:line:column, so no prefix goes before them.
 static int fail(ExitCode code, const std::string& message) {
     std::fprintf(stderr, "%s\n", printable(message).c_str());
     return static_cast<int>(code);
 }
 
-/// What is freed goes back to the system, if it is more than this, and is not kept for later: a scene is large while it is read and packed.
+/// Makes free() return blocks above 128 KiB to the system at once, because reading and packing a scene take much memory for a short time.
 static void returnFreedMemory() { ::mallopt(M_MMAP_THRESHOLD, 128 << 10); }
 
 int main(int argc, char** argv) {
@@ -43,7 +43,7 @@ int main(int argc, char** argv) {
     } catch (const Error& error) {
         return fail(error.code(), (error.code() == ExitCode::scene ? "" : "error: ") + std::string(error.what()));
     } catch (const std::bad_alloc&) {
-        return fail(ExitCode::scene, "error: not enough memory; --log-level info says what is planned");
+        return fail(ExitCode::scene, "error: not enough memory; --log-level info prints the planned use");
     } catch (const std::exception& error) {
         return fail(ExitCode::scene, std::string("error: ") + error.what());
     }

@@ -22,7 +22,7 @@ static std::vector<std::string> split(const std::string& text, char separator) {
     return parts;
 }
 
-/// All of `text` as a number, or nothing.
+/// All of `text` as one number, or nothing.
 template <class Number> static std::optional<Number> numberIn(const std::string& text) {
     Number value{};
     const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
@@ -63,7 +63,7 @@ double parseNumber(const std::string& option, const std::string& text, double lo
 
 glm::dvec3 parseVector(const std::string& option, const std::string& text) {
     const auto v = numbersIn<double, 3>(text, ',');
-    if (!v) refuse(option, "three numbers with commas between them, like 0,1,5", text);
+    if (!v) refuse(option, "three numbers separated by commas, like 0,1,5", text);
     return {(*v)[0], (*v)[1], (*v)[2]};
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Values of options: from text to what it means. Each throws a UsageError that names the option, what was found, and what would have worked.
+// Parsers for option values. Each throws a UsageError that names the option, the text found, and what would have worked.
 
 #include "app/options.h"
 
@@ -19,10 +19,10 @@ std::array<double, 4> parseCropWindow(const std::string& option, const std::stri
 PixelBounds parsePixelBounds(const std::string& option, const std::string& text);
 /// A power of two in [1, 2^20].
 unsigned parsePowerOfTwo(const std::string& option, const std::string& text);
-/// "all", or names joined by commas.
+/// "all", or names separated by commas.
 Aovs parseAovs(const std::string& option, const std::string& text);
 
-/// The value that `text` names. `names` is a range of pairs of name and value.
+/// The value that `text` names. `names` is a range of (name, value) pairs.
 template <class Names> auto parseName(const std::string& option, const std::string& text, const Names& names) {
     std::string all;
     std::vector<std::string> words;

@@ -42,70 +42,70 @@ CLI::Option* addListDevices(CLI::App* app, Options& o) { return app->add_flag("-
 void addDevice(CLI::App* app, Options& o) {
     DeviceOptions& d = o.device;
     const std::string group = "Device";
-    app->add_option("--device", d.device, "The OpenCL device: its number in list-devices, or a part of its name (default: a GPU if there is one)")->type_name("NAME|INDEX")->group(group);
-    value(app, "--nthreads", d.threads, "N", "Threads that load the scene and, on PoCL, that render (default: one a core)", integer(1, 4096))->group(group);
-    app->add_flag_callback("--no-cache", [&d] { d.cache = false; }, "Compile all kernels anew, and keep none")->group(group);
-    app->add_option("--dump-kernels", d.dumpFolder, "Write the text and options of each kernel into this folder")->type_name("DIR")->group(group);
-    value(app, "--wave-paths", d.wavePaths, "N", "Paths in flight at once; changes speed and memory, never the image", integer(1, 1 << 26))->group(group);
-    value(app, "--local-size", d.localSize, "N", "Work-items in a group, a power of two; changes speed, never the image", parsePowerOfTwo)->group(group);
-    value(app, "--items-per-work-item", d.itemsPerWorkItem, "N", "Neighbouring slots of a queue for each work-item, a power of two; changes speed, never the image", parsePowerOfTwo)->group(group);
+    app->add_option("--device", d.device, "The OpenCL device: its number in list-devices, or part of its name (default: a GPU if there is one)")->type_name("NAME|INDEX")->group(group);
+    value(app, "--nthreads", d.threads, "N", "Threads for loading the scene and, on PoCL, for rendering (default: one per core)", integer(1, 4096))->group(group);
+    app->add_flag_callback("--no-cache", [&d] { d.cache = false; }, "Compile all kernels, and do not cache them")->group(group);
+    app->add_option("--dump-kernels", d.dumpFolder, "Write the source and build options of each kernel into this folder")->type_name("DIR")->group(group);
+    value(app, "--wave-paths", d.wavePaths, "N", "Paths in flight at once; affects speed and memory, never the image", integer(1, 1 << 26))->group(group);
+    value(app, "--local-size", d.localSize, "N", "Work-items per group, a power of two; affects speed, never the image", parsePowerOfTwo)->group(group);
+    value(app, "--items-per-work-item", d.itemsPerWorkItem, "N", "Neighbouring queue slots per work-item, a power of two; affects speed, never the image", parsePowerOfTwo)->group(group);
     addListDevices(app, o)->group(group);
     value(app, "--contraction", d.contraction, "on|off", "Whether a*b+c may be rounded once (default: on)", oneOf<bool>({{"on", true}, {"off", false}}))->group(group);
-    app->add_option("--build-options", d.buildOptions, "More options for OpenCL's compiler, such as --build-options=-cl-fast-relaxed-math")->type_name("TEXT")->group(group);
+    app->add_option("--build-options", d.buildOptions, "Additional options for the OpenCL compiler, such as --build-options=-cl-fast-relaxed-math")->type_name("TEXT")->group(group);
 }
 
-/// `takesOne`: the command works on a single scene.
+/// `takesOne`: the command takes a single scene.
 void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     SceneOptions& s = o.scene;
     if (takesOne) app->add_option("SCENE", s.path, "A pbrt-v4 scene (.pbrt) or a Wavefront OBJ (.obj), also compressed (.gz)")->type_name("");
-    const std::string group = "Scene (instead of what the file says)";
-    value(app, "--spp", s.spp, "N", "Samples a pixel", integer(1))->group(group);
-    value(app, "--seed", s.seed, "N", "Another seed gives other noise", integer(std::numeric_limits<int>::min()))->group(group);
-    value(app, "--sampler", s.sampler, "NAME", "Random numbers: independent; paddedsobol: of low discrepancy in each pixel; sobol: for several decisions together; zsobol: also between pixels",
+    const std::string group = "Scene (overrides the file)";
+    value(app, "--spp", s.spp, "N", "Samples per pixel", integer(1))->group(group);
+    value(app, "--seed", s.seed, "N", "Seed of the random numbers", integer(std::numeric_limits<int>::min()))->group(group);
+    value(app, "--sampler", s.sampler, "NAME", "Random numbers: independent; paddedsobol: low discrepancy in each dimension; sobol: also over several dimensions together; zsobol (default): also between neighbouring pixels",
           oneOf<SamplerKind>({std::begin(samplerNames), std::end(samplerNames)}))->group(group);
-    value(app, "--color", s.colorMode, "NAME", "rgb; spectral: at four wavelengths a path; auto (default): spectral where the scene needs it",
+    value(app, "--color", s.colorMode, "NAME", "rgb; spectral: four wavelengths per path; auto (default): spectral where the scene needs it",
           oneOf<ColorMode>({{"auto", ColorMode::automatic}, {"rgb", ColorMode::rgb}, {"spectral", ColorMode::spectral}}))->group(group);
-    value(app, "--integrator", s.integrator, "NAME", "How light is carried: volpath, path, direct, whitted, ambientocclusion, simplepath, simplevolpath, randomwalk",
+    value(app, "--integrator", s.integrator, "NAME", "Light transport algorithm: volpath, path, direct, whitted, ambientocclusion, simplepath, simplevolpath, randomwalk",
           oneOf<IntegratorKind>({std::begin(integratorNames), std::end(integratorNames)}))->group(group);
-    value(app, "--subsurface", s.subsurface, "NAME", "How light passes through bodies of material \"subsurface\": diffusion or, slowly and exactly, randomwalk",
+    value(app, "--subsurface", s.subsurface, "NAME", "Light transport inside bodies of material \"subsurface\": diffusion, or randomwalk (slower, exact)",
           oneOf<SubsurfaceMethod>({std::begin(subsurfaceMethodNames), std::end(subsurfaceMethodNames)}))->group(group);
     value(app, "--max-depth", s.maxDepth, "N", "Bounces; interfaces between media do not count", integer(0))->group(group);
-    value(app, "--roulette", s.roulette, "NAME", "How likely a path of throughput t goes on under Russian roulette: root: sqrt(t); throughput: t, as in pbrt-v4 (default: chosen for the scene)",
+    value(app, "--roulette", s.roulette, "NAME", "Probability that a path of throughput t survives Russian roulette: root: sqrt(t); throughput: t, as in pbrt-v4 (default: chosen for the scene)",
           oneOf<RouletteRule>({std::begin(rouletteRuleNames), std::end(rouletteRuleNames)}))->group(group);
-    value(app, "--roulette-scale", s.rouletteScale, "X", "That times X: with more, paths get longer (1 where --roulette or --roulette-depth is given)", number(1e-6, 1e6))->group(group);
+    value(app, "--roulette-scale", s.rouletteScale, "X", "Factor of that probability; larger values give longer paths (1 where --roulette or --roulette-depth is given)", number(1e-6, 1e6))->group(group);
     value(app, "--roulette-depth", s.rouletteDepth, "N", "Bounces before Russian roulette (4 where --roulette or --roulette-scale is given; pbrt-v4: 1)", integer(0))->group(group);
-    value(app, "--light-sampler", s.lightSampler, "NAME", "How the light is chosen that a point is lit by: bvh, power or uniform (default: power where lights are few, else bvh)",
+    value(app, "--light-sampler", s.lightSampler, "NAME", "How to choose the light to sample: bvh, power or uniform (default: power for few lights, else bvh)",
           oneOf<LightSampler>({std::begin(lightSamplerNames), std::end(lightSamplerNames)}))->group(group);
-    value(app, "--environment-guide", s.environmentGuide, "NAME", "Whether light samples aim at an infinite light without an image: auto (default): in closed scenes; always; never",
+    value(app, "--environment-guide", s.environmentGuide, "NAME", "Whether to guide light samples of an infinite light without an image: auto (default): in closed scenes; always; never",
           oneOf<EnvironmentGuide>({std::begin(environmentGuideNames), std::end(environmentGuideNames)}))->group(group);
     value(app, "--resolution", s.resolution, "WxH", "Pixels of the whole image", parseResolution)->group(group);
     value(app, "--cropwindow", s.cropWindow, "x0,x1,y0,y1", "Render a part, in fractions of the image", parseCropWindow)->group(group);
     value(app, "--pixelbounds", s.pixelBounds, "x0,x1,y0,y1", "Render a part, in pixels: x0 <= x < x1", parsePixelBounds)->group(group);
-    app->add_flag("--strict", s.strict, "What is not rendered yet is an error instead of a warning")->group(group);
+    app->add_flag("--strict", s.strict, "Features that are parsed but not rendered are errors instead of warnings")->group(group);
     const std::string objGroup = "Camera of an OBJ";
-    value(app, "--camera", s.camera, "x,y,z", "Where the eye is (default: where it sees everything)", parseVector)->group(objGroup);
-    value(app, "--look-at", s.lookAt, "x,y,z", "A point in the middle of the image", parseVector)->group(objGroup);
-    value(app, "--up", s.up, "x,y,z", "The direction that is up in the image (default: 0,1,0)", parseVector)->group(objGroup);
+    value(app, "--camera", s.camera, "x,y,z", "Position of the camera (default: where it sees everything)", parseVector)->group(objGroup);
+    value(app, "--look-at", s.lookAt, "x,y,z", "A point at the centre of the image", parseVector)->group(objGroup);
+    value(app, "--up", s.up, "x,y,z", "Up direction of the image (default: 0,1,0)", parseVector)->group(objGroup);
     value(app, "--fov", s.fov, "DEGREES", "Field of view along the shorter side", number(0, 180))->group(objGroup);
 }
 
 void addOutput(CLI::App* app, Options& o) {
     OutputOptions& out = o.output;
     const std::string group = "Image";
-    app->add_option("-o,--outfile", out.files, "An image file: exr, hdr, pfm, png, jpg, tif, tga, bmp, webp; may be given again. A single EXR leaves a PNG beside it (default: the scene's name, .exr)")
+    app->add_option("-o,--outfile", out.files, "An image file: exr, hdr, pfm, png, jpg, tif, tga, bmp, webp; may be repeated. A single EXR is accompanied by a PNG (default: the scene's name with .exr)")
         ->type_name("FILE")->type_size(1)->allow_extra_args(false)->group(group);
     std::string channels;
     for (const AovName& each : aovNames) channels += each.name + std::string(", ");
-    value(app, "--aov", out.aovs, "NAMES", "Further channels of an EXR: " + channels + "joined by commas, or all", parseAovs)->group(group);
-    value(app, "--tonemap", out.toneMapping.curve, "NAME", "For formats of integers: clamp (default), reinhard, filmic",
+    value(app, "--aov", out.aovs, "NAMES", "Additional channels of an EXR: " + channels + "separated by commas; or all", parseAovs)->group(group);
+    value(app, "--tonemap", out.toneMapping.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
           [](const std::string&, const std::string& text) { return toneCurve(text); })->group(group);
-    value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For formats of integers: 1 is twice as bright", number(-infinity))->group(group);
+    value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))->group(group);
     value(app, "--time-limit", out.timeLimit, "SECONDS", "Stop rendering after this time, but not before every pixel has a sample", number(0))->group(group);
-    value(app, "--target-error", out.targetError, "E", "Sample where it is needed until the image's relative error is about E, say 0.05; --spp is then the most that a pixel gets", number(0))->group(group);
-    app->add_flag("--stats", out.stats, "Print where time and memory went");
+    value(app, "--target-error", out.targetError, "E", "Sample adaptively until the image's relative error is about E, such as 0.05; --spp is then the maximum per pixel", number(0))->group(group);
+    app->add_flag("--stats", out.stats, "Print time and memory statistics");
 }
 
-/// The program's commands, bound to what they fill in.
+/// The commands of the program, bound to the options that they fill in.
 struct Parser {
     Options options;
     CLI::App app{"Eikonal renders scenes by path tracing on OpenCL devices.", "eikonal"};
@@ -131,31 +131,31 @@ struct Parser {
         addDevice(render, options);
         addLogging(render, options);
 
-        auto* info = add("info", Command::info, "Print what a scene holds, what it requires and why");
+        auto* info = add("info", Command::info, "Print the contents of a scene, and which features it requires and why");
         addScene(info, options);
         info->add_flag("--json", options.json, "Print JSON");
         addLogging(info, options);
 
         auto* bench = add("bench", Command::bench, "Measure a scene, stage by stage");
         addScene(bench, options);
-        bench->add_flag("--loop", options.loop, "Measure one kernel that follows each path in a loop, too, by turns with the stages");
-        bench->add_flag("--efficiency", options.efficiency, "Measure error per second, too: each repeat has another seed, and their variance is the error");
-        bench->add_option("--reference", options.reference, "With --efficiency: a converged image of the scene, which says how much errors count in each pixel (default: the repeats' mean)")->type_name("IMAGE");
-        value(bench, "--repeats", options.repeats, "N", "Renders, of which the median counts (default: 5)", integer(1, 1000));
-        bench->add_option("--json", options.jsonFile, "Write the figures into this file too")->type_name("FILE");
+        bench->add_flag("--loop", options.loop, "Also measure a single kernel that follows each path in a loop, interleaved with the stages");
+        bench->add_flag("--efficiency", options.efficiency, "Also measure efficiency: each repeat has its own seed, and the variance between repeats is the error");
+        bench->add_option("--reference", options.reference, "With --efficiency: a converged image that errors are relative to (default: the mean of the repeats)")->type_name("IMAGE");
+        value(bench, "--repeats", options.repeats, "N", "Number of renders; the median counts (default: 5)", integer(1, 1000));
+        bench->add_option("--json", options.jsonFile, "Also write the figures into this file")->type_name("FILE");
         addDevice(bench, options);
         addLogging(bench, options);
 
         auto* cache = add("cache", Command::cache, "Print, warm or clear the cache of compiled kernels");
-        cache->add_flag("--clear", options.clearCache, "Remove what is kept");
-        cache->add_flag("--warm", options.warmCache, "Compile the kernels of these scenes, or else of those that come with the program, and keep them; after --clear if both are given");
+        cache->add_flag("--clear", options.clearCache, "Remove all compiled kernels");
+        cache->add_flag("--warm", options.warmCache, "Compile and keep the kernels of these scenes (default: of the scenes that come with the program); after --clear if both are given");
         cache->add_option("SCENE", options.scenes, "Scenes for --warm")->type_name("");
         addDevice(cache, options);
         addLogging(cache, options);
 
         add("list-devices", Command::listDevices, "Print the OpenCL devices");
 
-        /* The program's own: see commands/kernel_workers.h */
+        /* Internal command: see render/kernel_workers.h */
         auto* compile = add("compile-kernels", Command::compileKernels, "Compile a part of the kernels")->group("");
         compile->add_option("FEATURES", options.compile.features);
         compile->add_option("CONSTANTS", options.compile.constants);
@@ -164,11 +164,11 @@ struct Parser {
         compile->add_option("PARENT", options.compile.parent);
         addDevice(compile, options);
 
-        auto* compare = add("compare", Command::compare, "Print how far an image is from another");
+        auto* compare = add("compare", Command::compare, "Print the difference of two images");
         compare->add_option("IMAGE", options.image, "An image file")->type_name("");
-        compare->add_option("REFERENCE", options.reference, "What it should be")->type_name("");
+        compare->add_option("REFERENCE", options.reference, "The image to compare with")->type_name("");
         compare->add_flag("--json", options.json, "Print JSON");
-        compare->add_flag("--scatter", options.scatter, "Standard errors from how the differences of a block's pixels scatter, not from the image's variance");
+        compare->add_flag("--scatter", options.scatter, "Estimate standard errors from the spread of the differences in each block, not from the image's variance");
     }
 };
 
@@ -181,7 +181,7 @@ std::vector<std::string> optionsOf(const CLI::App* app) {
     return names;
 }
 
-/// Explains the first argument that meant nothing to a command.
+/// Reports the first argument that a command did not recognise, with a hint.
 [[noreturn]] void refuseExtra(const Parser& parser, const CLI::App* command, const std::string& argument) {
     if (argument.size() > 1 && argument[0] == '-') {
         const std::string name = argument.substr(0, argument.find('='));
@@ -193,19 +193,19 @@ std::vector<std::string> optionsOf(const CLI::App* app) {
                     if (option == name && hint.empty()) hint = fmt::format("; {} has it", other->get_name());
         throw UsageError(fmt::format("{} has no option {}{}\n{}", command == &parser.app ? "eikonal" : command->get_name(), name, hint, getHelp));
     }
-    if (command != &parser.app) throw UsageError(fmt::format("{} has no use for another argument: \"{}\"\n{}", command->get_name(), argument, getHelp));
+    if (command != &parser.app) throw UsageError(fmt::format("{} takes no further argument, but found \"{}\"\n{}", command->get_name(), argument, getHelp));
     std::vector<std::string> names;
     for (const auto& [other, id] : parser.commands)
         if (!other->get_group().empty()) names.push_back(other->get_name());
     const std::string near = nearestWord(argument, names);
     const bool isScene = argument.find(".pbrt") != std::string::npos || argument.find(".obj") != std::string::npos;
-    throw UsageError(fmt::format("\"{}\" is no command; {}\n{}", argument,
+    throw UsageError(fmt::format("\"{}\" is not a command; {}\n{}", argument,
                                  isScene ? fmt::format("did you mean `eikonal render {}`?", argument)
-                                 : near.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
+                                 : near.empty() ? fmt::format("the commands are {}", fmt::join(names, ", "))
                                                 : fmt::format("did you mean {}?", near), getHelp));
 }
 
-/// What one option alone cannot know.
+/// Checks that concern several options.
 void checkTogether(const Parser& parser, const CLI::App* command) {
     const Options& o = parser.options;
     const bool needsScene = o.command == Command::render || o.command == Command::info || o.command == Command::bench;
@@ -214,12 +214,12 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
     if (o.command == Command::compare && o.reference.empty())
         throw UsageError(fmt::format("compare needs two images: eikonal compare image.exr reference.exr\n{}", getHelp));
     if (o.command == Command::cache && !o.scenes.empty() && !o.warmCache)
-        throw UsageError(fmt::format("cache has a use for scenes with --warm only: eikonal cache --warm {}\n{}", o.scenes.front(), getHelp));
+        throw UsageError(fmt::format("cache takes scenes only with --warm: eikonal cache --warm {}\n{}", o.scenes.front(), getHelp));
     if (o.command == Command::cache && o.warmCache && !o.device.cache)
         throw UsageError(fmt::format("--warm keeps kernels and --no-cache keeps none; give one of them\n{}", getHelp));
-    if (o.command == Command::bench && !o.reference.empty() && !o.efficiency) throw UsageError("--reference goes with --efficiency: without it, bench measures no error");
+    if (o.command == Command::bench && !o.reference.empty() && !o.efficiency) throw UsageError("--reference needs --efficiency: without it, bench measures no error");
     if (o.efficiency && o.repeats < SeedVariance::leastSeeds)
-        throw UsageError(fmt::format("--efficiency takes the variance between repeats; --repeats must be at least {}, not {}", SeedVariance::leastSeeds, o.repeats));
+        throw UsageError(fmt::format("--efficiency measures the variance between repeats; --repeats must be at least {}, not {}", SeedVariance::leastSeeds, o.repeats));
     if (o.scene.cropWindow && o.scene.pixelBounds) throw UsageError("--cropwindow and --pixelbounds both select a part of the image; give one of them");
     if (o.scene.camera && o.scene.lookAt && *o.scene.camera == *o.scene.lookAt) throw UsageError("--camera and --look-at must differ");
     if (o.scene.up && *o.scene.up == glm::dvec3(0)) throw UsageError("--up must not be 0,0,0");

@@ -1,5 +1,5 @@
 #pragma once
-// The command line: every option is declared once, in options.cpp, with its help and its check.
+// The command line. Each option is declared once, in options.cpp, with its help text and its range check.
 
 #include "diagnostics.h"
 #include "image/tone_map.h"
@@ -14,15 +14,15 @@ namespace eikonal {
 
 enum class Command { print, render, info, bench, cache, listDevices, compare, compileKernels };
 
-/// What replaces what the scene file says. Unset: the file's.
+/// Options that override the scene file. Unset: the file's value counts.
 struct SceneOptions {
     std::string path;
-    std::optional<int> spp;                           ///< samples a pixel, >= 1
+    std::optional<int> spp;                           ///< samples per pixel, >= 1
     std::optional<int> seed;
     std::optional<SamplerKind> sampler;
     std::optional<ColorMode> colorMode;
     std::optional<IntegratorKind> integrator;
-    std::optional<SubsurfaceMethod> subsurface;       ///< of all materials "subsurface"
+    std::optional<SubsurfaceMethod> subsurface;       ///< for all materials "subsurface"
     std::optional<int> maxDepth;                      ///< bounces, >= 0
     std::optional<RouletteRule> roulette;
     std::optional<double> rouletteScale;              ///< > 0
@@ -39,26 +39,26 @@ struct SceneOptions {
 
 /// Where and how kernels run.
 struct DeviceOptions {
-    std::string device;                               ///< a number of --list-devices or a part of a name; empty: the best
-    int threads = 0;                                  ///< of the host and of PoCL; 0: one a core
-    bool list = false;                                ///< print the devices instead of what the command does
+    std::string device;                               ///< an index from --list-devices or part of a name; empty: the default device
+    int threads = 0;                                  ///< of the host and of PoCL; 0: one per core
+    bool list = false;                                ///< print the devices instead of running the command
     bool cache = true;
-    std::string dumpFolder;                           ///< not empty: each program's text goes there
+    std::string dumpFolder;                           ///< if not empty, the source of each program is written there
     std::optional<unsigned> wavePaths, localSize, itemsPerWorkItem;
     bool contraction = true;
-    std::string buildOptions;                         ///< for OpenCL's compiler, besides its own
+    std::string buildOptions;                         ///< for the OpenCL compiler, in addition to the default ones
 };
 
-/// Channels of an EXR besides colour.
+/// Additional channels of an EXR.
 struct Aovs {
     bool albedo = false, normal = false, geometricNormal = false, position = false, uv = false, depthSlope = false, motion = false, depth = false, object = false, material = false;
     bool variance = false, sampleCount = false;
     bool any() const;
-    /// Whether the device has to keep what paths see.
+    /// Whether any channel needs per-path data from the device.
     bool ofSurfaces() const;
 };
 
-/// What --aov calls each of them.
+/// The names of the channels for --aov.
 struct AovName { const char* name; bool Aovs::*asked; bool isOfSurfaces = true; };
 inline constexpr AovName aovNames[] = {{"albedo", &Aovs::albedo}, {"normal", &Aovs::normal}, {"geometricNormal", &Aovs::geometricNormal}, {"position", &Aovs::position},
                                        {"uv", &Aovs::uv}, {"depthSlope", &Aovs::depthSlope}, {"motion", &Aovs::motion},
@@ -68,16 +68,16 @@ inline bool Aovs::any() const { return std::ranges::any_of(aovNames, [this](cons
 inline bool Aovs::ofSurfaces() const { return std::ranges::any_of(aovNames, [this](const AovName& n) { return n.isOfSurfaces && this->*n.asked; }); }
 
 struct OutputOptions {
-    std::vector<std::string> files;                   ///< empty: the scene's name, .exr
+    std::vector<std::string> files;                   ///< empty: the scene's name with .exr
     Aovs aovs;
     ToneMapping toneMapping;
     std::optional<double> timeLimit;                  ///< seconds of rendering
-    std::optional<double> targetError;                ///< root of the mean relative squared error to come down to, > 0
+    std::optional<double> targetError;                ///< target of adaptive sampling: root mean relative squared error, > 0
     bool stats = false;
 };
 
-/// What a worker of commands/kernel_workers.h compiles: every `parts`-th stage from the `part`-th on, of scenes with these features.
-/// `parent`: the process that it ends with; 0: none.
+/// A worker process of render/kernel_workers.h compiles every `parts`-th stage, starting with the `part`-th, for scenes with these
+/// features. `parent`: the process whose end also ends the worker; 0: none.
 struct CompileRequest { std::string features, constants; unsigned part = 0, parts = 1; int parent = 0; };
 
 struct Options {
@@ -90,22 +90,22 @@ struct Options {
     DeviceOptions device;
     OutputOptions output;
     bool json = false;                                ///< info: print JSON
-    std::string jsonFile;                             ///< bench: not empty, write JSON there
+    std::string jsonFile;                             ///< bench: if not empty, write JSON there
     bool loop = false;                                ///< bench
-    bool efficiency = false;                          ///< bench: each repeat has a seed of its own
+    bool efficiency = false;                          ///< bench: each repeat has its own seed
     int repeats = 5;                                  ///< bench
     bool clearCache = false, warmCache = false;       ///< cache
     std::vector<std::string> scenes;                  ///< cache --warm
     std::string image;                                ///< compare
-    std::string reference;                            ///< compare, bench: a converged image; bench: empty: none
-    bool scatter = false;                             ///< compare: what an image says of its variance does not count
+    std::string reference;                            ///< compare; bench: a converged image, empty: none
+    bool scatter = false;                             ///< compare: ignore the image's variance channel
     CompileRequest compile;
 };
 
-/// What the command line asks for. `arguments` begins with the program's name. Throws a UsageError that says what would have worked.
+/// Parses the command line. `arguments` begins with the program's name. Throws a UsageError that says what would have worked.
 Options parseOptions(const std::vector<std::string>& arguments);
 
-/// Every option of every command, long spelling, for the test that holds docs/command-line.md to it.
+/// The long names of all options of all commands, for the test that compares them with docs/command-line.md.
 std::vector<std::string> allOptionNames();
 
 }  // namespace eikonal

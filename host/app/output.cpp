@@ -11,22 +11,22 @@ std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& 
     std::vector<std::string> files = options.files;
     if (files.empty()) files.push_back(scene.film.filename.empty() ? scene.name + ".exr" : scene.film.filename);
     if (options.aovs.any() && std::ranges::none_of(files, holdsChannels))
-        throw UsageError(fmt::format("--aov asks for channels that only an EXR has, and {} is none; add -o FILE.exr", fmt::join(files, ", ")));
+        throw UsageError(fmt::format("--aov needs an EXR file, and {} cannot hold its channels; add `-o FILE.exr`", fmt::join(files, ", ")));
     if (files.size() == 1 && holdsChannels(files.front()))
         files.push_back(std::filesystem::path(files.front()).replace_extension(".png").string());
     return files;
 }
 
-/// Whether some file has channels besides the colour; a warning if none has.
+/// Whether some file can hold additional channels; warns if none can.
 static bool canHold(const char* what, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
     if (std::ranges::any_of(files, holdsChannels)) return true;
-    diagnostics.warn(film.where, fmt::format("{} are left out: only an EXR has such, and {} is none", what, fmt::join(files, ", ")));
+    diagnostics.warn(film.where, fmt::format("{} are left out: {} cannot hold them; add `-o FILE.exr`", what, fmt::join(files, ", ")));
     return false;
 }
 
 Aovs aovsOf(const OutputOptions& options, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
     Aovs aovs = options.aovs;
-    if (film.gbuffer != GBuffer::none && canHold("the further channels of film \"gbuffer\"", film, files, diagnostics))
+    if (film.gbuffer != GBuffer::none && canHold("the additional channels of film \"gbuffer\"", film, files, diagnostics))
         for (const AovName& each : aovNames) aovs.*each.asked = true;
     return aovs;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// How far the render is: a bar on a terminal, a line now and then elsewhere.
+// Progress of a render: a bar on a terminal, otherwise a line every ten seconds.
 
 #include "render/render.h"
 
@@ -13,7 +13,7 @@ std::string clockTime(double seconds);
 /// Writes to standard error, or nothing at all if `silent`.
 class ProgressBar {
 public:
-    /// `samples`: the most that a pixel gets.
+    /// `samples`: the maximum per pixel.
     ProgressBar(unsigned samples, bool silent);
     /// Ends the bar's line.
     ~ProgressBar();

@@ -18,12 +18,12 @@
 namespace eikonal {
 namespace {
 
-/// A line for the user, unless --quiet.
+/// Prints a line for the user, unless --quiet.
 void say(const Options& o, const std::string& line) {
     if (o.log >= LogLevel::warning) std::fputs((line + "\n").c_str(), stderr);
 }
 
-/// Renders until all samples are taken or the error is small enough, the time is over, or a signal arrives.
+/// Renders until all samples are taken, the error is small enough, the time is over, or a signal arrives.
 RenderResult renderFilm(const Options& o, Session& session, Film& film) {
     const auto samples = static_cast<unsigned>(session.packed().samples);
     ProgressBar bar(samples, o.log < LogLevel::warning);
@@ -40,16 +40,16 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film) {
     return render(session.context(), session.wave(), film, session.profile(), control);
 }
 
-/// Says what the image lacks, if it lacks anything.
+/// Reports why the image has fewer samples or more error than asked for, and which samples were not finite.
 void reportShortfall(const Options& o, const Film::Samples& samples, const Film::Invalid& invalid, const RenderResult& result, unsigned wanted, int endedBy,
                      Diagnostics& diagnostics) {
     if (!result.isFinished)
         say(o, fmt::format("{}: {} of {} samples a pixel", endedBy ? "interrupted" : "ended by --time-limit",
                            samples.fewest == samples.most ? fmt::format("{}", samples.fewest) : fmt::format("{} to {}", samples.fewest, samples.most), wanted));
     else if (result.error && *result.error > *o.output.targetError)
-        say(o, fmt::format("the relative error is about {:.2g}, not {:g}: {} samples are the most that a pixel gets; --spp sets that number", *result.error, *o.output.targetError, wanted));
+        say(o, fmt::format("the relative error is about {:.2g}, not {:g}: a pixel gets at most {} samples; increase --spp", *result.error, *o.output.targetError, wanted));
     if (invalid.count)
-        diagnostics.warn({}, fmt::format("{} sample{} not finite, or brighter than {:.0e}, and count{} as black; the first is in pixel ({}, {})", invalid.count,
+        diagnostics.warn({}, fmt::format("{} sample{} not finite or brighter than {:.0e}, and count{} as black; the first is in pixel ({}, {})", invalid.count,
                                          invalid.count == 1 ? " was" : "s were", MOST_RADIANCE, invalid.count == 1 ? "s" : "", invalid.x, invalid.y));
 }
 
@@ -68,7 +68,7 @@ Metadata metadataOf(const Options& o, const Session& session, const Film::Sample
     return m;
 }
 
-/// One file that cannot be written does not keep the others from being written.
+/// Writes all files, even if one of them fails; then throws one Error with all problems.
 void writeAll(const std::vector<std::string>& files, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping, bool silent) {
     std::string problems;
     for (const std::string& file : files) {
@@ -82,13 +82,13 @@ void writeAll(const std::vector<std::string>& files, const FilmImage& image, con
     if (!problems.empty()) throw Error(ExitCode::scene, problems);
 }
 
-/// Throws an error if the film, and then the image beside it, would not fit: a program that is killed for memory loses what it has rendered.
+/// Throws an error if the film and the output image would not fit into memory: a process killed for memory would lose the whole render.
 void checkMemory(const FilmDescription& film, const PackedScene& packed, const MemoryPlan& plan) {
     const size_t needed = plan.tables + plan.queues + plan.film + plan.image, available = availableMemory();
     if (needed <= available) return;
     const std::string buckets = film.spectrum ? fmt::format(" with spectra of {} buckets", film.spectrum->buckets) : "";
     throw SceneError(film.spectrum ? film.where : SourceLocation{},
-                     fmt::format("{} x {} pixels{} take {} of memory, and {} are available; --pixelbounds renders parts, which join exactly", packed.pixels.width(), packed.pixels.height(), buckets,
+                     fmt::format("{} x {} pixels{} need {} of memory, and {} are available; render parts with --pixelbounds, which join exactly", packed.pixels.width(), packed.pixels.height(), buckets,
                                  readableBytes(static_cast<double>(needed)), readableBytes(static_cast<double>(available))));
 }
 
@@ -117,14 +117,14 @@ int renderCommand(const Options& o) {
     session.survey();
     const RenderResult result = renderFilm(o, session, *film);
     const double renderSeconds = renderTime.seconds();
-    /* A signal counts if it cost samples, not if it comes while what is finished is written */
+    /* A signal that arrives while the finished image is written does not count */
     const int endedBy = result.isFinished ? 0 : Interrupt::signal();
     const Film::Samples samples = film->samples();
     reportShortfall(o, samples, film->invalid(), result, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
 
     const Stopwatch writeTime;
     FilmImage image = session.develop(*film);
-    film.reset();   // it may be most of the memory that there is
+    film.reset();   // frees what may be most of the memory in use
     selectAovs(image, aovs);
     if (session.scene().film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, packed);
     writeAll(files, image, metadataOf(o, session, samples, renderSeconds, hash.get()), o.output.toneMapping, o.log < LogLevel::warning);

@@ -35,18 +35,18 @@ std::string describeRun(const Session& session, const Profile& profile, const Fi
     line("start the program", t.start);
     line("open the device", t.device, "while the scene is read");
     line("read the scene", t.load);
-    line("fill the tables", t.pack, t.displace > 0 ? fmt::format("of it {:.3f} s for displaced meshes", t.displace) : "");
+    line("fill the tables", t.pack, t.displace > 0 ? fmt::format("including {:.3f} s for displaced meshes", t.displace) : "");
     line("build the hierarchies", t.build, "while the kernels are compiled");
     line("compile the kernels", t.compile, fmt::format("{} compiled, {} from the cache", session.compiledStages(), static_cast<int>(session.stages().all().size()) - session.compiledStages()));
     if (session.compiledStages() > 0) line("  in worker processes", t.workers);
     for (const Stage& s : session.stages().all()) {
         const Program& program = s.kernel.program();
         text += fmt::format("    {:<26}{:8.3f} s  build {:.3f}, first launch {:.3f}{}\n", s.name, s.compileSeconds + s.firstLaunchSeconds, s.compileSeconds, s.firstLaunchSeconds,
-                            program.fromCache ? fmt::format("; kept, compiled in {:.2f} s", program.compileSeconds) : "");
+                            program.fromCache ? fmt::format("; cached, compiled in {:.2f} s", program.compileSeconds) : "");
     }
     line("upload the tables", t.upload);
     line("launch each kernel once", t.launch);
-    line("keep the kernels", t.keep);
+    line("write the kernel cache", t.keep);
     line("until the first ray", t.firstRay);
     line("render", renderSeconds);
     line("write the image", writeSeconds);

@@ -1,5 +1,5 @@
 #pragma once
-// A word to the user while something takes longer than expected.
+// Tells the user when something takes longer than expected.
 
 #include "app/clock.h"
 
@@ -10,8 +10,8 @@
 
 namespace eikonal {
 
-/// While it lives: after half a second, says on standard error what is being waited for; on a terminal also for how long so far,
-/// and wipes that away in the end.
+/// If this object lives longer than half a second, it prints what the program is waiting for on standard error; on a terminal it also shows
+/// the seconds so far, and clears the line at the end.
 class WaitNotice {
 public:
     WaitNotice(std::string what, bool silent);

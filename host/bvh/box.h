@@ -1,5 +1,5 @@
 #pragma once
-// Boxes with SIMD inside: what the builder computes with.
+// SIMD bounding boxes for the BVH builder.
 
 #include "eikonal/bvh.h"
 
@@ -14,7 +14,7 @@ using int4 = std::int32_t __attribute__((vector_size(16)));
 inline float4 minimum(float4 a, float4 b) { return a < b ? a : b; }
 inline float4 maximum(float4 a, float4 b) { return a > b ? a : b; }
 
-/// A box with axes x, y, z in the first three lanes. The fourth lane means nothing here.
+/// A box with x, y, z in the first three lanes; the fourth lane is unused.
 struct WideBox {
     float4 low, high;
 
@@ -24,14 +24,14 @@ struct WideBox {
     }
     void grow(const WideBox& other) { low = minimum(low, other.low); high = maximum(high, other.high); }
     void grow(float4 point) { low = minimum(low, point); high = maximum(high, point); }
-    /// Half of its surface; 0 for an empty box.
+    /// Half of the surface area; 0 for an empty box.
     float halfArea() const {
         const float4 d = high - low;
         return d[0] < 0 ? 0.f : d[0] * d[1] + d[1] * d[2] + d[2] * d[0];
     }
 };
 
-/// One element on its way into the tree: its box and, in the fourth lanes, which it is.
+/// A reference to an element: its box, with the element in the fourth lanes.
 struct Reference {
     WideBox box;
 
@@ -40,28 +40,28 @@ struct Reference {
         box.low[3] = std::bit_cast<float>(index);
         box.high[3] = std::bit_cast<float>(static_cast<uint>(kind) << 29 | source);
     }
-    /// Its number in its source.
+    /// The index of the element in its source.
     uint index() const { return std::bit_cast<uint>(static_cast<float>(box.low[3])); }
-    /// Number of the TriangleRange that it comes from; 0 for what is not a triangle.
+    /// The index of its TriangleRange; 0 for elements that are not triangles.
     uint source() const { return std::bit_cast<uint>(static_cast<float>(box.high[3])) & 0x1fffffffu; }
     leaf_kind kind() const { return static_cast<leaf_kind>(std::bit_cast<uint>(static_cast<float>(box.high[3])) >> 29); }
-    /// Twice its centroid, with 0 in the fourth lane.
+    /// Twice the centroid, with 0 in the fourth lane.
     float4 centroid() const {
         const int4 xyz = {-1, -1, -1, 0};
         return reinterpret_cast<float4>(reinterpret_cast<int4>(box.low + box.high) & xyz);
     }
 };
 
-/// A run of references, and what is known of them.
+/// A range of references, with its bounds.
 struct Range {
     uint begin = 0, end = 0;
     WideBox box = WideBox::empty(), centroids = WideBox::empty();
-    uint kinds = 0;  ///< bit k: has some of leaf kind k
+    uint kinds = 0;  ///< bit k: contains elements of leaf kind k
 
     uint size() const { return end - begin; }
     void include(const Reference& r) { box.grow(r.box); centroids.grow(r.centroid()); kinds |= 1u << r.kind(); }
     void include(const Range& r) { box.grow(r.box); centroids.grow(r.centroids); kinds |= r.kinds; }
-    /// Whether one leaf can hold it: no more than a leaf's capacity, of one kind.
+    /// Whether it fits into one leaf: not larger than a leaf's capacity, and all of one kind.
     bool fitsLeaf() const {
         if (kinds == 1u << leaf_instances) return size() == 1;
         return size() <= BVH_WIDTH && std::has_single_bit(kinds);

@@ -14,14 +14,14 @@
 
 namespace eikonal {
 
-/// Ranges up to this size are one thread's work, and collapse as a whole.
+/// Ranges up to this size are built and collapsed by one thread.
 constexpr uint subtreeSize = 4096;
-/// Elements that one thread looks at in one go.
+/// Elements per parallel task.
 constexpr size_t chunkSize = 1 << 16;
 
-// ---- what there is ------------------------------------------------------------------------------------------------------
+// ---- references ---------------------------------------------------------------------------------------------------------
 
-/// Memory that is not set to zero first: pages are touched by the thread that fills them.
+/// Memory that is not zeroed first: each page is first touched by the thread that fills it.
 struct References {
     std::unique_ptr<Reference[]> memory;
     size_t count = 0;
@@ -29,7 +29,7 @@ struct References {
 };
 
 static References collectReferences(const Sources& sources) {
-    /* Chunks of each source, filled side by side */
+    /* Fill chunks of each source in parallel */
     struct Chunk { uint range; size_t begin, end, target, kept; };
     std::vector<Chunk> chunks;
     size_t total = 0;
@@ -50,7 +50,7 @@ static References collectReferences(const Sources& sources) {
             if (const auto r = chunk.range < ranges ? sources.reference(chunk.range, i) : sources.reference(i))
                 references.memory[chunk.target + chunk.kept++] = *r;
     });
-    /* Close the gaps that dropped ones left */
+    /* Close the gaps of dropped elements */
     for (const Chunk& chunk : chunks) {
         if (chunk.target != references.count)
             std::copy_n(&references.memory[chunk.target], chunk.kept, &references.memory[references.count]);
@@ -59,16 +59,16 @@ static References collectReferences(const Sources& sources) {
     return references;
 }
 
-// ---- the upper part -----------------------------------------------------------------------------------------------------
+// ---- upper part ---------------------------------------------------------------------------------------------------------
 
-/// A subtree, or one node above others.
+/// A subtree, or a single node above other pieces.
 struct Piece {
-    Subtree part;                                   ///< of the one node: all but its children
+    Subtree part;                                   ///< for a single node: without its children
     std::vector<std::pair<WideBox, Piece>> children;
-    uint firstNode = 0, firstLine = 0, firstElement = 0;  ///< where part's tables begin in the joined ones
+    uint firstNode = 0, firstLine = 0, firstElement = 0;  ///< where its tables begin in the joined tables
 };
 
-/* The eight or fewer ranges below a node */
+/* Divides a range into up to eight child ranges of a node */
 static std::vector<Range> divide(std::span<Reference> references, const Range& range, bool halves) {
     std::vector<Range> parts{range};
     const auto splitAt = [&](size_t i) {
@@ -82,7 +82,7 @@ static std::vector<Range> divide(std::span<Reference> references, const Range& r
                 if (parts[i].size() > 1) splitAt(i);
         return parts;
     }
-    /* Whatever is hit most often is cut first */
+    /* Split the range with the largest area first, since rays hit it most often */
     while (parts.size() < BVH_WIDTH) {
         size_t widest = parts.size();
         for (size_t i = 0; i < parts.size(); ++i)
@@ -117,7 +117,7 @@ static Piece buildPiece(const Sources& sources, std::span<Reference> references,
 
 // ---- joining ------------------------------------------------------------------------------------------------------------
 
-/* The number that a child has once its piece's tables lie behind others */
+/* The reference of a child after its piece's tables were appended to others */
 static uint moved(uint child, const Piece& piece) {
     if (child == NONE) return NONE;
     if (!(child & LEAF_BIT)) return child + piece.firstNode;
@@ -125,7 +125,7 @@ static uint moved(uint child, const Piece& piece) {
     return child + (kind == leaf_triangles ? piece.firstLine : kind == leaf_elements ? piece.firstElement : 0);
 }
 
-/* Numbers the pieces depth first, so that what is visited together lies together */
+/* Numbers pieces depth first, so that nodes visited together are close in memory */
 static void place(Piece& piece, std::vector<Piece*>& order, size_t& nodes, size_t& lines, size_t& elements) {
     order.push_back(&piece);
     piece.firstNode = static_cast<uint>(nodes); piece.firstLine = static_cast<uint>(lines); piece.firstElement = static_cast<uint>(elements);
@@ -135,10 +135,10 @@ static void place(Piece& piece, std::vector<Piece*>& order, size_t& nodes, size_
 
 static void checkRoom(size_t count, const char* what) {
     if (count > LEAF_FIRST_MASK)
-        throw Error(ExitCode::scene, fmt::format("the scene is too large: it needs {} {}, and there can be {}", count, what, LEAF_FIRST_MASK));
+        throw Error(ExitCode::scene, fmt::format("the scene is too large: it needs {} {}, and at most {} are possible", count, what, LEAF_FIRST_MASK));
 }
 
-/* Appends all pieces to the tables; the root goes to node `root`. */
+/* Appends all pieces to the tables, with the root at node `root`. */
 static void join(BvhTables& tables, Piece& top, uint root) {
     std::vector<Piece*> order;
     const bool append = root == tables.nodes.size();

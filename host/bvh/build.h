@@ -1,7 +1,7 @@
 #pragma once
-// Builds the hierarchy of boxes that rays walk down (include/eikonal/bvh.h): binned surface area heuristic (Wald 2007, "On
-// fast Construction of SAH-based Bounding Volume Hierarchies"), then the best collapse of the binary tree to eight children
-// a node (Ylitie, Karras and Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", section 3.1).
+// Builds the bounding volume hierarchy (include/eikonal/bvh.h): binned surface area heuristic (Wald 2007, "On fast Construction of
+// SAH-based Bounding Volume Hierarchies"), then the optimal collapse of the binary tree to nodes with eight children (Ylitie, Karras and
+// Laine 2017, "Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs", section 3.1).
 
 #include "bvh/uninitialized.h"
 
@@ -10,14 +10,14 @@
 
 namespace eikonal {
 
-/// Anything that is not a triangle.
+/// An element other than a triangle.
 struct BoxedElement {
-    vec3 low, high;      ///< its box, scene space. The caller pads it for the rounding of its own intersection test
-    uint reference;      ///< element number, or instance number where kind is leaf_instances
+    vec3 low, high;      ///< bounds in scene space. The caller pads them for rounding in its own intersection test
+    uint reference;      ///< element number; for leaf_instances, instance number
     leaf_kind kind;      ///< leaf_elements or leaf_instances
 };
 
-/// `count` triangles with 3 indices each into `positions`, numbered from firstElement on. The memory stays the caller's.
+/// `count` triangles with 3 indices each into `positions`, numbered from firstElement. Does not own the memory.
 struct TriangleRange {
     const vec3* positions;
     const uint* indices;
@@ -25,10 +25,10 @@ struct TriangleRange {
     uint firstElement;
 };
 
-/// An empty node: no ray enters its children.
+/// A node whose children no ray can enter.
 bvh_node emptyNode();
 
-/// All hierarchies of a scene. Node 0 is the world's root, there from the start: a scene without anything is valid.
+/// All hierarchies of a scene. Node 0 is the root of the world and always exists, so an empty scene is valid.
 struct BvhTables {
     Table<bvh_node> nodes{emptyNode()};
     Table<triangle_line> triangleLines;
@@ -36,22 +36,22 @@ struct BvhTables {
 };
 
 struct BvhOptions {
-    bool world = false;   ///< the root becomes node 0; otherwise it is appended
+    bool world = false;   ///< make the root node 0; otherwise append it
 };
 
-/// Where a hierarchy begins, and what it is like.
+/// A finished hierarchy in the tables.
 struct BvhRoot {
-    uint root = 0;                    ///< its node
-    vec3 low{0, 0, 0}, high{0, 0, 0}; ///< box of all that it holds, not padded; all zero if it holds nothing
-    int depth = 0;                    ///< nodes on the longest way down, at most BVH_MAX_DEPTH
-    size_t elements = 0, dropped = 0; ///< held; left out because they have a number that is not finite or two equal corners
+    uint root = 0;                    ///< index of its root node
+    vec3 low{0, 0, 0}, high{0, 0, 0}; ///< bounds of the contents, not padded; all zero if empty
+    int depth = 0;                    ///< nodes on the longest path from the root, at most BVH_MAX_DEPTH
+    size_t elements = 0, dropped = 0; ///< dropped: elements with a number that is not finite, or with two equal corners
     size_t nodes = 0, leaves = 0, lines = 0;
-    double cost = 0;                  ///< expected work of a ray that enters the root's box, in tests of a node
+    double cost = 0;                  ///< expected cost of a ray that enters the root's box, in units of a node test
 };
 
-/// Appends the hierarchy of some triangles and other elements. The result does not depend on the number of threads.
-/// Coordinates beyond 1e17 count as not finite. Boxes of nodes are padded for the rounding of the device's slab test and
-/// triangle test (host/bvh/padding.h). Throws an Error when the tables' numbers run out (2^26 lines of triangles, leaf elements or instances).
+/// Appends a hierarchy of triangles and other elements. The result does not depend on the number of threads. Coordinates beyond 1e17 count
+/// as not finite. Node boxes are padded for the rounding of the device's slab test and triangle test (host/bvh/padding.h). Throws an Error
+/// when indices overflow (2^26 triangle lines, leaf elements or instances).
 BvhRoot buildBvh(BvhTables& appendTo, std::span<const TriangleRange> triangles, std::span<const BoxedElement> others, const BvhOptions& options = {});
 
 }  // namespace eikonal

@@ -6,7 +6,7 @@
 
 namespace eikonal {
 
-/// Coordinates beyond this are not worth a box: with them the slab test would overflow.
+/// Elements with larger coordinates are dropped, because the slab test would overflow.
 constexpr float farthest = 1e17f;
 
 static bool isUsable(float4 point) {
@@ -29,7 +29,7 @@ std::optional<Reference> Sources::reference(uint range, size_t i) const {
     const TriangleRange& from = triangles[range];
     const uint* corner = from.indices + 3 * i;
     const vec3 &a = from.positions[corner[0]], &b = from.positions[corner[1]], &c = from.positions[corner[2]];
-    /* With two equal corners all edge functions cancel exactly: no ray ever hits it. Other slivers stay, they may close a gap */
+    /* With two equal corners all edge functions cancel, so no ray can hit it. Other slivers are kept because they may close a gap */
     if (equal(a, b) || equal(b, c) || equal(c, a)) return std::nullopt;
     if (!isUsable(load(a)) || !isUsable(load(b)) || !isUsable(load(c))) return std::nullopt;
     WideBox box = WideBox::empty();
@@ -48,7 +48,7 @@ static uint leafReference(leaf_kind kind, size_t count, size_t first) {
     return LEAF_BIT | static_cast<uint>(kind) << LEAF_KIND_SHIFT | static_cast<uint>(count - 1) << LEAF_COUNT_SHIFT | static_cast<uint>(first);
 }
 
-/* The lines of a leaf of triangles (include/eikonal/bvh.h) */
+/* Appends the lines of a leaf of triangles (include/eikonal/bvh.h) */
 static void appendTriangles(Table<triangle_line>& lines, const Sources& sources, std::span<const Reference> references) {
     constexpr size_t words = std::size(triangle_line{}.words);
     const size_t count = references.size(), first = lines.size();

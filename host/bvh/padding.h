@@ -1,5 +1,5 @@
 #pragma once
-// How much larger a node's boxes are than what they hold, so that no ray that hits something inside misses the box.
+// The padding of node boxes, so that no ray that hits an element misses the box around it.
 
 #include "bvh/box.h"
 
@@ -15,24 +15,24 @@ namespace eikonal {
        so t d = (1 + e1 + e3) (p - o) + e4 p - e2 o:
    the exact distance to a plane that is displaced by at most u (2 |p - o| + |p| + |o|) <= 3 u (|p| + |o|).
 
-   The triangle test (kernels/shape/triangle.clh) may accept a ray that passes the triangle nearby. With D = |v - o|, a sheared
+   The triangle test (kernels/shape/triangle.clh) may accept a ray that narrowly misses the triangle. With D = |v - o|, a sheared
    corner  (vx - ox) - shear_x (vz - oz)  is off by at most u D for each of: the two differences, the product, and twice that for
    the last subtraction, whose result is up to 2 D; the shear itself, rounded twice, is that of a ray 2 u D away; the
    products of an edge function round like corners that are displaced by u 2 D. All of it: (5 + 2 + 2) u D <= 9 u (|v| + |o|).
 
-   So planes must give way by 12 u (|box| + |o|). The builder moves them by 16 u |box|, the walk by 16 u |o|: the difference
-   pays for the rounding of these movements themselves and for the terms of second order. Both are relative to the largest
+   So planes must move out by 12 u (|box| + |o|). The builder moves them by 16 u |box|, traversal by 16 u |o|: the difference
+   covers the rounding of these additions and the terms of second order. Both are relative to the largest
    coordinate, not to each axis' own, because the shear mixes the axes. */
 constexpr float boxPadding = 0x1p-20f;
 
-/// The largest coordinate of a box, as a distance from the origin.
+/// The largest absolute coordinate of a box.
 inline float largestCoordinate(const WideBox& box) {
     float largest = 0;
     for (int axis = 0; axis < 3; ++axis) largest = std::max({largest, std::fabs(box.low[axis]), std::fabs(box.high[axis])});
     return largest;
 }
 
-/// The box that a node holds for `box`. Padded parents contain padded children.
+/// The padded box that a node stores for `box`. Padded parents contain their padded children.
 inline WideBox padBox(WideBox box) {
     const float pad = boxPadding * largestCoordinate(box);
     box.low -= pad;

@@ -9,10 +9,10 @@
 namespace eikonal {
 
 constexpr int maxBins = 32;
-/// From this size on, bins are filled by many threads.
+/// From this size on, bins are filled in parallel.
 constexpr uint parallelSize = 1u << 16;
 
-/// Which bin a centroid falls into, on each axis.
+/// Maps centroids to bins, on each axis.
 struct Binning {
     float4 offset, scale;
     int bins;
@@ -24,7 +24,7 @@ struct Binning {
     int4 operator()(const Reference& r) const { return __builtin_convertvector((r.centroid() - offset) * scale, int4); }
 };
 
-/// What lies in each bin.
+/// Counts and bounds of each bin.
 struct Bins {
     std::array<std::array<WideBox, maxBins>, 3> boxes;
     std::array<std::array<uint, maxBins>, 3> counts;
@@ -53,13 +53,13 @@ struct Bins {
     }
 };
 
-/// A cut: bins below `bin` on `axis` go left. No axis: there is no cut.
+/// A split: bins below `bin` on `axis` go left. Without an axis there is no split.
 struct Cut {
     int axis = -1, bin = 0;
     float cost = std::numeric_limits<float>::max();
 };
 
-/// Leaves test eight at once: what counts is blocks, not triangles.
+/// Leaves test eight elements at once, so cost counts blocks, not triangles.
 static float blocksOf(uint count) { return static_cast<float>((count + BVH_WIDTH - 1) / BVH_WIDTH); }
 
 static Cut bestCut(const Bins& in, const Binning& binning) {
@@ -67,7 +67,7 @@ static Cut bestCut(const Bins& in, const Binning& binning) {
     const int bins = binning.bins;
     for (int axis = 0; axis < 3; ++axis) {
         if (binning.scale[axis] == 0) continue;
-        /* From the right: the cost of everything above each border */
+        /* Sweep from the right: cost of everything above each border */
         std::array<float, maxBins> above;
         WideBox box = WideBox::empty();
         uint count = 0;
@@ -76,7 +76,7 @@ static Cut bestCut(const Bins& in, const Binning& binning) {
             count += in.counts[axis][i];
             above[i] = count ? box.halfArea() * blocksOf(count) : -1.f;
         }
-        /* From the left, with that */
+        /* Sweep from the left, and combine */
         box = WideBox::empty();
         count = 0;
         for (int i = 1; i < bins; ++i) {
@@ -96,7 +96,7 @@ static Bins fillBins(std::span<const Reference> references, const Range& range, 
         all.add(references.subspan(range.begin, range.size()), binning);
         return all;
     }
-    /* Minima, maxima and counts do not depend on the order in which threads join them */
+    /* Minima, maxima and counts do not depend on the order of the reduction */
     return tbb::parallel_reduce(
         tbb::blocked_range<uint>(range.begin, range.end, parallelSize / 4), all,
         [&](const tbb::blocked_range<uint>& part, Bins bins) {
@@ -133,7 +133,7 @@ std::pair<Range, Range> splitByCost(std::span<Reference> references, const Range
     const Cut cut = bestCut(fillBins(references, range, binning), binning);
     if (cut.axis < 0) return cutAt(references, range, range.begin + range.size() / 2);
 
-    /* Both halves are measured while they are sorted apart */
+    /* Measure both halves while partitioning */
     Range left, right;
     uint low = range.begin, high = range.end;
     for (;;) {

@@ -1,5 +1,5 @@
 #pragma once
-// Cutting a range of references in two.
+// Splits a range of references in two.
 
 #include "bvh/box.h"
 
@@ -8,14 +8,14 @@
 
 namespace eikonal {
 
-/// Cuts where the surface area heuristic is least, among the borders of up to 32 bins an axis; in the middle where all
-/// centroids are equal. Reorders the range's references; each half has at least one. range.size() >= 2.
+/// Splits where the surface area heuristic is lowest, among the borders of up to 32 bins per axis; in the middle if all centroids are
+/// equal. Reorders the references; neither half is empty. Needs range.size() >= 2.
 std::pair<Range, Range> splitByCost(std::span<Reference> references, const Range& range);
 
-/// Cuts in halves of equal number, along the axis where the centroids are widest apart: for a bounded depth.
+/// Splits into halves of equal count along the axis with the largest extent of centroids, which bounds the depth.
 std::pair<Range, Range> splitInHalves(std::span<Reference> references, const Range& range);
 
-/// All there is to know of references [begin, end).
+/// Measures references [begin, end).
 Range measureRange(std::span<const Reference> references, uint begin, uint end);
 
 }  // namespace eikonal

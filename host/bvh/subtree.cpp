@@ -8,24 +8,24 @@
 
 namespace eikonal {
 
-/// What a visit costs, in tests of a node's eight boxes: measured, see docs/performance.md.
+/// Cost of a visit in units of testing a node's eight boxes, as measured (docs/performance.md).
 constexpr float nodeCost = 1, blockCost = 1, elementCost = 1, instanceCost = 4;
-/// Below this many cuts ranges are cut in halves, so that recursion is bounded.
+/// Below this many splits ranges are split in halves, which bounds the recursion.
 constexpr int deepest = 64;
 
-/// A node of the binary tree over single references. A parent comes before its children.
+/// A node of the binary tree over single references. Parents come before their children.
 struct BinaryNode {
     Range range;
     uint left = 0, right = 0;                  ///< 0: a single reference
-    /// cost[i]: least cost of its references in at most i children of a wide node (1 <= i <= 7).
+    /// cost[i]: lowest cost of its references as at most i children of a wide node (1 <= i <= 7).
     std::array<float, BVH_WIDTH> cost;
-    /// share[i]: how many of i children go to the left (0: as with i - 1; i = 1: a leaf or, if not 0, a node).
+    /// share[i]: how many of i children go to the left subtree (0: same as for i - 1; for i = 1: a leaf, or a node if not 0).
     std::array<std::uint8_t, BVH_WIDTH + 1> share;
 };
 
 class SubtreeBuilder {
 public:
-    /// nodes: memory for the binary tree, which may be used again afterwards.
+    /// nodes: memory for the binary tree, reused between calls.
     SubtreeBuilder(const Sources& sources, std::span<Reference> references, std::vector<BinaryNode>& nodes) : sources_(sources), references_(references), nodes_(nodes) {}
 
     Subtree build(const Range& range, int maxDepth, bool alwaysNode) {
@@ -60,7 +60,7 @@ private:
         return range.kinds == 1u << leaf_instances ? instanceCost : elementCost * static_cast<float>(range.size());
     }
 
-    /* The least cost of i children or fewer, from that of both halves */
+    /* The lowest cost as at most i children, from those of both subtrees */
     void weigh(BinaryNode& n) const {
         const float area = n.range.box.halfArea(), asLeaf = leafCost(n.range);
         n.share.fill(0);
@@ -85,7 +85,7 @@ private:
         }
     }
 
-    /* Three levels of the binary tree in each node: no deeper than it must be */
+    /* Collapses three levels of the binary tree into each node, for the least depth */
     void weighEvenly(BinaryNode& n) const {
         n.share = {0, 1, 1, 0, 2, 0, 0, 0, 4};
         if (n.range.fitsLeaf()) n.share.fill(0);
@@ -121,7 +121,7 @@ private:
         return at;
     }
 
-    /* The children that a node has when n may fill `slots` of it */
+    /* Collects the children of a wide node, when n may fill `slots` of it */
     void collect(const BinaryNode& n, int slots, std::array<uint, BVH_WIDTH>& children, int& count) const {
         while (slots > 1 && n.share[slots] == 0) --slots;
         if (slots == 1) { children[count++] = static_cast<uint>(&n - nodes_.data()); return; }
@@ -138,7 +138,7 @@ private:
 int balancedDepth(uint count) { return std::max(1, (static_cast<int>(std::bit_width(count - 1)) + 2) / 3); }
 
 Subtree buildSubtree(const Sources& sources, std::span<Reference> references, const Range& range, int maxDepth, bool alwaysNode) {
-    /* A megabyte that each subtree would take from the system again */
+    /* Reused, since each subtree would otherwise allocate a megabyte */
     static thread_local std::vector<BinaryNode> nodes;
     return SubtreeBuilder(sources, references, nodes).build(range, maxDepth, alwaysNode);
 }

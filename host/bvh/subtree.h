@@ -1,23 +1,24 @@
 #pragma once
-// The lower part of a hierarchy: a range of references small enough for one thread.
+// Builds the lower part of a hierarchy, over a range of references small enough for one thread.
 
 #include "bvh/leaf.h"
 
 namespace eikonal {
 
-/// A finished part of a hierarchy, numbered on its own: node, block and leaf element 0 are its first.
+/// A finished part of a hierarchy with its own numbering from 0 of nodes, lines and leaf elements.
 struct Subtree {
     BvhTables tables{{}, {}, {}};
-    uint root = NONE;    ///< its node 0, or a leaf
-    int depth = 0;       ///< nodes on the longest way down
-    double cost = 0;     ///< sum of the areas of all nodes and leaves, each with what a visit costs in tests of a node
+    uint root = NONE;    ///< node 0, or a leaf
+    int depth = 0;       ///< nodes on the longest path from the root
+    double cost = 0;     ///< sum over all nodes and leaves of area times visiting cost, in units of a node test
     size_t leaves = 0;
 };
 
-/// Nodes on the longest way down when a range of `count` is cut in halves all the way.
+/// Depth in nodes when a range of `count` references is only split in halves.
 int balancedDepth(uint count);
 
-/// Builds at most `maxDepth` >= balancedDepth(range.size()) nodes deep. alwaysNode: the root is a node even if a leaf would do.
+/// Builds a subtree of depth at most `maxDepth`, which must be at least balancedDepth(range.size()). alwaysNode: the root is a node even if
+/// a leaf would suffice.
 Subtree buildSubtree(const Sources& sources, std::span<Reference> references, const Range& range, int maxDepth, bool alwaysNode);
 
 }  // namespace eikonal

@@ -1,5 +1,5 @@
 #pragma once
-// Tables of the hierarchy that many threads fill, as every file that has such tables must know them.
+// Marks the hierarchy's tables, which many threads fill, as uninitialised. Every file that uses these tables must include this.
 
 #include "eikonal/bvh.h"
 #include "memory_pages.h"

@@ -1,4 +1,4 @@
-// Three complex indices of refraction that look like a measured metal.
+// Fits three complex indices of refraction to a measured metal.
 
 #include "color/spectrum.h"
 
@@ -12,7 +12,7 @@ namespace {
 constexpr int angleCount = 48;
 double cosineOf(int angle) { return (angle + 0.5) / angleCount; }
 
-/// Unpolarised Fresnel reflectance at an interface with a metal of index eta + i k, from outside.
+/// Unpolarised Fresnel reflectance from outside at a metal of index eta + i k.
 double fresnel(double cosine, double eta, double k) {
     const std::complex<double> index(eta, k);
     const std::complex<double> refracted = std::sqrt(1.0 - (1 - cosine * cosine) / (index * index));
@@ -21,7 +21,7 @@ double fresnel(double cosine, double eta, double k) {
     return (std::norm(parallel) + std::norm(perpendicular)) / 2;
 }
 
-/// Linear sRGB of daylight reflected by the metal, at each angle; that of a perfect mirror is (1, 1, 1).
+/// Linear sRGB of daylight reflected by the metal at each angle; (1, 1, 1) for a perfect mirror.
 std::array<glm::dvec3, angleCount> colorsOfMetal(const DenseCurve& eta, const DenseCurve& k) {
     const DenseCurve& white = whiteSpectrum(ColorSpace::srgb);
     const double normalization = integrateXyz(white).y;
@@ -45,7 +45,7 @@ double sumOfSquares(const Reflectances& target, glm::dvec2 index) {
     return sum;
 }
 
-/// Levenberg-Marquardt steps in the logarithms of (eta, k), which keep them positive.
+/// Levenberg-Marquardt steps in log eta and log k, which keeps both positive.
 glm::dvec2 refine(const Reflectances& target, glm::dvec2 index) {
     double damping = 1e-3, error = sumOfSquares(target, index);
     for (int iteration = 0; iteration < 60 && damping < 1e8; ++iteration) {
@@ -73,7 +73,7 @@ glm::dvec2 refine(const Reflectances& target, glm::dvec2 index) {
     return index;
 }
 
-/// The best of a coarse grid, refined.
+/// The best point of a coarse grid, refined.
 glm::dvec2 fit(const Reflectances& target) {
     glm::dvec2 best(1, 1);
     for (double eta = 0.02; eta < 20; eta *= 1.6)

@@ -10,12 +10,12 @@
 namespace eikonal {
 namespace {
 
-// The text of host/color/tables/*.csv: a line of names, then lines of a wavelength in nm and a value for each name.
+// host/color/tables/*.csv: a line of names, then lines of a wavelength in nm and a value for each name.
 constexpr const char* tables[] = {
 #include "spectrum_tables.inc"
 };
 
-/// Takes what is before `separator` (or all of it) from the front of `text`, the separator as well.
+/// Removes and returns the front of `text` up to `separator`, which is removed, too; all of `text` if there is none.
 std::string_view takeUntil(std::string_view& text, char separator) {
     const size_t end = std::min(text.find(separator), text.size());
     const std::string_view taken = text.substr(0, end);
@@ -29,7 +29,7 @@ double toNumber(std::string_view text) {
     return value;
 }
 
-/// Makes a measurement hold for the whole visible range.
+/// Extends a measurement to the whole visible range.
 void extend(SampledCurve& curve) {
     if (curve.wavelengths.front() > shortestWavelength) {
         curve.wavelengths.insert(curve.wavelengths.begin(), shortestWavelength - 1);

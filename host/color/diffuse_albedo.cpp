@@ -8,12 +8,12 @@
 namespace eikonal {
 namespace {
 
-constexpr int halfNodes = 12, nodes = 2 * halfNodes;   ///< directions into one hemisphere: halves beyond and within total reflection
-constexpr int straight = nodes, size = nodes + 1;      ///< and the perpendicular, which weighs nothing: it only looks
-constexpr int moments = halfNodes;                     ///< of the phase function
+constexpr int halfNodes = 12, nodes = 2 * halfNodes;   ///< directions in a hemisphere: half inside the critical angle, half beyond
+constexpr int straight = nodes, size = nodes + 1;      ///< plus the perpendicular direction with weight 0, used only to evaluate
+constexpr int moments = halfNodes;                     ///< of the phase function's Legendre series
 constexpr int tableSteps = 64;
 
-/// A linear map between radiances in all directions; radiance j gives [i][j] of itself to i.
+/// A linear map of radiances; entry [i][j] is the contribution of direction j to direction i.
 struct Matrix {
     std::vector<double> a = std::vector<double>(size * size);
     double& at(int i, int j) { return a[static_cast<size_t>(i * size + j)]; }
@@ -26,7 +26,7 @@ Matrix operator*(const Matrix& x, const Matrix& y) {
             for (int j = 0; j < size; ++j) z.at(i, j) += x.at(i, k) * y.at(k, j);
     return z;
 }
-/// The solution x of (1 - m) x = b, by elimination; 1 - m is dominated by its diagonal here.
+/// Solves (1 - m) x = b by elimination; 1 - m is diagonally dominant here.
 Matrix solveSeries(const Matrix& m, Matrix b) {
     Matrix left;
     for (int i = 0; i < size; ++i)
@@ -52,20 +52,20 @@ double legendre(int degree, double x) {
     return value;
 }
 
-/// Directions by their cosines, and weights of Gauss' rule for each half.
+/// Cosines of the directions, with Gauss-Legendre weights for each half.
 struct Directions {
     double mu[size], weight[size];
 
     explicit Directions(double eta) {
         const double critical = eta > 1 ? std::sqrt(1 - 1 / (eta * eta)) : 0.5;
         for (int i = 0; i < halfNodes; ++i) {
-            /* Newton's method from Tricomi's guess */
+            /* Newton's method, from Tricomi's initial guess */
             double x = std::cos(std::numbers::pi * (i + 0.75) / (halfNodes + 0.5)), slope = 1;
             for (int step = 0; step < 20; ++step) {
                 slope = halfNodes * (x * legendre(halfNodes, x) - legendre(halfNodes - 1, x)) / (x * x - 1);
                 x -= legendre(halfNodes, x) / slope;
             }
-            const double share = 1 / ((1 - x * x) * slope * slope);   // of an interval of length 1
+            const double share = 1 / ((1 - x * x) * slope * slope);   // weight on an interval of length 1
             mu[i] = critical * (1 + x) / 2;
             weight[i] = critical * share;
             mu[halfNodes + i] = critical + (1 - critical) * (1 + x) / 2;
@@ -76,7 +76,7 @@ struct Directions {
     }
 };
 
-/// What the boundary reflects of unpolarised light from inside.
+/// Unpolarised Fresnel reflectance from inside.
 double fresnelFromInside(double mu, double eta) {
     const double sine2 = eta * eta * (1 - mu * mu);
     if (sine2 >= 1) return 1;
@@ -85,12 +85,12 @@ double fresnelFromInside(double mu, double eta) {
     return (across * across + along * along) / 2;
 }
 
-/// What a half-space without a boundary reflects.
+/// The reflection of a half-space without a boundary.
 Matrix reflectionOfHalfSpace(const Directions& directions, double rho, double g) {
-    /* What goes nearly straight on counts as not scattered (the delta-M method, Wiscombe 1977) */
+    /* Treat nearly forward scattering as no scattering (the delta-M method, Wiscombe 1977) */
     const double peak = std::pow(g, moments), scattered = rho * (1 - peak) / (1 - rho * peak);
 
-    /* A layer in which nothing is scattered twice */
+    /* A layer so thin that multiple scattering is negligible */
     constexpr double thin = 1e-6;
     Matrix r, t;
     for (int i = 0; i < size; ++i) {
@@ -108,7 +108,7 @@ Matrix reflectionOfHalfSpace(const Directions& directions, double rho, double g)
         t.at(i, i) += 1 - thin / directions.mu[i];
     }
 
-    /* Two of the same make one of twice the thickness, until no light comes back from below */
+    /* Double the layer until nothing returns from below */
     Matrix same;
     for (int i = 0; i < size; ++i) same.at(i, i) = 1;
     for (double thickness = thin, more = 1; thickness < 1e6 && more > 1e-9; thickness *= 2) {
@@ -128,7 +128,7 @@ double diffuseAlbedo(double rho, double g, double eta) {
     const Directions directions(eta);
     const Matrix r = reflectionOfHalfSpace(directions, rho, g);
 
-    /* By reciprocity, what is seen of a white world that the body is in */
+    /* By reciprocity, compute the radiance seen in the perpendicular direction when the body is in a white environment */
     Matrix again, first;
     for (int i = 0; i < size; ++i)
         for (int j = 0; j < size; ++j) {
@@ -149,7 +149,7 @@ double boundaryTransmittance(double eta) {
     return sum;
 }
 
-/// The similarity parameter s = sqrt((1 - rho) / (1 - g rho)), of which the diffuse albedo is nearly a line, to rho.
+/// rho from the similarity parameter s = sqrt((1 - rho) / (1 - g rho)); the diffuse albedo is nearly linear in s.
 static double albedoOf(double s, double g) { return (1 - s * s) / (1 - g * s * s); }
 
 DiffuseAlbedoTable::DiffuseAlbedoTable(double g, double eta) : g_(g) {

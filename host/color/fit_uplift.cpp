@@ -1,4 +1,4 @@
-// Writes the table of smooth reflectances as a C++ list, when the program is built: fit_uplift FILE
+// Writes the table of smooth reflectances as a C++ list at build time: fit_uplift FILE
 
 #include "color/uplift.h"
 

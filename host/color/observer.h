@@ -1,5 +1,5 @@
 #pragma once
-// What an eye makes of a spectrum: integrals against the CIE 1931 matching functions, and the colour spaces built on them.
+// The CIE 1931 observer: integrals of spectra against the matching functions, and the colour spaces built on them.
 
 #include "color/curve.h"
 
@@ -12,7 +12,7 @@
 
 namespace eikonal {
 
-/// The range over which spectra are integrated, one sample a nm, as pbrt-v4 does.
+/// Spectra are integrated over this range with one sample per nm, as in pbrt-v4.
 constexpr int shortestWavelength = 360, longestWavelength = 830;
 constexpr int wavelengthCount = longestWavelength - shortestWavelength + 1;
 
@@ -23,20 +23,20 @@ DenseCurve densify(const SampledCurve& curve);
 /// The 2-degree matching functions x, y, z at 360, 361, ... 830 nm.
 const std::array<glm::dvec3, wavelengthCount>& matchingFunctions();
 
-/// XYZ of a spectrum: the sums over the range of the matching functions times it.
+/// XYZ of a spectrum: the sums over the range of spectrum times matching functions.
 glm::dvec3 integrateXyz(const DenseCurve& curve);
 
 enum class ColorSpace { srgb, dciP3, rec2020, aces2065 };
 
-/// The space that pbrt-v4 calls "srgb", "dci-p3" (with a D65 white), "rec2020" or "aces2065-1", in any case of letters.
+/// The colour space that pbrt-v4 calls "srgb", "dci-p3" (with a D65 white), "rec2020" or "aces2065-1", case-insensitive.
 std::optional<ColorSpace> colorSpaceNamed(const std::string& name);
 std::vector<std::string> colorSpaceNames();
 
-/// What a space calls white: a spectrum, and its chromaticity.
+/// The white of a colour space: its spectrum, and its chromaticity.
 const DenseCurve& whiteSpectrum(ColorSpace space);
 glm::dvec2 whitePoint(ColorSpace space);
 
-/// XYZ of a linear colour of that space; its white (1, 1, 1) has Y = 1. Made from its primaries and its white spectrum.
+/// XYZ from linear RGB of a colour space, whose white (1, 1, 1) has Y = 1. Derived from its primaries and its white spectrum.
 const glm::dmat3& xyzFromRgb(ColorSpace space);
 const glm::dmat3& rgbFromXyz(ColorSpace space);
 

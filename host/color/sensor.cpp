@@ -8,7 +8,7 @@
 namespace eikonal {
 namespace {
 
-// The cone responses in which white is balanced (Bradford); columns.
+// Bradford cone responses, for white balance; columns.
 const glm::dmat3 conesFromXyz(.8951, -.7502, .0389, .2664, 1.7135, -.0685, -.1614, .0367, 1.0296);
 
 glm::dvec3 xyzOf(glm::dvec2 chromaticity) {
@@ -29,10 +29,10 @@ double integral(const DenseCurve& curve) {
     return sum;
 }
 
-/// CIE daylight of a correlated colour temperature (CIE 15:2004, section 3.1); below 4000 K, where there is none, a black body, as in pbrt-v4.
-/// Its scale has no meaning.
+/// CIE daylight of a correlated colour temperature (CIE 15:2004, section 3.1); below 4000 K, where it is undefined, a black body, as in
+/// pbrt-v4. The scale is arbitrary.
 DenseCurve daylight(double kelvin) {
-    const double t = kelvin * 1.4388 / 1.4380;  // the constant of Planck's law has since changed
+    const double t = kelvin * 1.4388 / 1.4380;  // the second radiation constant has been redefined since
     if (t < 4000) return Spectrum::blackbody(t).dense();
     const double x = t <= 7000 ? -4.607e9 / (t * t * t) + 2.9678e6 / (t * t) + 0.09911e3 / t + 0.244063
                                : -2.0064e9 / (t * t * t) + 1.9018e6 / (t * t) + 0.24748e3 / t + 0.23704;
@@ -45,7 +45,7 @@ DenseCurve daylight(double kelvin) {
     return curve;
 }
 
-/// The matrix that takes each of `from` nearest to its partner in `to`, by least squares.
+/// The matrix that maps `from` to `to` with the least squared error.
 glm::dmat3 leastSquares(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to) {
     glm::dmat3 crossed(0), squared(0);
     for (size_t i = 0; i < from.size(); ++i) {
@@ -69,7 +69,7 @@ struct Camera {
     }
 };
 
-/// What pbrt-v4 takes a camera's response to XYZ with: so that the chart under `white` comes out as under the output's white.
+/// pbrt-v4's matrix from a camera's response to XYZ: it maps the chart under `white` to the chart under the output's white.
 glm::dmat3 xyzFromResponse(const Camera& camera, const DenseCurve& white, ColorSpace output) {
     const DenseCurve& target = whiteSpectrum(output);
     const double brightness = integrateXyz(white).y / integral(times(camera.g, white));
@@ -81,7 +81,7 @@ glm::dmat3 xyzFromResponse(const Camera& camera, const DenseCurve& white, ColorS
     return leastSquares(responses, colors);
 }
 
-/// The camera's response to a colour of linear sRGB, from light that the chart might reflect.
+/// The camera's response to linear sRGB, fitted to light reflected by the chart.
 glm::dmat3 responseFromLinearSrgb(const Camera& camera) {
     std::vector<glm::dvec3> colors, responses;
     for (const char* illuminant : {"stdillum-D65", "stdillum-D50", "stdillum-A"})
@@ -95,7 +95,7 @@ glm::dmat3 responseFromLinearSrgb(const Camera& camera) {
 
 }  // namespace
 
-/// The matrix that makes the daylight that is to become white the white of the output, in XYZ (von Kries' adaptation).
+/// The matrix that maps the daylight to be balanced to the output's white, in XYZ (von Kries adaptation).
 static glm::dmat3 balanceOf(const SensorDescription& sensor) {
     if (!(sensor.whiteBalance > 0)) return glm::dmat3(1);
     const glm::dvec3 source = integrateXyz(daylight(sensor.whiteBalance));

@@ -1,5 +1,5 @@
 #pragma once
-// Film and camera sensors: from the light that reaches a pixel to the pixel's value.
+// Film and camera sensors: pixel values from the light that reaches a pixel.
 
 #include "color/observer.h"
 
@@ -9,21 +9,20 @@
 
 namespace eikonal {
 
-/// How a film turns light into numbers, in the terms of pbrt-v4's Film directive.
+/// The sensor settings of pbrt-v4's Film directive.
 struct SensorDescription {
     std::string name = "cie1931";             ///< or a camera of sensorNames()
-    double whiteBalance = 0;                  ///< K, of the light that is to become white: daylight, a black body below 4000 K; 0: none for cie1931, 6500 for cameras
+    double whiteBalance = 0;                  ///< K of the light to balance to white; 0: no balance, or 6500 for cameras
     double imagingRatio = 1;                  ///< exposure time (s) * ISO / 100
     ColorSpace output = ColorSpace::srgb;     ///< of the image
 };
 
-/// The matrix from linear sRGB light to the pixel's value; the identity for the defaults.
-/// cie1931: exact (von Kries adaptation with Bradford's cones). A camera sees spectra, not colours: its response to a colour is
-/// that which fits best the swatches of a colour chart under daylight and incandescent light, then pbrt-v4's matrix from the
-/// camera's response to XYZ. The name must be known.
+/// The matrix from linear sRGB light to the pixel's value; the identity by default. For cie1931 it is exact (von Kries adaptation with
+/// Bradford's cones). A camera responds to spectra, not colours: its response to a colour is the best fit over the swatches of a colour
+/// chart under daylight and incandescent light, followed by pbrt-v4's matrix from the camera's response to XYZ. The name must be known.
 glm::dmat3 pixelFromLinearSrgb(const SensorDescription& sensor);
 
-/// What light of each wavelength adds to the image, in linear sRGB, at 360, 361, ... 830 nm: pbrt-v4's sensors exactly. The name must be known.
+/// The image value in linear sRGB of unit light at 360, 361, ... 830 nm: pbrt-v4's sensors exactly. The name must be known.
 std::array<glm::dvec3, wavelengthCount> linearSrgbResponse(const SensorDescription& sensor);
 
 /// "cie1931" and the cameras, sorted.

@@ -8,7 +8,7 @@
 namespace eikonal {
 namespace {
 
-/// Spectral radiance of a black body, W / (m^2 sr m): Planck's law.
+/// Spectral radiance of a black body, W / (m^2 sr m), by Planck's law.
 double planck(double nanometers, double kelvin) {
     constexpr double c = 299792458, h = 6.62607015e-34, k = 1.380649e-23;
     const double l = nanometers * 1e-9;
@@ -18,13 +18,13 @@ double planck(double nanometers, double kelvin) {
 DenseCurve blackbodyCurve(double kelvin) {
     DenseCurve curve{};
     if (!(kelvin > 0)) return curve;
-    constexpr double wien = 2.897771955e6;  // nm K: where the maximum lies
+    constexpr double wien = 2.897771955e6;  // Wien's displacement constant, nm K
     const double maximum = planck(wien / kelvin, kelvin);
     for (int i = 0; i < wavelengthCount; ++i) curve[i] = planck(shortestWavelength + i, kelvin) / maximum;
     return curve;
 }
 
-/// XYZ of what a reflectance makes of daylight (D65); that of a perfect white has Y = 1.
+/// XYZ of daylight (D65) reflected with this reflectance; Y = 1 for perfect white.
 glm::dvec3 xyzUnderDaylight(const DenseCurve& reflectance) {
     const DenseCurve& white = whiteSpectrum(ColorSpace::srgb);
     DenseCurve reflected;
@@ -73,7 +73,7 @@ DenseCurve Spectrum::dense() const {
         if (constant_ || (rgb_.x == rgb_.y && rgb_.y == rgb_.z)) {
             curve.fill(rgb_.x);
         } else if (largest > 0) {
-            const double scale = 2 * largest;  // the middle of the sigmoid's range
+            const double scale = 2 * largest;  // so the largest component is in the middle of the sigmoid's range
             const SmoothReflectance smooth = upliftReflectance(rgb_ / scale, space_);
             for (int i = 0; i < wavelengthCount; ++i) curve[i] = scale * smooth(shortestWavelength + i);
         }

@@ -1,5 +1,5 @@
 #pragma once
-// A distribution over wavelengths as a scene gives it, and its colour.
+// A spectrum as a scene gives it, and its colour.
 
 #include "color/observer.h"
 
@@ -11,7 +11,7 @@
 
 namespace eikonal {
 
-/// A spectrum, remembered as it was given so that spectral rendering can use more of it than its colour.
+/// A spectrum, kept in the form in which it was given, so that spectral rendering can use more than its colour.
 class Spectrum {
 public:
     enum class Kind { rgb, sampled, blackbody };
@@ -24,25 +24,25 @@ public:
     static Spectrum blackbody(double kelvin);                                ///< Planck's law, scaled to a maximum of 1
 
     Kind kind() const { return kind_; }
-    bool isConstant() const { return constant_; }                            ///< made by constant()
-    bool isFlat() const;                                                     ///< a constant, or grey
+    bool isConstant() const { return constant_; }                            ///< whether made by constant()
+    bool isFlat() const;                                                     ///< whether a constant, or grey
     const SampledCurve& curve() const { return *curve_; }                    ///< sampled
     double kelvin() const { return kelvin_; }                                ///< blackbody
-    glm::dvec3 color() const { return rgb_; }                                ///< rgb: in its space
+    glm::dvec3 color() const { return rgb_; }                                ///< rgb: in its colour space
     ColorSpace space() const { return space_; }                              ///< rgb
-    double factor() const { return factor_; }                                ///< sampled, blackbody: times this
+    double factor() const { return factor_; }                                ///< sampled, blackbody: a factor
 
-    /// Linear sRGB of a reflectance, transmittance or coefficient: what light of white (1, 1, 1) is multiplied with. Not negative.
+    /// Linear sRGB of a reflectance, transmittance or coefficient, as a factor of white light (1, 1, 1). Not negative.
     glm::dvec3 albedo() const;
-    /// Linear sRGB of emitted light, which may lie outside of [0, inf) for colours that sRGB cannot show. An rgb colour is itself,
-    /// moved to sRGB; a curve or blackbody has luminance 1 (0 stays 0), as pbrt-v4's lights divide by their photometric integral.
+    /// Linear sRGB of emitted light; components outside [0, inf) occur for colours outside the gamut. An rgb colour is converted to sRGB; a
+    /// curve or blackbody is scaled to luminance 1 (0 stays 0), because pbrt-v4's lights divide by their photometric integral.
     glm::dvec3 illuminant() const;
-    /// The one number for a parameter that is a float; of a curve or a colour, its mean over daylight as the eye weighs it.
+    /// The number for a float parameter; of a curve or a colour, its mean over daylight weighted by luminous efficiency.
     double value() const;
     /// The values at 360, 361, ... 830 nm. A colour becomes a smooth spectrum of that colour (pbrt-v4's unbounded RGB spectrum).
     DenseCurve dense() const;
 
-    Spectrum operator*(double factor) const;                                 ///< scaled; the factor is applied after any normalisation
+    Spectrum operator*(double factor) const;                                 ///< scaled; the factor applies after normalisation
 
 private:
     Kind kind_ = Kind::rgb;
@@ -54,8 +54,8 @@ private:
     double factor_ = 1;  ///< sampled and blackbody
 };
 
-/// Complex indices of refraction, one for each channel, whose Fresnel reflectance is nearest to that of the spectra under
-/// daylight at all angles: what lets a measured metal be rendered in RGB.
+/// Complex indices of refraction, one per channel, whose Fresnel reflectance best matches that of the spectra under daylight at all angles.
+/// Used to render measured metals in RGB.
 struct ConductorIndices { glm::dvec3 eta, k; };
 ConductorIndices conductorIndices(const Spectrum& eta, const Spectrum& k);
 

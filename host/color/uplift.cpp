@@ -13,13 +13,14 @@ namespace {
 double sigmoid(double x) { return 0.5 + x / (2 * std::sqrt(1 + x * x)); }
 double sigmoidInverse(double s) { return (s - 0.5) / std::sqrt(s * (1 - s)); }
 
-/// Components are kept this far from 0 and 1, where the sigmoid never arrives; and coefficients below this.
+/// Components are kept this far from 0 and 1, which the sigmoid never reaches, and coefficients below this limit.
 constexpr double margin = 1e-4, largestCoefficient = 200;
 
-/// What each part of a reflectance adds to its colour under the white light of the space. Each part is as wide as its number says.
+/// The colour that each wavelength interval of a reflectance contributes under the white light of the colour space; weighted by the
+/// interval's width.
 struct ColorWeights {
     std::vector<glm::dvec3> weights;
-    std::vector<double> t;   ///< where it is: 0 at 360 nm, 1 at 830 nm
+    std::vector<double> t;   ///< centre of the interval: 0 at 360 nm, 1 at 830 nm
 };
 
 ColorWeights colorWeights(ColorSpace space, int nanometers) {
@@ -36,7 +37,7 @@ ColorWeights colorWeights(ColorSpace space, int nanometers) {
     return result;
 }
 
-/// The colour of a curve, and how it changes with the curve's coefficients (columns).
+/// The colour of a curve, and its derivatives by the curve's coefficients (columns).
 struct Linearization { glm::dvec3 color{0}; glm::dmat3 slope{0}; };
 
 Linearization linearize(const ColorWeights& parts, glm::dvec3 c) {
@@ -50,7 +51,7 @@ Linearization linearize(const ColorWeights& parts, glm::dvec3 c) {
     return result;
 }
 
-/// Levenberg-Marquardt steps from c towards the colour `target`.
+/// Levenberg-Marquardt steps from c towards coefficients of the colour `target`.
 glm::dvec3 approach(const ColorWeights& parts, glm::dvec3 target, glm::dvec3 c, double tolerance) {
     double damping = 1e-6;
     Linearization now = linearize(parts, c);
@@ -94,7 +95,7 @@ SmoothReflectance upliftReflectance(glm::dvec3 rgb, ColorSpace space) {
     glm::dvec3 c = upliftGrey(grey).c;
     if (target == glm::dvec3(grey)) return {c};
 
-    // Walk from grey to the colour, so that each solution starts near the next.
+    // Move from grey to the colour in steps, so that each solution starts near the next.
     const ColorWeights parts = colorWeights(space, 1);
     constexpr int steps = 8;
     for (int step = 1; step <= steps; ++step) c = approach(parts, glm::mix(glm::dvec3(grey), target, double(step) / steps), c, 1e-8);
@@ -111,7 +112,7 @@ std::vector<float> fitUpliftTable() {
     const ColorWeights parts = colorWeights(ColorSpace::srgb, 5);
     std::vector<float> coefficients(static_cast<size_t>(3 * 3) * cells * cells * cells);
     tbb::parallel_for(0, 3 * cells * cells, [&](int line) {
-        /* One line of the table: from the middle, where spectra are easily found, to both ends */
+        /* Fit a line of the table from the middle, where spectra are easy to fit, to both ends */
         const int channel = line / (cells * cells), y = line / cells % cells, x = line % cells;
         const auto fit = [&](int z, glm::dvec3 c) {
             glm::dvec3 rgb;

@@ -1,5 +1,5 @@
 #pragma once
-// The table of smooth reflectances that was fitted when the program was built (fit_uplift.cpp).
+// The table of smooth reflectances that was fitted at build time (fit_uplift.cpp).
 
 #include "color/uplift.h"
 
@@ -7,10 +7,10 @@
 
 namespace eikonal {
 
-/// What fitUpliftTable found.
+/// The result of fitUpliftTable.
 std::span<const float> upliftTable();
 
-/// The smooth reflectance of an sRGB colour with components in [0, 1], between those of the table: to about 0.002, 0.008 at worst.
+/// The smooth reflectance of an sRGB colour with components in [0, 1], interpolated in the table: accurate to about 0.002, at worst 0.008.
 SmoothReflectance tabulatedReflectance(glm::dvec3 rgb);
 
 }  // namespace eikonal

@@ -16,17 +16,17 @@ static std::uint64_t nextSerial() {
     return ++last;
 }
 
-/// A buffer over memory of the host's; null if that does not work.
+/// A buffer that uses host memory; null on failure.
 static cl_mem wrap(const Context& context, void* memory, size_t bytes) {
     cl_int status = CL_SUCCESS;
     const cl_mem buffer = clCreateBuffer(context.handle(), CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, bytes, memory, &status);
     return status == CL_SUCCESS ? buffer : nullptr;
 }
 
-/// Whether a device works in the host's memory, and a buffer is large enough to care where it lies.
+/// Whether to place a buffer in our own pages: on a CPU, which uses host memory, and if the buffer is large.
 static bool liesInPages(const Context& context, size_t bytes) { return context.device().isCpu && bytes >= worthPages; }
 
-/// A buffer of zeros in pages of ours, which are freed with it; null if that does not work.
+/// A zeroed buffer in our own pages, which are freed with it; null on failure.
 static cl_mem allocateInPages(const Context& context, size_t bytes, PageSize pageSize) {
     struct Pages {
         void* memory;
@@ -66,7 +66,7 @@ Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std
 }
 
 Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what, Shared) : size_(bytes), serial_(nextSerial()) {
-    /* Kernels only read it: tables are constant for them */
+    /* The const_cast is safe: kernels take tables as pointers to const */
     if (liesInPages(context, bytes)) memory_ = Memory(wrap(context, const_cast<void*>(data), bytes));
     if (!memory_) *this = Buffer(context, data, bytes, what);
 }
@@ -80,7 +80,7 @@ void Buffer::read(const Context& context, void* data, size_t bytes, size_t offse
 }
 
 void Buffer::clear(const Context& context, size_t offset, size_t bytes) {
-    /* Written, not filled: Oclgrind 21.10 forgets that memory was initialised when it is filled (or written in part) */
+    /* Writes zeros instead of clEnqueueFillBuffer: Oclgrind 21.10 treats memory that was filled, or partly written, as uninitialised */
     static const std::array<char, 4096> few{};
     if (bytes <= few.size()) {
         check(clEnqueueWriteBuffer(context.queue(), memory_, CL_FALSE, offset, bytes, few.data(), 0, nullptr, nullptr), "clearing a buffer");

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace eikonal {
 
-// The file: a magic word, then the key, the argument names, the seconds and the binary, each with its length, then a checksum of all.
+// File format: a magic line; key, argument names, seconds and binary, each preceded by its length; a checksum of everything before.
 constexpr std::string_view magic = "eikonal program 2\n";
 
 static void append(std::string& out, std::string_view bytes) {
@@ -51,8 +51,8 @@ static bool writable(const fs::path& folder) {
     return !error && access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
-/// A folder that nobody else can have put anything into: binaries run as they are found. In a place that all users share, its name is easily
-/// guessed, so it may be someone else's.
+/// Whether only this user can have written to the folder; binaries in it are run. In a shared place its name can be guessed, so another
+/// user may have created it.
 static bool privatelyWritable(const fs::path& folder) {
     ::mkdir(folder.c_str(), S_IRWXU);
     struct stat status {};
@@ -60,7 +60,7 @@ static bool privatelyWritable(const fs::path& folder) {
     return S_ISDIR(status.st_mode) && status.st_uid == geteuid() && (status.st_mode & (S_IWGRP | S_IWOTH)) == 0 && writable(folder);
 }
 
-/// What is wrong with a folder of kernels, or nothing.
+/// The problem with a cache folder; empty if there is none.
 static std::string fault(const fs::path& folder) {
     constexpr std::uintmax_t enough = 16u << 20;   // the kernels of a few scenes
     if (!writable(folder)) return "cannot be written";
@@ -127,7 +127,7 @@ void ProgramCache::store(const std::string& key, const CachedProgram& program) c
     const std::uint32_t sum = checksum(bytes);
     bytes.append(reinterpret_cast<const char*>(&sum), sizeof sum);
 
-    /* A temporary file, then its name: whoever reads at the same time sees all of it or none */
+    /* Write a temporary file, then rename it, so that concurrent readers see all of it or nothing */
     const std::string path = fileFor(key), temporary = fmt::format("{}.{}.{}", path, getpid(), std::random_device{}());
     {
         std::ofstream file(temporary, std::ios::binary);
@@ -145,21 +145,21 @@ int ProgramCache::clear() const {
         std::error_code ignored;
         const std::string name = i->path().filename().string();
         if (name.ends_with(".program")) count += fs::remove(i->path(), ignored);
-        else if (name.find(".program.") != std::string::npos) fs::remove(i->path(), ignored);   // what a process that was killed left of store()
-        else if (i->path().filename() == "pocl") fs::remove_all(i->path(), ignored);   // of versions that shared PoCL's files
+        else if (name.find(".program.") != std::string::npos) fs::remove(i->path(), ignored);   // left by a killed store()
+        else if (i->path().filename() == "pocl") fs::remove_all(i->path(), ignored);   // from versions that shared PoCL's files
     }
     return count;
 }
 
-/// Bytes that may be written in a folder; 0 if it cannot be written, or if what is put there may not run.
+/// Free bytes in a folder; 0 if it is not writable or is mounted noexec.
 static std::uintmax_t roomForPrograms(const fs::path& folder) {
     struct statvfs status {};
     if (::access(folder.c_str(), W_OK | X_OK) != 0 || ::statvfs(folder.c_str(), &status) != 0 || (status.f_flag & ST_NOEXEC)) return 0;
     return static_cast<std::uintmax_t>(status.f_bavail) * status.f_frsize;
 }
 
-/// Where PoCL may put its files: in memory if it can be, since it waits for the disk after each. The first place with room for the kernels of a
-/// large scene, else the one with the most room.
+/// The folder for PoCL's files, in memory if possible, because PoCL waits for the disk after each file. The first candidate with room for
+/// the kernels of a large scene, else the one with the most room.
 static std::string placeForPocl(const std::string& cacheFolder) {
     constexpr std::uintmax_t enough = 128u << 20;
     std::error_code error;
@@ -176,10 +176,11 @@ static std::string placeForPocl(const std::string& cacheFolder) {
 }
 
 void preparePocl(const std::string& cacheFolder) {
-    /* Specialised to a size of grid, every kernel would be compiled once more; straight-line loops over a fixed group gain nothing by it
+    /* Otherwise PoCL compiles each kernel again for other grid sizes; straight-line loops over a fixed group gain nothing from that
        (docs/performance.md) */
     setenv("POCL_WORK_GROUP_SPECIALIZATION", "0", 0);
-    /* PoCL 3.1 sets this one while it opens its devices, when other threads may read the environment. Where it is there already, it is replaced in place and nothing moves */
+    /* PoCL 3.1 sets this variable while it opens its devices, when other threads may be reading the environment. If the variable exists
+       already, setenv replaces its value in place and the environment does not move */
     setenv("HWLOC_PLUGINS_PATH", "/dev/null", 0);
     if (std::getenv("POCL_CACHE_DIR")) return;
     static const PrivateFolder own(placeForPocl(cacheFolder));

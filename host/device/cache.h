@@ -1,5 +1,5 @@
 #pragma once
-// A cache of program binaries of our own: with it, a second start does not compile. One file for each program.
+// An on-disk cache of program binaries, so that a second start compiles nothing. One file per program.
 
 #include <cstdint>
 #include <optional>
@@ -8,34 +8,34 @@
 
 namespace eikonal {
 
-/// What is kept of a program.
+/// A cached program.
 struct CachedProgram {
     std::vector<unsigned char> binary;
-    std::vector<std::string> arguments;   ///< names of its kernel's arguments: a binary does not tell them
-    double seconds = 0;                   ///< that it took to compile
+    std::vector<std::string> arguments;   ///< names of the kernel's arguments, which a binary does not report
+    double seconds = 0;                   ///< compile time
 };
 
-/// Where compiled kernels are kept.
+/// The folder that holds compiled kernels.
 struct CacheFolder {
-    std::string path;              ///< empty: nowhere
-    std::string refused, reason;   ///< where they ought to be, if that is elsewhere, and what is wrong with it: "cannot be written"
+    std::string path;              ///< empty: no cache
+    std::string refused, reason;   ///< the preferred folder, if another is used, and why: "cannot be written"
 };
 
-/// A folder of files, each named by a hash of its key and holding the whole key. A file that is damaged or was written for
-/// something else counts as absent; a folder that cannot be written is not used. Nothing here ever fails.
+/// A folder of files, each named by a hash of its key and holding the whole key. A damaged file, or one with another key, counts as absent;
+/// a folder that is not writable is not used. No function here throws.
 class ProgramCache {
 public:
-    /// An empty folder: no cache.
+    /// An empty `folder`: no cache.
     explicit ProgramCache(std::string folder) : folder_(std::move(folder)) {}
 
     std::optional<CachedProgram> load(const std::string& key) const;
     void store(const std::string& key, const CachedProgram& program) const;
-    /// Removes every entry, and what was left of entries that were never finished; returns how many entries.
+    /// Removes all entries and unfinished temporary files; returns the number of entries.
     int clear() const;
     const std::string& folder() const { return folder_; }
 
-    /// $EIKONAL_CACHE_DIR, else $XDG_CACHE_HOME/eikonal, else ~/.cache/eikonal. If that cannot be written, or its disk is full, a folder of
-    /// temporary files that belongs to this user and that nobody else may write; nowhere if it is not so.
+    /// $EIKONAL_CACHE_DIR, else $XDG_CACHE_HOME/eikonal, else ~/.cache/eikonal. If that is not writable or its disk is full, a folder among
+    /// the temporary files that only this user may write; if there is none, no folder.
     static CacheFolder chooseFolder();
     static std::string defaultFolder() { return chooseFolder().path; }
 
@@ -44,9 +44,10 @@ private:
     std::string folder_;
 };
 
-/// Settings for PoCL, before the first call of OpenCL, and the first time while there is one thread only; what the environment sets already stays. One compiled variant of each kernel. A folder of
-/// this process and its workers alone, which goes with it: PoCL runs what it finds in its folder unseen, and aborts the program if that is
-/// damaged. It unpacks our programs into it, whose checksums were right. `cacheFolder` is where that folder is put if need be.
+/// Sets environment variables for PoCL. Call it before the first OpenCL call and, the first time, while there is a single thread; variables
+/// that are already set stay. It asks for one compiled variant of each kernel, and for a cache folder that is private to this process and
+/// its workers and is removed at exit: PoCL loads files of its cache unchecked and aborts if one is damaged, so it only gets binaries that
+/// this process has unpacked after checking them. `cacheFolder`: where the private folder goes if memory and temporary folder have no room.
 void preparePocl(const std::string& cacheFolder);
 
 }  // namespace eikonal

@@ -1,5 +1,5 @@
 #pragma once
-// Every OpenCL status is checked, with the place in our source that asked.
+// Checks every OpenCL status, with the source location of the call.
 
 #include "error.h"
 
@@ -13,7 +13,7 @@ namespace eikonal {
 /// "CL_OUT_OF_RESOURCES (-5)".
 std::string statusName(cl_int status);
 
-/// Throws a DeviceError that names the status, what was being done, and where, unless status is CL_SUCCESS.
+/// Unless `status` is CL_SUCCESS, throws a DeviceError that names the status, the operation and the source location.
 void check(cl_int status, const std::string& doing, std::source_location where = std::source_location::current());
 
 /// Owns an OpenCL object.

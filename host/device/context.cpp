@@ -48,13 +48,13 @@ static DeviceInfo query(cl_platform_id platform, cl_device_id id) {
     d.memory = deviceInfo<cl_ulong>(id, CL_DEVICE_GLOBAL_MEM_SIZE);
     d.largestBuffer = deviceInfo<cl_ulong>(id, CL_DEVICE_MAX_MEM_ALLOC_SIZE);
     d.largestGroup = deviceInfo<size_t>(id, CL_DEVICE_MAX_WORK_GROUP_SIZE);
-    // What such an implementation says by calling scalars its preferred vectors.
+    // Such an implementation reports scalars as its preferred vector width.
     d.widensGroups = deviceInfo<cl_uint>(id, CL_DEVICE_PREFERRED_VECTOR_WIDTH_FLOAT) == 1;
     d.hasCompiler = deviceInfo<cl_bool>(id, CL_DEVICE_COMPILER_AVAILABLE);
     return d;
 }
 
-/// A device that does not answer keeps its place in the list, and is not chosen unless asked for.
+/// A device that cannot be queried keeps its place in the list, and is only chosen if asked for.
 static DeviceInfo describe(cl_platform_id platform, cl_device_id id) {
     try {
         return query(platform, id);
@@ -98,14 +98,14 @@ DeviceInfo chooseDevice(const std::string& wanted) { return chooseDevice(listDev
 
 DeviceInfo chooseDevice(const std::vector<DeviceInfo>& list, const std::string& wanted) {
     if (list.empty())
-        throw DeviceError("no OpenCL device found. On Debian, `apt install pocl-opencl-icd` makes the processor one.");
+        throw DeviceError("no OpenCL device found. On Debian, `apt install pocl-opencl-icd` makes the CPU an OpenCL device.");
     std::string listed;
     for (size_t i = 0; i < list.size(); ++i) listed += fmt::format("\n  {}  {} ({}){}", i, list[i].name, list[i].platformName, list[i].hasCompiler ? "" : ", without a compiler");
     if (wanted.empty()) {
         const DeviceInfo* best = nullptr;
         for (const DeviceInfo& d : list)
             if (d.hasCompiler && (!best || (best->isCpu && !d.isCpu))) best = &d;
-        if (!best) throw DeviceError("no OpenCL device has a compiler for OpenCL C; on Debian, `apt install pocl-opencl-icd` makes the processor one that has. There are:" + listed);
+        if (!best) throw DeviceError("no OpenCL device has a compiler for OpenCL C; on Debian, `apt install pocl-opencl-icd` makes the CPU a device that has one. There are:" + listed);
         return *best;
     }
     size_t index = 0;

@@ -8,7 +8,7 @@ Kernel::Kernel(std::shared_ptr<Program> program) : program_(std::move(program)) 
     cl_int status = CL_SUCCESS;
     handle_ = decltype(handle_)(clCreateKernel(program_->handle, program_->kernel.c_str(), &status));
     check(status, "creating kernel " + program_->kernel);
-    cl_device_id device = nullptr;   // a program here has one
+    cl_device_id device = nullptr;   // a program here has a single device
     check(clGetProgramInfo(program_->handle, CL_PROGRAM_DEVICES, sizeof device, &device, nullptr), "asking for the device of " + program_->kernel);
     size_t size[3] = {};
     check(clGetKernelWorkGroupInfo(handle_, device, CL_KERNEL_COMPILE_WORK_GROUP_SIZE, sizeof size, size, nullptr), "asking for the size of groups of " + program_->kernel);

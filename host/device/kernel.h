@@ -1,5 +1,5 @@
 #pragma once
-// Launching kernels with arguments bound by name: they cannot be misordered, forgotten or misspelt.
+// Launches kernels with arguments bound by name, so that none can be swapped, missing or misspelt.
 
 #include "device/buffer.h"
 #include "device/program.h"
@@ -13,12 +13,12 @@
 
 namespace eikonal {
 
-/// What a kernel's arguments are, by name: buffers, and numbers of 32 bits.
+/// Values of kernel arguments by name: buffers, and 32-bit numbers.
 class Bindings {
 public:
     void set(const std::string& name, const Buffer& buffer) { values_[name] = {buffer.handle(), 0, buffer.serial()}; }
     void set(const std::string& name, cl_uint number) { values_[name] = {nullptr, number, 0}; }
-    /// A buffer, or else a number.
+    /// A buffer, or a number if `buffer` is null.
     struct Value {
         cl_mem buffer;
         cl_uint number;
@@ -43,9 +43,9 @@ public:
     const std::string& name() const { return program_->kernel; }
     const Program& program() const { return *program_; }
 
-    /// Enqueues the work-groups for `slots` slots, at least one, of `groupSlots` slots each; how many work-items that is, the kernel says
-    /// itself. Does not wait. Of `bindings`, each replaces what those before it hold under the same name. Throws a DeviceError that names an argument that is in none of them.
-    /// Returns the event if the context profiles, else null; the caller owns it.
+    /// Enqueues the work-groups for `slots` slots, at least one group, of `groupSlots` slots each; the number of work-items follows from
+    /// the kernel's local size. Does not wait. Later `bindings` override earlier ones. Throws a DeviceError that names an argument that
+    /// none of them has. Returns the event if the context profiles, else null; the caller owns it.
     cl_event launch(const Context& context, std::initializer_list<const Bindings*> bindings, size_t slots, size_t groupSlots) const;
 
 private:
@@ -53,8 +53,8 @@ private:
 
     std::shared_ptr<Program> program_;
     Owned<cl_kernel, clReleaseKernel> handle_;
-    size_t localSize_ = 1;   ///< work-items in a group
-    mutable std::vector<std::optional<Bindings::Value>> set_;   ///< what each argument was set to last: most stay from launch to launch
+    size_t localSize_ = 1;   ///< work-items per group
+    mutable std::vector<std::optional<Bindings::Value>> set_;   ///< the value last set for each argument
 };
 
 }  // namespace eikonal

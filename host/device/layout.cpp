@@ -7,7 +7,7 @@
 
 namespace eikonal {
 
-/// Adds fields one after the other, those whose feature is absent without words.
+/// Lays fields out one after the other; fields whose feature is absent get no words.
 class LayoutBuilder {
 public:
     explicit LayoutBuilder(std::string name) { layout_.name = std::move(name); }
@@ -23,13 +23,14 @@ private:
 
 static bool isPresent(const Features& features, const std::string& feature) { return feature == "ALWAYS" || features.has(featureNamed(feature)); }
 
-/// How many words a type takes, of which `inRgb` in RGB rendering.
+/// Words of a type; `inRgb`: its words in RGB rendering.
 static int wordsOf(const std::string& type, int inRgb, const Features& features) {
     return type == "spectrum" && features.has(Feature::SPECTRAL) ? CHANNELS_SPECTRAL : inRgb;
 }
 
 #define ADD_FIELD(q, type, name, FEATURE) builder.add(#name, #type, wordsOf(#type, WORDS_##type, features), isPresent(features, #FEATURE));
-#define ADD_QUEUE(q, FIELDS) { LayoutBuilder builder(#q); FIELDS(ADD_FIELD, q) layouts.push_back(builder.take()); }
+#define ADD_LAYOUT(q, FIELDS) { LayoutBuilder builder(#q); FIELDS(ADD_FIELD, q) layouts.push_back(builder.take()); }
+#define ADD_QUEUE(q, FIELDS, ITEMS, FEATURE) ADD_LAYOUT(q, FIELDS)
 
 std::vector<QueueLayout> queueLayouts(const Features& features) {
     std::vector<QueueLayout> layouts;
@@ -46,7 +47,7 @@ QueueLayout filmLayout(const Features& features, uint buckets) {
 
 int bsdfWords(const Features& features) {
     std::vector<QueueLayout> layouts;
-#define ADD_BSDF(name, FEATURE, PARAMETERS) if (features.has(Feature::FEATURE)) ADD_QUEUE(name, PARAMETERS)
+#define ADD_BSDF(name, FEATURE, PARAMETERS) if (features.has(Feature::FEATURE)) ADD_LAYOUT(name, PARAMETERS)
     BSDFS(ADD_BSDF)
 #undef ADD_BSDF
     int most = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Queues as the host sees them: the same lists (include/eikonal/queues.h), expanded into tables.
+// Layouts of queues on the host, expanded from the lists that kernels use (include/eikonal/queues.h).
 
 #include "eikonal/film.h"
 #include "eikonal/queues.h"
@@ -10,29 +10,29 @@
 
 namespace eikonal {
 
-/// One field of a queue: where it lies, in words from the start of an item's words.
+/// One field of a queue.
 struct FieldLayout {
     std::string name, type;
     int slot;    ///< first word; the address of word w of item i is ((slot + w) * capacity + i) * 4 bytes
     int words;   ///< 0 if its feature is absent
 };
 
-/// A queue: its fields and how many words an item has.
+/// The fields of a queue, and the number of words per item.
 struct QueueLayout {
     std::string name;
     std::vector<FieldLayout> fields;
     int words = 0;
-    /// Throws std::out_of_range for a name that no field has.
+    /// Throws std::out_of_range for an unknown field.
     const FieldLayout& field(const std::string& name) const;
 };
 
-/// Layout of every queue, in the order of QUEUES, for a scene that requires `features`.
+/// The layouts of all queues, in the order of QUEUES, for a scene that requires `features`.
 std::vector<QueueLayout> queueLayouts(const Features& features);
-/// Of the one called `name`.
+/// The layout of the queue `name`. Throws std::out_of_range for an unknown queue.
 QueueLayout queueLayout(const std::string& name, const Features& features);
-/// Of a pixel of the film. If it keeps a spectrum, its last field is "buckets", of BUCKET_WORDS for each.
+/// The layout of a film pixel. If the film keeps a spectrum, the last field is "buckets", with BUCKET_WORDS words per bucket.
 QueueLayout filmLayout(const Features& features, uint buckets = 0);
-/// The most words that the parameters of any BSDF take.
+/// The largest number of parameter words of any BSDF.
 int bsdfWords(const Features& features);
 
 }  // namespace eikonal

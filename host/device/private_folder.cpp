@@ -15,7 +15,7 @@ constexpr std::string_view prefix = "eikonal-pocl-";
 
 static int openFolder(const std::string& path) { return ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC); }
 
-/// Removes the folders of processes that are gone.
+/// Removes the folders of processes that have ended.
 static void sweep(const std::string& parent) {
     std::error_code error;
     for (fs::directory_iterator i(parent, error), end; !error && i != end; i.increment(error)) {
@@ -41,7 +41,7 @@ PrivateFolder::PrivateFolder(const std::string& parent) {
             return;
         }
 
-        /* Between its making and its lock, another process may have taken it for one that was left */
+        /* Between mkdir and the lock, another process may have removed the folder as stale */
         struct stat status {};
         ::flock(lock_, LOCK_EX);
         if (::fstat(lock_, &status) == 0 && status.st_nlink > 0) return;

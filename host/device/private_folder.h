@@ -1,15 +1,15 @@
 #pragma once
-// A place for files that must not outlive the process.
+// A temporary folder that does not outlive its process.
 
 #include <string>
 
 namespace eikonal {
 
-/// A new folder that only this user can open, and that goes with its object. What processes left that were killed before theirs went, the next
-/// one that makes a folder in the same place removes: a living process holds a lock on its own.
+/// A new folder that only this user can open, removed by the destructor. Folders of killed processes are removed by the next process that
+/// makes one in the same place: a living process holds a lock on its own.
 class PrivateFolder {
 public:
-    /// In the folder `parent`. Throws nothing: path() is empty if none can be made there.
+    /// Makes the folder inside `parent`. Does not throw; path() is empty if it could not be made.
     explicit PrivateFolder(const std::string& parent);
     ~PrivateFolder();
     PrivateFolder(const PrivateFolder&) = delete;

@@ -10,7 +10,7 @@
 
 namespace eikonal {
 
-// Neither changes rounding or order; without both, PoCL does not vectorise over work-items (docs/performance.md).
+// Neither option changes rounding or order of evaluation; without both, PoCL does not vectorise over work-items (docs/performance.md).
 constexpr const char* languageOptions = "-cl-std=CL1.2 -cl-kernel-arg-info -cl-finite-math-only -cl-no-signed-zeros";
 
 static double secondsSince(std::chrono::steady_clock::time_point start) {

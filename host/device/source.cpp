@@ -19,7 +19,7 @@ namespace eikonal {
 
 struct ContractHeader { const char *name, *text; };
 
-/// The contract headers as they were when this program was built.
+/// The contract headers that this program was built with.
 constexpr ContractHeader contractHeaders[] = {
 #include "contract_headers.inc"
 };
@@ -51,7 +51,7 @@ KernelFolders findKernelFolders() {
     for (const fs::path& root : roots) {
         tried += "\n  " + root.string();
         if (!fs::exists(root / "kernels" / "stages/queue.clh")) continue;
-        /* Installed, the headers lie in the prefix's include folder; in the source tree, beside the kernels */
+        /* An installation has the headers in the prefix's include folder, the source tree next to the kernels */
         for (const fs::path& include : {root / "include", root.parent_path().parent_path() / "include"})
             if (fs::exists(include / "eikonal" / "queues.h")) {
                 checkContract(include);
@@ -62,7 +62,7 @@ KernelFolders findKernelFolders() {
 }
 
 std::uint64_t hashBytes(std::string_view bytes, std::uint64_t hash) {
-    /* The shift brings down again what a product of so many bits moves up */
+    /* The shift mixes high bits of the product back into low ones */
     const auto add = [&](std::uint64_t value) {
         hash = (hash ^ value) * 1099511628211u;
         hash ^= hash >> 32;
@@ -81,7 +81,7 @@ KernelSource::KernelSource(const KernelFolders& folders, const std::string& text
     noteWords();
 }
 
-/// The file that a line includes; empty: none.
+/// The file that a line includes; empty if it includes none.
 static std::string includedBy(const std::string& line) {
     const size_t hash = line.find_first_not_of(" \t");
     if (hash == std::string::npos || line.compare(hash, 8, "#include") != 0) return {};
@@ -97,7 +97,7 @@ void KernelSource::append(const std::string& text, const std::string& name) {
         ++number;
         const std::string included = includedBy(line);
         if (included.empty()) text_ += line + "\n";
-        else if (!files_.insert(included).second && !included.ends_with(".cl")) text_ += "\n";  // a stage may be there once for each BSDF
+        else if (!files_.insert(included).second && !included.ends_with(".cl")) text_ += "\n";  // a stage may come once per BSDF
         else {
             include(included);
             text_ += fmt::format("#line {} \"{}\"\n", number + 1, name);
@@ -131,7 +131,7 @@ std::string KernelSource::options(const Features& features, const Constants& con
     for (size_t i = 0; i < featureCount; ++i) {
         const Feature feature = static_cast<Feature>(i);
         const std::string& name = featureName(feature);
-        /* A field of a queue names its feature without HAS_ */
+        /* Queue fields name their feature without HAS_ */
         if (words_.count("HAS_" + name) || (isGeneral(feature) && words_.count(name))) options += fmt::format(" -DHAS_{}={}", name, features.has(feature) ? 1 : 0);
     }
     for (const auto& [name, value] : constants)

@@ -8,7 +8,7 @@ namespace eikonal {
 void expose(FilmImage& image, const FilmDescription& film) {
     const SensorDescription sensor{film.sensor, film.whiteBalance, film.exposureTime * film.iso / 100, film.colorSpace};
     const bool isPlain = sensor.name == "cie1931" && sensor.whiteBalance == 0 && sensor.imagingRatio == 1;
-    if (isPlain) return;  // bit by bit, in any colour space
+    if (isPlain) return;  // keeps all bits, in any colour space
 
     const glm::dmat3 matrix = rgbFromXyz(ColorSpace::srgb) * xyzFromRgb(sensor.output) * pixelFromLinearSrgb(sensor);
     for (std::size_t i = 0; i < image.color.size(); ++i) {

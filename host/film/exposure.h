@@ -1,13 +1,13 @@
 #pragma once
-// From the light that reaches the film to the pixels' values, which its sensor and its exposure make of it.
+// Converts film irradiance to pixel values, by the film's sensor and exposure.
 
 #include "image/film_image.h"
 
 namespace eikonal {
 
-/// Of an image that was rendered in RGB; at wavelengths, the device has done it. Applies the film's sensor, white balance, sensitivity and exposure time (spectra/sensor.h) to the color of an image of light, and to
-/// its variance with the pixel's luminance. The image stays in linear sRGB whatever colour space the film names, which only decides
-/// what is white.
+/// Applies the film's sensor, white balance, sensitivity and exposure time (color/sensor.h) to the colour of an image that was rendered in
+/// RGB, and scales the variance with each pixel's luminance. (In spectral rendering the device does this.) The image stays in linear sRGB
+/// whatever colour space the film names; that only decides what is white.
 void expose(FilmImage& image, const FilmDescription& film);
 
 }  // namespace eikonal

@@ -18,7 +18,7 @@ Film::Film(const PackedScene& scene, const Features& features)
     if (!data_) throw Error(ExitCode::scene, "not enough memory for an image of " + std::to_string(pixels_.width()) + " x " + std::to_string(pixels_.height()) + " pixels");
 }
 
-/// The part of a block that is in the film, as the rectangle of rows and planes that OpenCL copies.
+/// The part of a block inside the film, as the rectangle of rows and planes for OpenCL's rectangular copies.
 struct Region {
     size_t hostOrigin[3], deviceOrigin[3], size[3];
     size_t hostRow, hostSlice, deviceRow, deviceSlice;
@@ -34,7 +34,7 @@ static Region regionOf(const PixelRect& film, const Batch& batch, size_t block, 
             n(film.width()) * word, n(film.width()) * n(film.height()) * word, n(batch.size.width()) * word, batch.pixels() * word};
 }
 
-/// Copies the pixels of a batch's blocks by clEnqueueWriteBufferRect or clEnqueueReadBufferRect.
+/// Copies a batch's pixels with clEnqueueWriteBufferRect or clEnqueueReadBufferRect.
 template <class Enqueue, class Data>
 static void copyBlocks(Enqueue enqueue, const Context& context, const Buffer& buffer, const PixelRect& film, int words, const Batch& batch, Data* data, const char* what) {
     for (size_t block = 0; block < batch.blocks.size(); ++block) {
@@ -54,7 +54,7 @@ void Film::download(const Context& context, const Buffer& buffer, const Batch& b
 const uint* Film::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
 const float* Film::floats(const char* field) const { return reinterpret_cast<const float*>(numbers(field)); }
 
-/// What a pixel shows, and how sure that is.
+/// Estimates of a pixel, and their variance.
 struct Film::Planes {
     size_t n;
     const float *sum, *weight, *squareWeight, *mean, *spread;
@@ -66,7 +66,7 @@ struct Film::Planes {
 
     glm::vec3 color(size_t i) const { return glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0); }
 
-    /// Of the mean of a pixel's luminance, estimated from the spread of its samples; zero if there are too few.
+    /// Variance of a pixel's mean luminance, estimated from the spread of its samples; 0 if there are too few.
     /* The mean is a ratio of two sums, sum(w L) / sum(w): its variance is that of sum(w (L - mean)), over the square of sum(w). */
     float variance(size_t i, glm::vec3 color) const {
         const double samples = count[i], weights = weight[i];
@@ -90,7 +90,7 @@ double Film::relativeVariance(const PixelRect& part) const {
     return sum;
 }
 
-/// A sum of directions as one of unit length.
+/// A sum of directions, normalised.
 static glm::vec3 meanDirection(const float* sum, size_t n, size_t i) {
     const glm::vec3 direction(sum[i], sum[n + i], sum[2 * n + i]);
     const float length = glm::length(direction);

@@ -1,6 +1,6 @@
 #pragma once
-// The film in host memory: per pixel what include/eikonal/film.h lists. The device sees some blocks of it at a time, so an
-// image may be as large as the host's memory.
+// The film in host memory, with the per-pixel fields of include/eikonal/film.h. The device holds some blocks of it at a time, so an image
+// may be as large as host memory.
 
 #include "device/buffer.h"
 #include "device/layout.h"
@@ -13,31 +13,31 @@ namespace eikonal {
 
 class Film {
 public:
-    /// Of the pixels that are rendered of a scene, by kernels with these features. Memory is only taken where something is written.
+    /// The film of the pixels that are rendered of a scene, for kernels built with `features`. Memory pages are taken only when written.
     Film(const PackedScene& scene, const Features& features);
     explicit Film(const PackedScene& scene) : Film(scene, scene.features) {}
 
     const PixelRect& pixels() const { return pixels_; }
     int words() const { return layout_.words; }
 
-    /// Enqueues copies of the pixels of a batch to and from a buffer that holds its blocks one after another. Does not wait.
+    /// Enqueue copies of a batch's pixels to or from a buffer that holds its blocks one after the other. Do not wait.
     void upload(const Context& context, const Buffer& buffer, const Batch& batch) const;
     void download(const Context& context, const Buffer& buffer, const Batch& batch);
 
-    /// Bytes a pixel of the film of a scene, and of what develop returns.
+    /// Bytes per pixel of the film, and of the image that develop() returns.
     static size_t bytes(const PackedScene& scene);
     static size_t developedBytes(const PackedScene& scene);
-    /// The image so far: sums divided by weights. Distances and positions in the world of `scene`.
+    /// The image so far: sums divided by weights. Distances and positions are in world space of `scene`.
     FilmImage develop(const PackedScene& scene) const;
 
-    /// Samples that were not finite, and the first pixel that has one.
+    /// The number of samples that were not finite, and the first pixel with one.
     struct Invalid { size_t count = 0; int x = -1, y = -1; };
     Invalid invalid() const;
-    /// The fewest and the most samples that any pixel has, and those of all pixels.
+    /// The fewest, most and mean samples per pixel.
     struct Samples { unsigned fewest = 0, most = 0; double mean = 0; };
     Samples samples() const;
-    /// The expected relative squared error of the pixels of `part`, added up: of each the variance of its mean luminance over that luminance squared + 0.01.
-    /// As samples vary that are independent: those of a Sobol' sequence have less.
+    /// The sum over the pixels of `part` of the expected relative squared error: variance of the mean luminance / (luminance^2 + 0.01). The
+    /// variance is that of independent samples; Sobol' samples have less.
     double relativeVariance(const PixelRect& part) const;
 
 private:

@@ -5,8 +5,8 @@
 
 namespace eikonal {
 
-/// In units of which the spectrum of a pixel is given: the light that is 1 at every wavelength has this photometric integral. Lights are divided by theirs
-/// (packEmission), and this takes it back, as pbrt-v4 does.
+/// Scale of a pixel's spectrum: the photometric integral of light that is 1 at every wavelength. packEmission divides lights by it, and
+/// this multiplies again, as pbrt-v4 does.
 static double photometricIntegralOfOne() {
     DenseCurve one;
     one.fill(1);
@@ -19,7 +19,7 @@ void Film::developSpectrum(FilmImage& image, const PackedScene& scene) const {
     const double width = static_cast<double>(range.extent) / static_cast<double>(buckets);
     for (size_t b = 0; b < buckets; ++b) image.spectrum.wavelengths.push_back(range.first + (static_cast<double>(b) + 0.5) * width);
 
-    /* Each of a sample's wavelengths stands for as many nm as one over its density, of which the bucket has `width` */
+    /* Each wavelength of a sample represents 1 / density nm, of which the bucket covers `width` */
     const double scale = photometricIntegralOfOne() * static_cast<double>(range.inverse_pdf) / (CHANNELS_SPECTRAL * width);
     const float *sums = floats("buckets"), *weight = floats("weight");
     image.spectrum.radiance.resize(n * buckets);

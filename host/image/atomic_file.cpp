@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
     throw Error(ExitCode::scene, fmt::format("cannot write \"{}\": {}", path, reason));
 }
 
-/// Where the content goes in the end: the path with symbolic links followed.
+/// The file that is written in the end: `path` with symbolic links followed.
 fs::path target(const std::string& path) {
     std::error_code error;
     const fs::path resolved = fs::weakly_canonical(path, error);
@@ -31,7 +31,7 @@ fs::path target(const std::string& path) {
 
 fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
-/// A temporary file beside its final place, removed unless it was renamed to it.
+/// A temporary file next to its final place, removed unless it was renamed.
 class TemporaryFile {
 public:
     TemporaryFile(const std::string& path, const fs::path& folder) : path_(path) {
@@ -39,7 +39,7 @@ public:
         name_ = folder / fmt::format(".eikonal-{}-{}.part", ::getpid(), count++);
         ::unlink(name_.c_str());
         file_ = ::open(name_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-        if (file_ < 0) fail(path_, fmt::format("no file can be made in \"{}\": {}", folder.string(), std::strerror(errno)));
+        if (file_ < 0) fail(path_, fmt::format("cannot create a file in \"{}\": {}", folder.string(), std::strerror(errno)));
     }
     ~TemporaryFile() {
         if (file_ >= 0) ::close(file_);
@@ -102,7 +102,7 @@ void checkFileWritable(const std::string& path, std::uint64_t bytes) {
     const fs::space_info space = fs::space(folder, error);
     constexpr double megabyte = 1e6;
     if (!error && space.available < bytes)
-        fail(path, fmt::format("about {:.1f} MB are needed in \"{}\", but only {:.1f} MB are free", static_cast<double>(bytes) / megabyte,
+        fail(path, fmt::format("it needs about {:.1f} MB in \"{}\", but only {:.1f} MB are free", static_cast<double>(bytes) / megabyte,
                                folder.string(), static_cast<double>(space.available) / megabyte));
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// The channels of a multi-channel file, and which numbers of a FilmImage they are.
+// The channels of a multi-channel file, and the numbers of a FilmImage that they hold.
 
 #include "image/film_image.h"
 #include "image/spectral_layout.h"
@@ -10,7 +10,7 @@
 
 namespace eikonal {
 
-/// The depth that is stored where there is no surface.
+/// The depth that is stored where no surface was hit.
 constexpr float noDepth = 1e10f;
 
 /// One channel: value i belongs to pixel i. Float is `float`, or `const float` to read only.
@@ -22,7 +22,7 @@ template <class Float> struct ChannelView {
     Float& operator[](std::size_t i) const { return first[i * stride]; }
 };
 
-/// The channels of what an image has, color first. The image must outlive them.
+/// The channels that the image has, colour first. The image must outlive them.
 template <class Float, class Image> std::vector<ChannelView<Float>> channelsOf(Image& image) {
     std::vector<ChannelView<Float>> channels;
     const auto add3 = [&](auto& values, const char* x, const char* y, const char* z) {

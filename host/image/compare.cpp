@@ -15,13 +15,13 @@ namespace {
 
 bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// The sum of the variances of both images at pixel (x, y), whose luminance they are of.
+/// The sum of both images' luminance variances at pixel (x, y).
 double varianceAt(const FilmImage& image, const FilmImage& reference, int x, int y) {
     const double own = image.variance[image.index(x, y)];
     return own + (reference.variance.empty() ? own : reference.variance[reference.index(x, y)]);
 }
 
-/// Sums over some pixels.
+/// Sums over pixels.
 struct Sums {
     double count = 0;
     glm::dvec3 image{0}, reference{0}, difference{0}, squares{0};
@@ -34,13 +34,14 @@ struct Sums {
         difference += a - b;
         squares += (a - b) * (a - b);
     }
-    /// Of the mean difference, from the variance: a channel's noise is to the luminance's as the channel is to the luminance.
+    /// Standard error of the mean difference, from the variance; a channel's noise relates to the luminance's noise as the channel to the
+    /// luminance.
     glm::dvec3 knownError() const {
         const glm::dvec3 both = image + reference;
         const double brightness = luminance(both);
         return brightness > 0 ? std::sqrt(variance) / count * glm::abs(both) / brightness : glm::dvec3(0);
     }
-    /// Of the mean difference: the differences' standard deviation over the root of their number.
+    /// Standard error of the mean difference, from the spread of the differences.
     glm::dvec3 scatterError() const {
         if (count < 2) return glm::dvec3(0);
         const glm::dvec3 mean = difference / count;
@@ -48,7 +49,7 @@ struct Sums {
     }
 };
 
-/// Over the pixels of `part` that are finite in both, of which `mean` is the reference's mean.
+/// relMSE over the pixels of `part` that are finite in both images; `mean` is the reference's mean.
 double relativeMse(const FilmImage& image, const FilmImage& reference, const PixelBounds& part, const glm::dvec3& mean) {
     double sum = 0, count = 0;
     for (int y = part.y0; y < part.y1; ++y)

@@ -52,7 +52,7 @@ std::vector<unsigned char> encodeExr(const EncodedImage& image) {
     Imf::Header header(display, data, 1, {0, 0}, 1, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
     for (const auto& [name, value] : image.attributes) std::visit(AttributeWriter{header, name}, value);
 
-    /* A frame buffer begins where pixel (0, 0) would be */
+    /* OpenEXR wants the address that pixel (0, 0) would have */
     const std::size_t pixel = image.channels.size() * sizeof(float), row = static_cast<std::size_t>(image.width) * pixel;
     Imf::FrameBuffer buffer;
     for (std::size_t c = 0; c < image.channels.size(); ++c) {

@@ -1,11 +1,11 @@
 #pragma once
-// Images as OpenEXR files, in memory: not every encoder notices that a disk is full.
+// Encodes OpenEXR files in memory, because not all encoders report a full disk.
 
 #include "image/formats/image_formats.h"
 
 namespace eikonal {
 
-/// The content of a file: scanlines of 32-bit floats, compressed by zip. Throws std::exception with OpenEXR's reason.
+/// The content of the file: scanlines of 32-bit floats, zip-compressed. Throws std::exception with OpenEXR's reason.
 std::vector<unsigned char> encodeExr(const EncodedImage& image);
 
 }  // namespace eikonal

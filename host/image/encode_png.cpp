@@ -9,7 +9,7 @@
 namespace eikonal {
 namespace {
 
-/// What libpng writes to and reports to: its errors leave by longjmp, past nothing that has to be destroyed.
+/// Target of libpng's output and errors. Errors leave by longjmp, which skips no destructor here.
 struct Encoding {
     std::vector<unsigned char> bytes;
     std::string error;
@@ -63,7 +63,7 @@ std::vector<unsigned char> encodePng(const EncodedImage& image) {
     if (info) png_set_write_fn(png, &encoding, append, nullptr);
     const bool isWritten = info && writePng(png, info, image, texts, rows);
     png_destroy_write_struct(&png, &info);
-    if (!isWritten) throw std::runtime_error(encoding.error.empty() ? "there is not enough memory" : encoding.error);
+    if (!isWritten) throw std::runtime_error(encoding.error.empty() ? "not enough memory" : encoding.error);
     return std::move(encoding.bytes);
 }
 

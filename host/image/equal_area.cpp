@@ -12,7 +12,7 @@ namespace eikonal {
 using std::numbers::pi;
 
 glm::dvec3 directionFromSquare(glm::dvec2 p) {
-    // The square's inner diamond is the upper half; r is the distance from the nearer pole, 1 on the equator.
+    // The inner diamond of the square is the upper hemisphere; r is the distance to the nearer pole, 1 on the equator.
     const double u = 2 * p.x - 1, v = 2 * p.y - 1, x = std::abs(u), y = std::abs(v);
     const double height = 1 - (x + y), r = 1 - std::abs(height);
     const double phi = r == 0 ? 0 : ((y - x) / r + 1) * pi / 4;
@@ -64,7 +64,7 @@ ImageData equalAreaFromLatLong(const ImageData& latLong, int resolution) {
         return glm::mix(glm::mix(texel(x, y), texel(x + 1, y), s - x), glm::mix(texel(x, y + 1), texel(x + 1, y + 1), s - x), t - y);
     };
 
-    // Enough points that no texel of the source falls between them: a texel's side spans up to 1.6 times what its area suggests.
+    // Sample densely enough to miss no source texel: a texel's side spans up to 1.6 times what its area suggests.
     const int samples = std::max(2, static_cast<int>(std::ceil(2. * std::sqrt(double(width) * height) / resolution)));
     return equalAreaImage(resolution, samples, lookup);
 }

@@ -1,7 +1,6 @@
 #pragma once
-// The sphere of directions on a square, areas kept: Clarberg, "Fast equal-area mapping of the (hemi)sphere using SIMD",
-// Journal of Graphics Tools 13(3), 2008. The mapping of pbrt-v4's environment maps: the square's centre is +z, its corners are -z,
-// u grows with x and v with y.
+// Equal-area mapping of the sphere to the square: Clarberg, "Fast equal-area mapping of the (hemi)sphere using SIMD", Journal of Graphics
+// Tools 13(3), 2008. As in pbrt-v4's environment maps, the centre of the square is +z, its corners are -z, u grows with x and v with y.
 
 #include "read/formats/image.h"
 
@@ -17,12 +16,12 @@ glm::dvec3 directionFromSquare(glm::dvec2 p);
 /// The point in [0, 1]^2 of a direction, which need not be normalised but must not be zero.
 glm::dvec2 squareFromDirection(glm::dvec3 d);
 
-/// A square image of the radiance from all directions (linear sRGB), each texel the mean of samples x samples points of it.
-/// Row y, column x covers v in [y, y+1] / resolution and u in [x, x+1] / resolution.
+/// A square image of the radiance from all directions (linear sRGB); each texel is the mean of samples x samples points in it. Row y,
+/// column x covers v in [y, y+1] / resolution and u in [x, x+1] / resolution.
 ImageData equalAreaImage(int resolution, int samples, const std::function<glm::dvec3(glm::dvec3 direction)>& radiance);
 
-/// The same environment as a latitude-longitude image: z is up there, row 0 is +z, and columns run from +x through +y.
-/// resolution 0: the power of two that keeps at least as many texels.
+/// Resamples a latitude-longitude image, in which z is up, row 0 is +z, and columns run from +x through +y. resolution 0: the smallest
+/// power of two that keeps at least as many texels.
 ImageData equalAreaFromLatLong(const ImageData& latLong, int resolution = 0);
 
 }  // namespace eikonal

@@ -36,7 +36,7 @@ int find(const ImageReader::Header& header, const std::string& channel) {
     return found == header.channels.end() ? -1 : static_cast<int>(found - header.channels.begin());
 }
 
-/// An 8- or 16-bit file, decoded as a texture is.
+/// Reads an 8- or 16-bit file, decoded like a texture.
 FilmImage decoded(const std::string& path) {
     const auto texels = loadImage(ImageFile{.path = path});
     FilmImage image(texels->width, texels->height);
@@ -64,7 +64,7 @@ FilmFile readImage(const std::string& path) {
     std::vector<float> values(header.pixels() * channelCount);
     if (!input->read(values.data())) fail(path, input->error());
 
-    // Which of our channels the file has.
+    // Find which of our channels the file has.
     const int grey = channelCount == 1 ? 0 : find(header, "R") < 0 ? find(header, "Y") : -1;
     if (grey < 0 && (find(header, "R") < 0 || find(header, "G") < 0 || find(header, "B") < 0)) fail(path, "it has no channel R G B or Y");
     const int x0 = header.x, y0 = header.y;

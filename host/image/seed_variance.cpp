@@ -10,7 +10,7 @@
 
 namespace eikonal {
 
-/// `count`: of the values, this one included.
+/// `count`: number of values, including this one.
 void SeedVariance::Moments::add(double value, int count) {
     const double n = count, delta = value - mean, step = delta / n, step2 = step * step, term = delta * step * (n - 1);
     mean += step;
@@ -19,7 +19,7 @@ void SeedVariance::Moments::add(double value, int count) {
     m2 += term;
 }
 
-/// The k-statistics k2 and k4, and the unbiased estimate of the variance of k2 by them (Kenney and Keeping 1951, 7.8).
+/// The k-statistics k2 and k4, and the unbiased estimate of the variance of k2 from them (Kenney and Keeping 1951, 7.8).
 SeedVariance::MomentVariance SeedVariance::Moments::variance(int count) const {
     const double n = count, k2 = m2 / (n - 1);
     const double k4 = n * ((n + 1) * m4 - 3 * (n - 1) / n * m2 * m2) / ((n - 1) * (n - 2) * (n - 3));
@@ -36,7 +36,7 @@ void SeedVariance::add(const FilmImage& image) {
 
 void SeedVariance::checkSize(const FilmImage& image) const {
     if (image.pixelCount() != pixels_.size())
-        throw Error(ExitCode::scene, fmt::format("a render of {} pixels has no place beside renders of {}", image.pixelCount(), pixels_.size()));
+        throw Error(ExitCode::scene, fmt::format("a render of {} pixels cannot be combined with renders of {}", image.pixelCount(), pixels_.size()));
 }
 
 Estimate SeedVariance::relativeVariance(const FilmImage* converged, double outliers) const {

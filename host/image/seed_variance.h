@@ -1,5 +1,5 @@
 #pragma once
-// The noise of a render, from several renders that differ in their seed alone: no reference, hence no error of a reference.
+// The noise of a render, estimated from renders with different seeds, without a reference and its error.
 
 #include "image/film_image.h"
 
@@ -8,31 +8,32 @@
 
 namespace eikonal {
 
-/// An estimate and the standard deviation of its own error.
+/// An estimate and its standard error.
 struct Estimate { double value = 0, standardError = 0; };
 
-/// Central moments of each channel of each pixel over the seeds, added up in double precision and in one pass (Pébay 2008): memory does not grow
-/// with the number of seeds.
+/// Central moments over seeds, for each channel of each pixel, accumulated in one pass in double precision (Pébay 2008): memory does not
+/// grow with the number of seeds.
 class SeedVariance {
 public:
-    static constexpr int leastSeeds = 4;   ///< that relativeVariance takes: a fourth moment says how sure it is
+    static constexpr int leastSeeds = 4;   ///< for relativeVariance, which needs fourth moments for its standard error
 
-    /// Adds a render with another seed. Throws an Error (ExitCode::scene) if its size is not that of the first.
+    /// Adds a render with another seed. Throws an Error (ExitCode::scene) if its size differs from the first.
     void add(const FilmImage& image);
     int seeds() const { return count_; }
 
-    /// relMSE of one render of these (film/relative_error.h) against what renders converge to: the mean over pixels and channels of the variance
-    /// between seeds, unbiased, relative to `converged` or else to the mean of the seeds, which hides outliers: they raise what they are relative to.
-    /// The standard error takes pixels for independent and channels for fully correlated. Needs leastSeeds. Throws an Error (ExitCode::scene) if `converged`
-    /// has another size. `outliers`: the share of pixels, those with the most, that is left out of the sum, which is divided by all pixels still: where
-    /// single bright paths decide, what is left can be compared with few seeds.
+    /// relMSE (image/relative_error.h) of one of these renders against what they converge to: the unbiased variance between seeds, relative
+    /// to `converged` or else to the mean of the seeds, averaged over pixels and channels. The mean of the seeds hides outliers, because
+    /// they raise the value that they are relative to. The standard error treats pixels as independent and channels as fully correlated.
+    /// Needs leastSeeds renders. `outliers`: the share of pixels with the largest terms that is dropped from the sum (the divisor stays the
+    /// number of all pixels); it makes results comparable with few seeds if single bright paths dominate. Throws an Error (ExitCode::scene)
+    /// if `converged` has another size.
     Estimate relativeVariance(const FilmImage* converged = nullptr, double outliers = 0) const;
 
 private:
     void checkSize(const FilmImage& image) const;
-    struct MomentVariance { double value, squaredError; };   ///< both without bias, so that the squared error of a single one may be negative
+    struct MomentVariance { double value, squaredError; };   ///< both unbiased, so the squared error of one value may be negative
     struct Moments {
-        double mean = 0, m2 = 0, m3 = 0, m4 = 0;   ///< m: sums of powers of what a seed is off the mean
+        double mean = 0, m2 = 0, m3 = 0, m4 = 0;   ///< m2 to m4: sums of powers of the deviations from the mean
         void add(double value, int count);
         MomentVariance variance(int count) const;
     };

@@ -30,7 +30,7 @@ glm::dvec3 bend(glm::dvec3 x, ToneCurve curve) {
 }  // namespace
 
 glm::vec3 toneMap(glm::vec3 linear, const ToneMapping& mapping) {
-    // Beyond 1e18 nothing changes, and the squares of the filmic curve stay finite.
+    // Larger values change nothing, and the squares in the filmic curve stay finite.
     glm::dvec3 x(0);
     for (int c = 0; c < 3; ++c)
         if (!std::isnan(linear[c])) x[c] = std::clamp(linear[c] * std::exp2(mapping.exposure), 0., 1e18);

@@ -1,5 +1,5 @@
 #pragma once
-// From linear light to what a screen shows.
+// Tone mapping from linear light to display values.
 
 #include <glm/glm.hpp>
 
@@ -14,16 +14,16 @@ enum class ToneCurve {
     filmic     ///< a film-like shoulder and toe: the fit of ACES by Narkowicz 2016
 };
 
-/// How 8-bit images are made: multiplied by 2^exposure, bent by the curve, clamped to [0, 1], encoded as sRGB.
+/// Tone mapping of 8-bit images: multiply by 2^exposure, apply the curve, clamp to [0, 1], encode as sRGB.
 struct ToneMapping {
     ToneCurve curve = ToneCurve::clamp;
     double exposure = 0;  ///< stops: 1 is twice as bright
 };
 
-/// The stored value in [0, 1] of each channel. Values that are not numbers become 0.
+/// The stored value in [0, 1] of each channel. NaN becomes 0.
 glm::vec3 toneMap(glm::vec3 linear, const ToneMapping& mapping);
 
-/// The curve of that name, for --tonemap. Throws UsageError with the names there are.
+/// The curve called `name`. Throws UsageError that lists the names.
 ToneCurve toneCurve(const std::string& name);
 std::vector<std::string> toneCurveNames();
 

@@ -46,7 +46,7 @@ std::string extensionOf(const std::string& path) {
     return extension;
 }
 
-/// The format that a name's extension stands for, in small or capital letters; null: none.
+/// The format for a file name's extension, in any case; null if there is none.
 const Format* findFormat(const std::string& path) {
     const auto found = std::ranges::find_if(formats, [&](const Format& format) { return extensionOf(path) == std::string(".") + format.extension; });
     return found == formats.end() ? nullptr : &*found;
@@ -61,7 +61,7 @@ const Format& formatOf(const std::string& path) {
          (extension.empty() ? "its name has no extension" : "the extension \"" + extension + "\" is not known") + "; known are" + known);
 }
 
-/// Channel after channel of each pixel, as files have them.
+/// Pixel by pixel, with channels interleaved, as files store them.
 std::vector<float> interleave(const std::vector<ChannelView<const float>>& channels, std::size_t pixels) {
     std::vector<float> values(pixels * channels.size());
     tbb::parallel_for(std::size_t(0), pixels, [&](std::size_t i) {
@@ -101,7 +101,7 @@ EncodedImage::Values valuesOf(Content content) {
     return content == Content::screen8 ? EncodedImage::Values::bytes : content == Content::screen16 ? EncodedImage::Values::words : EncodedImage::Values::floats;
 }
 
-/// The image as a file of that format has it, but for its values.
+/// The description of the image for a file in this format, without the values.
 EncodedImage describe(const Format& format, const FilmImage& image, const Metadata& metadata) {
     EncodedImage file{.stored = valuesOf(format.content), .width = image.columns(), .height = image.rows(), .fullWidth = image.columns(), .fullHeight = image.rows(),
                       .channels = {"R", "G", "B"}, .attributes = {}, .values = {}};
@@ -118,7 +118,7 @@ EncodedImage describe(const Format& format, const FilmImage& image, const Metada
     return file;
 }
 
-/// What is written at every render does not need OpenImageIO.
+/// The formats that every render writes do not need OpenImageIO.
 std::vector<unsigned char> encode(const std::string& path, const Format& format, const EncodedImage& image) {
     const std::string name = format.name;
     try {
@@ -131,7 +131,7 @@ std::vector<unsigned char> encode(const std::string& path, const Format& format,
     return bytes;
 }
 
-/// OpenImageIO 2.4 reads the Portable Float Map but does not write it: a header, then rows from the bottom; -1 means little endian.
+/// OpenImageIO 2.4 reads the Portable Float Map but does not write it. Writes a header, then rows from the bottom; -1 means little endian.
 std::vector<unsigned char> encodePfm(const FilmImage& image) {
     const std::string header =
         fmt::format("PF\n{} {}\n{}\n", image.columns(), image.rows(), std::endian::native == std::endian::little ? "-1.0" : "1.0");

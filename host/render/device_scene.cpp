@@ -1,17 +1,8 @@
 #include "render/device_scene.h"
 
-#include <algorithm>
-
 namespace eikonal {
 
-RaySplitting RaySplitting::of(const PackedScene& scene) {
-    if (!scene.features.has(Feature::TREE)) return {};
-    const settings& frame = scene.frame();
-    const unsigned raysPerHit = std::max(2u, frame.rough_splits == NONE ? 0 : 1u << std::min(frame.rough_splits, frame.tree_splits));
-    return {frame.tree_splits, raysPerHit, std::max(raysPerHit, frame.tree_lights)};
-}
-
-DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : splitting_(RaySplitting::of(scene)) {
+DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) {
     const auto upload = [&](const auto& table, const char* name) {
         Buffer& buffer = buffers_[name];
         buffer = Buffer::sharing(context, table, std::string("table ") + name);

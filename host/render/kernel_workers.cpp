@@ -95,7 +95,7 @@ int compileKernelsCommand(const Options& o) {
     const DeviceScene tables(context, scene);
     Profile profile;
     Stages stages(compiler, scene, shape, buildSettingsFor(o.device), {o.compile.part, o.compile.parts});
-    Wave wave(context, tables, stages, shape, scene.features, profile);
+    Wave wave(context, tables, scene, stages, shape, profile);
     wave.warmUp();
     stages.keep(compiler);
     return static_cast<int>(ExitCode::success);

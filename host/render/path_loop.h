@@ -1,9 +1,10 @@
 #pragma once
-// The plain way: one kernel that follows each path in a loop (kernels/stages/loop.cl), over the same functions as the stages. What the wavefront
-// is tested against, and measured against.
+// The plain way: one kernel that follows each path in a loop (kernels/stages/loop.cl), over the same functions as the stages.
+// What the wavefront is tested against, and measured against.
 
 #include "render/device_scene.h"
 #include "render/profile.h"
+#include "render/ray_splitting.h"
 #include "render/stages.h"
 #include "render/tracer.h"
 
@@ -20,6 +21,7 @@ public:
 private:
     const Context& context_;
     const DeviceScene& scene_;
+    RaySplitting splitting_;
     StageShape shape_;
     unsigned mostPaths_;
     Profile& profile_;

@@ -148,7 +148,7 @@ void Session::prepare() {
     times_.upload = uploadTime.seconds();
     const Stopwatch launchTime;
     const size_t paths = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height()) * static_cast<size_t>(packed_.samples);
-    wave_ = std::make_unique<Wave>(*context_, *deviceScene_, *stages_, shape_, packed_.features, profile_, paths < shape_.wavePaths ? PageSize::small : PageSize::large);
+    wave_ = std::make_unique<Wave>(*context_, *deviceScene_, packed_, *stages_, shape_, profile_, paths < shape_.wavePaths ? PageSize::small : PageSize::large);
     wave_->warmUp();
     times_.launch = launchTime.seconds();
     const Stopwatch keepTime;

@@ -2,7 +2,7 @@
 
 #include "render/wave_queues.h"
 
-#include <fmt/format.h>
+#include <stdexcept>
 
 namespace eikonal {
 
@@ -19,30 +19,10 @@ StageShape StageShape::forDevice(const DeviceInfo& device) {
     return shape;
 }
 
-struct StageRequest { std::string name, kernel, text; uint next_queue; };
-
-/// What a scene requires, in the order in which it runs.
-static std::vector<StageRequest> requiredStages(const PackedScene& scene) {
-    std::vector<StageRequest> list;
-    const auto add = [&](const std::string& name, bool required) {
-        if (!required) return;
-        if (name != "shade_hits") { list.push_back({name, name, fmt::format("#include \"stages/{}.cl\"\n", name), next_none}); return; }
-        const auto shading = [&](const std::string& bsdf, Feature feature, uint next_queue) {
-            if (scene.features.has(feature))
-                list.push_back({"shade_hits " + bsdf, name, fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"stages/{1}.cl\"\n", bsdf, name), next_queue});
-        };
-#define SHADE_BSDF(bsdf, FEATURE, PARAMETERS) shading(#bsdf, Feature::FEATURE, next_##bsdf);
-        BSDFS(SHADE_BSDF)
-#undef SHADE_BSDF
-    };
-    constexpr Feature ALWAYS = Feature::count;
-    const auto required = [&](Feature f) { return f == ALWAYS || scene.features.has(f); };
-    using enum Feature;
-#define ADD_STAGE(name, reads, writes, FEATURE) add(#name, required(FEATURE) && (std::string(#name) != "shade_misses" || scene.constants.environments > 0));
-    STAGES(ADD_STAGE)
-#undef ADD_STAGE
-    for (const char* name : {"survey_vertices", "survey_environment"}) add(name, scene.features.has(Feature::ENVIRONMENT_GUIDE));
-    return list;
+/// What a scene requires, in the order of stagePrograms().
+static auto requiredPrograms(const PackedScene& scene) {
+    const auto isRequired = [&scene](const StageProgram& program) { return program.isRequired(scene.features, scene.constants); };
+    return std::views::filter(stagePrograms(), isRequired);
 }
 
 BuildSettings completeSettings(BuildSettings settings, const PackedScene& scene, const StageShape& shape) {
@@ -68,29 +48,26 @@ static BuildSettings stageSettings(BuildSettings settings, const PackedScene& sc
 int Stages::missing(const Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings) {
     settings = stageSettings(std::move(settings), scene, shape);
     int count = 0;
-    for (const StageRequest& request : requiredStages(scene)) count += !compiler.isKept(request.text, request.kernel, settings);
+    for (const StageProgram& program : requiredPrograms(scene)) count += !compiler.isKept(program.text, program.row->name, settings);
     return count;
 }
 
 Stages::Stages(Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part) {
-    shading_.fill(-1);
     settings = stageSettings(std::move(settings), scene, shape);
+    features_ = settings.features;
     unsigned index = 0;
-    for (const StageRequest& request : requiredStages(scene)) {
+    for (const StageProgram& program : requiredPrograms(scene)) {
         if (index++ % part.of != part.index) continue;
-        Stage stage;
-        stage.name = request.name;
-        stage.kernel = Kernel(compiler.build(request.text, request.kernel, settings));
+        Stage stage{program.name, program.row, program.over, Kernel(compiler.build(program.text, program.row->name, settings))};
         stage.compileSeconds = stage.kernel.program().seconds;
-        if (request.next_queue < next_queues) shading_[request.next_queue] = static_cast<int>(stages_.size());
         stages_.push_back(std::move(stage));
     }
 }
 
-const Stage* Stages::find(const std::string& name) const {
+const Stage& Stages::find(StageName id) const {
     for (const Stage& s : stages_)
-        if (s.name == name) return &s;
-    return nullptr;
+        if (s.row->id == id) return s;
+    throw std::out_of_range("a stage that the scene does not require");
 }
 
 void Stages::keep(const Compiler& compiler) const {

@@ -20,8 +20,8 @@ Bindings withCount(size_t count) {
     return own;
 }
 
-void run(const Context& context, const DeviceScene& scene, const Stage* stage, const StageShape& shape, size_t items, const Bindings& own) {
-    const Owned<cl_event, clReleaseEvent> launched(stage->kernel.launch(context, {&scene.bindings(), &own}, items, shape.group()));
+void run(const Context& context, const DeviceScene& scene, const Stage& stage, const StageShape& shape, size_t items, const Bindings& own) {
+    const Owned<cl_event, clReleaseEvent> launched(stage.kernel.launch(context, {&scene.bindings(), &own}, items, shape.group()));
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
     Bindings own = withCount(budget.paths);
     own.set("survey_points", pointBuffer);
     own.set("survey_normals", normalBuffer);
-    run(context, scene, stages.find("survey_vertices"), shape, budget.paths, own);
+    run(context, scene, stages.find(StageName::survey_vertices), shape, budget.paths, own);
     pointBuffer.read(context, points.data(), bytes);
     normalBuffer.read(context, normals.data(), bytes);
 
@@ -65,7 +65,7 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
         bound.set("survey_normals", fromNormals);
         bound.set("survey_weights", weightBuffer);
         bound.set("representatives", static_cast<cl_uint>(from.perMap));
-        run(context, scene, stages.find("survey_environment"), shape, weights.size(), bound);
+        run(context, scene, stages.find(StageName::survey_environment), shape, weights.size(), bound);
         weightBuffer.read(context, weights.data(), weights.size() * sizeof(float));
         return weights;
     };

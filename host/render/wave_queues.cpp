@@ -1,36 +1,77 @@
 #include "render/wave_queues.h"
 
-#include <algorithm>
 #include <bit>
 
 namespace eikonal {
 
 WaveSize::WaveSize(const StageShape& shape, const RaySplitting& splitting) {
-    paths = std::max(shape.wavePaths >> splitting.splits, 1u);
-    batches = splitting.splits ? 1 : shape.batches;
-    log2BatchPaths = static_cast<unsigned>(std::bit_width(shape.padded(paths) - 1));
-    capacity = splitting.raysPerHit * (shape.padded(paths << splitting.splits) + next_queues * shape.group()) + shape.group();
-    pathCapacity = (batches << (log2BatchPaths + splitting.splits)) + shape.group();
+    paths = splitting.pathsIn(shape.wavePaths);
+    batches = splitting.batches(shape.batches);
+    log2BatchStates = static_cast<unsigned>(std::bit_width(shape.padded(paths) - 1)) + splitting.splits;
+    slots = shape.padded(paths);
+    leastRoom = splitting.leastRoom(slots);
+    capacity = splitting.raysPerHit * (shape.padded(splitting.statesOf(paths)) + next_queues * shape.group()) + shape.group();
+    pathCapacity = (batches << log2BatchStates) + shape.group();
 }
 
-std::vector<PlannedQueue> queuesFor(const Features& features, bool hasMisses, const WaveSize& size) {
-    std::vector<PlannedQueue> list;
-    for (QueueLayout layout : queueLayouts(features)) {
-        if (layout.name == "hit") layout.words += bsdfWords(features);
-        const bool unused = (layout.name == "scatter" && !features.has(Feature::MEDIA)) || (layout.name == "emission" && !features.has(Feature::EMITTERS)) ||
-                            (layout.name == "miss" && !hasMisses) || (layout.name == "walk" && !features.has(Feature::LAYERS));
-        const size_t items = layout.name == "path" ? size.pathCapacity : size.capacity;
-        list.push_back({layout, unused ? 0 : items, layout.name});
-        if (layout.name == "ray") list.push_back({layout, items, "next_ray"});
+unsigned WaveSize::room(unsigned taken) const {
+    const unsigned left = slots - std::min(taken, slots);
+    return left < leastRoom ? 0 : left;
+}
+
+QueueLayout itemLayout(Queue queue, const Features& features) {
+    QueueLayout layout = queueLayouts(features)[static_cast<size_t>(queue)];
+    if (queue == Queue::hit) layout.words += bsdfWords(features);
+    return layout;
+}
+
+std::vector<PlannedQueue> planQueues(const Features& features, const SceneConstants& constants, const WaveSize& size) {
+    std::vector<PlannedQueue> queues;
+    for (const QueueRow& row : queueTable) {
+        const bool required = row.requirement.isMet(features, constants);
+        queues.push_back({row.id, itemLayout(row.id, features), required ? size.items(row.placement) : 0});
     }
-    return list;
+    return queues;
 }
 
 size_t plannedWaveBytes(const PackedScene& scene, const StageShape& shape) {
     size_t bytes = 0;
-    for (const PlannedQueue& q : queuesFor(scene.features, scene.constants.environments > 0, WaveSize(shape, RaySplitting::of(scene))))
-        bytes += q.items * static_cast<size_t>(q.layout.words) * sizeof(cl_uint);
+    const WaveSize size(shape, RaySplitting::of(scene));
+    for (const PlannedQueue& queue : planQueues(scene.features, scene.constants, size)) bytes += queue.bytes() * queue.copies();
     return bytes;
+}
+
+WaveQueues::WaveQueues(const Context& context, const Features& features, const SceneConstants& constants, const WaveSize& size,
+                       PageSize pages)
+    : size_(size), plan_(planQueues(features, constants, size)) {
+    for (const PlannedQueue& queue : plan_) {
+        for (size_t copy = 0; copy < queue.copies(); ++copy) {
+            Buffer& words = words_[static_cast<size_t>(queue.id)][copy];
+            words = Buffer(context, queue.bytes(), "queue " + queue.layout.name, pages);
+            bytes_ += words.size();
+        }
+        bind(queue);
+    }
+    bindings_.set("capacity", size.capacity);
+    bindings_.set("path_capacity", size.pathCapacity);
+    bindings_.set("log2_batch_paths", size.log2BatchStates);
+}
+
+void WaveQueues::bind(const PlannedQueue& queue) {
+    const auto& [words, next] = words_[static_cast<size_t>(queue.id)];
+    bindings_.set(queue.layout.name, words);
+    if (queue.copies() > 1) bindings_.set("next_" + queue.layout.name, next);
+}
+
+void WaveQueues::swapRays() {
+    auto& [rays, next] = words_[static_cast<size_t>(Queue::ray)];
+    std::swap(rays, next);
+    bind(plan_[static_cast<size_t>(Queue::ray)]);
+}
+
+QueueItems WaveQueues::items(Queue queue, unsigned first, unsigned count) const {
+    const auto index = static_cast<size_t>(queue);
+    return {words_[index][0], plan_[index].layout, static_cast<unsigned>(plan_[index].items), first, count};
 }
 
 }  // namespace eikonal

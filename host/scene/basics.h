@@ -1,5 +1,5 @@
 #pragma once
-// What all parts of a description share: how one names another, and where things are.
+// Types that all parts of a scene description share: indices and transforms.
 
 #include <glm/glm.hpp>
 
@@ -7,7 +7,7 @@ namespace eikonal {
 
 constexpr int none = -1;
 
-/// Maps points of a local space to world space. Double precision: the scene is moved to a space of its own when it is packed.
+/// Maps points of a local space to world space. In double precision; packing translates and scales the scene (docs/tour.md).
 using Transform = glm::dmat4;
 
 }  // namespace eikonal

@@ -1,5 +1,5 @@
 #pragma once
-// The film of a scene, and how it is sampled.
+// The film of a scene, and its sampler.
 
 #include "error.h"
 #include "color/spectrum.h"
@@ -13,27 +13,28 @@ namespace eikonal {
 
 struct PixelBounds { int x0 = 0, x1 = 0, y0 = 0, y1 = 0; };  ///< x0 <= x < x1
 
-/// Whether the scene asks for further channels (pbrt-v4's film "gbuffer"), and the space of their positions and normals.
+/// The additional channels of pbrt-v4's film "gbuffer", and the space of their positions and normals.
 enum class GBuffer { none, cameraSpace, worldSpace };
 
-/// What pbrt-v4 calls a film.
+/// pbrt-v4's kinds of film.
 enum class FilmKind { rgb, gbuffer, spectral };
 
-/// The spectrum that a film keeps of each pixel: buckets of equal width from `first` to `last`, nm, which lie in [360, 830], at least 1 apart.
+/// The spectrum that a film keeps for each pixel: buckets of equal width from `first` to `last` nm, which lie in [360, 830] and are at
+/// least 1 nm apart.
 struct SpectrumKept { int buckets = 16; double first = 360, last = 830; };
 
 struct FilmDescription {
     int width = 1280, height = 720;
     std::optional<std::array<double, 4>> cropWindow;     ///< x0 x1 y0 y1 in [0, 1]
     std::optional<PixelBounds> pixelBounds;
-    std::string filename;                                ///< empty: from the scene's name
+    std::string filename;                                ///< empty: named after the scene
     double diagonal = 35;                                ///< of a realistic camera's film, millimetres
     double iso = 100, exposureTime = 1, whiteBalance = 0;
-    std::string sensor = "cie1931";                      ///< with iso, exposureTime and whiteBalance: spectra/sensor.h
+    std::string sensor = "cie1931";                      ///< with iso, exposureTime and whiteBalance: see color/sensor.h
     ColorSpace colorSpace = ColorSpace::srgb;            ///< of the image
-    double maxComponentValue = 0;                        ///< > 0: samples are scaled down to it
+    double maxComponentValue = 0;                        ///< > 0: brighter samples are scaled down to this
     GBuffer gbuffer = GBuffer::none;
-    std::optional<SpectrumKept> spectrum;                ///< pbrt-v4's film "spectral"
+    std::optional<SpectrumKept> spectrum;                ///< for pbrt-v4's film "spectral"
     SourceLocation where;
 };
 
@@ -48,11 +49,11 @@ struct FilterDescription {
     SourceLocation where;
 };
 
-/// independent: numbers that have nothing to do with each other. paddedsobol: a low-discrepancy sequence for each pixel and each decision. sobol: the
-/// first decisions of a path share one. zsobol: so do many pixels, so that blocks of pixels are as well sampled as pixels are, and the error that
-/// remains is blue noise.
+/// independent: uncorrelated numbers. paddedsobol: a low-discrepancy sequence for each pixel and each dimension. sobol: the first
+/// dimensions of a path share one sequence. zsobol: so do neighbouring pixels, so blocks of pixels are sampled as evenly as pixels, and the
+/// remaining error is blue noise.
 enum class SamplerKind { independent, paddedsobol, sobol, zsobol };
-/// As --sampler names them.
+/// The names for --sampler.
 inline constexpr std::pair<const char*, SamplerKind> samplerNames[] = {
     {"independent", SamplerKind::independent}, {"paddedsobol", SamplerKind::paddedsobol}, {"sobol", SamplerKind::sobol}, {"zsobol", SamplerKind::zsobol}};
 

@@ -1,5 +1,5 @@
 #pragma once
-// How light is carried to the camera: docs/integrators.md says what each computes.
+// Light transport settings: docs/integrators.md describes what each integrator computes.
 
 #include "error.h"
 #include "color/spectrum.h"
@@ -12,55 +12,56 @@ namespace eikonal {
 
 enum class IntegratorKind { volpath, path, direct, whitted, ambientOcclusion, simplePath, randomWalk };
 
-/// As scenes and --integrator name them.
+/// The names in scene files and for --integrator.
 inline constexpr std::pair<const char*, IntegratorKind> integratorNames[] = {
     {"volpath", IntegratorKind::volpath}, {"path", IntegratorKind::path}, {"direct", IntegratorKind::direct}, {"whitted", IntegratorKind::whitted},
     {"ambientocclusion", IntegratorKind::ambientOcclusion}, {"simplepath", IntegratorKind::simplePath}, {"simplevolpath", IntegratorKind::volpath},
     {"randomwalk", IntegratorKind::randomWalk}};
 
-/// The most rays that a camera ray may become with IntegratorKind::whitted.
+/// With IntegratorKind::whitted, the most rays that one camera ray may split into.
 constexpr int mostTreeRays = 64;
 
-/// How the light is chosen that a point is lit by. automatic: by power where lights are few, by the tree where they are many.
+/// How the light to sample is chosen. automatic: by power for few lights, by the light tree for many.
 enum class LightSampler { automatic, bvh, power, uniform };
-/// As scenes and --light-sampler name them.
+/// The names in scene files and for --light-sampler.
 inline constexpr std::pair<const char*, LightSampler> lightSamplerNames[] = {{"bvh", LightSampler::bvh}, {"power", LightSampler::power}, {"uniform", LightSampler::uniform}};
 
-/// Whether light samples aim at an even sky, by maps of where it is seen. automatic: where a survey finds the scene closed enough.
+/// Whether light samples of an infinite light without an image are guided by its visibility. automatic: if a survey finds the scene closed
+/// enough.
 enum class EnvironmentGuide { automatic, always, never };
-/// As --environment-guide names them.
+/// The names for --environment-guide.
 inline constexpr std::pair<const char*, EnvironmentGuide> environmentGuideNames[] = {
     {"auto", EnvironmentGuide::automatic}, {"always", EnvironmentGuide::always}, {"never", EnvironmentGuide::never}};
 
-/// What decides how likely a path of throughput t goes on under Russian roulette: root: sqrt(t), so that half of what is lost is lost in numbers and half in
-/// weight (as in Cycles); throughput: t (as in pbrt-v4), so that all paths that are left weigh the same.
+/// The survival probability of a path of throughput t under Russian roulette. root: sqrt(t), so throughput loss is split evenly between the
+/// number of paths and their weight (as in Cycles). throughput: t (as in pbrt-v4), so all surviving paths have the same weight.
 enum class RouletteRule { root, throughput };
-/// As --roulette names them.
+/// The names for --roulette.
 inline constexpr std::pair<const char*, RouletteRule> rouletteRuleNames[] = {{"root", RouletteRule::root}, {"throughput", RouletteRule::throughput}};
 
-/// A path goes on with the probability min(1, scale * t) or min(1, scale * sqrt(t)).
+/// A path survives with probability min(1, scale * t) or min(1, scale * sqrt(t)).
 struct Roulette {
     RouletteRule rule = RouletteRule::root;
     double scale = 1;                      ///< in (1e-6, 1e6)
-    int depth = 4;                         ///< scattering events before it begins, >= 0; pbrt-v4's is 1
+    int depth = 4;                         ///< scattering events before roulette begins, >= 0; pbrt-v4: 1
 };
 
 struct IntegratorDescription {
     IntegratorKind kind = IntegratorKind::volpath;
-    std::string standsFor;                 ///< what the scene asks for, if this takes its place; otherwise empty
-    int maxDepth = 5;                      ///< most scattering events on a path
-    std::optional<Roulette> roulette;      ///< unset: what pays best in the scene (render/roulette_pilot.h)
+    std::string standsFor;                 ///< the integrator that the scene names, if this one replaces it; otherwise empty
+    int maxDepth = 5;                      ///< the most scattering events on a path
+    std::optional<Roulette> roulette;      ///< unset: chosen for the scene by pilot paths (render/roulette_pilot.h)
     bool regularize = false;
     LightSampler lightSampler = LightSampler::automatic;
     EnvironmentGuide environmentGuide = EnvironmentGuide::automatic;
-    bool sampleLights = true;              ///< simplePath: whether lights are sampled; if not, paths have to find them by themselves
-    bool sampleBsdf = true;                ///< simplePath: whether directions follow the BSDF; if not, they are uniform
-    bool cosine = true;                    ///< ambientOcclusion: whether directions follow the cosine; if not, they are uniform
-    double maxDistance = 0;                ///< ambientOcclusion: what is farther away does not occlude, world units; 0: everything does
-    ColorSpace colorSpace = ColorSpace::srgb;  ///< ambientOcclusion: whose white the light has
-    int rays = 16;                         ///< whitted: the most that a camera ray may become, a power of two, at most mostTreeRays
-    int bundle = 4;                        ///< whitted: how many leave a rough surface, 0 or a power of two, at most mostTreeRays
-    double threshold = 0.004;              ///< whitted: rays of less weight are not followed
+    bool sampleLights = true;              ///< simplePath: sample lights; otherwise only paths that hit a light find it
+    bool sampleBsdf = true;                ///< simplePath: sample directions by the BSDF, otherwise uniformly
+    bool cosine = true;                    ///< ambientOcclusion: sample directions by the cosine, otherwise uniformly
+    double maxDistance = 0;                ///< ambientOcclusion: surfaces farther away do not occlude, world units; 0: no limit
+    ColorSpace colorSpace = ColorSpace::srgb;  ///< ambientOcclusion: the colour space whose white the light has
+    int rays = 16;                         ///< whitted: the most rays per camera ray, a power of two, at most mostTreeRays
+    int bundle = 4;                        ///< whitted: rays that leave a rough surface, 0 or a power of two, at most mostTreeRays
+    double threshold = 0.004;              ///< whitted: rays of smaller weight are not traced
     SourceLocation where;
 };
 

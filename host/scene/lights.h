@@ -25,17 +25,17 @@ struct Light {
     /// x cross y points out of the room.
     std::array<glm::dvec3, 4> portal{};
     double scale = 1;
-    std::optional<double> power;          ///< goniometric, projection: total emission, where the image is taken as it is
-    std::optional<double> illuminance;    ///< infinite with an image: lux on a surface that faces the image's +z
+    std::optional<double> power;          ///< goniometric, projection: total power, for the image as it is
+    std::optional<double> illuminance;    ///< infinite with an image: illuminance (lux) of a surface that faces the image's +z
     Transform worldFromLight{1};
     SourceLocation where;
 };
 
-/// What makes a shape emit.
+/// Emission of a shape.
 struct AreaLight {
     Spectrum L;
-    int image = none;                     ///< in Scene::images: L is multiplied by it
-    Mapping imageMapping;                 ///< of the image: from the shape's (u, v)
+    int image = none;                     ///< in Scene::images: multiplies L
+    Mapping imageMapping;                 ///< maps the shape's (u, v) to the image
     double scale = 1;
     std::optional<double> power;
     bool twoSided = false;

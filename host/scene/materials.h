@@ -17,17 +17,17 @@ enum class MaterialKind {
     diffuse, coatedDiffuse, coatedConductor, conductor, dielectric, thinDielectric, diffuseTransmission, hair, measured, principled, subsurface, interface, mix
 };
 
-/// How light leaves a body that it has entered: in the medium's own steps, or by a profile.
+/// How light moves inside a body: by a random walk through its medium, or by a diffusion profile.
 enum class SubsurfaceMethod { randomWalk, diffusion };
 constexpr std::pair<const char*, SubsurfaceMethod> subsurfaceMethodNames[] = {{"randomwalk", SubsurfaceMethod::randomWalk}, {"diffusion", SubsurfaceMethod::diffusion}};
 
-/// How much light leaves a body how far from where it has entered, by normalised diffusion (kernels/shade/diffusion.clh).
+/// Normalised diffusion profile: how much light leaves a body at which distance from where it entered (kernels/shade/diffusion.clh).
 struct DiffusionProfile {
-    Spectrum albedo;    ///< share of the light that enters, in [0, 1]
-    Spectrum length;    ///< d, world units; with a texture: the mean free path, scattering reduced, or what pathTexture is multiplied by
-    int albedoTexture = none;   ///< in Scene::textures: the albedo where light enters
-    int pathTexture = none;     ///< the mean free path there
-    std::shared_ptr<const DiffusionProfile> atWavelengths{};   ///< what counts there instead; null: this
+    Spectrum albedo;    ///< share of the entering light that leaves again, in [0, 1]
+    Spectrum length;    ///< d, world units; with a texture: the mean free path of reduced scattering, or the factor of pathTexture
+    int albedoTexture = none;   ///< in Scene::textures: albedo where light enters
+    int pathTexture = none;     ///< in Scene::textures: mean free path where light enters
+    std::shared_ptr<const DiffusionProfile> atWavelengths{};   ///< replaces this profile in spectral rendering; null: none does
     bool isTextured() const { return albedoTexture != none || pathTexture != none; }
 };
 
@@ -47,14 +47,14 @@ struct DiffusionProfile {
 ///   mix                  amount                        (the weight of mixed[1])
 struct Material {
     MaterialKind kind = MaterialKind::diffuse;
-    std::string name;                       ///< empty for an unnamed one
+    std::string name;                       ///< empty for an unnamed material
     std::map<std::string, Input> inputs;
     bool remapRoughness = true;             ///< roughness r gives microfacet width sqrt(r); otherwise r itself
     std::array<int, 2> mixed{none, none};   ///< mix: in Scene::materials
-    std::shared_ptr<const Medium> interior; ///< subsurface: what light wanders in, homogeneous
-    std::shared_ptr<const DiffusionProfile> diffusion;   ///< subsurface: what comes of that
+    std::shared_ptr<const Medium> interior; ///< subsurface: the homogeneous medium inside the body
+    std::shared_ptr<const DiffusionProfile> diffusion;   ///< subsurface: the profile of that medium
     SubsurfaceMethod method = SubsurfaceMethod::diffusion;
-    std::string file;                       ///< measured: as it can be opened from here
+    std::string file;                       ///< measured: a path that can be opened from the working directory
     int displacement = none;                ///< in Scene::textures: bump map
     int normalMap = none;                   ///< in Scene::images
     SourceLocation where;

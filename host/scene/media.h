@@ -18,17 +18,17 @@ struct Grid {
     std::vector<float> values;
 };
 
-/// Numbers on a sparse grid, in blocks of 8 x 8 x 8 voxels: what a VDB tree holds.
+/// A sparse grid of numbers in blocks of 8 x 8 x 8 voxels, as a VDB tree stores them.
 struct SparseGrid {
-    glm::ivec3 low{0}, high{0};            ///< bounds, inclusive, of the voxels that may differ from 0
-    glm::ivec3 firstBlock{0}, blocks{0};   ///< the blocks that hold them: block b is the voxels 8 b ... 8 b + 7
-    std::vector<std::uint32_t> blockOf;    ///< x fastest: which 512 of `values`; empty: 0 everywhere
+    glm::ivec3 low{0}, high{0};            ///< inclusive bounds of the voxels that may differ from 0
+    glm::ivec3 firstBlock{0}, blocks{0};   ///< the blocks of these voxels: block b has the voxels 8 b ... 8 b + 7
+    std::vector<std::uint32_t> blockOf;    ///< x fastest: which 512 of `values`; empty: all zero
     std::vector<float> values;             ///< 512 for each stored block, x fastest; not negative
-    Transform voxelFromMedium{1};          ///< to where voxel (i, j, k) has its value at the point (i, j, k)
+    Transform voxelFromMedium{1};          ///< maps the medium's space to the space where voxel (i, j, k) is at the point (i, j, k)
     static constexpr std::uint32_t empty = 0xffffffffu;
 };
 
-/// Colours on a regular grid, x fastest; those that are not given are empty.
+/// Colours on regular grids, x fastest; grids that are not given are empty.
 struct ColorGrid {
     int nx = 1, ny = 1, nz = 1;
     std::vector<glm::vec3> sigmaA, sigmaS, Le;
@@ -41,17 +41,17 @@ struct MediumKind;   // host/kinds/medium_kind.h
 struct Medium {
     const MediumKind* kind = nullptr;   ///< never null in a scene
     std::string name;
-    Spectrum sigmaA, sigmaS;       ///< per world unit, "scale" multiplied in; rgbgrid: that alone, for its colours to multiply
-    Spectrum Le;                   ///< "Lescale" multiplied in, if it is one number
+    Spectrum sigmaA, sigmaS;       ///< per world unit, "scale" included; rgbgrid: only the scale, which its colours multiply
+    Spectrum Le;                   ///< "Lescale" included, if it is a single number
     double g = 0;
-    glm::dvec3 p0{0}, p1{1};       ///< heterogeneous: its box in the medium's own space
+    glm::dvec3 p0{0}, p1{1};       ///< heterogeneous media: their box in medium space
     Transform worldFromMedium{1};
 
     Grid density;                  ///< uniformgrid
     Grid temperature, LeScale;     ///< uniformgrid: empty if not given
     std::shared_ptr<const SparseGrid> sparseDensity, sparseTemperature;  ///< nanovdb; the temperature may be null
     double temperatureOffset = 0, temperatureScale = 1;                  ///< kelvin = (temperature - offset) * scale
-    double emissionScale = 1;      ///< of what shines by its temperature, or by the colours of a grid
+    double emissionScale = 1;      ///< factor of emission by temperature or by a grid of colours
     ColorGrid colors;              ///< rgbgrid
     double cloudDensity = 1, wispiness = 1, frequency = 5;               ///< cloud
 

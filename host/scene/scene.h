@@ -1,7 +1,7 @@
 #pragma once
-// A scene as it was described, before it is packed for a device: what the pbrt and OBJ readers produce and
-// host/pack turns into tables. Plain data; indices instead of pointers; -1 means "none".
-// Positions and lengths are in world units, angles in degrees as the file gives them, matrices column-major (glm).
+// A scene as described by its file, before it is packed for a device: the pbrt and OBJ readers produce it, and host/pack makes tables of
+// it. Plain data with indices instead of pointers; -1 means "none". Positions and lengths are in world units, angles in degrees as in the
+// file, matrices column-major (glm).
 
 #include "scene/camera.h"
 #include "scene/film.h"
@@ -17,7 +17,8 @@
 
 namespace eikonal {
 
-/// How colours are carried: as linear sRGB, or at wavelengths. automatic: at wavelengths where the scene needs them (pack/color_mode.h).
+/// How colours are represented: as linear sRGB, or at sampled wavelengths. automatic: at wavelengths if the scene needs them
+/// (pack/color_mode.h).
 enum class ColorMode { automatic, rgb, spectral };
 
 struct Scene {
@@ -37,7 +38,7 @@ struct Scene {
     std::vector<Medium> media;
     std::vector<Light> lights;
     std::vector<AreaLight> areaLights;
-    double motionStart = 0, motionEnd = 1;   ///< between these times everything moves that does; start < end
+    double motionStart = 0, motionEnd = 1;   ///< everything that moves does so between these times; start < end
 };
 
 }  // namespace eikonal

@@ -1,21 +1,21 @@
-/* How the paths of a wave stand for samples of pixels. */
+/* Which sample of which pixel each path of a wave is. */
 #ifndef EIKONAL_BATCH_H
 #define EIKONAL_BATCH_H
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
 
-/* Of how many batches a wave may have paths in flight. */
+/* The most batches that share one wave. */
 #define MOST_BATCHES 16
 
-/* One sample of each pixel of a block: as many paths as the block has pixels, row after row. */
+/* One sample of each pixel of a block: one path per pixel, row by row. */
 typedef struct {
-    uint x, y;      /* the block's upper left pixel */
-    uint sample;    /* which of each pixel */
+    uint x, y;      /* upper left pixel of the block */
+    uint sample;    /* sample index of every pixel */
 } layer;
 
-/* The layers of a block, in the order of the samples. */
+/* The layers of one block, ordered by sample. */
 typedef struct {
-    uint first;     /* layer of the batch */
+    uint first;     /* index among the layers of the batch */
     uint layers;
 } layer_range;
 

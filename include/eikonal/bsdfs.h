@@ -1,4 +1,4 @@
-/* Every BSDF: its parameters, as they reach the shading kernel in its hit queue, textures already evaluated.
+/* Every BSDF and its parameters, as the shading kernel finds them in its hit queue, textures already evaluated.
    B(name, FEATURE, PARAMETERS).  A BSDF called x is kernels/bsdf/x.clh, which defines eval_x, sample_x and pdf_x. */
 #ifndef EIKONAL_BSDFS_H
 #define EIKONAL_BSDFS_H
@@ -10,14 +10,14 @@
 
 /* Lambertian reflection and transmission. */
 #define DIFFUSE_TRANSMISSION_PARAMETERS(F, q) \
-    F(q, spectrum, reflectance,   ALWAYS)    /* their sum is at most 1 */ \
+    F(q, spectrum, reflectance,   ALWAYS)    /* reflectance + transmittance is at most 1 */ \
     F(q, spectrum, transmittance, ALWAYS)
 
 /* A metal with GGX microfacets. */
 #define CONDUCTOR_PARAMETERS(F, q) \
     F(q, spectrum, eta,           ALWAYS)    /* complex index of refraction: real part */ \
-    F(q, spectrum, k,             ALWAYS)    /* and imaginary part */ \
-    F(q, float,    alpha_x,       ALWAYS)    /* microfacet widths along the tangent and across, at least MIN_ALPHA */ \
+    F(q, spectrum, k,             ALWAYS)    /* its imaginary part */ \
+    F(q, float,    alpha_x,       ALWAYS)    /* microfacet widths along and across the tangent, at least MIN_ALPHA */ \
     F(q, float,    alpha_y,       ALWAYS)
 
 /* A polished metal. */
@@ -25,35 +25,35 @@
     F(q, spectrum, eta,           ALWAYS) \
     F(q, spectrum, k,             ALWAYS)
 
-/* The boundary of a transparent body, with GGX microfacets. */
+/* A dielectric interface with GGX microfacets. */
 #define DIELECTRIC_PARAMETERS(F, q) \
     F(q, float,    eta,           ALWAYS)    /* index inside over index outside */ \
     F(q, float,    alpha_x,       ALWAYS) \
     F(q, float,    alpha_y,       ALWAYS)
 
-/* A polished boundary of a transparent body. */
+/* A smooth dielectric interface. */
 #define SPECULAR_DIELECTRIC_PARAMETERS(F, q) \
     F(q, float,    eta,           ALWAYS)
 
-/* A thin transparent sheet with both of its boundaries. */
+/* A thin dielectric slab: both of its interfaces. */
 #define THIN_DIELECTRIC_PARAMETERS(F, q) \
     F(q, float,    eta,           ALWAYS)
 
-/* A dielectric coat over a diffuse base, a medium in between: the layered random walk of Guo et al. 2018. */
+/* A dielectric coat over a diffuse base with a medium in between: the layered random walk of Guo et al. 2018. */
 #define COATED_DIFFUSE_PARAMETERS(F, q) \
     F(q, spectrum, reflectance,   ALWAYS)    /* of the base */ \
     F(q, float,    eta,           ALWAYS)    /* index of the coat over index outside */ \
     F(q, float,    alpha_x,       ALWAYS)    /* of the coat; below MIN_ALPHA: smooth */ \
     F(q, float,    alpha_y,       ALWAYS) \
-    F(q, float,    thickness,     ALWAYS)    /* of the medium, in its own units */ \
+    F(q, float,    thickness,     ALWAYS)    /* of the medium, optical */ \
     F(q, spectrum, albedo,        ALWAYS)    /* of the medium; 0: no medium */ \
     F(q, float,    g,             ALWAYS)    /* of the medium: mean cosine */ \
-    F(q, uint,     max_depth,     ALWAYS)    /* longest walk */ \
-    F(q, uint,     samples,       ALWAYS)    /* walks for one evaluation */
+    F(q, uint,     max_depth,     ALWAYS)    /* most events of a walk */ \
+    F(q, uint,     samples,       ALWAYS)    /* walks per evaluation */
 
-/* The same coat and medium over a metal. */
+/* The same coat and medium over a conductor. */
 #define COATED_CONDUCTOR_PARAMETERS(F, q) \
-    F(q, spectrum, metal_eta,     ALWAYS)    /* of the metal, against vacuum */ \
+    F(q, spectrum, metal_eta,     ALWAYS)    /* of the metal, relative to vacuum */ \
     F(q, spectrum, metal_k,       ALWAYS) \
     F(q, float,    metal_alpha_x, ALWAYS)    /* of the metal; below MIN_ALPHA: smooth */ \
     F(q, float,    metal_alpha_y, ALWAYS) \
@@ -68,34 +68,34 @@
 
 /* Plastic to metal, under a clear coat, with sheen. */
 #define PRINCIPLED_PARAMETERS(F, q) \
-    F(q, spectrum, base,          ALWAYS)    /* albedo below the surface; of a metal: reflectance at normal incidence. In [0, 1] */ \
+    F(q, spectrum, base,          ALWAYS)    /* diffuse albedo; of metal: reflectance at normal incidence. In [0, 1] */ \
     F(q, float,    metallic,      ALWAYS)    /* 0: plastic, 1: metal */ \
-    F(q, float,    eta,           ALWAYS)    /* of the plastic's surface, at least 1 */ \
+    F(q, float,    eta,           ALWAYS)    /* index of the plastic, at least 1 */ \
     F(q, float,    alpha_x,       ALWAYS)    /* of plastic and metal */ \
     F(q, float,    alpha_y,       ALWAYS) \
-    F(q, float,    coat,          ALWAYS)    /* how much of the surface has a clear coat, in [0, 1] */ \
+    F(q, float,    coat,          ALWAYS)    /* weight of the clear coat, in [0, 1] */ \
     F(q, float,    coat_alpha,    ALWAYS) \
     F(q, float,    sheen,         ALWAYS)    /* in [0, 1] */
 
-/* A fibre: the four ways through it of Chiang et al. 2016. The tangent runs along it. */
+/* A hair fibre: the four lobes of Chiang et al. 2016. The tangent is the fibre's axis. */
 #define HAIR_PARAMETERS(F, q) \
-    F(q, spectrum, sigma_a,       ALWAYS)    /* absorption per radius of the fibre */ \
-    F(q, float,    h,             ALWAYS)    /* where across the fibre, in [-1, 1] */ \
+    F(q, spectrum, sigma_a,       ALWAYS)    /* absorption per fibre radius */ \
+    F(q, float,    h,             ALWAYS)    /* offset across the fibre, in [-1, 1] */ \
     F(q, float,    eta,           ALWAYS) \
     F(q, float,    beta_m,        ALWAYS)    /* roughness along the fibre, in [0, 1] */ \
-    F(q, float,    beta_n,        ALWAYS)    /* roughness around it */ \
-    F(q, float,    scale_tilt,    ALWAYS)    /* angle of the scales on its surface, degrees */
+    F(q, float,    beta_n,        ALWAYS)    /* roughness around the fibre, in [0, 1] */ \
+    F(q, float,    scale_tilt,    ALWAYS)    /* angle of the cuticle scales, degrees */
 
 /* Measured by a goniophotometer. */
 #define MEASURED_PARAMETERS(F, q) \
     F(q, uint,     file,          ALWAYS)    /* in `measured_files` */
 
-/* The surface of a body where light leaves it that was diffused inside: Lambertian below the boundary. */
+/* The surface where a path leaves a body with a diffusion profile: Lambertian below the interface. */
 #define SUBSURFACE_EXIT_PARAMETERS(F, q) \
-    F(q, spectrum, weight,        ALWAYS)    /* what the profile says over the density with which this point was found */ \
+    F(q, spectrum, weight,        ALWAYS)    /* profile over the density of sampling this exit point */ \
     F(q, spectrum, albedo,        ALWAYS)    /* of the body, in [0, 1] */ \
     F(q, float,    eta,           ALWAYS)    /* index inside over index outside */ \
-    F(q, float,    passing,       ALWAYS)    /* how much the boundary lets through of light that comes from all sides, in (0, 1] */
+    F(q, float,    passing,       ALWAYS)    /* transmittance of the interface for diffuse light, in (0, 1] */
 
 #define BSDFS(B) \
     B(diffuse,              BSDF_DIFFUSE,              DIFFUSE_PARAMETERS) \
@@ -112,7 +112,7 @@
     B(measured,             BSDF_MEASURED,             MEASURED_PARAMETERS) \
     B(subsurface_exit,            BSDF_SUBSURFACE_EXIT,            SUBSURFACE_EXIT_PARAMETERS)
 
-/* Microfacets narrower than this are numerically a mirror (pbrt-v4's limit for "effectively smooth"). */
+/* Narrower microfacets are treated as a mirror (pbrt-v4's limit for "effectively smooth"). */
 #define MIN_ALPHA 1e-3f
 
 #endif

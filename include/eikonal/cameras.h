@@ -1,5 +1,5 @@
-/* Every camera.   C(name, FEATURE).  A camera called x is kernels/camera/x.clh, which defines generate_x. One that is not
-   straight-line (realistic: a loop over lens elements) keeps generate_rays from being widened, in scenes that have it. */
+/* Every camera.   C(name, FEATURE).  A camera called x is kernels/camera/x.clh, which defines generate_x. A camera with a loop
+   (realistic: over lens elements) keeps the compiler from vectorising generate_rays in scenes that use it. */
 #ifndef EIKONAL_CAMERAS_H
 #define EIKONAL_CAMERAS_H
 #include "eikonal/motion.h"
@@ -15,43 +15,43 @@ CONTRACT_BEGIN
 #define CAMERA_KIND(name, FEATURE) camera_##name,
 enum camera_kind { CAMERAS(CAMERA_KIND) camera_kinds };
 
-/* Intervals of the distance from the film's centre, from 0 to half its diagonal, for each of which the exit pupil is bounded. */
+/* Number of film intervals with their own exit-pupil bounds; they divide the distance from the film's centre to its corner. */
 #define PUPIL_INTERVALS 64
 
-/* One interface of a realistic lens, as rays from the film meet it. The film lies at z = 0, +z points to the scene; metres. */
+/* One interface of a realistic lens, in the order of rays from the film. The film is at z = 0, +z points to the scene; metres. */
 typedef struct {
-    float z;                       /* of its vertex */
-    float radius;                  /* of curvature, as rays from the scene see it: > 0 is convex; 0: the aperture stop */
-    float aperture;                /* its half diameter */
-    float eta;                     /* index on the side of the scene over index on the side of the film */
+    float z;                       /* z of its vertex */
+    float radius;                  /* of curvature, for rays from the scene: > 0 is convex; 0: the aperture stop */
+    float aperture;                /* half its diameter */
+    float eta;                     /* index on the scene side over index on the film side */
 } lens_element;
 
-/* Where on the plane of the last lens light comes from that reaches film points in one interval: a rectangle, for a film point on
-   the positive x axis. Empty if low_x > high_x. Metres. */
+/* The exit pupil seen from the film points of one interval, for points on the positive x axis: a rectangle on the plane of the rear lens
+   element. Empty if low_x > high_x. Metres. */
 typedef struct { float low_x, low_y, high_x, high_y; } pupil_bounds;
 
-/* A film plane in front of the eye. Screen x runs to the right and y up; camera space looks along +z. What "screen" is:
+/* A film plane in front of the eye. Screen x points right and y up; camera space looks along +z. Screen space by kind:
      perspective   the plane z = 1        orthographic   the plane z = 0        spherical   the unit square of its mapping, y down
-     realistic     the film itself, upside down and mirrored as a lens makes it, metres */
+     realistic     the film itself, whose image is upside down and mirrored, metres */
 typedef struct {
     uint kind;                     /* enum camera_kind */
-    affine scene_from_camera;      /* of a camera that moves: where it is when the motion starts */
+    affine scene_from_camera;      /* of a moving camera: at the start of all motion */
     motion moving;                 /* scene from camera; only with CAMERA_MOTION */
     shutter times;
     float screen_x, screen_y;      /* screen coordinates of the upper left corner of pixel (0, 0) */
-    float step_x, step_y;          /* screen coordinates from one pixel to the next; step_y < 0 */
-    float lens_radius;             /* in camera space; 0: a pinhole */
+    float step_x, step_y;          /* screen distance between neighbouring pixels; step_y < 0 */
+    float lens_radius;             /* camera space; 0: pinhole */
     float focal_distance;          /* along z, camera space */
-    uint equal_area;               /* spherical: 1: equal-area mapping (Clarberg 2008), 0: longitude and latitude */
-    uint element_count;            /* realistic: in `lens_elements`, from the film to the scene */
-    float rear_z;                  /* realistic: vertex of the element next to the film, metres */
+    uint equal_area;               /* spherical: 1: equal-area mapping (Clarberg 2008), 0: equirectangular mapping */
+    uint element_count;            /* realistic: in `lens_elements`, from film to scene */
+    float rear_z;                  /* realistic: vertex of the rear element, metres */
     float film_radius;             /* realistic: half the film's diagonal, metres */
-    uint aperture_width, aperture_height; /* realistic: texels in `aperture_texels`; 0: the stop is round */
-    uint medium;                   /* around the camera, or NONE */
+    uint aperture_width, aperture_height; /* realistic: size of the image in `aperture_texels`; 0: a round stop */
+    uint medium;                   /* medium around the camera, or NONE */
 } camera;
 
-/* A reconstruction filter, separable, sampled by importance: a piecewise-constant density over FILTER_CELLS cells of one
-   axis as an alias table (in `filter_aliases`: x, then y), and the filter's value over that density. */
+/* A separable reconstruction filter, importance-sampled from a piecewise-constant density: FILTER_CELLS cells per axis as an alias table
+   (in `filter_aliases`: x, then y), and the filter's value over that density. */
 #define FILTER_CELLS 64
 typedef struct {
     float radius_x, radius_y;      /* pixels */

@@ -1,33 +1,33 @@
-/* Which dimension of the random sequence each decision uses. A number is a function of (pixel, sample, dimension, seed):
-   no decision shares its dimension with another, so the order in which paths run cannot matter. */
+/* The dimension of the random sequence that each decision uses. A random number is a function of (pixel, sample, dimension, seed).
+   No two decisions share a dimension, so the order in which paths are processed does not affect the image. */
 #ifndef EIKONAL_DIMENSIONS_H
 #define EIKONAL_DIMENSIONS_H
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
 
 enum camera_dimension {
-    dimension_pixel,           /* 2D: where in the pixel's filter */
-    dimension_lens,            /* 2D: where on the lens */
-    dimension_time,            /* 1D: when in the shutter's interval */
-    dimension_wavelength,      /* 1D: which wavelengths; with SPECTRAL_FILM 2D */
+    dimension_pixel,           /* 2D: position in the pixel filter */
+    dimension_lens,            /* 2D: position on the lens */
+    dimension_time,            /* 1D: time in the shutter interval */
+    dimension_wavelength,      /* 1D: wavelengths; with SPECTRAL_FILM 2D */
     camera_dimensions = 8
 };
 
-/* For each bounce; the dimension is camera_dimensions + depth * bounce_dimensions + one of these. */
+/* Per bounce; the dimension is camera_dimensions + depth * bounce_dimensions + one of these. */
 enum bounce_dimension {
-    dimension_light,           /* 1D: which light of a tree */
-    dimension_light_point,     /* 2D: which light of a few, and where on it */
-    dimension_lobe,            /* 1D: which lobe of the BSDF */
-    dimension_direction,       /* 2D: which direction of it */
-    dimension_roulette,        /* 1D: whether to go on */
-    dimension_mix,             /* 1D: which material of a mix */
-    dimension_walk,            /* seed of further random numbers: layered BSDFs */
-    dimension_distance,        /* seed of further random numbers: tracking through a medium */
-    dimension_transmittance,   /* seed of further random numbers: a shadow ray through media */
-    dimension_alpha,           /* seed: cut-outs on the way */
-    dimension_probe_axis,      /* 1D: along which axis to look for where light leaves a body, and for which channel's profile */
-    dimension_probe,           /* 2D: how far away, and in which direction */
-    dimension_exit,            /* seed: which of the points that a probe has met */
+    dimension_light,           /* 1D: choice of a light in the light tree */
+    dimension_light_point,     /* 2D: choice of a light by the alias table, and the point on it */
+    dimension_lobe,            /* 1D: choice of a BSDF lobe */
+    dimension_direction,       /* 2D: direction within the lobe */
+    dimension_roulette,        /* 1D: Russian roulette */
+    dimension_mix,             /* 1D: choice of a material in a mix */
+    dimension_walk,            /* seed of a random stream: the random walk of layered BSDFs */
+    dimension_distance,        /* seed of a random stream: distance sampling in media */
+    dimension_transmittance,   /* seed of a random stream: transmittance of a shadow ray through media */
+    dimension_alpha,           /* seed: alpha tests */
+    dimension_probe_axis,      /* 1D: axis of the probe ray and channel of the diffusion profile */
+    dimension_probe,           /* 2D: distance and azimuth of the probe ray */
+    dimension_exit,            /* seed: choice among the exit points of a probe ray */
     bounce_dimensions = 16
 };
 

@@ -1,6 +1,6 @@
-/* Everything that a scene may require. On the device a feature X is the macro HAS_X, 0 or 1, and code asks `if (HAS_X)`;
-   on the host it is a bit of `Features` (host/feature_set.h). A kernel's program is built with just the features that its
-   source mentions, so that scenes share binaries.   F(NAME, what asks for it) */
+/* Everything that a scene may require. On the device a feature X is the macro HAS_X, 0 or 1, and code tests `if (HAS_X)`;
+   on the host it is a bit of `Features` (host/feature_set.h). A kernel's program is built with only those features that its
+   source mentions, so scenes can share binaries.   F(NAME, what requires it) */
 #ifndef EIKONAL_FEATURES_H
 #define EIKONAL_FEATURES_H
 #include "eikonal/bsdfs.h"
@@ -54,7 +54,7 @@
     F(AOVS,             "auxiliary image channels") \
     F(MOTION_VECTORS,   "the channel \"motion\", and a shape that moves")
 
-/* Calls F(FEATURE, name of the kind) for the kinds of each list. */
+/* Calls F(FEATURE, name of the kind) for every kind in each list. */
 #define FEATURE_OF_BSDF(name, FEATURE, PARAMETERS) KIND_FEATURE(FEATURE, #name)
 #define FEATURE_OF_KIND(name, FEATURE) KIND_FEATURE(FEATURE, #name)
 #define FEATURE_OF_LIGHT(name, FEATURE, PLACE) KIND_FEATURE(FEATURE, #name)

@@ -1,44 +1,44 @@
-/* The film: what is kept of a pixel's samples. A sample contributes to its own pixel only, so crops and tiles join exactly. */
+/* The film: statistics of each pixel's samples. A sample contributes to its own pixel only, so crops and tiles join exactly. */
 #ifndef EIKONAL_FILM_H
 #define EIKONAL_FILM_H
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
 
-/* F(queue, type, name, FEATURE). Samples are taken in their order, each after the one before, so that wave sizes, tiles and crops change no
-   bit. The sums that make the image are compensated (Kahan), so that a million samples lose no more than a few do. */
+/* F(queue, type, name, FEATURE). Samples are added in order, one after the other, so wave size, tiles and crops do not change a bit.
+   The sums that make the image are compensated (Kahan), so a million samples lose no more precision than a few. */
 #define FILM_FIELDS(F, q) \
-    F(q, rgb,      sum,           ALWAYS)   /* of weight * what the film makes of L */ \
-    F(q, rgb,      compensation,  ALWAYS)   /* what the sum has too much by rounding */ \
+    F(q, rgb,      sum,           ALWAYS)   /* of weight * film response to L */ \
+    F(q, rgb,      compensation,  ALWAYS)   /* rounding error of sum */ \
     F(q, float,    weight,        ALWAYS)   /* sum of weights */ \
-    F(q, float,    weight_excess, ALWAYS)   /* what that sum has too much by rounding */ \
+    F(q, float,    weight_excess, ALWAYS)   /* rounding error of weight */ \
     F(q, float,    square_weight, ALWAYS)   /* sum of weight^2 */ \
-    F(q, float,    mean,          ALWAYS)   /* of luminance, by weight^2 */ \
+    F(q, float,    mean,          ALWAYS)   /* of luminance, weighted by weight^2 */ \
     F(q, float,    spread,        ALWAYS)   /* sum of weight^2 * (luminance - mean)^2, at most MOST_SPREAD */ \
     F(q, uint,     count,         ALWAYS)   /* samples */ \
-    F(q, uint,     invalid,       ALWAYS)   /* samples that were not finite or above MOST_RADIANCE, counted as black */ \
-    F(q, rgb,      albedo,       AOVS)     /* sums of weight * what the path saw */ \
+    F(q, uint,     invalid,       ALWAYS)   /* samples not finite or above MOST_RADIANCE, counted as black */ \
+    F(q, rgb,      albedo,       AOVS)     /* sum of weight * value; the same for the next two */ \
     F(q, vec3,     normal,       AOVS) \
     F(q, vec3,     ng,           AOVS) \
-    F(q, vec3,     position,     AOVS)     /* sums over the samples that saw a surface ... */ \
+    F(q, vec3,     position,     AOVS)     /* sum over the samples that hit a surface; the same for the next four */ \
     F(q, vec2,     uv,           AOVS) \
-    F(q, vec3,     opening,      MOTION_VECTORS) /* where those surfaces' points are when the shutter opens ... */ \
-    F(q, vec3,     closing,      MOTION_VECTORS) /* ... and when it closes */ \
+    F(q, vec3,     opening,      MOTION_VECTORS) /* of the surface point at shutter open */ \
+    F(q, vec3,     closing,      MOTION_VECTORS) /* of the surface point at shutter close */ \
     F(q, float,    distance,     AOVS) \
-    F(q, float,    seen,         AOVS)     /* ... and their number */ \
-    F(q, uint,     object,       AOVS)     /* of most samples, by majority vote (Boyer and Moore 1991) ... */ \
-    F(q, uint,     object_lead,  AOVS)     /* ... and its lead */ \
+    F(q, float,    seen,         AOVS)     /* number of samples that hit a surface */ \
+    F(q, uint,     object,       AOVS)     /* of most samples, by majority vote (Boyer and Moore 1991) */ \
+    F(q, uint,     object_lead,  AOVS)     /* lead of the current candidate */ \
     F(q, uint,     material,     AOVS) \
     F(q, uint,     material_lead, AOVS)
 
-/* With SPECTRAL_FILM the buckets of the pixel's spectrum follow, `bucket_count` of them (settings), of two words each: the sum of weight * L at those
-   wavelengths of its samples that lie in the bucket, and what that sum has too much by rounding. */
+/* With SPECTRAL_FILM the `bucket_count` buckets (settings) of the pixel's spectrum follow, of two words each: the sum of weight * L at the
+   wavelengths of its samples that lie in the bucket, and the rounding error of that sum. */
 #define BUCKET_WORDS 2
 
-/* The brightest sample that is believed: a million of them still add up to a float. The sun is 1e9. */
+/* Brighter samples count as invalid. A million samples of this value still sum to a finite float. The sun is 1e9. */
 #define MOST_RADIANCE 1e31f
-/* Where sums stop. */
+/* Sums are clamped to this. */
 #define MOST_SUM 3e38f
-/* Where it stops to grow: beyond, squares are no floats any more. */
+/* `spread` is clamped to this, since larger squares overflow a float. */
 #define MOST_SPREAD 1e36f
 
 CONTRACT_END

@@ -1,6 +1,6 @@
-/* The types that both compilers share. The contract headers (this folder) are read by the C++ compiler and by OpenCL C:
+/* Types shared by both compilers. C++ and OpenCL C both read the contract headers (this folder):
    they hold lists, enumerations and plain structs of 32-bit words, and no logic.
-   Everything is made of 4-byte words, so a struct has the same layout in both languages; `layout_probe` proves it. */
+   Structs consist of 4-byte words only, so both languages give them the same layout; `layout_probe` tests it. */
 #ifndef EIKONAL_PORTABLE_H
 #define EIKONAL_PORTABLE_H
 
@@ -19,13 +19,13 @@ CONTRACT_BEGIN
 using uint = std::uint32_t;
 #endif
 
-/* Scalars side by side, not OpenCL vectors: a float3 in a shading kernel stops PoCL's vectoriser (docs/performance.md). */
+/* Structs of scalars, not OpenCL vectors: a float3 in a shading kernel stops PoCL's vectoriser (docs/performance.md). */
 typedef struct { float x, y; } vec2;
 typedef struct { float x, y, z; } vec3;
 
-/* A distribution over wavelengths as a path carries it: throughput, radiance, a BSDF's parameter. Three channels of linear sRGB or,
-   with SPECTRAL, the values at four wavelengths of the path's own (kernels/shade/color.clh).
-   Only kernels/shade/spectrum.clh and queue.clh know how many channels there are. */
+/* A spectrum as a path carries it: throughput, radiance, a parameter of a BSDF. Three channels of linear sRGB or, with SPECTRAL,
+   values at the path's four sampled wavelengths (kernels/shade/color.clh).
+   Only kernels/shade/spectrum.clh and queue.clh know the number of channels. */
 #if HAS_SPECTRAL
 typedef struct { float r, g, b, x; } spectrum;
 #else
@@ -34,18 +34,18 @@ typedef struct { float r, g, b; } spectrum;
 #define CHANNELS_RGB 3
 #define CHANNELS_SPECTRAL 4
 
-/* What a pixel holds: linear sRGB. */
+/* A pixel value: linear sRGB. */
 typedef struct { float r, g, b; } rgb;
 
-/* A distribution over wavelengths as a table holds it: eval_color (kernels/shade/color.clh) makes a spectrum of it. A number (what is the
-   same at all wavelengths) can be read from `scale` alone. */
+/* A spectrum as a table stores it; eval_color (kernels/shade/color.clh) makes a spectrum of it. A number (the same at all wavelengths) can
+   be read from `scale` alone. */
 typedef struct {
-    float c0, c1, c2;    /* linear sRGB; with SPECTRAL the coefficients of a smooth spectrum: see eval_smooth */
-    float scale;         /* with SPECTRAL: times this */
-    uint curve;          /* with SPECTRAL: times this one of `curves` */
+    float c0, c1, c2;    /* linear sRGB; with SPECTRAL: coefficients of a smooth spectrum, see eval_smooth */
+    float scale;         /* with SPECTRAL: a factor */
+    uint curve;          /* with SPECTRAL: another factor, one of `curves` */
 } color;
 
-/* Rows of an affine map from one space to another: p' = (dot(row_x.xyz, p) + row_x.w, ...). */
+/* Rows of an affine map between two spaces: p' = (dot(row_x.xyz, p) + row_x.w, ...). */
 typedef struct { float xx, xy, xz, xw, yx, yy, yz, yw, zx, zy, zz, zw; } affine;
 
 #define WORDS_uint 1
@@ -60,12 +60,12 @@ typedef struct { float xx, xy, xz, xw, yx, yy, yz, yw, zx, zy, zz, zw; } affine;
 #endif
 #define WORDS_rgb 3
 
-/* "No such index", for every table. */
+/* "No such index", in every table. */
 #define NONE 0xffffffffu
 
-/* The longest distance. Finite, since the kernels are built with -cl-finite-math-only, where an infinity is undefined. */
+/* The largest distance. Finite, since kernels are built with -cl-finite-math-only, where infinity is undefined. */
 #define FAR_AWAY 1e30f
-/* A shadow ray ends this fraction short of the light, so as not to hit it. */
+/* Shadow rays end this fraction before the light, to avoid hitting it. */
 #define SHADOW_EPSILON 1e-4f
 
 CONTRACT_END

@@ -1,5 +1,5 @@
-/* The scene as the device sees it: every table, its element type, and the struct of all that is not a table.
-   T(type, name).  A stage has a group of tables among its arguments (kernels/stages/stage.clh). */
+/* The scene as the device sees it: every table with its element type, and one struct for everything that is not a table.
+   T(type, name).  A stage takes groups of tables as arguments (kernels/stages/stage.clh). */
 #ifndef EIKONAL_SCENE_H
 #define EIKONAL_SCENE_H
 #include "eikonal/bvh.h"
@@ -13,48 +13,49 @@
 #include "eikonal/textures.h"
 CONTRACT_BEGIN
 
-/* A material: which BSDF, and where its parameters come from. */
+/* A material: a BSDF and the sources of its parameters. */
 typedef struct {
-    uint next_queue;            /* enum next_queue (stages.h): its BSDF's queue, or next_crossing for an interface, or next_mix */
+    uint next_queue;            /* enum next_queue (stages.h): its BSDF's queue, next_crossing for a null interface, or next_mix */
     uint first_input;    /* in `material_inputs`: one for each parameter of its BSDF */
     uint input_count;
     uint displacement;   /* in `programs`: bump map; NONE: none */
     uint normal_map;     /* in `images`; NONE: none */
     uint mix_a, mix_b;   /* next_mix: in `materials` */
     uint mix_amount;     /* next_mix: in `programs`: the probability of b */
-    uint regular;        /* with REGULARIZE: in `materials`: the same, rougher, for paths that are blurred already; itself: nothing is to be roughened */
-    uint interior;       /* with SUBSURFACE: in `media`: what is inside of it; NONE: nothing of its own */
-    uint profile;        /* with DIFFUSION: in `profiles`: how light that has entered spreads; NONE: it goes on as a ray */
-    uint transmits;      /* 1: light goes through its surface, so that surfaces are lit from both sides */
-    uint disperses;      /* 1: it has an input_hero, and paths that meet it go on with their first wavelength */
+    /* with REGULARIZE: in `materials`: the same with rougher lobes, for paths with a nonspecular vertex; itself: nothing to roughen */
+    uint regular;
+    uint interior;       /* with SUBSURFACE: in `media`: the medium inside; NONE: no medium of its own */
+    uint profile;        /* with DIFFUSION: in `profiles`: diffusion profile of the light that enters; NONE: it continues as a ray */
+    uint transmits;      /* 1: light passes through the surface, so both sides are lit */
+    uint disperses;      /* 1: it has an input_hero; paths that hit it terminate their secondary wavelengths */
 } material;
 
-/* A body that light is diffused in: how much comes out where (kernels/shade/diffusion.clh). */
+/* A body with a diffusion profile (kernels/shade/diffusion.clh). */
 typedef struct {
-    color albedo;        /* share of the light that has entered that leaves again, in [0, 1] */
-    color length;        /* d of the profile, scene units, > 0; with a texture: the mean free path, or what path_texture is multiplied by */
-    uint albedo_texture; /* with BODY_TEXTURES: in `programs`: the albedo where light enters; NONE: `albedo` everywhere */
-    uint path_texture;   /* the same of the mean free path */
-    float stretch;       /* how much wider the boundary makes a profile, at most: eta^2 - 1, at least 0 */
-    uint subsurface_exit;      /* in `materials`: how its surface lets light out */
+    color albedo;        /* fraction of the entering light that leaves again, in [0, 1] */
+    color length;        /* d of the profile, scene units, > 0; with a texture: the mean free path, or the factor of path_texture */
+    uint albedo_texture; /* with BODY_TEXTURES: in `programs`: the albedo where light enters; NONE: `albedo` */
+    uint path_texture;   /* with BODY_TEXTURES: in `programs`: the mean free path where light enters; NONE: `length` everywhere */
+    float stretch;       /* at most how much the boundary widens a profile: eta^2 - 1, at least 0 */
+    uint subsurface_exit;      /* in `materials`: the material of exit points, whose BSDF is subsurface_exit */
 } diffusion_profile;
 
-enum input_kind { input_number, input_count, input_spectrum, input_hero /* a number: the value at the path's first wavelength */ };
+enum input_kind { input_number, input_count, input_spectrum, input_hero /* a number: its value at the path's first wavelength */ };
 
-/* One parameter of a material: a texture, or else a value. */
+/* One parameter of a material: a texture or a constant. */
 typedef struct {
     uint texture;        /* in `programs`; NONE: use value */
-    uint slot;           /* which word of its BSDF's parameters it fills first */
+    uint slot;           /* first word that it fills among its BSDF's parameters */
     uint kind;           /* enum input_kind */
-    uint count;          /* input_count: the value */
-    color value;         /* otherwise; a number is its scale */
+    uint count;          /* the value of an input_count */
+    color value;         /* the value of other kinds; a number is its scale */
 } material_input;
 
-/* What traversal reads. */
+/* Read by BVH traversal. */
 #define GEOMETRY_TABLES(T) \
     T(bvh_node,       nodes) \
     T(triangle_line,  triangle_lines)        /* of the leaves */ \
-    T(uint,           leaf_elements)         /* elements, or instances, by leaf kind */ \
+    T(uint,           leaf_elements)         /* element numbers of non-triangle leaves */ \
     T(uint,           element_shapes)        /* element -> shape */ \
     T(shape,          shapes) \
     T(quadric,        quadrics) \
@@ -62,42 +63,43 @@ typedef struct {
     T(implicit,       implicits) \
     T(implicit_instruction, implicit_instructions) \
     T(instance,       instances) \
-    T(motion,         motions)               /* of instances that move */ \
+    T(motion,         motions)               /* of moving instances */ \
     T(uint,           indices)               /* vertices of each element of a mesh */ \
     T(vec3,           positions)
 
-/* What evaluating textures reads. */
+/* Read by texture evaluation. */
 #define TEXTURE_TABLES(T) \
     T(texture_program,     programs) \
     T(texture_instruction, instructions) \
     T(image,               images) \
-    T(uint,                byte_texels)      /* texels of 8-bit images, four in a word */ \
+    T(uint,                byte_texels)      /* texels of 8-bit images, four per word */ \
     T(float,               float_texels)     /* texels of floating-point images */ \
-    T(float,               srgb_levels)      /* linear light of each of the 256 values of an 8-bit sRGB channel, if an image has them */ \
+    T(float,               srgb_levels)      /* linear value of each of the 256 levels of an 8-bit sRGB channel, if any image needs it */ \
     T(vec3,                normals) \
     T(vec2,                uvs) \
     T(vec3,                tangents)
 
-/* What routing reads besides geometry and textures. */
+/* Read by routing, besides geometry and textures. */
 #define MATERIAL_TABLES(T) \
     T(material,       materials) \
     T(material_input, material_inputs) \
     T(diffusion_profile, profiles)
 
-/* What light sampling reads. */
+/* Read by light sampling. */
 #define LIGHT_TABLES(T) \
     T(light,          lights) \
-    T(alias_entry,    light_aliases)         /* the light sampler: one entry a light */ \
-    T(uint,           environments)          /* those of `lights` that surround the scene */ \
-    T(float,          environment_texels)    /* TEXEL_WORDS for each texel */ \
+    T(alias_entry,    light_aliases)         /* the light sampler: one entry per light */ \
+    T(uint,           environments)          /* indices in `lights` of the infinite lights */ \
+    T(float,          environment_texels)    /* TEXEL_WORDS per texel */ \
     T(alias_entry,    environment_aliases) \
-    T(uint,           portal_sums)           /* of the weights of texels above and left of each texel's corner; below 2^31 */ \
-    T(light_node,     light_nodes)           /* the light tree; its root comes first */ \
-    T(float,          guide_edges)           /* ENVIRONMENT_GUIDE: where its cells end along x, then y, then z: GUIDE_INTERVALS each, ascending; the last: FAR_AWAY */ \
-    T(uint,           guide_maps)            /* which map each face of each cell has: x fastest, then y, z, and the face before them */ \
-    T(alias_entry,    guide_aliases)         /* GUIDE_MAP_ENTRIES for each map */
+    T(uint,           portal_sums)           /* summed-area table: weights of the texels above and left of each corner; below 2^31 */ \
+    T(light_node,     light_nodes)           /* the light tree, root first */ \
+    /* ENVIRONMENT_GUIDE: upper cell bounds along x, then y, then z: GUIDE_INTERVALS each, ascending; the last is FAR_AWAY */ \
+    T(float,          guide_edges) \
+    T(uint,           guide_maps)            /* map index of each cell and face: x fastest, then y, z, face */ \
+    T(alias_entry,    guide_aliases)         /* GUIDE_MAP_ENTRIES per map */
 
-/* What shading reads of surfaces besides their parameters. */
+/* Read by shading: tables of BSDFs, besides their parameters. */
 #define BSDF_TABLES(T) \
     T(measured,       measured_files) \
     T(float,          measured_values)
@@ -105,29 +107,29 @@ typedef struct {
 #define MEDIUM_TABLES(T) \
     T(medium,         media) \
     T(grid,           grids) \
-    T(uint,           bricks)                /* of grids: which of brick_values, BRICK_VALUES each */ \
+    T(uint,           bricks)                /* of grids: index in brick_values, in units of BRICK_VALUES */ \
     T(float,          brick_values) \
     T(color,          medium_colors)         /* of rgbgrid media */ \
     T(float,          majorants) \
     T(point_light_position, point_lights)    /* MOST_EQUIANGULAR_LIGHTS at most */ \
     T(blackbody_color, blackbodies)          /* BLACKBODY_STEPS + 1, or none */
 
-/* The wavelengths that a film keeps a spectrum of, and how they are sampled: `share` of the samples evenly within the range, the others evenly in
-   what the eye sees beside it. nm. */
+/* The spectral range of a film that stores spectra, and how wavelengths are sampled: a fraction `share` of the samples is uniform in the
+   range, the rest is uniform in the visible part outside it. In nm. */
 typedef struct {
-    float first, extent;          /* from 360 on, and not beyond 830 */
-    float share;                  /* in (0, 1]; 1 if there is nothing beside the range */
-    float inverse_pdf;            /* one over the density of a sample's wavelength: within the range ... */
-    float inverse_pdf_beside;     /* ... and beside it */
+    float first, extent;          /* within [360, 830] */
+    float share;                  /* in (0, 1]; 1 if the range covers everything visible */
+    float inverse_pdf;            /* 1 / density of a sampled wavelength: inside the range */
+    float inverse_pdf_beside;     /* and outside it */
 } wavelength_range;
 
-/* What reading colours takes (kernels/shade/color.clh). */
+/* Read by colour evaluation (kernels/shade/color.clh). */
 #define COLOR_TABLES(T) \
-    T(float,          curves)                /* CURVE_WORDS values each, at 360, 361 ... 830 nm; the first is 1 everywhere */ \
-    T(float,          uplift)                /* coefficients of smooth spectra by colour: UPLIFT_CELLS (kernels/shade/color.clh) */ \
-    T(wavelength_range, wavelengths)         /* SPECTRAL_FILM: one */
+    T(float,          curves)                /* CURVE_WORDS values each, at 360, 361 ... 830 nm; the first curve is 1 everywhere */ \
+    T(float,          uplift)                /* coefficients of smooth spectra by colour: UPLIFT_CELLS */ \
+    T(wavelength_range, wavelengths)         /* SPECTRAL_FILM: one element */
 
-/* Only with SPECTRAL is there anything in these tables. */
+/* The tables of colours are empty without SPECTRAL. */
 #define SHORTEST_WAVELENGTH 360
 #define CURVE_WORDS 471
 
@@ -135,54 +137,54 @@ typedef struct {
 #define TEXEL_WORDS_RGB 3
 #define TEXEL_WORDS_SPECTRAL 4
 
-/* The colours of `uplift`: for each channel that may be the largest, UPLIFT_CELLS values of it (z), and as many ratios of the next two to it
-   (x fastest, then y); three coefficients each. */
+/* The layout of `uplift`: for each channel that may be the largest, UPLIFT_CELLS values of that channel (z) and as many ratios of the next
+   two channels to it (x fastest, then y); three coefficients each. */
 #define UPLIFT_CELLS 32
 
-/* What ray generation reads. */
+/* Read by ray generation. */
 #define CAMERA_TABLES(T) \
     T(alias_entry,    filter_aliases) \
-    T(float,          filter_values)         /* value over density, for each cell of filter_aliases */ \
-    T(lens_element,   lens_elements)         /* from the film to the scene */ \
-    T(pupil_bounds,   pupils)                /* PUPIL_INTERVALS of them */ \
-    T(float,          aperture_texels)       /* what the stop lets pass, row by row, y up; of mean pi / 4 */
+    T(float,          filter_values)         /* filter value over density, for each cell of filter_aliases */ \
+    T(lens_element,   lens_elements)         /* from film to scene */ \
+    T(pupil_bounds,   pupils)                /* PUPIL_INTERVALS elements */ \
+    T(float,          aperture_texels)       /* transmission of the aperture stop, row by row, y up; its mean is pi / 4 */
 
 #define SCENE_TABLES(T) \
     GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) BSDF_TABLES(T) MEDIUM_TABLES(T) COLOR_TABLES(T) CAMERA_TABLES(T) \
     T(settings,       frame)
 
-/* The most rays that a camera ray may become (kernels/shade/ray_splitting.clh). */
+/* The most rays that one camera ray may split into (kernels/shade/ray_splitting.clh). */
 #define MOST_TREE_RAYS 64
-/* With so many lights it looks at all of them at each surface, otherwise at one that it chooses. */
+/* With ray splitting, up to this many lights are all sampled at each surface; with more, one is chosen. */
 #define MOST_TREE_LIGHTS 16
 
-/* What holds for a whole render; a table of one element. */
+/* Settings of the whole render; a table of one element. */
 typedef struct {
     camera view;
     filter pixel_filter;
-    uint width, height;    /* of the whole image, pixels */
+    uint width, height;    /* of the full image, pixels */
     uint seed;
-    uint sequence_sample_bits; /* SOBOL: where pixels share a sequence, the samples of each are numbered with so many bits */
-    uint sequence_tile_bits;   /* and 2^bits x 2^bits pixels share it; at most 8; 0: each pixel has its own */
-    uint max_depth;        /* most scattering events on a path */
-    uint roulette_depth;   /* scattering events before Russian roulette */
-    uint roulette_root;    /* 1: a path goes on with the square root of its throughput; 0: with its throughput; */
-    float roulette_scale;  /*   times this, > 0 */
-    color ambient;         /* AMBIENT_OCCLUSION: what arrives from where nothing is near */
-    float ambient_distance; /* how near that is, scene units */
-    uint ambient_cosine;   /* 1: directions follow the cosine; 0: they are uniform */
-    uint tree_splits;       /* TREE: a camera ray may become 2^tree_splits rays */
-    uint rough_splits;      /* 2^rough_splits rays leave a rough surface; NONE: none */
-    uint tree_lights;      /* so many lights are looked at, each of pmf 1; 0: one is chosen */
-    float tree_threshold;  /* rays of less weight are not followed */
-    uint light_count;      /* entries of `light_aliases`; 0: there is a light tree instead, or nothing to sample */
-    uint first_infinite, infinite_count; /* lights infinitely far away, last in `lights`: with LIGHT_TREE each is as likely as the tree */
-    uint lights_in_tree;     /* how many lights the tree holds */
-    float world_scale;     /* world units in one unit of scene space */
-    uint sensor_curves;    /* with SPECTRAL, in `curves`: three, linear sRGB of the image for light of each wavelength */
-    uint albedo_curves;    /* with SPECTRAL, in `curves`: three, linear sRGB of a reflectance in daylight */
-    uint bucket_count;     /* SPECTRAL_FILM: buckets of equal width that the range of `wavelengths` is cut into; 0 without */
-    float max_component_value; /* brighter samples are scaled down to it; 0: none are */
+    uint sequence_sample_bits; /* SOBOL: where pixels share a sequence: bits of the sample index of each pixel */
+    uint sequence_tile_bits;   /* SOBOL: 2^bits x 2^bits pixels share a sequence; at most 8; 0: each has its own */
+    uint max_depth;        /* most scattering events of a path */
+    uint roulette_depth;   /* scattering events before Russian roulette starts */
+    uint roulette_root;    /* 1: survival probability follows the square root of the throughput; 0: the throughput */
+    float roulette_scale;  /* factor of the survival probability, > 0 */
+    color ambient;         /* AMBIENT_OCCLUSION: radiance from unoccluded directions */
+    float ambient_distance; /* AMBIENT_OCCLUSION: length of shadow rays, scene units */
+    uint ambient_cosine;   /* 1: cosine-weighted directions; 0: uniform */
+    uint tree_splits;       /* TREE: one camera ray may become 2^tree_splits rays */
+    uint rough_splits;      /* TREE: 2^rough_splits rays leave a rough surface; NONE: none */
+    uint tree_lights;      /* TREE: lights sampled per vertex, each with pmf 1; 0: one is chosen */
+    float tree_threshold;  /* TREE: rays of less weight end */
+    uint light_count;      /* entries of `light_aliases`; 0: the light tree is used, or there is nothing to sample */
+    uint first_infinite, infinite_count; /* infinite lights, last in `lights`: with LIGHT_TREE each is as probable as the whole tree */
+    uint lights_in_tree;     /* number of lights in the tree */
+    float world_scale;     /* world units per unit of scene space */
+    uint sensor_curves;    /* with SPECTRAL: first of three in `curves`: linear sRGB of the image for light of each wavelength */
+    uint albedo_curves;    /* with SPECTRAL: first of three in `curves`: linear sRGB of a reflectance in daylight */
+    uint bucket_count;     /* SPECTRAL_FILM: number of equal buckets that divide the range of `wavelengths`; 0 without */
+    float max_component_value; /* brighter samples are scaled down to this; 0: no limit */
 } settings;
 
 CONTRACT_END

@@ -1,5 +1,5 @@
-/* Every shape. An element is what the acceleration structure holds: one triangle, one patch, one sphere, one part of a curve. Elements are
-   numbered through the whole scene, shape after shape.
+/* Every shape. An element is what the acceleration structure stores: one triangle, bilinear patch, quadric, piece of a curve segment or
+   implicit surface. Elements are numbered through the whole scene, shape after shape.
    S(name, FEATURE).  A shape called x is kernels/shape/x.clh, which defines intersect_x and eval_x (the point and its frame). */
 #ifndef EIKONAL_SHAPES_H
 #define EIKONAL_SHAPES_H
@@ -20,33 +20,36 @@ CONTRACT_BEGIN
 enum shape_kind { SHAPES(SHAPE_KIND) shape_kinds };
 
 enum shape_flag {
-    shape_reversed      = 1, /* the normal is flipped: ReverseOrientation, or a mirroring transform, not both */
+    shape_reversed      = 1, /* the normal is flipped: either ReverseOrientation or a mirroring transform, not both */
     shape_has_interface = 2, /* inside and outside name its media; otherwise a ray keeps its medium */
-    shape_is_interface  = 4, /* its material is "interface": shadow rays pass */
-    shape_is_unseen     = 8  /* its alpha is 0: no ray meets it, but what it emits shines */
+    shape_is_interface  = 4, /* its material is "interface", so shadow rays pass */
+    shape_is_unseen     = 8  /* its alpha is 0: rays pass through it, but it emits */
 };
 
-/* One shape: a mesh, a quadric, an implicit surface or a run of curves, and what it is made of. */
+/* One shape: a mesh, a quadric, an implicit surface or a list of curves, with its material. */
 typedef struct {
     uint kind;           /* enum shape_kind */
-    uint flags;          /* enum shape_flag */
+    uint flags;          /* enum shape_flag bits */
     uint first_element;  /* number of its first element */
-    uint first_index;    /* meshes: its vertex indices start here in `indices`; 3 or 4 for an element; curves: its segments in `curve_segments`; its place in `implicits` */
+    /* meshes: first of its vertex indices in `indices`, 3 or 4 per element; curves: first of its segments in `curve_segments`; implicit
+       surfaces: index in `implicits` */
+    uint first_index;
     uint first_vertex;   /* meshes: added to every index */
-    uint first_normal;   /* meshes: its normals start here in `normals`, one a vertex; NONE: it has none */
-    uint first_tangent;  /* meshes: its tangents in `tangents`, one a vertex; NONE: they follow the texture coordinates; only with TANGENTS */
-    uint first_uv;       /* meshes: its texture coordinates in `uvs`, one a vertex; NONE: the element's own (u, v) */
-    uint quadric;        /* in `quadrics`; NONE for meshes; implicit surfaces: only the maps count; curves: only the maps count, and NONE means that there is no need for them */
-    uint splits;         /* curves: each segment is 2^splits elements, one after the other */
+    uint first_normal;   /* meshes: first of its normals in `normals`, one per vertex; NONE: it has none */
+    uint first_tangent;  /* meshes: first of its tangents in `tangents`, one per vertex; NONE: from (u, v); only with TANGENTS */
+    uint first_uv;       /* meshes: first of its texture coordinates in `uvs`, one per vertex; NONE: the element's own (u, v) */
+    /* in `quadrics`; NONE for meshes. Implicit surfaces and curves use its maps only; for curves NONE means no map is needed */
+    uint quadric;
+    uint splits;         /* curves: each segment is split into 2^splits elements, in order */
     uint material;       /* in `materials` */
-    uint alpha;          /* in `programs`: the texture that cuts it out; NONE: solid */
-    uint first_light;    /* of its first element, in `lights`; NONE: it emits nothing */
-    uint emission;       /* in `programs`: its radiance relative to its lights'; NONE: even */
-    uint id;             /* which object of the scene this is, for people: from 1; 0: its instance says */
-    uint inside, outside; /* in `media`, NONE for vacuum: only with shape_has_interface */
+    uint alpha;          /* in `programs`: alpha texture; NONE: opaque */
+    uint first_light;    /* in `lights`: light of its first element; NONE: no emission */
+    uint emission;       /* in `programs`: radiance relative to its lights; NONE: constant */
+    uint id;             /* object id for the AOV, from 1; 0: the instance has the id */
+    uint inside, outside; /* in `media`, NONE for vacuum; only with shape_has_interface */
 } shape;
 
-/* A sphere, disk or cylinder in a space of its own. */
+/* A sphere, disk or cylinder in its own object space. */
 typedef struct {
     affine object_from_scene;
     affine scene_from_object;
@@ -58,16 +61,16 @@ typedef struct {
 
 enum curve_type { curve_flat, curve_cylinder, curve_ribbon };
 
-/* A cubic Bezier curve with a width, in the space of its hierarchy unless its shape names a quadric. */
+/* A cubic Bezier curve with a width, in the space of its BVH unless its shape has a quadric. */
 typedef struct {
     vec3 p[4];           /* control points */
-    float width[2];      /* at both ends, linear in between */
+    float width[2];      /* at both ends, interpolated linearly */
     uint type;           /* enum curve_type */
-    float normal_angle;  /* ribbon: between its normals, in [0, pi); 0: n[0] everywhere */
-    vec3 n[2];           /* ribbon: normals at both ends, of unit length */
+    float normal_angle;  /* ribbon: angle between the two normals, in [0, pi); 0: n[0] everywhere */
+    vec3 n[2];           /* ribbon: unit normals at both ends */
 } curve;
 
-/* What the program of an implicit surface is made of: each instruction sets one register to a function of one or two others. */
+/* Instructions of an implicit surface's program: each sets one register to a function of one or two others. */
 enum implicit_operation {
     implicit_number,         /* number */
     implicit_add,            /* a + b */
@@ -76,40 +79,40 @@ enum implicit_operation {
     implicit_scale,          /* a * number */
     implicit_multiply,       /* a * b */
     implicit_square,         /* a * a */
-    implicit_integer_power,  /* a^b: b is an integer, 3 or more */
-    implicit_power,          /* a^number, a >= 0: number > 0 */
+    implicit_integer_power,  /* a^b for an integer b >= 3 */
+    implicit_power,          /* a^number for a >= 0 and number > 0 */
     implicit_reciprocal,     /* 1 / a */
     implicit_sqrt, implicit_exp, implicit_log, implicit_sine, implicit_asin, implicit_atan, implicit_abs,   /* of a */
     implicit_min, implicit_max,
-    implicit_atan2           /* the angle of the point (b, a) */
+    implicit_atan2           /* angle of the point (b, a) */
 };
 
-/* Registers 0, 1 and 2 hold x, y and z. */
+/* Registers 0, 1 and 2 hold x, y and z at the start. */
 #define IMPLICIT_REGISTERS 32
 
 typedef struct {
     uint operation;          /* enum implicit_operation */
     uint target, a, b;       /* registers */
     float number;
-    float limit;             /* powers: the largest number whose power is not too large */
+    float limit;             /* powers: largest |a| whose power does not overflow */
 } implicit_instruction;
 
-/* The surface F(x, y, z) = 0 within a box, object space; its maps are in `quadrics`. */
+/* The surface F(x, y, z) = 0 within a box in object space; its maps are in `quadrics`. */
 typedef struct {
     vec3 low, high;
-    uint first_instruction;  /* in `implicit_instructions`; the last one's target is F */
+    uint first_instruction;  /* in `implicit_instructions`; the last instruction computes F */
     uint instruction_count;
 } implicit;
 
-/* One placed copy of an object: a second level below the scene's hierarchy. One that moves is placed by its motions, the first of
-   which is the outermost: an object that moves, in which a shape moves. */
+/* An instance of an object: its BVH is the second level below the scene's BVH. The motions of a moving instance apply from the outermost
+   inwards, such as a moving object that contains a moving shape. */
 typedef struct {
     affine object_from_scene;
     affine scene_from_object;
-    uint root;           /* node of the object's own hierarchy */
+    uint root;           /* root node of the object's BVH */
     uint first_motion;   /* in `motions` */
-    uint motion_count;   /* 0: it stands still */
-    uint id;             /* which object of the scene this is, for people: from 1; 0: its shapes say */
+    uint motion_count;   /* 0: static */
+    uint id;             /* object id for the AOV, from 1; 0: the shapes have the ids */
 } instance;
 
 CONTRACT_END

@@ -1,4 +1,5 @@
-/* How far a texture moves each vertex of a mesh. Before a scene is packed whole, and so no stage of its waves (host/render/displacement.cpp). */
+/* Evaluates a displacement texture at each vertex of a mesh. Runs before the scene is packed, so it is not among the stages of a wave
+   (host/render/displacement.cpp). */
 #include "stages/stage.clh"
 #include "texture/texture.clh"
 

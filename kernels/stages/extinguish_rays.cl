@@ -1,5 +1,5 @@
-/* ray, intersection -> ray, intersection, path, slot i to slot i.  What media do to rays on their way: absorb them, scatter them before they arrive,
-   or let them pass with less; and what media emit. Tracing: a run of slots for each work-item, those in vacuum skipped. */
+/* ray, intersection -> ray, intersection, path, slot i to slot i.  Applies media along each ray: absorption, scattering before the ray's
+   end, transmittance and emission. A tracing stage; slots in vacuum are skipped. */
 #include "stages/queue.clh"
 #include "math/dimension.clh"
 #include "medium/medium.clh"
@@ -10,7 +10,7 @@ typedef struct { ray_item ray; intersection_item intersection; spectrum L; } ext
 
 FN extinguished extinguish_ray(medium_tables media, color_tables colors, ray_item r, intersection_item f) {
     tracked_path path = {hero_channel(r.seed, r.sample), r.beta, r.r_u, r.r_l, uniform_spectrum(0.0f)};
-    /* Behind an interface the way goes on: with other numbers, which depend on where it does */
+    /* Behind a null interface, continue with different random numbers, which depend on the distance travelled */
     random_stream more = make_stream(r.seed, r.sample, bounce_dimension_of(r.depth, dimension_distance));
     float first = sample_1d(r.seed, r.sample, bounce_dimension_of(r.depth, dimension_distance));
     if (HAS_INTERFACE && r.traveled > 0.0f) {

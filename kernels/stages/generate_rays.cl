@@ -1,5 +1,6 @@
-/* pixels -> ray, path.  A camera ray for each sample of some blocks of the image, in the slots from `first` on: for the paths of the batch from the
-   `begun`-th on (film/pixel.clh says which is which), whose states begin at `first_path`. Straight-line; paths outside of the image have dead rays. */
+/* pixels -> ray, path.  Generates a camera ray for each sample of some blocks of the image, in the slots from `first` on. Starts with path
+   number `begun` of the batch (film/pixel.clh maps it to a pixel and sample); the batch's path states start at `first_path`. Straight-line;
+   paths outside the image get dead rays. */
 #include "stages/queue.clh"
 #include "stages/stage.clh"
 #include "camera/camera.clh"
@@ -7,7 +8,7 @@
 
 typedef struct { ray_item ray; path_item path; } camera_path;
 
-/* The ray and the state of a path; `inside` says whether it belongs to the image. */
+/* The ray and the state of a path. inside: whether its pixel lies in the image. */
 FN camera_path start_path(camera_tables tables, __global const settings *frame, uint x, uint y, uint sample_index, uint path, int inside) {
     camera_sample sample = generate_ray(tables, frame, x, y, sample_index, state_of_path(frame, path));
     camera_path p;

@@ -1,4 +1,4 @@
-/* ray -> intersection, slot i to slot i.  Where each ray ends. Tracing: a run of slots for each work-item, dead ones skipped. */
+/* ray -> intersection, slot i to slot i.  Finds the nearest hit of each ray. A tracing stage; dead slots are skipped. */
 #include "stages/queue.clh"
 #include "trace/bvh.clh"
 #include "eikonal/stages.h"

@@ -1,6 +1,6 @@
-/* pixels -> path.  The same functions as the stages', in a plain loop for each path: what the wavefront is held to, bit by bit, and measured
-   against (docs/performance.md). A run of paths for each work-item. Its program defines AS_LIBRARY, includes shade_hits.cl for each BSDF of the
-   scene, and lists them: SCENE_BSDFS(B) calls B(name) for each. */
+/* pixels -> path.  The stages' functions in a plain loop over each path: a reference that the wavefront must match bit by bit, and a
+   baseline for performance (docs/performance.md). Each work-item has several paths. Its program defines AS_LIBRARY, includes shade_hits.cl
+   for each BSDF of the scene, and lists them: SCENE_BSDFS(B) calls B(name) for each. */
 #include "stages/generate_rays.cl"
 #include "stages/intersect_rays.cl"
 #include "stages/extinguish_rays.cl"
@@ -21,7 +21,7 @@ FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables co
     return nothing;
 }
 
-/* Whether there is an albedo to be kept, and which. */
+/* The albedo to store for denoisers, if the BSDF has one. */
 typedef struct { spectrum albedo; int found; } kept_albedo;
 #define ALBEDO_CASE(name) if (next_queue == next_##name && !JOIN(name, _is_delta)) { k.albedo = JOIN(albedo_, name)(bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, colors)); k.found = 1; }
 FN kept_albedo albedo_any(bsdf_tables tables, sampled_wavelengths colors, __global const uint *hit, uint capacity, uint slot, uint next_queue) {
@@ -55,14 +55,14 @@ TRACING_STAGE(loop, LOOP) {
         camera_path started = start_path(camera_set, frame, at.x, at.y, at.sample, slot, at.in_image);
         store_path(path, path_capacity, started.ray.path, started.path);
 
-        /* Rays that are still to be followed: several in a tree of rays */
+        /* Rays still to follow; several with ray splitting */
         ray_item waiting[HAS_TREE ? MOST_TREE_RAYS : 1];
         uint rays = 1;
         waiting[0] = started.ray;
         while (rays > 0) {
             ray_item r = waiting[--rays];
             while (r.t_max >= 0.0f) {
-                /* Where the ray ends, and what comes next */
+                /* Intersect, sample the medium, classify */
                 intersection_item f = intersect_ray(g, tables, r);
                 f.next_queue = next_none;
                 f.material = NONE;
@@ -76,7 +76,6 @@ TRACING_STAGE(loop, LOOP) {
                 f.next_queue = next.next_queue;
                 f.material = next.material;
 
-                /* Shade it */
                 scattering out;
                 out.ray = r;
                 out.ray.t_max = -1.0f;
@@ -129,7 +128,7 @@ TRACING_STAGE(loop, LOOP) {
                     }
                 }
 
-                /* Light from one light, and on */
+                /* Test the shadow ray, then continue with the scattered ray */
                 meet_light(g, tables, medium_set, color_set, path, path_capacity, out.shadow);
                 r = out.ray;
             }

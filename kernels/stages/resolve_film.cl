@@ -1,4 +1,4 @@
-/* path -> film.  Adds a wave's samples to their pixels, in the order of the samples. A run of pixels of the wave's blocks for each work-item. */
+/* path -> film.  Adds a wave's samples to their pixels, in sample order. Each work-item has several pixels of the wave's blocks. */
 #include "shade/color.clh"
 #include "stages/queue.clh"
 #include "stages/stage.clh"
@@ -8,7 +8,7 @@
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
 
-/* One more vote: the candidate that is left in the end is the one that has a majority, if any has (Boyer and Moore 1991). */
+/* One step of the majority vote: if one id has a majority, it is the final candidate (Boyer and Moore 1991). */
 typedef struct { uint id, lead; } candidate;
 FN candidate vote(uint id, uint lead, uint for_id) {
     candidate c = {id, lead};
@@ -17,11 +17,11 @@ FN candidate vote(uint id, uint lead, uint for_id) {
     return c;
 }
 
-/* Its square is still a number. */
+/* Its square is still finite. */
 #define MOST_DISTANCE 1e18f
 
-/* One more luminance, of so large a square weight: the mean moves towards it, and the spread grows by its distances from the mean before and
-   after (West 1979). Unlike a sum of squares, this keeps its digits where samples hardly differ. */
+/* Add a luminance with a squared weight: the mean moves towards it, and the spread grows by the product of its distances from the old and
+   the new mean (West 1979). Unlike a sum of squares, this keeps precision when samples hardly differ. */
 FN film_item add_luminance(film_item f, float y, float square_weight) {
     float before = y - f.mean;
     f.square_weight += square_weight;
@@ -32,7 +32,7 @@ FN film_item add_luminance(film_item f, float y, float square_weight) {
     return f;
 }
 
-/* What the film receives of a sample, and what its sensor makes of that; both scaled down if the latter is brighter than it may be. */
+/* The light that the film receives, and the sensor's colour for it; both are scaled down if the colour exceeds max_component_value. */
 typedef struct { spectrum light; rgb color; } exposure;
 FN exposure expose(path_item p, sampled_wavelengths colors, __global const settings *frame) {
     exposure e;
@@ -73,7 +73,7 @@ FN film_item add_sample(film_item f, path_item p, rgb L, sampled_wavelengths col
     return f;
 }
 
-/* A path, with what all rays of its tree have gathered. */
+/* The state of a camera ray's path, plus the radiance and albedo of all rays that split from it. */
 FN path_item gather_path(__global const settings *frame, __global const uint *path, uint path_capacity, uint index) {
     uint first = state_of_path(frame, index);
     path_item p = load_path(path, path_capacity, first);

@@ -1,11 +1,11 @@
-/* ray, intersection -> hit, scatter, miss, emission, next ray, shadow, path.  Makes the item that each intersection's next stage wants, in that stage's
-   dense segment. Tracing: space is reserved once for a run, not once for an item. */
+/* ray, intersection, counts -> hit, scatter, miss, emission, next ray, shadow, path.  Builds the item for each intersection's next stage, in that
+   stage's dense segment. A tracing stage; each work-item reserves space once for all its slots. */
 #include "stages/queue.clh"
 #include "trace/route.clh"
 #include "trace/route_items.clh"
 #include "stages/stage.clh"
 
-/* Rays that pass an interface, and probes, have no shadow ray, and nothing lives in the slots after the last of them. */
+/* Rays that pass a null interface, and probe rays, have no shadow ray. Slots between the last of them and the end of the group are dead. */
 FN void store_crossing(__global uint *next_ray, __global uint *shadow, uint capacity, uint slot, ray_item r) {
     store_ray(next_ray, capacity, slot, r);
     STORE_FIELD(shadow, float, t_max, shadow, capacity, slot, -1.0f);
@@ -17,7 +17,7 @@ FN void end_crossings(__global uint *next_ray, __global uint *shadow, uint capac
     }
 }
 
-/* Segments of the hit queue begin at multiples of a group's slots, so that shading needs no guard (stages.h has the order). */
+/* Segments of the hit queue start at multiples of GROUP_SLOTS, so shading needs no bounds check (stages.h has their order). */
 FN uint segment_start(__global const uint *counts, uint next_queue) {
     uint start = 0;
     for (uint h = 0; h < next_queue; ++h) start += (counts[h] + GROUP_SLOTS - 1u) & ~(GROUP_SLOTS - 1u);
@@ -38,7 +38,7 @@ TRACING_STAGE(route_intersections, ROUTE_INTERSECTIONS) {
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;
 
-    /* Count what this run sends to each queue, and reserve it */
+    /* Count the items that this work-item adds to each queue, and reserve space for them */
     uint at[next_queues];
     for (int h = 0; h < next_queues; ++h) at[h] = 0;
     for (size_t i = first_slot; i < SLOTS_END; ++i) {
@@ -53,7 +53,7 @@ TRACING_STAGE(route_intersections, ROUTE_INTERSECTIONS) {
         at[h] = start + atomic_add(cursors + h, at[h]);
     }
 
-    /* Fill it */
+    /* Fill the reserved space */
     if (HAS_CROSSINGS && first_slot == 0) end_crossings(next_ray, shadow, capacity, counts[next_crossing]);
     for (size_t i = first_slot; i < SLOTS_END; ++i) {
         if (LOAD_FIELD(intersection, float, t, intersection, capacity, i) < 0.0f) continue;

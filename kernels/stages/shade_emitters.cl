@@ -1,4 +1,4 @@
-/* emission -> path.  Adds what the surfaces that were hit emit. Straight-line. */
+/* emission -> path.  Adds the emission of the surfaces hit. Straight-line. */
 #include "shade/emission.clh"
 #include "stages/stage.clh"
 

@@ -1,7 +1,7 @@
-/* hit -> ray, shadow, walk, slot i to slot i; path.  Scatters each path at a surface: a shadow ray to one light, and a ray on. With trees of rays
-   it runs in passes: pass r makes the r-th ray that leaves, in slot i + r * pass_slots, and the shadow ray to the r-th light.
-   Built once for each BSDF (the macro BSDF), over that BSDF's own segment of the hit queue. Straight-line, unless the BSDF loops; where its walks
-   go in step (BSDF_walks), so is each step. */
+/* hit -> ray, shadow, walk, slot i to slot i; path.  Scatters each path at a surface: one shadow ray to one light, and one scattered ray.
+   With ray splitting the stage runs in passes: pass r makes the r-th scattered ray, in slot i + r * pass_slots, and the shadow ray to the
+   r-th light. Built once per BSDF (the macro BSDF), over that BSDF's segment of the hit queue. Straight-line unless the BSDF loops; if the
+   slots take the random walks of a layered BSDF in step (BSDF_walks), each step is straight-line. */
 #include "shade/scatter.clh"
 #include "shade/ray_splitting.clh"
 #include "stages/stage.clh"
@@ -22,7 +22,7 @@
 #define SPLIT_RAY_OF     JOIN(split_ray_, BSDF)
 #endif
 
-/* Ray `which` of those that leave in a tree of rays. */
+/* Scattered ray number `which`, with ray splitting. */
 FN split_ray SPLIT_RAY_OF(__global const settings *frame, hit_item h, BSDF_BOUND b, vec3 wo, uint which, float lobe, vec2 u) {
 #if BSDF_IS_DELTA
     return split_delta(frame, h, SPLIT_BSDF(b, wo), which, lobe, u);
@@ -33,7 +33,7 @@ FN split_ray SPLIT_RAY_OF(__global const settings *frame, hit_item h, BSDF_BOUND
 #endif
 }
 
-/* A direction that knows nothing of the BSDF. */
+/* A uniform direction, independent of the BSDF. */
 FN bsdf_sample JOIN(scatter_uniformly_, BSDF)(BSDF_BOUND b, vec3 wo, vec2 u) {
     bsdf_sample s = absorbed_sample();
     s.wi = warp_sphere(u);
@@ -51,7 +51,7 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
     if (HAS_TREE) { way = SPLIT_RAY_OF(frame, h, b, wo, shading_pass, lobe, u); lobe = way.lobe; u = way.u; }
     scattering out;
 
-    /* Light from one light, seen by the BSDF */
+    /* Next-event estimation */
     light_sample l = no_light();
     if (!BSDF_IS_DELTA && HAS_LIGHTS) {
         LIGHT_CHOICE_OF(h, alive, found)
@@ -62,12 +62,12 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
         vec3 wi = to_local(shading, l.wi);
         spectrum f = mul(EVAL_BSDF(b, wo, wi), fabs(wi.z));
         float pdf = HAS_UNIFORM_DIRECTIONS ? INV_4PI : PDF_BSDF(b, wo, wi);
-        /* Nothing else could find it where no ray goes on */
+        /* Without a scattered ray, only light sampling finds the light */
         if (HAS_TREE) pdf = way.spreads ? pdf : 0.0f;
         out.shadow = light_from_surface(h, seen_from, l, f, pdf, alive);
     } else out.shadow = no_shadow(h.path);
 
-    /* On along the BSDF */
+    /* Sample the BSDF */
     bsdf_sample s = HAS_UNIFORM_DIRECTIONS ? JOIN(scatter_uniformly_, BSDF)(b, wo, u) : SAMPLE_BSDF(b, wo, lobe, u);
     if (HAS_TREE) s.weight = mul(s.weight, way.weight);
     out.ray = ray_from_surface(frame, h, from_local(shading, s.wi), s, alive);
@@ -76,7 +76,8 @@ FN scattering JOIN(shade_, BSDF)(light_tables lights, color_tables colors, __glo
     return out;
 }
 
-/* Whether the slots of a run go through it in step. Where a work-item has one slot, each goes its own way. */
+/* WALKS_IN_STEP: the slots of a work-item take each step of the layered random walk together. With one slot per work-item, each walks
+   alone. */
 #if JOIN(BSDF, _walks) && ITEMS_PER_WORK_ITEM > 1 && !WIDENS_GROUPS && !HAS_TREE && !HAS_UNIFORM_DIRECTIONS && !defined AS_LIBRARY
 #define WALKS_IN_STEP 1
 #include "shade/shade_walks.clh"
@@ -106,7 +107,7 @@ STAGE(shade_hits, SHADE_HITS) {
         size_t i = first + at, to = HAS_TREE ? i + shading_pass * pass_slots : i;
         int alive = at < count;
         if (BSDF_LOOPS && !WALKS_IN_STEP && !alive) {
-            /* Nobody knows what such a slot would have it do */
+            /* Dead slots hold garbage; skip them where the BSDF loops */
             STORE_FIELD(ray, float, t_max, next_ray, capacity, to, -1.0f);
             STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
             continue;

@@ -1,5 +1,5 @@
-/* miss -> path.  Adds what the environments send along the rays that left the scene. Straight-line; the number of
-   environments is known when the kernel is built. */
+/* miss -> path.  Adds the radiance of the environments along rays that left the scene. Straight-line; the number of environments is a
+   build-time constant. */
 #include "light/light.clh"
 #include "shade/emission.clh"
 #include "stages/stage.clh"

@@ -1,10 +1,10 @@
-/* hit -> ray, shadow, slot i to slot i; path.  Ambient occlusion (Zhukov et al. 1998; pbrt-v4's "ambientocclusion"): whatever the surface is, a
-   shadow ray of limited length to where light of the same radiance comes from everywhere; no ray goes on. Straight-line. */
+/* hit -> ray, shadow, slot i to slot i; path.  Ambient occlusion (Zhukov et al. 1998; pbrt-v4's "ambientocclusion"): for every surface, one
+   shadow ray of limited length towards constant ambient light; no scattered ray. Straight-line. */
 #include "shade/scatter.clh"
 #include "stages/stage.clh"
 
 FN shadow_item shade_occlusion(color_tables colors, __global const settings *frame, hit_item h, int alive) {
-    /* By the surface itself, not by its shading normal */
+    /* Directions around the geometric normal, not the shading normal */
     vec3 n = mul(h.ng, dot3(h.ng, h.wo) < 0.0f ? -1.0f : 1.0f);
     vec2 u = sample_2d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_direction));
     int cosine = frame->ambient_cosine != 0u;
@@ -18,7 +18,7 @@ FN shadow_item shade_occlusion(color_tables colors, __global const settings *fra
     s.o = offset_origin(h.p, h.offset, h.ng, wi);
     s.d = wi;
     s.t_max = alive ? frame->ambient_distance : -1.0f;
-    /* cos / pi over the density: a point that sees everything has 1 */
+    /* cos / pi over the density: an unoccluded point gets 1 */
     s.Ld = mul(mul(h.beta, eval_color(path_wavelengths(colors, h.seed, h.sample), frame->ambient)), cosine ? 1.0f : 2.0f * w.z);
     s.element = NONE; s.color_seed = h.seed; s.color_sample = h.sample;
     s.medium = dot3(h.ng, wi) > 0.0f ? h.outside : h.inside;

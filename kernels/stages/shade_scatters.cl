@@ -1,4 +1,4 @@
-/* scatter -> ray, shadow, slot i to slot i.  Scatters each path at a point in a medium: a shadow ray to one light, and a ray on.
+/* scatter -> ray, shadow, slot i to slot i.  Scatters each path at a point in a medium: one shadow ray to one light, and one scattered ray.
    Straight-line. */
 #include "shade/scatter.clh"
 #include "medium/phase.clh"
@@ -7,7 +7,7 @@
 FN scattering shade_scatter(light_tables lights, color_tables colors, __global const settings *frame, scatter_item s, int alive) {
     scattering out;
 
-    /* Light from one light, seen by the phase function. None reaches the inside of a body that is bounded by a dielectric: paths leave it by themselves */
+    /* Next-event estimation with the phase function. Off inside subsurface bodies: their dielectric interface would block the shadow ray */
     int lit = HAS_SUBSURFACE ? alive & (s.within == 0u) : alive;
     shadow_item shadow = no_shadow(s.path);
     if (HAS_LIGHTS) {
@@ -22,7 +22,7 @@ FN scattering shade_scatter(light_tables lights, color_tables colors, __global c
     }
     out.shadow = shadow;
 
-    /* On along the phase function, which is its own density */
+    /* Sample the phase function, whose pdf equals its value */
     vec2 u = sample_2d(s.seed, s.sample, bounce_dimension_of(s.depth, dimension_direction));
     vec3 wi = sample_phase(s.g, s.wo, u);
     float roll = sample_1d(s.seed, s.sample, bounce_dimension_of(s.depth, dimension_roulette));

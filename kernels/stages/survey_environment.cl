@@ -1,6 +1,6 @@
-/* How much of a constant environment is seen in each bin of each map of the environment guide: the sum of the cosines of the shadow rays that nothing blocks.
-   A map has so many `representatives`, points with normals; each casts one ray into each bin. Where a normal has zero length, all directions count as 1.
-   Before a render (host/render/survey.cpp). */
+/* Measures the visibility of a constant environment in each bin of each map of the environment guide: the sum of the cosines of unoccluded
+   rays. Each map has `representatives` points with normals; each point casts one ray into each bin. For a normal of zero length, the cosine
+   counts as 1. Runs before a render (host/render/survey.cpp). */
 #include "trace/bvh.clh"
 #include "light/light.clh"
 #include "math/random.clh"

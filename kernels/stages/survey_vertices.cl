@@ -1,13 +1,13 @@
-/* Points that paths from the camera reach: the first SURVEY_VERTICES of each path, with their normals. Before a render, and so no stage of its waves
-   (host/render/survey.cpp). Paths start all over the image, go straight through boundaries of transparent bodies, and leave all other surfaces
-   by the cosine. Unused places get a normal of zero length. */
+/* Finds points that camera paths reach: the first SURVEY_VERTICES vertices of each path, with their normals. Runs before a render, so it is
+   not among the stages of a wave (host/render/survey.cpp). Paths start uniformly over the image, pass straight through dielectric
+   interfaces, and leave all other surfaces in a cosine-distributed direction. Unused entries get a normal of zero length. */
 #include "camera/camera.clh"
 #define AS_LIBRARY
 #include "stages/intersect_rays.cl"
 #include "trace/route_items.clh"
 #include "stages/stage.clh"
 
-/* Boundaries that one path passes, at most. */
+/* The most dielectric interfaces that one path passes. */
 #define MOST_SURVEY_PASSAGES 8
 
 FN int passes_straight(uint next_queue) {

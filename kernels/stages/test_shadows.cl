@@ -1,4 +1,4 @@
-/* shadow -> path.  Adds the light that nothing is in the way of, less what media on the way take. Tracing: a run of slots for each work-item. */
+/* shadow -> path.  Adds the light of unoccluded shadow rays, times the transmittance of media. A tracing stage. */
 #include "stages/queue.clh"
 #include "trace/bvh.clh"
 #include "math/dimension.clh"
@@ -7,10 +7,10 @@
 #include "eikonal/stages.h"
 #include "stages/stage.clh"
 
-/* No shadow ray crosses more interfaces than this; one that would is taken as blocked. */
+/* A shadow ray that crosses more null interfaces than this counts as blocked. */
 #define MOST_INTERFACES 256
 
-/* The light that is left after the media on the way; nothing else is in the way. Surfaces of glass block, as in pbrt-v4. */
+/* Multiply by the transmittance of media along an unoccluded shadow ray. Dielectric surfaces block, as in pbrt-v4. */
 FN spectrum attenuate_shadow(geometry g, texture_tables tables, medium_tables media, color_tables color_set, shadow_item s) {
     tracked_path path = {hero_channel(s.seed, s.sample), s.Ld, s.r_u, s.r_l, uniform_spectrum(0.0f)};
     sampled_wavelengths colors = path_wavelengths(color_set, s.seed, s.sample);
@@ -26,7 +26,7 @@ FN spectrum attenuate_shadow(geometry g, texture_tables tables, medium_tables me
         if (is_black(path.beta)) return path.beta;
         if (!found) return mul(path.beta, 1.0f / max1(mean_component(add(path.r_u, path.r_l)), 1e-30f));
 
-        /* On behind the interface */
+        /* Continue behind the null interface */
         shape_hit hit = {boundary.t_max, boundary.u, boundary.v};
         surface at = eval_surface(g, tables, boundary.element, boundary.instance, o, s.d, s.time, hit);
         shape between = g.shapes[g.element_shapes[boundary.element]];

@@ -30,14 +30,14 @@ MEAN_LIMIT, MEAN_LIMIT_AT_WAVELENGTHS = 0.01, 0.005
 REASONS = {
     "light-projection": ("RGB: yellow and blue light on tiles, see below", 0.012, 4),
     "material-diffuse-imagemap": ("RGB: the dark channel of a saturated yellow, see below", 0.01, 1.5),
-    "material-dielectric-dispersive": ("noise of colour of the reference, see below", 0.005, 1.5),
-    "medium-absorb": ("RGB: exp(-x) of three numbers, see below", 0.022, 4),
-    "medium-in-glass": ("RGB: exp(-x) of three numbers, see below", 0.034, 15),
-    "material-hair": ("RGB: what a hair absorbs of light of three numbers, see below", 0.015, 1.5),
-    "material-coateddiffuse-medium": ("RGB: what is between the layers absorbs light of three numbers, see below", 0.012, 1.5),
-    "material-subsurface": ("RGB: what a body absorbs of light of three numbers, see below", 0.015, 1.5),
+    "material-dielectric-dispersive": ("colour noise of the reference, see below", 0.005, 1.5),
+    "medium-absorb": ("RGB: exp(-x) per channel, see below", 0.022, 4),
+    "medium-in-glass": ("RGB: exp(-x) per channel, see below", 0.034, 15),
+    "material-hair": ("RGB: absorption in hair per channel, see below", 0.015, 1.5),
+    "material-coateddiffuse-medium": ("RGB: absorption between the layers per channel, see below", 0.012, 1.5),
+    "material-subsurface": ("RGB: absorption in the body per channel, see below", 0.015, 1.5),
     "texture-bilerp": ("RGB: the dark channels of saturated colours, see below", 0.05, 8),
-    "medium-rgbgrid": ("RGB: exp(-x) of three numbers, saturated, see below", 0.03, 8),
+    "medium-rgbgrid": ("RGB: exp(-x) per channel, saturated, see below", 0.03, 8),
 }
 
 
@@ -131,7 +131,7 @@ def table(rows, samples):
     count = lambda kind: sum(row[0] == kind for row in rows)
     wrong = count("unexplained") + count("failed")
     lines = [f"**{count('agrees')} of {len(rows)} scenes agree**, {count('differs')} differ for a known reason, "
-             f"{count('missing')} need what is not rendered yet, {wrong} are wrong. {samples} samples a pixel.", "",
+             f"{count('missing')} need features that are not rendered, {wrong} are wrong. {samples} samples per pixel.", "",
              "| scene | mean / reference: R G B | worst block | blocks off | verdict | seconds |", "|---|---|---|---|---|--:|"]
     lines += ["| " + " | ".join(row[1:]) + " |" for row in rows]
     return "\n".join(lines) + "\n"

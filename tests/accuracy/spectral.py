@@ -63,7 +63,7 @@ def main():
     options.add_argument("--print", action="store_true", help="print the table, write nothing")
     o = options.parse_args()
     o.renders.mkdir(parents=True, exist_ok=True)
-    lines = [f"{o.spp} samples a pixel.", "", "| scene | mean / reference in RGB | at wavelengths | error in RGB | at wavelengths | cost |",
+    lines = [f"{o.spp} samples per pixel.", "", "| scene | mean / reference in RGB | spectral | error in RGB | spectral | cost |",
              "|---|---|---|--:|--:|--:|"]
     for scene in SCENES:
         lines.append(row(o, scene))

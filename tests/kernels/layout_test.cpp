@@ -78,14 +78,15 @@ std::string probeText() {
 DEFINE_ITEM(film, FILM_FIELDS, 0)
 #define PUT(x) words[n++] = (uint)(x);
 #define PUT_FIELD(q, type, name, FEATURE) PUT(q##_##name##_slot) PUT(WORDS_##type * HAS_##FEATURE)
-#define PUT_QUEUE(q, FIELDS) FIELDS(PUT_FIELD, q) PUT(q##_words)
+#define PUT_ITEM(q, FIELDS) FIELDS(PUT_FIELD, q) PUT(q##_words)
+#define PUT_QUEUE(q, FIELDS, ITEMS, FEATURE) PUT_ITEM(q, FIELDS)
 #define PUT_SIZE(type, name) PUT(sizeof(type))
 #define LAYOUT_PROBE(TABLE, ARGUMENT) ARGUMENT(__global uint *, words)
 TRACING_STAGE(layout_probe, LAYOUT_PROBE) {
     uint n = 0;
     if (first_slot > 0) return;
     QUEUES(PUT_QUEUE)
-    PUT_QUEUE(film, FILM_FIELDS)
+    PUT_ITEM(film, FILM_FIELDS)
     SCENE_TABLES(PUT_SIZE)
 )";
 #define TEXT_OFFSET(type, member) text += "    PUT(__builtin_offsetof(" #type ", " #member "))\n";

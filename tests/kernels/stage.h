@@ -9,9 +9,10 @@
 #include "queue_words.h"
 #include "test_device.h"
 
-#include "eikonal/stages.h"
 #include "render/batch.h"
 #include "render/device_scene.h"
+#include "render/wave_counts.h"
+#include "render/wave_queues.h"
 #include "scene/scene.h"
 
 #include <map>
@@ -29,8 +30,8 @@ PackedScene packText(const std::string& text, ColorMode color = ColorMode::autom
 /// A scene on the device, a queue of each kind, and any stage to run over them.
 class StageBench {
 public:
-    /// Queues have room for `paths`, as in a wave (host/render/wave.cpp). All words of all queues are poison at first, but paths and
-    /// film (of as many pixels as there are paths, or `filmPixels`), which hold zeros. poisonItems: the device poisons new items, too.
+    /// Queues have room for `paths`, as in a wave (WaveSize), even those that the scene does not require. All words are poison at first,
+    /// but paths and film (of as many pixels as there are paths, or `filmPixels`) hold zeros. poisonItems: the device poisons new items, too.
     StageBench(const PackedScene& scene, unsigned paths, bool poisonItems = true, unsigned filmPixels = 0);
 
     /// "ray" "next_ray" "intersection" "hit" "scatter" "miss" "emission" "shadow" "path" "film" as on the host.
@@ -38,7 +39,7 @@ public:
     void write(const std::string& queue, const QueueWords& words);
     /// One with the layout of a queue, all poison.
     QueueWords empty(const std::string& queue) const;
-    void clear(const std::string& queue, uint word = poison) { QueueWords words = empty(queue); std::fill(words.words().begin(), words.words().end(), word); write(queue, words); }
+    void clear(const std::string& queue, uint word = poison);
 
     /// A number that stages take as an argument.
     void set(const std::string& name, uint number) { bindings_.set(name, number); }
@@ -46,6 +47,8 @@ public:
     void set(const Batch& batch, int endX, int endY) { tables_.write(testContext(), batch, endX, endY); }
     /// Sets `first` and `count`, and runs the stage over `count` slots. "shade_hits diffuse" is that stage for a BSDF.
     void run(const std::string& stage, unsigned count, unsigned first = 0);
+    /// Runs the stages that the scene requires and that run over `items`, one of next_queue or stage_items, in the order of STAGES.
+    void runOver(uint items, SlotRange slots);
 
     /// What classify_intersections found for each next_queue, and how many rays; and how many shadow rays test_shadows.
     std::vector<uint> counts() const { return readWords("counts", next_queues); }
@@ -54,13 +57,16 @@ public:
     /// Zeroes these, and the cursors.
     void resetCounters();
 
-    unsigned capacity() const { return capacity_; }
+    /// Where items are that are shaded, after classify_intersections.
+    Segments segments() const { return {counts(), testGroup}; }
+
+    unsigned capacity() const { return size_.capacity; }
     const PackedScene& scene() const { return scene_; }
 
 private:
     std::vector<uint> readWords(const std::string& buffer, size_t words) const;
     const PackedScene& scene_;
-    unsigned capacity_;
+    WaveSize size_;
     bool poisonItems_;
     DeviceScene onDevice_;
     BatchTables tables_{testContext()};
@@ -70,10 +76,7 @@ private:
     std::map<std::string, Kernel> kernels_;
 };
 
-/// The kernel of a stage, as stages.cpp builds it: "intersect_rays", "shade_hits diffuse".
-struct StageText { std::string kernel, text; };
-StageText stageText(const std::string& stage);
-/// Every stage of STAGES whose file exists, shade_hits once for each BSDF whose file exists.
+/// The names of all stages of STAGES, shade_hits once for each BSDF.
 std::vector<std::string> allStages();
 
 }  // namespace eikonal

@@ -28,12 +28,8 @@ protected:
     void classify() { intersect(); bench.resetCounters(); bench.run("classify_intersections", paths); }
     void route() { classify(); bench.run("route_intersections", paths); }
 
-    /// First slot of a queue's segment of the hit queue, as the host finds it.
-    unsigned segmentStart(uint next_queue) const {
-        unsigned start = 0;
-        for (uint h = 0; h < next_queue; ++h) start += (bench.counts()[h] + testGroup - 1) / testGroup * testGroup;
-        return start;
-    }
+    /// First slot of a queue's segment.
+    unsigned segmentStart(uint next_queue) const { return bench.segments()[next_queue].first; }
 };
 
 /// No word of item i of a queue is poison.

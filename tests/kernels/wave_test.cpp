@@ -11,36 +11,26 @@ namespace {
 /// Returns how many items each queue had in all.
 std::vector<uint> traceWave(StageBench& bench) {
     bench.set(wholeImage, side, side);
-    bench.run("generate_rays", paths);
-    const bool media = bench.scene().features.has(Feature::MEDIA);
+    bench.runOver(each_sample, {0, paths});
     std::vector<uint> all(next_queues);
     unsigned rays = paths;
     for (int bounce = 0; bounce < 64 && rays > 0; ++bounce) {
-        for (const char* queue : {"intersection", "hit", "scatter", "miss", "emission", "next_ray", "shadow"}) bench.clear(queue);
-        bench.run("intersect_rays", rays);
-        if (media) bench.run("extinguish_rays", rays);
+        for (const QueueRow& queue : queueTable)
+            if (queue.id != Queue::ray && queue.id != Queue::path) bench.clear(queue.name);
+        bench.clear("next_ray");
         bench.resetCounters();
-        bench.run("classify_intersections", rays);
-        bench.run("route_intersections", rays);
+        bench.runOver(each_ray, {0, rays});
         const auto counts = bench.counts();
-        for (uint h = 0; h < next_queues; ++h) all[h] += counts[h];
-        if (counts[next_miss]) bench.run("shade_misses", counts[next_miss]);
-        if (counts[next_emission]) bench.run("shade_emitters", counts[next_emission]);
-        /* Segments of the next_queues in order; what passes straight on is in its own already */
+        for (uint next = 0; next < next_queues; ++next) all[next] += counts[next];
+        for (uint next : {next_miss, next_emission})
+            if (counts[next]) bench.runOver(next, {0, counts[next]});
+        const Segments segments = bench.segments();
         const QueueWords scatters = bench.read("scatter");
-        unsigned first = 0;
-        for (uint next_queue = 0; next_queue < next_miss; ++next_queue) {
-            std::string stage;
-            if (next_queue == next_scatter) stage = "shade_scatters";
-#define NAME_STAGE(bsdf, FEATURE, PARAMETERS) if (next_queue == next_##bsdf) stage = "shade_hits " #bsdf;
-            BSDFS(NAME_STAGE)
-#undef NAME_STAGE
-            if (next_queue == next_scatter) for (unsigned i = first; i < first + counts[next_queue]; ++i) expectClean(scatters, i);
-            if (counts[next_queue] && !stage.empty()) bench.run(stage, counts[next_queue], first);
-            first += (counts[next_queue] + testGroup - 1) / testGroup * testGroup;
-        }
-        rays = first;
-        bench.run("test_shadows", rays);
+        for (unsigned i = 0; i < segments[next_scatter].count; ++i) expectClean(scatters, segments[next_scatter].first + i);
+        for (uint next = Segments::first; next <= Segments::last; ++next)
+            if (counts[next]) bench.runOver(next, segments[next]);
+        rays = segments.slots();
+        bench.runOver(each_shadow, {0, rays});
         const QueueWords next = bench.read("next_ray"), shadow = bench.read("shadow");
         for (unsigned i = 0; i < rays; ++i) {
             if (next.get<float>("t_max", i) >= 0) expectClean(next, i);

@@ -125,7 +125,7 @@ TEST_F(AdaptiveCli, TheSamplesAreReported) {
 
     const Outcome unreached = this->run({"render", "noisy.pbrt", "--spp", "32", "--target-error", "1e-5", "-o", "b.exr"});
     EXPECT_EQ(unreached.status, 0);
-    EXPECT_THAT(unreached.error, HasSubstr("32 samples are the most that a pixel gets"));
+    EXPECT_THAT(unreached.error, HasSubstr("a pixel gets at most 32 samples"));
     const Outcome late = this->run({"render", "noisy.pbrt", "--spp", "100000000", "--target-error", "1e-5", "--time-limit", "0.5", "-o", "c.exr"});
     EXPECT_EQ(late.status, 0);
     EXPECT_THAT(late.error, HasSubstr("ended by --time-limit"));

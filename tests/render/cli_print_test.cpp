@@ -58,7 +58,7 @@ TEST_F(Cli, InfoTellsWhatASceneRequiresAndWhy) {
     EXPECT_TRUE(requires_("BSDF_DIFFUSE"));
     EXPECT_FALSE(requires_("MEDIA"));
     write("empty.pbrt", "WorldBegin\n");
-    EXPECT_THAT(run({"info", "empty.pbrt"}).out, HasSubstr("holds      nothing\n"));
+    EXPECT_THAT(run({"info", "empty.pbrt"}).out, HasSubstr("contents   nothing\n"));
 }
 
 TEST_F(Cli, InfoNeedsNoDevice) { EXPECT_EQ(run({"info", "tiny.pbrt"}, {{"OCL_ICD_VENDORS", path("")}}).status, 0); }

@@ -95,7 +95,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     DeviceScene onDevice(device(), scene);
     Profile profile;
     Stages stages(compiler(), scene, setup.shape, settings);
-    Wave wave(device(), onDevice, stages, setup.shape, built, profile);
+    Wave wave(device(), onDevice, scene, stages, setup.shape, profile);
     wave.warmUp();
     stages.keep(compiler());
     surveyEnvironment(device(), onDevice, scene, stages, setup.shape);

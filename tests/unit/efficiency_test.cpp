@@ -145,7 +145,7 @@ TEST(SeedVariance, BlackHasNone) {
 TEST(SeedVariance, RefusesAnotherSize) {
     SeedVariance renders;
     renders.add(FilmImage(4, 4));
-    EXPECT_THAT([&] { renders.add(FilmImage(4, 5)); }, testing::ThrowsMessage<Error>("a render of 20 pixels has no place beside renders of 16"));
+    EXPECT_THAT([&] { renders.add(FilmImage(4, 5)); }, testing::ThrowsMessage<Error>("a render of 20 pixels cannot be combined with renders of 16"));
 }
 
 TEST(Efficiency, IsOneOverVarianceTimesTheMedianOfTheSeconds) {

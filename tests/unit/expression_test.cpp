@@ -88,18 +88,18 @@ TEST(Expressions, SayWhatIsWrongWhereItIs) {
         {"x + * y", "test.pbrt:3:24: F: \"*\" found where a number"},
         {"2x", "test.pbrt:3:21: F: \"x\" found where an operator, one of + - * / ^, is expected; a product is written with *, as in 2*x"},
         {"x + (y - 1", "test.pbrt:3:30: F: the expression ends where the ) of the ( in column 24 is expected"},
-        {"x)", "test.pbrt:3:21: F: \")\" found where an operator, one of + - * / ^, is expected; no ( is open here"},
+        {"x)", "test.pbrt:3:21: F: \")\" found where an operator, one of + - * / ^, is expected; there is no matching ("},
         {"x + sim(y)", "test.pbrt:3:24: F: there is no \"sim\"; did you mean \"sin\"?"},
-        {"x + w", "test.pbrt:3:24: F: there is no \"w\": there are x, y, z, pi; the functions sqrt abs sin"},
+        {"x + w", "test.pbrt:3:24: F: there is no \"w\"; known are x, y, z, pi; the functions sqrt abs sin"},
         {"x + a", "test.pbrt:3:24: F: there is no \"a\": give it with \"float a\""},
         {"sin x", "test.pbrt:3:24: F: \"x\" found where ( is expected: sin(...)"},
         {"atan2(x)", "test.pbrt:3:27: F: \")\" found where a comma is expected: atan2(..., ...)"},
         {"min(x, y, z)", "test.pbrt:3:28: F: \",\" found where ) is expected: min(..., ...)"},
         {"x + 1/0", "test.pbrt:3:25: F: this is not a number: it is infinite, or undefined"},
         {"x + sqrt(-1)", "test.pbrt:3:24: F: this is not a number"},
-        {"x - 1e36", "test.pbrt:3:24: F: this is a number of more than 1e35"},
+        {"x - 1e36", "test.pbrt:3:24: F: this is a number above 1e35"},
         {"x - 1e999", "test.pbrt:3:24: F: this is not a number"},
-        {"2 + 3", "test.pbrt:3:20: F: this is the same everywhere"},
+        {"2 + 3", "test.pbrt:3:20: F: this is constant"},
         {"x = 2", "test.pbrt:3:22: F: \"=\" found where an operator"},
         {"x ; system(\"rm\")", "test.pbrt:3:22: F: \";\" found where an operator"},
         {"x + .", "test.pbrt:3:24: F: \".\" found where a number is expected"},
@@ -114,10 +114,10 @@ TEST(Expressions, AreNotEndless) {
         for (int i = 0; i < times; ++i) all += text;
         return all;
     };
-    EXPECT_THAT(errorOf(repeated("(", 100000)), HasSubstr("200 levels are the most"));
-    EXPECT_THAT(errorOf(repeated("-", 100000) + "x"), HasSubstr("200 levels are the most"));
-    EXPECT_THAT(errorOf(repeated("2^", 100000) + "x"), HasSubstr("200 levels are the most"));
-    EXPECT_THAT(errorOf(repeated("sin(", 100000)), HasSubstr("200 levels are the most"));
+    EXPECT_THAT(errorOf(repeated("(", 100000)), HasSubstr("at most 200 levels"));
+    EXPECT_THAT(errorOf(repeated("-", 100000) + "x"), HasSubstr("at most 200 levels"));
+    EXPECT_THAT(errorOf(repeated("2^", 100000) + "x"), HasSubstr("at most 200 levels"));
+    EXPECT_THAT(errorOf(repeated("sin(", 100000)), HasSubstr("at most 200 levels"));
     std::string sum = "x", nested = "x";
     for (int i = 0; i < 2000; ++i) sum += " + x^" + std::to_string(i + 2);
     EXPECT_THAT(errorOf(sum), HasSubstr("the expression is too long: it may have 1000"));

@@ -202,7 +202,7 @@ TEST_F(Image, pixelsOfItsOwnAreTaken) {
 
 TEST_F(Image, anUnknownFormatListsTheKnownOnes) {
     const std::string message = errorOf(write("a.foo", "no image"));
-    EXPECT_THAT(message, StartsWith("scene.pbrt:4:9: cannot read image \"" + path("a.foo") + "\": its format is not known; readable are "));
+    EXPECT_THAT(message, StartsWith("scene.pbrt:4:9: cannot read image \"" + path("a.foo") + "\": its format is not known; known are "));
     for (const char* extension : {" exr", " png", " jpg", " tga", " pfm", " hdr", " tif"})
         EXPECT_THAT(message + " ", HasSubstr(std::string(extension) + " "));
     EXPECT_THAT(errorOf(write("a.png", "no image")), HasSubstr("a.png\": "));

@@ -45,10 +45,10 @@ TEST_F(KernelSources, NameTheFileThatIsMissing) {
 }
 
 TEST_F(KernelSources, DefineTheFeaturesAndConstantsThatTheyMention) {
-    write("kernels/a.cl", "#if HAS_MEDIA\nRUN\n#endif\n");
+    write("kernels/a.cl", "#if HAS_MEDIA\nITEMS_PER_WORK_ITEM\n#endif\n");
     const std::string options = source("#include \"a.cl\"\n").options(Features().require(Feature::MEDIA), {{"ITEMS_PER_WORK_ITEM", 8}, {"LOCAL_SIZE", 4}});
     EXPECT_THAT(options, HasSubstr(" -DHAS_MEDIA=1"));
-    EXPECT_THAT(options, HasSubstr(" -DRUN=8"));
+    EXPECT_THAT(options, HasSubstr(" -DITEMS_PER_WORK_ITEM=8"));
     EXPECT_THAT(options, Not(HasSubstr("LOCAL_SIZE")));
     EXPECT_THAT(options, Not(HasSubstr("HAS_FILTER")));
     EXPECT_THAT(options, Not(HasSubstr(folder_.string()))) << "a path would have to survive every implementation's parsing of options";

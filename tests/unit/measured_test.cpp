@@ -58,7 +58,7 @@ TEST_F(MeasuredTest, brokenFilesAreRefused) {
     EXPECT_THAT(problemOf(bytes.substr(0, bytes.size() - 1)), HasSubstr("is cut short"));
     std::string newer = bytes;
     newer[12] = 2;
-    EXPECT_THAT(problemOf(newer), HasSubstr("of version 2.0"));
+    EXPECT_THAT(problemOf(newer), HasSubstr("has version 2.0"));
     EXPECT_THROW(readMeasuredBsdf(path("nowhere.bsdf")), ReadProblem);
 }
 
@@ -82,10 +82,10 @@ TEST_F(MeasuredTest, arraysMustFitEachOther) {
     EXPECT_THAT(problemOf(a), HasSubstr("\"spectra\" of shape [1, 7, 10, 5, 5]"));
     a = good;
     a["ndf"].shape = {64, 1};
-    EXPECT_THAT(problemOf(a), HasSubstr("2 x 2 are the least"));
+    EXPECT_THAT(problemOf(a), HasSubstr("at least 2 x 2 are needed"));
     a = good;
     set(a["theta_i"], 3, 0);
-    EXPECT_THAT(problemOf(a), HasSubstr("\"theta_i\", which does not ascend"));
+    EXPECT_THAT(problemOf(a), HasSubstr("\"theta_i\", which is not ascending"));
     a = good;
     set(a["sigma"], 5, std::numeric_limits<float>::quiet_NaN());
     EXPECT_THAT(problemOf(a), HasSubstr("\"sigma\" that are not finite"));

@@ -136,18 +136,18 @@ INSTANTIATE_TEST_SUITE_P(Options, BadValues, testing::Values(
     BadValue{"render a.pbrt --contraction maybe", "one of on, off"},
     BadValue{"render a.pbrt --log-level loud", "silent, error, warning, info, debug"},
     BadValue{"render a.obj --fov 180", "a number between 0 and 180, not \"180\""},
-    BadValue{"render a.obj --camera 1,2", "three numbers with commas"},
+    BadValue{"render a.obj --camera 1,2", "three numbers separated by commas"},
     BadValue{"render a.obj --camera 1,2,3 --look-at 1,2,3", "must differ"},
     BadValue{"render a.obj --up 0,0,0", "must not be 0,0,0"},
     BadValue{"bench a.pbrt --repeats 0", "--repeats takes a whole number from 1 to 1000"},
-    BadValue{"bench a.pbrt --reference b.exr", "--reference goes with --efficiency"},
+    BadValue{"bench a.pbrt --reference b.exr", "--reference needs --efficiency"},
     BadValue{"bench a.pbrt --efficiency --repeats 3", "--repeats must be at least 4, not 3"}));
 
 INSTANTIATE_TEST_SUITE_P(Commands, BadValues, testing::Values(
     BadValue{"", "eikonal render scene.pbrt -o image.exr"},
     BadValue{"rendr a.pbrt", "did you mean render?"},
     BadValue{"a.pbrt", "did you mean `eikonal render a.pbrt`?"},
-    BadValue{"frobnicate", "there are render, info, bench, cache, list-devices, compare"},
+    BadValue{"frobnicate", "the commands are render, info, bench, cache, list-devices, compare"},
     BadValue{"render", "needs a scene"},
     BadValue{"render a.pbrt b.pbrt", "\"b.pbrt\""},
     BadValue{"render a.pbrt --sp 3", "did you mean --spp?"},

@@ -71,8 +71,8 @@ TEST_F(PbrtCurves, errors) {
     EXPECT_THAT(error(""), HasSubstr("needs its control points, \"point3 P\""));
     EXPECT_THAT(error("\"point3 P\" [0 0 0 1 0 0 2 0 0 3 0 0 4 0 0]"), HasSubstr("has 5 control points; of degree 3 in the basis \"bezier\" it has 4, and 3 for each further segment"));
     EXPECT_THAT(error("\"string basis\" \"bspline\" \"point3 P\" [0 0 0 1 0 0 2 0 0]"), HasSubstr("has 3 control points; of degree 3 in the basis \"bspline\" it has 4 or more"));
-    EXPECT_THAT(error(seven + "\"integer degree\" 4"), HasSubstr("there are degrees 2 and 3"));
-    EXPECT_THAT(error(seven + "\"string basis\" \"catmull\""), HasSubstr("there are \"bezier\" and \"bspline\""));
+    EXPECT_THAT(error(seven + "\"integer degree\" 4"), HasSubstr("the degree can be 2 or 3"));
+    EXPECT_THAT(error(seven + "\"string basis\" \"catmull\""), HasSubstr("it can be \"bezier\" or \"bspline\""));
     EXPECT_THAT(error(seven + "\"string type\" \"ribbon\" \"normal N\" [0 0 1]"), HasSubstr("at both ends of each segment: 3 normals, not 1"));
 }
 

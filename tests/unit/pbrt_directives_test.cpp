@@ -26,7 +26,7 @@ TEST_F(PbrtDirectives, lookAtIsTheViewOfACamera) {
     expectNear(apply(glm::inverse(read("LookAt 1 2 3  1 2 8  0 1 0 Camera \"perspective\" WorldBegin").camera.worldFromCamera), {1, 2, 8}), {0, 0, 5});
     // Looking along +z with y up, x is to the right: pbrt's spaces are left-handed.
     expectNear(origin("LookAt 1 2 3  1 2 8  0 1 0"), {-1, -2, -3});
-    EXPECT_THAT(errorOfWorld("LookAt 0 0 0  0 1 0  0 1 0"), HasSubstr("along its up vector"));
+    EXPECT_THAT(errorOfWorld("LookAt 0 0 0  0 1 0  0 1 0"), HasSubstr("parallel to its up vector"));
     EXPECT_THAT(errorOfWorld("Rotate 10 0 0 0"), HasSubstr("test.pbrt:2:1: Rotate has an axis of length 0"));
 }
 

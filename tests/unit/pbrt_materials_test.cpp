@@ -121,7 +121,7 @@ TEST_F(PbrtMaterials, mixes) {
     EXPECT_EQ(scene.materials[mix.mixed[0]].name, "b");
     EXPECT_EQ(scene.materials[mix.mixed[1]].name, "a");
     EXPECT_THAT(errorOfWorld(parts + "Material \"mix\" \"string materials\" [\"a\"]"), HasSubstr("needs the names of two materials"));
-    EXPECT_THAT(errorOfWorld(parts + "Material \"mix\" \"string materials\" [\"a\" \"air\"]"), HasSubstr("cannot be a part of a mix"));
+    EXPECT_THAT(errorOfWorld(parts + "Material \"mix\" \"string materials\" [\"a\" \"air\"]"), HasSubstr("cannot be part of a mix"));
     EXPECT_THAT(errorOfWorld(parts + "MakeNamedMaterial \"m\" \"string type\" \"mix\" \"string materials\" [\"a\" \"m\"]"), HasSubstr("is a mix of itself"));
 }
 

@@ -83,7 +83,7 @@ TEST_F(PbrtParameters, spectraThatCannotBeMeantAreNamed) {
     EXPECT_EQ(warningOf("[300 0 900 0]"), "");
     EXPECT_THAT(warningOf("[.4 1 .7 1]"), HasSubstr("is black: it is 0 at 360, 361, ... 830 nm"));  // micrometres
     EXPECT_THAT(warningOf("[550 1]"), HasSubstr("is black"));
-    EXPECT_THAT(warningOf("[400 1 500 -2 600 -3]"), HasSubstr("is -3 at 600 nm; what is below 0 counts as 0"));
+    EXPECT_THAT(warningOf("[400 1 500 -2 600 -3]"), HasSubstr("is -3 at 600 nm; values below 0 count as 0"));
     EXPECT_EQ(world("LightSource \"point\" \"spectrum I\" [550 1]").lights[0].spectrum.illuminant(), glm::dvec3(0));
 }
 

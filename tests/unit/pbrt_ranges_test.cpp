@@ -25,7 +25,7 @@ INSTANTIATE_TEST_SUITE_P(Pbrt, BadSettings, testing::Values(
     BadNumber{"Camera \"perspective\" \"float fov\" 180", "22: camera \"perspective\": \"float fov\" is 180; it must be in (0, 180)"},
     BadNumber{"Camera \"perspective\" \"float fov\" 0", "22: camera \"perspective\": \"float fov\" is 0"},
     BadNumber{"Camera \"orthographic\" \"float frameaspectratio\" 0", "23: "},
-    BadNumber{"Camera \"perspective\" \"float screenwindow\" [1 1 -1 1]", "22: \"float screenwindow\" holds nothing"},
+    BadNumber{"Camera \"perspective\" \"float screenwindow\" [1 1 -1 1]", "22: \"float screenwindow\" is empty"},
     BadNumber{"Camera \"perspective\" \"float lensradius\" 1 \"float focaldistance\" 0", "43: camera \"perspective\": \"float focaldistance\" is 0; with a lens it must be in (0, inf)"},
     BadNumber{"PixelFilter \"gaussian\" \"float sigma\" 0", "24: pixel filter \"gaussian\": \"float sigma\" is 0; it must be in (0, inf)"},
     BadNumber{"PixelFilter \"sinc\" \"float tau\" -1", "20: "},

@@ -71,11 +71,11 @@ TEST_F(PbrtSettings, films) {
     EXPECT_EQ(film.gbuffer, GBuffer::none);
     EXPECT_EQ(settings("Film \"gbuffer\"").film.gbuffer, GBuffer::cameraSpace);
     EXPECT_EQ(settings("Film \"gbuffer\" \"string coordinatesystem\" \"world\"").film.gbuffer, GBuffer::worldSpace);
-    EXPECT_THAT(errorOfSettings("Film \"gbuffer\" \"string coordinatesystem\" \"screen\""), HasSubstr("\"camera\" and \"world\""));
-    EXPECT_THAT(errorOfSettings("Film \"rgb\" \"float whitebalance\" 32"), HasSubstr("a temperature in kelvin, 100 at least, or 0 for none"));
+    EXPECT_THAT(errorOfSettings("Film \"gbuffer\" \"string coordinatesystem\" \"screen\""), HasSubstr("\"camera\" or \"world\""));
+    EXPECT_THAT(errorOfSettings("Film \"rgb\" \"float whitebalance\" 32"), HasSubstr("a temperature in kelvin of at least 100, or 0 for none"));
     EXPECT_THAT(errorOfSettings("Film \"rgb\" \"string sensor\" \"leica\""), HasSubstr("it can be canon_eos_100d, "));
     EXPECT_THAT(errorOfSettings("Film \"rgb\" \"string sensor\" \"nikon_d85\""), HasSubstr("did you mean \"nikon_d850\"?"));
-    EXPECT_THAT(errorOfSettings("Film \"rgb\" \"integer xresolution\" 0"), HasSubstr("it needs one at least"));
+    EXPECT_THAT(errorOfSettings("Film \"rgb\" \"integer xresolution\" 0"), HasSubstr("it needs at least one"));
 }
 
 TEST_F(PbrtSettings, aFilmMayKeepASpectrum) {

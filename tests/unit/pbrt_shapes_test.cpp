@@ -54,8 +54,8 @@ TEST_F(PbrtShapes, implicitSurfaces) {
     EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x + * y\"" + cube), HasSubstr("test.pbrt:2:34: F: \"*\" found where a number"));
     EXPECT_THAT(errorOfWorld("Shape \"implicit\"" + cube + " \"string F\" [\n \"x + b\"]"), HasSubstr("test.pbrt:3:7: F: there is no \"b\": give it with \"float b\""));
     EXPECT_THAT(errorOfWorld("Shape \"implicit\"" + cube), HasSubstr("needs its function, as in"));
-    EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x\""), HasSubstr("needs the box that it is looked for in"));
-    EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x\" \"point3 bounds\" [0 0 0 1 0 1]"), HasSubstr("its corners have the same y"));
+    EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x\""), HasSubstr("needs a box that bounds it"));
+    EXPECT_THAT(errorOfWorld("Shape \"implicit\" \"string F\" \"x\" \"point3 bounds\" [0 0 0 1 0 1]"), HasSubstr("both corners have the same y"));
     EXPECT_EQ(world("AreaLightSource \"diffuse\" Shape \"implicit\" \"string F\" \"x\"" + cube).shapes.at(0).areaLight, none);
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("an implicit surface cannot emit")));
 }
@@ -75,7 +75,7 @@ TEST_F(PbrtShapes, subdividedMeshes) {
     EXPECT_THAT(errorOfWorld("Shape " + octahedron + "\"integer levels\" 12"), HasSubstr("\"integer levels\" is 12, which makes more than 33554432 triangles of this mesh; 11 would work"));
     EXPECT_THAT(errorOfWorld("Shape \"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0]"), HasSubstr("needs the vertices of its faces"));
     EXPECT_EQ(kind<TriangleMesh>("\"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 1 0 1 2] \"string scheme\" \"butterfly\"").mesh->indices.size(), 3u * 64);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("no subdivision scheme \"butterfly\""), HasSubstr("1 faces that name a vertex twice are left out")));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("no subdivision scheme \"butterfly\""), HasSubstr("1 faces that name a vertex twice are skipped")));
 }
 
 TEST_F(PbrtShapes, triangleMeshes) {
@@ -133,7 +133,7 @@ TEST_F(PbrtShapes, displacedMeshes) {
     write("edge.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
                       "0 0 0\n1 0 0\n2 0 1\n");
     EXPECT_THAT(world(waves + "Shape \"plymesh\" \"string filename\" \"edge.ply\" \"texture displacement\" \"waves\"").shapes, IsEmpty());
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 faces with fewer than three corners, which are left out")));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("1 faces with fewer than three corners, which are skipped")));
     EXPECT_THAT(errorOfWorld(mesh + "\"texture displacement\" \"waves\""), HasSubstr("there is no float texture \"waves\""));
 }
 
@@ -174,9 +174,9 @@ TEST_F(PbrtShapes, objectsAndInstances) {
 
 TEST_F(PbrtShapes, objectsThatMakeNoSense) {
     EXPECT_THAT(errorOfWorld("ObjectBegin \"tree\" ObjectEnd ObjectInstance \"treee\""), HasSubstr("there is no object \"treee\"; did you mean \"tree\"?"));
-    EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectBegin \"b\" ObjectEnd ObjectEnd"), HasSubstr("ObjectBegin inside of the object \"a\""));
+    EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectBegin \"b\" ObjectEnd ObjectEnd"), HasSubstr("ObjectBegin inside the object \"a\""));
     EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectEnd ObjectBegin \"a\" ObjectEnd"), HasSubstr("there is already an object \"a\""));
-    EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectInstance \"a\" ObjectEnd"), HasSubstr("objects cannot hold instances"));
+    EXPECT_THAT(errorOfWorld("ObjectBegin \"a\" ObjectInstance \"a\" ObjectEnd"), HasSubstr("objects cannot contain instances"));
 }
 
 }  // namespace

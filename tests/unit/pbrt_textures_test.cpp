@@ -130,7 +130,7 @@ TEST_F(PbrtTextures, floatAndSpectrumTexturesHaveNamesOfTheirOwn) {
     EXPECT_THAT(errorOfWorld("Texture \"u\" \"float\" \"constant\" Material \"diffuse\" \"texture reflectance\" \"u\""),
                 HasSubstr("there is no spectrum texture \"u\": \"u\" is a float texture"));
     EXPECT_THAT(errorOfWorld("Texture \"wood\" \"spectrum\" \"constant\" Material \"diffuse\" \"texture reflectance\" \"woood\""), HasSubstr("did you mean \"wood\"?"));
-    EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"scale\" \"texture tex\" \"t\""), HasSubstr("is made of itself"));
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"scale\" \"texture tex\" \"t\""), HasSubstr("refers to itself"));
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"color\" \"constant\""), HasSubstr("pbrt-v3"));
 }
 

@@ -187,10 +187,10 @@ TEST_F(Ply, saysWhatIsWrong) {
     EXPECT_EQ(errorOf(text(three, one, points + "3 0 1 -1")), "has a face 0 with the vertex index -1");
     EXPECT_EQ(errorOf(text(three, one, points + "3 0 1 1.5")), "has a face 0 with the vertex index 1.5");
     EXPECT_EQ(errorOf(text(three, one, points + "-3 0 1 2")), "has a list \"vertex_indices\" of length -3");
-    EXPECT_EQ(errorOf(text(three, one, "0 0 zero 1 0 0 0 1 0 3 0 1 2")), "has \"zero\" where a number should be");
+    EXPECT_EQ(errorOf(text(three, one, "0 0 zero 1 0 0 0 1 0 3 0 1 2")), "has \"zero\" where a number is expected");
     EXPECT_EQ(errorOf(text(three, one, "0 0 nan 1 0 0 0 1 0 3 0 1 2")), "has a face with vertex 0, whose position is not finite");
     EXPECT_EQ(errorOf(text("element vertex 4000000000000\n" + xyz, one, points)),
-              "is truncated: it ends before all of its elements are there");
+              "is truncated: it ends before its last element");
 }
 
 TEST_F(Ply, namesAFileThatIsNotThere) {

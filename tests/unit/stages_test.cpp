@@ -1,8 +1,7 @@
 // What stages.h and the head of each kernel file say a stage reads and writes is what its arguments let it read and write.
 
 #include "device/source.h"
-#include "eikonal/queues.h"
-#include "eikonal/stages.h"
+#include "render/stage_table.h"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +9,21 @@
 #include <fstream>
 #include <iterator>
 #include <regex>
+#include <set>
 
 namespace eikonal {
+
+static void PrintTo(const StageRow& stage, std::ostream* out) { *out << stage.name; }
+
 namespace {
 
 using Names = std::set<std::string>;
 
-struct StageCase { std::string name; Names reads, writes; };
-void PrintTo(const StageCase& c, std::ostream* out) { *out << c.name; }
+Names namesOf(const QueueList& queues) {
+    Names names;
+    for (Queue queue : queues) names.insert(nameOf(queue));
+    return names;
+}
 
 Names wordsOf(const std::string& text) {
     static const std::regex word("[a-z_]+");
@@ -26,25 +32,17 @@ Names wordsOf(const std::string& text) {
     return names;
 }
 
-/// What a stage can read or write: queues, the film, and the pixels of a tile, which are no buffer.
+/// What a stage can read or write.
 Names queuesAmong(const Names& words) {
     static const Names all = [] {
-        Names names{"film", "pixels"};
-#define NAME_QUEUE(q, FIELDS) names.insert(#q);
-        QUEUES(NAME_QUEUE)
+        Names names = namesOf({Queue::pixels, Queue::film, Queue::counts});
+        for (const QueueRow& queue : queueTable) names.insert(queue.name);
         return names;
     }();
     Names found;
     for (const std::string& w : words)
         if (all.count(w)) found.insert(w);
     return found;
-}
-
-std::vector<StageCase> stageCases() {
-    std::vector<StageCase> cases;
-#define ADD_CASE(name, reads, writes, FEATURE) cases.push_back({#name, wordsOf(reads), wordsOf(writes)});
-    STAGES(ADD_CASE)
-    return cases;
 }
 
 std::string textOf(const std::string& stage) {
@@ -61,31 +59,53 @@ Names queueArguments(const std::string& arguments, bool written) {
     return queuesAmong(names);
 }
 
-class StageQueues : public testing::TestWithParam<StageCase> {};
+class StageQueues : public testing::TestWithParam<StageRow> {};
 
 TEST_P(StageQueues, AreTheArgumentsOfItsKernel) {
-    const StageCase& stage = GetParam();
+    const StageRow& stage = GetParam();
+    const Names reads = namesOf(stage.reads), writes = namesOf(stage.writes);
     const std::string text = textOf(stage.name);
     std::smatch kernel;
-    ASSERT_TRUE(std::regex_search(text, kernel, std::regex(R"(#define ([A-Z_]+)\(TABLE, ARGUMENT\)((?:.*\\\n)*.*)\n(?:TRACING_)?STAGE\()" + stage.name + R"(, \1\) \{)")));
-    EXPECT_EQ(queueArguments(kernel[2], true), stage.writes);
+    const std::regex declaration(R"(#define ([A-Z_]+)\(TABLE, ARGUMENT\)((?:.*\\\n)*.*)\n(?:TRACING_)?STAGE\()" + std::string(stage.name) + R"(, \1\) \{)");
+    ASSERT_TRUE(std::regex_search(text, kernel, declaration));
+    EXPECT_EQ(queueArguments(kernel[2], true), writes);
     /* What is not const may be read as well, where the list says so */
     Names readable = queueArguments(kernel[2], false);
-    for (const std::string& q : stage.reads)
-        if (stage.writes.count(q) || q == "pixels") readable.insert(q);
-    EXPECT_EQ(readable, stage.reads);
+    for (const std::string& q : reads)
+        if (writes.count(q) || q == "pixels") readable.insert(q);
+    EXPECT_EQ(readable, reads);
 }
 
 TEST_P(StageQueues, AreSaidInTheHeadOfItsFile) {
-    const StageCase& stage = GetParam();
+    const StageRow& stage = GetParam();
+    const Names reads = namesOf(stage.reads), writes = namesOf(stage.writes);
     const std::string text = textOf(stage.name);
     std::smatch head;
     ASSERT_TRUE(std::regex_search(text, head, std::regex(R"(^/\* ([^>]*) -> ([^.]*)\.)"))) << "/* what it reads -> what it writes. ...";
-    EXPECT_EQ(queuesAmong(wordsOf(head[1])), stage.reads);
-    EXPECT_EQ(queuesAmong(wordsOf(head[2])), stage.writes);
+    EXPECT_EQ(queuesAmong(wordsOf(head[1])), reads);
+    EXPECT_EQ(queuesAmong(wordsOf(head[2])), writes);
 }
 
-INSTANTIATE_TEST_SUITE_P(Stages, StageQueues, testing::ValuesIn(stageCases()), [](const auto& info) { return info.param.name; });
+/// The order of STAGES: what a stage drains has been filled by one before it.
+TEST(StageTable, DrainsWhatAnEarlierStageFills) {
+    std::set<Queue> filled{Queue::pixels};
+    for (const StageRow& stage : stageTable) {
+        for (Queue queue : stage.reads) EXPECT_TRUE(filled.contains(queue)) << stage.name << " reads " << nameOf(queue);
+        filled.insert(stage.writes.begin(), stage.writes.end());
+    }
+}
+
+/// A queue is there wherever a stage is that drains it.
+TEST(StageTable, RequiresNoMoreOfAQueueThanOfTheStageThatDrainsIt) {
+    for (const StageRow& stage : stageTable) {
+        const Queue drained = *stage.reads.begin();
+        if (drained == Queue::pixels) continue;
+        const Requirement queue = rowOf(drained).requirement;
+        EXPECT_TRUE(queue == Requirement() || queue == stage.requirement) << stage.name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, StageQueues, testing::ValuesIn(stageTable), [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
 }  // namespace eikonal

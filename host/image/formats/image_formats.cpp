@@ -9,7 +9,7 @@
 namespace eikonal {
 
 static const ImageFormats& loadFormats() {
-    /* Where it is, the program says itself: in its run path */
+    /* The dynamic linker finds it in the program's run path */
     void* const library = ::dlopen("libeikonal_openimageio.so", RTLD_LAZY | RTLD_LOCAL);
     void* const symbol = library ? ::dlsym(library, "eikonal_image_formats") : nullptr;
     if (!symbol) throw Error(ExitCode::scene, fmt::format("images cannot be read: {}", ::dlerror()));

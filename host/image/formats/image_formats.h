@@ -1,6 +1,6 @@
 #pragma once
-// What OpenImageIO does for us. It is a library of its own that is loaded when it is first needed: with all that it needs in turn, it takes as long
-// to load as a small scene takes to render.
+// Interface to OpenImageIO. It is a separate library, loaded on first use, because loading OpenImageIO with its dependencies takes as long
+// as rendering a small scene.
 
 #include <array>
 #include <cstddef>
@@ -14,18 +14,18 @@
 
 namespace eikonal {
 
-/// Something that an image file says besides its pixels; eight numbers are chromaticities.
+/// An attribute of an image file; eight numbers are chromaticities.
 using ImageAttribute = std::pair<std::string, std::variant<int, float, std::string, std::array<float, 8>>>;
 
-/// An image that is to become a file.
+/// An image to be encoded.
 struct EncodedImage {
-    enum class Values { bytes, words, floats } stored = Values::floats;   ///< bytes and words: of [0, 1]
-    int width = 0, height = 0;                ///< of what is present
-    int x = 0, y = 0;                         ///< where that is in the whole image
-    int fullWidth = 0, fullHeight = 0;        ///< of the whole image
+    enum class Values { bytes, words, floats } stored = Values::floats;   ///< bytes and words: values in [0, 1]
+    int width = 0, height = 0;                ///< size of the pixels present
+    int x = 0, y = 0;                         ///< their position in the whole image
+    int fullWidth = 0, fullHeight = 0;        ///< size of the whole image
     std::vector<std::string> channels;
     std::vector<ImageAttribute> attributes;
-    std::vector<float> values;                ///< channel after channel of each pixel, row after row from the top
+    std::vector<float> values;                ///< channels interleaved, row by row from the top
 };
 
 /// An image file that is open.
@@ -33,12 +33,12 @@ class ImageReader {
 public:
     struct Header {
         int width = 0, height = 0, depth = 1;
-        int x = 0, y = 0;                     ///< where the pixels that are present begin in the whole image
+        int x = 0, y = 0;                     ///< position of the pixels present in the whole image
         int fullWidth = 0, fullHeight = 0;
         std::vector<std::string> channels;
         bool isFloatingPoint = false;
         bool isBytes = false;                 ///< every channel has 8 bits
-        std::size_t bytes = 0;                ///< of all pixels, as they are stored
+        std::size_t bytes = 0;                ///< size of all pixels as stored
         std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * static_cast<std::size_t>(depth); }
     };
 
@@ -46,27 +46,27 @@ public:
     virtual const Header& header() const = 0;
     virtual std::optional<int> integer(const char* name) const = 0;
     virtual std::optional<float> number(const char* name) const = 0;
-    virtual std::string text(const char* name) const = 0;                       ///< empty: there is none
+    virtual std::string text(const char* name) const = 0;                       ///< empty: no such attribute
     virtual std::optional<std::array<float, 8>> chromaticities() const = 0;
-    /// All channels of all pixels, interleaved, into memory for them. False: error() says why.
+    /// Reads all channels of all pixels, interleaved. On failure returns false, and error() has the reason.
     virtual bool read(std::uint8_t* values) = 0;
     virtual bool read(float* values) = 0;
     virtual std::string error() = 0;
 };
 
-/// Opens and makes files of every format that it knows.
+/// Reads and writes all formats that OpenImageIO knows.
 class ImageFormats {
 public:
     virtual ~ImageFormats() = default;
-    /// Null: `error` says why. isAlphaApart: colours are returned without the alpha that a file has multiplied them by.
+    /// Opens a file; null on failure, with the reason in `error`. isAlphaApart: undo the multiplication of colours by alpha.
     virtual std::unique_ptr<ImageReader> open(const std::string& path, bool isAlphaApart, std::string& error) const = 0;
-    /// The content of a file, of a format by its name and its extension. Empty: `error` says why.
+    /// The content of a file in a format given by name and extension. Empty on failure, with the reason in `error`.
     virtual std::vector<unsigned char> encode(const std::string& format, const std::string& extension, const EncodedImage& image, std::string& error) const = 0;
-    /// Those of files that can be read: "exr,sgi" of each format after its name, "openexr:exr,sxr;png:png".
+    /// The extensions of the readable formats, after each format's name: "openexr:exr,sxr;png:png".
     virtual std::string extensions() const = 0;
 };
 
-/// Loads the library when first called, from any thread. Throws Error (ExitCode::scene) where that is not possible.
+/// Loads the library on the first call; thread-safe. Throws Error (ExitCode::scene) if it cannot be loaded.
 const ImageFormats& imageFormats();
 
 }  // namespace eikonal

@@ -20,7 +20,7 @@ constexpr Function functions[] = {
     {"pow", Operation::power, 2}, {"atan2", Operation::atan2, 2},
 };
 
-/// Parentheses, signs and powers inside of each other.
+/// The limit on nested parentheses, signs and powers.
 constexpr int mostLevels = 200;
 
 double valueOf(Operation operation, double a, double b) {
@@ -64,10 +64,10 @@ public:
         skipBlanks();
         if (at_ < text_.size()) {
             const bool factor = isLetter(text_[at_]) || isDigit(text_[at_]) || text_[at_] == '(' || text_[at_] == '.';
-            fail(at_, found() + " where an operator, one of + - * / ^, is expected" + (factor ? "; a product is written with *, as in 2*x" : text_[at_] == ')' ? "; no ( is open here" : ""));
+            fail(at_, found() + " where an operator, one of + - * / ^, is expected" + (factor ? "; a product is written with *, as in 2*x" : text_[at_] == ')' ? "; there is no matching (" : ""));
         }
-        if (isNumber(whole)) fail(0, "this is the same everywhere: F depends on neither x, y nor z");
-        expression_.nodes.resize(static_cast<size_t>(whole) + 1);   // what was folded away may lie behind it
+        if (isNumber(whole)) fail(0, "this is constant: F must depend on x, y or z");
+        expression_.nodes.resize(static_cast<size_t>(whole) + 1);   // operands that were folded may follow it
         return std::move(expression_);
     }
 
@@ -85,7 +85,7 @@ private:
         ++at_;
         return true;
     }
-    /// What comes next, for messages.
+    /// A description of the next token, for messages.
     std::string found() {
         skipBlanks();
         if (at_ >= text_.size()) return "the expression ends";
@@ -98,10 +98,10 @@ private:
     bool isNumber(int node) const { return expression_.nodes[static_cast<size_t>(node)].operation == Operation::number; }
     double number(int node) const { return expression_.nodes[static_cast<size_t>(node)].number; }
 
-    /// `at`: the place to name if there is no such number.
+    /// `at`: the place to report if the number is not finite or too large.
     int add(const ExpressionNode& node, size_t at) {
         if (node.operation == Operation::number && !(std::abs(node.number) < 1e35))
-            fail(at, std::isfinite(node.number) ? "this is a number of more than 1e35, too large to compute with" : "this is not a number: it is infinite, or undefined");
+            fail(at, std::isfinite(node.number) ? "this is a number above 1e35, too large to compute with" : "this is not a number: it is infinite, or undefined");
         const auto [place, isNew] = known_.try_emplace({node.operation, node.number, node.a, node.b}, static_cast<int>(expression_.nodes.size()));
         if (!isNew) return place->second;
         if (expression_.nodes.size() >= mostOperations) fail(at, "the expression is too long: it may have " + std::to_string(mostOperations) + " different operations and numbers");
@@ -168,7 +168,7 @@ private:
         if (error == std::errc::invalid_argument) fail(at, found() + " where a number is expected");
         at_ = static_cast<size_t>(stop - text_.data());
         if (error == std::errc::result_out_of_range) {
-            /* Too small to be told from zero, or too large */
+            /* The number underflows or overflows */
             const std::string_view digits = text_.substr(at, at_ - at);
             const size_t exponent = digits.find_first_of("eE");
             value = exponent != digits.npos && exponent + 1 < digits.size() && digits[exponent + 1] == '-' ? 0 : HUGE_VAL;
@@ -203,7 +203,7 @@ private:
         }
         const std::string near = name.size() > 1 ? nearestWord(name, names) : "";
         const bool constant = name.size() == 1 && name[0] >= 'a' && name[0] <= 'd';
-        fail(at, "there is no \"" + printable(name.substr(0, 40)) + "\"" + (near.empty() ? constant ? ": give it with \"float " + name + "\"" : ": there are " + known : "; did you mean \"" + near + "\"?"));
+        fail(at, "there is no \"" + printable(name.substr(0, 40)) + "\"" + (near.empty() ? constant ? ": give it with \"float " + name + "\"" : "; known are " + known : "; did you mean \"" + near + "\"?"));
     }
 
     int readCall(const Function& f, size_t at) {
@@ -220,10 +220,10 @@ private:
         return apply(f.operation, at, a, b);
     }
 
-    /// One more thing inside of another.
+    /// Counts a level of nesting.
     struct Level {
         explicit Level(ExpressionReader& reader) : levels(reader.levels_) {
-            if (++levels > mostLevels) reader.fail(reader.at_, "there is too much inside of each other here: " + std::to_string(mostLevels) + " levels are the most");
+            if (++levels > mostLevels) reader.fail(reader.at_, "the expression is nested too deeply here: at most " + std::to_string(mostLevels) + " levels are possible");
         }
         ~Level() { --levels; }
         int& levels;

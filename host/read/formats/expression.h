@@ -1,5 +1,5 @@
 #pragma once
-// A function of x, y and z that was written as an expression: "x^2 + y^2 - z^3". Grammar: docs/implicit.md.
+// Functions of x, y and z written as expressions, such as "x^2 + y^2 - z^3". Grammar: docs/implicit.md.
 
 #include "error.h"
 
@@ -16,23 +16,23 @@ enum class Operation {
     sqrt, abs, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, min, max, atan2
 };
 
-/// One operation and what it is applied to.
+/// An operation and its operands.
 struct ExpressionNode {
     Operation operation;
     double number = 0;   ///< Operation::number
-    int a = -1, b = -1;  ///< operands, earlier in Expression::nodes; -1: none
+    int a = -1, b = -1;  ///< operands: indices of earlier nodes; -1: none
 };
 
-/// Operands come before what is made of them; nothing is there twice, and what is made of numbers alone is one number, which is finite.
+/// Operands come before their operation. Nodes are unique, and subexpressions of numbers are folded into one finite number.
 struct Expression {
-    std::vector<ExpressionNode> nodes;   ///< the last one is the whole
+    std::vector<ExpressionNode> nodes;   ///< the last one is the whole expression
 };
 
-/// Reads an expression. `where` is the place of its first character: errors, which are SceneErrors, name the column in the expression.
-/// `constants` are names besides x, y, z and pi, and what they stand for. An expression that does not depend on x, y or z is an error.
+/// Parses an expression. `where` is the place of its first character; errors are SceneErrors that name the column in the expression.
+/// `constants`: names besides x, y, z and pi, with their values. An expression that does not depend on x, y or z is an error.
 Expression readExpression(std::string_view text, const SourceLocation& where, const std::map<std::string, double>& constants = {});
 
-/// More operations are refused.
+/// The most operations in an expression.
 constexpr size_t mostOperations = 1000;
 
 }  // namespace eikonal

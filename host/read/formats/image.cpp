@@ -35,7 +35,7 @@ const std::array<float, 256>& linearFromSrgbByte() {
 
 struct Problem { std::string message; };
 
-/// The extensions of still images that can be read, for error messages: "exr tif tiff jpg ...".
+/// The readable extensions of still images, for error messages: "exr tif tiff jpg ...".
 std::string readableExtensions() {
     std::string result;
     std::istringstream formats(imageFormats().extensions());
@@ -60,20 +60,20 @@ std::unique_ptr<ImageReader> open(const std::string& path) {
     auto input = imageFormats().open(path, true, reason);
     if (input) return input;
     const bool unknown = reason.find("could not find a format reader") != reason.npos || reason.find("not recognized") != reason.npos;
-    throw Problem{unknown || reason.empty() ? "its format is not known; readable are " + readableExtensions() : reason};
+    throw Problem{unknown || reason.empty() ? "its format is not known; known are " + readableExtensions() : reason};
 }
 
-/// Refuses a header that claims far more pixels than the file can hold: a damaged file should not take all memory.
+/// Refuses a header that claims far more pixels than the file can hold, so that a damaged file does not exhaust memory.
 void checkPlausible(const std::string& path, const ImageReader::Header& header) {
     if (header.width <= 0 || header.height <= 0 || header.depth > 1)
         throw Problem{fmt::format("it is {} x {} x {} pixels", header.width, header.height, header.depth)};
     constexpr double alwaysFine = 1 << 26, highestCompression = 2000;
     const double claimed = static_cast<double>(header.bytes), size = static_cast<double>(std::filesystem::file_size(path));
     if (claimed > alwaysFine && claimed > highestCompression * size)
-        throw Problem{fmt::format("it is damaged: {} bytes cannot be {} x {} pixels", size, header.width, header.height)};
+        throw Problem{fmt::format("it is damaged: {} bytes cannot hold {} x {} pixels", size, header.width, header.height)};
 }
 
-/// Where R G B (A), or else the one channel, are in the file.
+/// The indices of R G B (A) in the file, or of its only channel.
 std::vector<int> pickChannels(const ImageReader::Header& header) {
     const auto find = [&](const char* name) {
         const auto found =
@@ -115,7 +115,7 @@ template <class T> bool isOpaque(const std::vector<T>& values, T one) {
     return true;
 }
 
-/// The matrix from the file's primaries to those of sRGB, if it names others.
+/// The matrix from the file's primaries to those of sRGB; nothing if they are the same.
 std::optional<glm::dmat3> conversion(const ImageReader& file) {
     const std::optional<Primaries> primaries = file.chromaticities();
     if (!primaries) return {};
@@ -187,7 +187,7 @@ std::shared_ptr<const ImageData> loadImage(const ImageFile& file) {
     } catch (const Problem& problem) {
         throw SceneError(file.where, fmt::format("cannot read image \"{}\": {}", file.path, problem.message));
     } catch (const std::bad_alloc&) {
-        throw SceneError(file.where, fmt::format("cannot read image \"{}\": there is not enough memory for it", file.path));
+        throw SceneError(file.where, fmt::format("cannot read image \"{}\": not enough memory", file.path));
     }
 }
 
@@ -207,7 +207,7 @@ ImageData scalarImage(const ImageData& image) {
         return result;
     }
 
-    // Grey stored as colour, as most bump and roughness maps are, needs no mean.
+    // Check for grey stored as colour, as in most bump and roughness maps: it needs no mean.
     bool isGrey = !image.bytes.empty();
     for (std::size_t i = 0; i < image.bytes.size() && isGrey; i += 3)
         isGrey = image.bytes[i] == image.bytes[i + 1] && image.bytes[i] == image.bytes[i + 2];

@@ -12,15 +12,15 @@
 namespace eikonal {
 namespace {
 
-/// The arrays of one file, with what each must be like.
+/// The arrays of a file, with checks.
 class Arrays {
 public:
     explicit Arrays(const std::string& path) : tensors_(readTensorFile(path)) {}
 
-    /// Sides that are 0 may be anything.
+    /// An expected side of 0 matches any length.
     const Tensor& get(const std::string& name, Tensor::Type type, const std::vector<std::uint64_t>& shape) const {
         const auto found = tensors_.find(name);
-        if (found == tensors_.end()) throw ReadProblem("has no array \"" + name + "\", which measured BSDFs have");
+        if (found == tensors_.end()) throw ReadProblem("has no array \"" + name + "\", which measured BSDFs need");
         const Tensor& tensor = found->second;
         bool fits = tensor.type == type && tensor.shape.size() == shape.size();
         for (size_t d = 0; fits && d < shape.size(); ++d) fits = shape[d] ? tensor.shape[d] == shape[d] : tensor.shape[d] > 0;
@@ -33,15 +33,15 @@ public:
     std::vector<float> list(const std::string& name) const {
         const std::vector<float> values = get(name, Tensor::Type::float32, {0}).floats();
         requireFinite(name, values);
-        if (std::ranges::adjacent_find(values, std::greater_equal<>()) != values.end()) throw ReadProblem("has the list \"" + name + "\", which does not ascend");
+        if (std::ranges::adjacent_find(values, std::greater_equal<>()) != values.end()) throw ReadProblem("has the list \"" + name + "\", which is not ascending");
         return values;
     }
 
-    /// The last two sides are those of the grid; values below zero only where `mayBeNegative`.
+    /// The last two dimensions are those of the grid; values may be negative only with `mayBeNegative`.
     MeasuredBsdf::Grid grid(const std::string& name, const std::vector<std::uint64_t>& shape, bool mayBeNegative = false) const {
         const Tensor& tensor = get(name, Tensor::Type::float32, shape);
         MeasuredBsdf::Grid grid{tensor.shape[shape.size() - 1], tensor.shape[shape.size() - 2], tensor.floats()};
-        if (grid.width < 2 || grid.height < 2) throw ReadProblem(fmt::format("has the grid \"{}\" of {} x {} values; 2 x 2 are the least", name, grid.width, grid.height));
+        if (grid.width < 2 || grid.height < 2) throw ReadProblem(fmt::format("has the grid \"{}\" of {} x {} values; at least 2 x 2 are needed", name, grid.width, grid.height));
         requireFinite(name, grid.values);
         if (!mayBeNegative && std::ranges::any_of(grid.values, [](float v) { return v < 0; })) throw ReadProblem("has values below zero in \"" + name + "\"");
         return grid;
@@ -54,7 +54,7 @@ private:
     std::map<std::string, Tensor> tensors_;
 };
 
-/// Every one of the grids can be sampled.
+/// Checks that each of the grids can be sampled.
 void requirePositive(const std::string& name, const MeasuredBsdf::Grid& grids) {
     const auto size = static_cast<std::ptrdiff_t>(grids.width * grids.height);
     for (auto grid = grids.values.begin(); grid != grids.values.end(); grid += size)
@@ -80,7 +80,7 @@ std::shared_ptr<const MeasuredBsdf> readMeasuredBsdf(const std::string& path) {
     if (!bsdf->isIsotropic()) {
         const double turns = 2 * M_PI / (bsdf->phi.back() - bsdf->phi.front());
         if (std::lround(turns) != 1)
-            throw ReadProblem(fmt::format("was measured over 1/{} of a turn only; such symmetric files cannot be read, those of a whole turn and isotropic ones can", std::lround(turns)));
+            throw ReadProblem(fmt::format("was measured over 1/{} of a turn only; such symmetric files cannot be read, only isotropic ones and those of a whole turn", std::lround(turns)));
     }
     return bsdf;
 }

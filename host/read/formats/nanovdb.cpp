@@ -1,6 +1,6 @@
 #include "read/formats/nanovdb.h"
 
-/* Files may be compressed in either way */
+/* Files may use either compression */
 #define NANOVDB_USE_ZIP
 #define NANOVDB_USE_BLOSC
 #include <nanovdb/util/IO.h>
@@ -22,10 +22,10 @@ using Upper = Tree::Node2;
 using Lower = Tree::Node1;
 using Leaf = Tree::Node0;
 
-/// Blocks, of 512 voxels, within the bounds of the largest grid that is read.
+/// The most blocks, of 512 voxels each, within the bounds of a grid.
 constexpr double mostBlocks = 1 << 28;
 
-/// A grid in a file: what its header says, and that the file stands where the grid's data begin.
+/// The header of a grid in the file.
 struct Found { nanovdb::io::MetaData meta; nanovdb::io::Codec codec; };
 
 void readRaw(std::istream& file, void* to, size_t size) {
@@ -33,7 +33,7 @@ void readRaw(std::istream& file, void* to, size_t size) {
     if (!file) throw ReadProblem("ends too early");
 }
 
-/// Walks through a file's headers, until `wanted` returns true for a name: then the file stands where that grid's data begin.
+/// Goes through the file's headers until `wanted` returns true for a name, and leaves the stream at the start of that grid's data.
 bool findGrid(std::istream& file, const std::function<bool(const std::string&)>& wanted, Found& found) {
     file.seekg(0, std::ios::end);
     const auto end = static_cast<std::uint64_t>(file.tellg());
@@ -44,9 +44,9 @@ bool findGrid(std::istream& file, const std::function<bool(const std::string&)>&
         readRaw(file, &header, sizeof header);
         if (header.magic != NANOVDB_MAGIC_NUMBER) throw ReadProblem("is not a NanoVDB file");
         if (header.version.getMajor() != NANOVDB_MAJOR_VERSION_NUMBER)
-            throw ReadProblem(fmt::format("is of NanoVDB's file version {}; {} is what the library reads", header.version.getMajor(), NANOVDB_MAJOR_VERSION_NUMBER));
+            throw ReadProblem(fmt::format("has NanoVDB's file version {}; only {} can be read", header.version.getMajor(), NANOVDB_MAJOR_VERSION_NUMBER));
 
-        /* All of a segment's headers stand before its data */
+        /* All headers of a segment come before its data */
         std::vector<std::pair<nanovdb::io::MetaData, std::string>> grids;
         for (int i = 0; i < header.gridCount; ++i) {
             nanovdb::io::MetaData meta;
@@ -69,15 +69,15 @@ bool findGrid(std::istream& file, const std::function<bool(const std::string&)>&
     return false;
 }
 
-/// A node at an offset from another, which may say anything.
+/// A node at an offset from another node; checks the offset, since a damaged file may contain any value.
 template <class Node> const Node& nodeAt(const nanovdb::GridHandle<>& handle, const void* from, std::int64_t offset) {
     const std::int64_t size = static_cast<std::int64_t>(handle.size()), here = static_cast<const std::uint8_t*>(from) - handle.data();
     const std::int64_t at = std::clamp(offset, -size - 1, size + 1) + here;
-    if (at < 0 || at > size - static_cast<std::int64_t>(sizeof(Node)) || at % NANOVDB_DATA_ALIGNMENT) throw ReadProblem("is damaged: a node is outside of it");
+    if (at < 0 || at > size - static_cast<std::int64_t>(sizeof(Node)) || at % NANOVDB_DATA_ALIGNMENT) throw ReadProblem("is damaged: a node lies outside the file");
     return *reinterpret_cast<const Node*>(handle.data() + at);
 }
 
-/// Copies a tree's values, block by block.
+/// Copies a tree's values block by block.
 class Copy {
 public:
     explicit Copy(const nanovdb::GridHandle<>& handle) : handle_(handle) {
@@ -103,11 +103,11 @@ private:
             grid_.low[a] = box.min()[a];
             grid_.high[a] = box.max()[a];
         }
-        if (glm::any(glm::lessThan(grid_.high, grid_.low))) grid_.low = grid_.high = glm::ivec3(0);   // no voxel is active
+        if (glm::any(glm::lessThan(grid_.high, grid_.low))) grid_.low = grid_.high = glm::ivec3(0);   // no active voxel
         grid_.firstBlock = grid_.low >> 3;
         const glm::dvec3 blocks = glm::dvec3(grid_.high >> 3) - glm::dvec3(grid_.firstBlock) + 1.;
         if (blocks.x * blocks.y * blocks.z > mostBlocks)
-            throw ReadProblem(fmt::format("has a grid of {:.3g} blocks; {:.3g} is the most that is read", blocks.x * blocks.y * blocks.z, mostBlocks));
+            throw ReadProblem(fmt::format("has a grid of {:.3g} blocks; at most {:.3g} can be read", blocks.x * blocks.y * blocks.z, mostBlocks));
         grid_.blocks = blocks;
         grid_.blockOf.assign(static_cast<size_t>(grid_.blocks.x) * grid_.blocks.y * grid_.blocks.z, constantBlock(background));
     }
@@ -141,7 +141,7 @@ private:
                 for (int x = 0; x < 8; ++x) grid_.values.push_back(checked(leaf.mValues[(x * 8 + y) * 8 + z]));
     }
 
-    /// A cube of the same value everywhere.
+    /// Fills a cube with one value.
     void fill(glm::ivec3 origin, int side, float value) {
         const std::uint32_t constant = constantBlock(value);
         const glm::ivec3 low = glm::max(origin >> 3, grid_.firstBlock), high = glm::min((origin >> 3) + side / 8, grid_.firstBlock + grid_.blocks);
@@ -195,12 +195,12 @@ std::shared_ptr<const SparseGrid> readNanoVdb(const std::string& path, const std
     Found found;
     if (!findGrid(file, [&](const std::string& other) { return other == name; }, found)) return nullptr;
     if (found.meta.gridType != nanovdb::GridType::Float)
-        throw ReadProblem(fmt::format("has a grid \"{}\" of {}; grids of floats are read", name, found.meta.gridType < nanovdb::GridType::End ? nanovdb::toStr(found.meta.gridType) : "an unknown type"));
+        throw ReadProblem(fmt::format("has a grid \"{}\" of {}; only grids of floats can be read", name, found.meta.gridType < nanovdb::GridType::End ? nanovdb::toStr(found.meta.gridType) : "an unknown type"));
     if (found.meta.gridClass == nanovdb::GridClass::LevelSet)
-        throw ReadProblem(fmt::format("has a grid \"{}\" that is a level set; fog volumes are rendered", name));
+        throw ReadProblem(fmt::format("has a grid \"{}\" that is a level set; only fog volumes are rendered", name));
     try {
-        /* No codec packs thousands of bytes into one */
-        if (found.meta.gridSize > 4096 * found.meta.fileSize || found.meta.gridSize == 0) throw ReadProblem("is damaged: the size of its grid cannot be");
+        /* No codec compresses by a factor of thousands */
+        if (found.meta.gridSize > 4096 * found.meta.fileSize || found.meta.gridSize == 0) throw ReadProblem("is damaged: the size of its grid is impossible");
         nanovdb::GridHandle<> handle(nanovdb::HostBuffer::create(found.meta.gridSize));
         if (!handle.data()) throw ReadProblem("has a grid that does not fit into memory");
         nanovdb::io::Internal::read(file, handle, found.codec);

@@ -10,11 +10,11 @@
 
 namespace eikonal {
 
-/// The names of all grids of a file. Throws ReadProblem.
+/// The names of all grids in a file. Throws ReadProblem.
 std::vector<std::string> gridNames(const std::string& path);
 
-/// The first grid of that name, values below 0 taken as 0; null if there is none. It must be of floats; ReadProblem is thrown if it is not,
-/// if the file is damaged, or of a version that the library does not read.
+/// The first grid called `name`, with negative values clamped to 0; null if there is none. Throws ReadProblem if it is not a grid of
+/// floats, if the file is damaged, or if the library does not read its version.
 std::shared_ptr<const SparseGrid> readNanoVdb(const std::string& path, const std::string& name);
 
 }  // namespace eikonal

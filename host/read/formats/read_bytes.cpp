@@ -11,7 +11,7 @@
 namespace eikonal {
 
 std::vector<char> readBytes(const std::string& path) {
-    // zlib passes through what is not compressed.
+    // zlib passes uncompressed data through.
     errno = 0;
     gzFile file = gzopen(path.c_str(), "rb");
     if (!file) throw ReadProblem(std::string("cannot be opened: ") + std::strerror(errno));

@@ -1,5 +1,5 @@
 #pragma once
-// Whole files in memory.
+// Reads whole files into memory.
 
 #include <stdexcept>
 #include <string>
@@ -7,12 +7,12 @@
 
 namespace eikonal {
 
-/// Why a file could not be read, as the end of a sentence that began with its name: "cannot be opened: No such file or directory".
+/// The reason why a file could not be read, phrased to follow the file's name: "cannot be opened: No such file or directory".
 struct ReadProblem : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The bytes of a file; of a gzip-compressed one (whatever it is called), what was compressed. Throws ReadProblem.
+/// The bytes of a file, decompressed if it is gzip (whatever its name). Throws ReadProblem.
 std::vector<char> readBytes(const std::string& path);
 
 }  // namespace eikonal

@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t bytesOfType[] = {0, 1, 1, 2, 2, 4, 4, 8, 8, 2, 4, 8};
 
-/// Numbers in a row, least significant byte first.
+/// Reads little-endian numbers in sequence.
 class Reader {
 public:
     explicit Reader(const std::vector<char>& bytes) : bytes_(bytes) {}
@@ -58,7 +58,7 @@ std::map<std::string, Tensor> readTensorFile(const std::string& path) {
     if (bytes.size() < 12 || std::memcmp(bytes.data(), "tensor_file", 12) != 0) throw ReadProblem("is not a tensor file (it does not begin with \"tensor_file\")");
     reader.text(12, "its first word");
     const int major = reader.number<std::uint8_t>("its version"), minor = reader.number<std::uint8_t>("its version");
-    if (major != 1 || minor != 0) throw ReadProblem(fmt::format("is of version {}.{} of the tensor format; 1.0 can be read", major, minor));
+    if (major != 1 || minor != 0) throw ReadProblem(fmt::format("has version {}.{} of the tensor format; only 1.0 can be read", major, minor));
 
     std::map<std::string, Tensor> tensors;
     const std::uint32_t count = reader.number<std::uint32_t>("the number of its arrays");

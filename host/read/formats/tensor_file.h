@@ -14,11 +14,11 @@ struct Tensor {
     std::vector<std::uint64_t> shape;   ///< outermost first
     std::vector<char> bytes;
     size_t count() const;
-    /// Of type float32.
+    /// The values, which must be of type float32.
     std::vector<float> floats() const;
 };
 
-/// The arrays of a file, by name. Throws ReadProblem, which says what is wrong where.
+/// The arrays of a file by name. Throws ReadProblem with the problem and its place.
 std::map<std::string, Tensor> readTensorFile(const std::string& path);
 
 }  // namespace eikonal

@@ -22,7 +22,7 @@ glm::vec3 unitOrZero(const glm::dvec3& v) {
     return length > 0 ? v / length : glm::dvec3(0);
 }
 
-/// The mean of the normals of each vertex's faces, all of which count alike.
+/// Sets each vertex normal to the mean of its faces' normals, with equal weights.
 void averageNormals(Mesh& mesh) {
     mesh.normals.assign(mesh.positions.size(), glm::vec3(0));
     for (std::size_t t = 0; t < mesh.indices.size() / 3; ++t) {
@@ -34,7 +34,7 @@ void averageNormals(Mesh& mesh) {
     for (glm::vec3& n : mesh.normals) n = unitOrZero(n);
 }
 
-/// The area of a mesh, and the length of its triangles' longest edges; world space.
+/// The area of a mesh, and the sum of its triangles' longest edges; world space.
 struct Extent { double area = 0, length = 0; };
 
 Extent extentOf(const Mesh& mesh, const Transform& worldFromObject) {
@@ -86,7 +86,7 @@ public:
 private:
     double lengthOf(std::uint32_t a, std::uint32_t b) const { return glm::length(places_[a] - places_[b]); }
 
-    /// The same triangle, its longest edge from x to y.
+    /// The same triangle, rotated so that its longest edge goes from x to y.
     Corners longestEdgeFirst(Corners c) const {
         const double xy = lengthOf(c.x, c.y), yz = lengthOf(c.y, c.z), zx = lengthOf(c.z, c.x);
         if (xy > yz && xy > zx) return c;
@@ -106,7 +106,7 @@ private:
 
     Mesh& mesh_;
     const Transform& worldFromObject_;
-    double limit_;                        ///< that all edges are to be shorter than
+    double limit_;                        ///< all edges must become shorter than this
     std::vector<glm::dvec3> places_;      ///< of all vertices, world space
     std::unordered_map<std::uint64_t, std::uint32_t, HashEdge> middles_;   ///< (smaller end, larger end) -> vertex
 };
@@ -114,7 +114,8 @@ private:
 }  // namespace
 
 Split splitLongEdges(Mesh& mesh, const Transform& worldFromObject, double edgeLength) {
-    /* The largest triangle of short edges is equilateral, and a long edge belongs to as many triangles as it has parts */
+    /* Bound the number of triangles from below: the largest triangle with short edges is equilateral, and an edge that is split into n
+       parts belongs to at least n triangles */
     const Extent extent = extentOf(mesh, worldFromObject);
     const double most = static_cast<double>(mostDisplacedTriangles), triangles = static_cast<double>(mesh.indices.size() / 3);
     if (extent.area / edgeLength > most * std::sqrt(3.0) / 4 * edgeLength || extent.length > (most + triangles) * edgeLength) return Split::tooMany;
@@ -123,7 +124,7 @@ Split splitLongEdges(Mesh& mesh, const Transform& worldFromObject, double edgeLe
 }
 
 double shortestEdgeLength(const Mesh& mesh, const Transform& worldFromObject) {
-    /* Halves of halves of a triangle that is not too narrow have a sixteenth of the square of that length, or more */
+    /* Unless it is very narrow, a triangle of repeated bisection has at least a sixteenth of the area of the square over that length */
     const Extent extent = extentOf(mesh, worldFromObject);
     const double most = static_cast<double>(mostDisplacedTriangles);
     return std::max(4 * std::sqrt(extent.area / most), 4 * extent.length / most);

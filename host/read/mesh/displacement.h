@@ -1,5 +1,5 @@
 #pragma once
-// Displaced meshes: cut until no edge is long, and moved along their normals.
+// Displaced meshes: edges are split until they are short, then vertices move along their normals.
 
 #include "scene/shapes.h"
 
@@ -8,21 +8,22 @@
 
 namespace eikonal {
 
-/// Most triangles that a displaced mesh is cut into.
+/// The most triangles that a displaced mesh is split into.
 constexpr std::size_t mostDisplacedTriangles = std::size_t(1) << 25;
 
-/// How cutting ended; if not `done`, the mesh is of no use any more. tooMany: triangles. tooFine: no number lies between an edge's ends.
+/// The result of splitting; unless it is `done`, the mesh is unusable. tooMany: too many triangles. tooFine: an edge has no floats between
+/// its ends.
 enum class Split { done, tooMany, tooFine };
 
-/// Cuts every edge of a mesh of triangles in halves, the longest of a triangle first, until all are shorter than `edgeLength` in the space that
-/// worldFromObject leads to; > 0. An edge is cut alike for all triangles that share its vertices, so no crack opens. New vertices are in the middle
-/// of what they had; those of a mesh without normals get them first, as means of their faces' (as in pbrt-v4).
+/// Splits edges of a triangle mesh in halves, the longest edge of a triangle first, until all are shorter than `edgeLength` (> 0) in the
+/// space after worldFromObject. An edge is split the same way for all triangles that share its vertices, so no crack opens. New vertices
+/// average the attributes of the edge's ends; a mesh without normals first gets the means of its faces' normals (as in pbrt-v4).
 Split splitLongEdges(Mesh& mesh, const Transform& worldFromObject, double edgeLength);
 
-/// Moves every vertex by its height along its normal, both in object space, and gives it the mean of its faces' new normals.
+/// Moves each vertex by its height along its normal, both in object space, and sets its normal to the mean of its faces' new normals.
 void displaceVertices(Mesh& mesh, std::span<const float> heights);
 
-/// About the shortest edge length that stays within mostDisplacedTriangles, by the area of the mesh and the lengths of its edges.
+/// Approximately the shortest edge length that stays within mostDisplacedTriangles, from the mesh's area and edge lengths.
 double shortestEdgeLength(const Mesh& mesh, const Transform& worldFromObject);
 
 }  // namespace eikonal

@@ -13,24 +13,24 @@ namespace {
 using Index = std::uint32_t;
 constexpr Index nobody = ~Index(0);
 
-/// Edge k of a face leads from its corner k to corner k + 1. An edge's faces: as 3 * face + k; nobody on a boundary.
+/// Edge k of a face goes from its corner k to corner k + 1. side: the faces of an edge, as 3 * face + k; `nobody` beyond a boundary.
 struct Edge { std::array<Index, 2> vertex; std::array<Index, 2> side; };
 struct Face { std::array<Index, 3> vertex, edge; };
 
-/// Corners and edges of a triangle in turn.
+/// The next and previous corner or edge of a triangle.
 constexpr int next(int k) { return k == 2 ? 0 : k + 1; }
 constexpr int previous(int k) { return k == 0 ? 2 : k - 1; }
 
-/// One level: points, faces and the edges between them.
+/// One level of subdivision: points, faces, and the edges between faces.
 struct Level {
     std::vector<glm::dvec3> points;
     std::vector<Face> faces;
     std::vector<Edge> edges;
 };
 
-/// What the rules for a vertex ask of its neighbours.
+/// Sums over a vertex's neighbours for the subdivision rules.
 struct Ring {
-    glm::dvec3 sum{0}, boundarySum{0};   ///< of all neighbours, of those along boundaries
+    glm::dvec3 sum{0}, boundarySum{0};   ///< over all neighbours, and over those along boundaries
     int count = 0, boundaryCount = 0;
 };
 
@@ -40,7 +40,7 @@ template <class F> void inParallel(size_t count, const F& f) {
     });
 }
 
-/// Faces that name a vertex twice are left out, and vertices that no face names.
+/// The mesh without faces that name a vertex twice, and without unused vertices.
 Level firstLevel(const Mesh& mesh, size_t& droppedFaces) {
     Level level;
     std::vector<Index> number(mesh.positions.size(), nobody);
@@ -58,7 +58,7 @@ Level firstLevel(const Mesh& mesh, size_t& droppedFaces) {
         level.faces.push_back(face);
     }
 
-    /* Sides with the same two ends belong together, two by two, in the order of their faces */
+    /* Pair up sides with the same two ends, in the order of their faces */
     struct Side { Index low, high, side; };
     std::vector<Side> sides;
     for (size_t f = 0; f < level.faces.size(); ++f)
@@ -77,7 +77,7 @@ Level firstLevel(const Mesh& mesh, size_t& droppedFaces) {
     return level;
 }
 
-/// Sequential, so that sums do not depend on the number of threads.
+/// Sequential, so sums do not depend on the number of threads.
 std::vector<Ring> gatherRings(const Level& level) {
     std::vector<Ring> rings(level.points.size());
     for (const Edge& e : level.edges)
@@ -100,8 +100,8 @@ glm::dvec3 blend(const Ring& ring, const glm::dvec3& p, double weight, double bo
 double loopBeta(int valence) { return valence == 3 ? 3. / 16 : 3. / (8. * valence); }
 double loopGamma(int valence) { return 1 / (valence + 3 / (8 * loopBeta(valence))); }
 
-/// Each face in four: child k at corner k, child 3 in the middle. Edge e becomes vertex (old vertices) + e, and edges 2 e (at
-/// its first end) and 2 e + 1; edge 2 (old edges) + 3 f + k lies between child k of face f and the middle.
+/// Splits each face in four: child k at corner k, child 3 in the middle. Edge e becomes vertex (old vertices) + e, and edges 2 e (at its
+/// first end) and 2 e + 1; edge 2 (old edges) + 3 f + k lies between child k of face f and the middle child.
 Level split(const Level& old) {
     Level level;
     const size_t vertices = old.points.size(), edges = old.edges.size(), faces = old.faces.size();
@@ -109,7 +109,7 @@ Level split(const Level& old) {
     level.points.resize(vertices + edges);
     inParallel(vertices, [&](size_t v) { level.points[v] = blend(rings[v], old.points[v], loopBeta(std::max(rings[v].count, 1)), 1. / 8); });
 
-    /* The corner of a face that is not on one of its edges */
+    /* The corner of a face opposite to one of its edges */
     const auto opposite = [&](Index side) { return old.points[old.faces[side / 3].vertex[previous(static_cast<int>(side % 3))]]; };
     inParallel(edges, [&](size_t e) {
         const Edge& edge = old.edges[e];
@@ -127,7 +127,7 @@ Level split(const Level& old) {
         for (int k = 0; k < 3; ++k) {
             const int p = previous(k);
             Face& child = level.faces[4 * f + static_cast<size_t>(k)];
-            /* Corners turned so that corner k is where the child lies, as pbrt-v4 has it */
+            /* Rotate the child's corners so that its corner k is the face's corner k, as in pbrt-v4 */
             child.vertex[k] = face.vertex[k];
             child.vertex[next(k)] = middle(face.edge[k]);
             child.vertex[p] = middle(face.edge[p]);
@@ -148,7 +148,7 @@ Level split(const Level& old) {
             part.vertex = {edge.vertex[end], middle(static_cast<Index>(e))};
             for (int s = 0; s < 2; ++s) {
                 if (edge.side[s] == nobody) { part.side[s] = nobody; continue; }
-                /* Of the face on this side: the child at this end, whose side k or k - 1 this is */
+                /* The child at this end of the edge in the face on this side; its side k or k - 1 is this part */
                 const Index f = edge.side[s] / 3;
                 const int side = static_cast<int>(edge.side[s] % 3);
                 const int corner = old.faces[f].vertex[side] == edge.vertex[end] ? side : next(side);
@@ -159,9 +159,9 @@ Level split(const Level& old) {
     return level;
 }
 
-/// The neighbours of the vertex at a corner, in turn, along the faces around it: across each face's edge that leads away from the vertex. On a
-/// boundary they begin with the neighbour where no face follows, and go the other way round. `side` is 3 * face + corner. Where
-/// orientations disagree the way may miss its start: it ends after `count` neighbours, of which there are no more.
+/// Lists the neighbours of the vertex at a corner in order, from face to face across the edges at the vertex. At a boundary the list begins
+/// with the boundary neighbour and runs in the opposite direction. `side` is 3 * face + corner. With inconsistent orientations the loop may
+/// not return to its start; it stops after `count` neighbours, the most that exist.
 void walkRing(const Level& level, Index side, bool boundary, int count, std::vector<Index>& ring) {
     ring.clear();
     const Index vertex = level.faces[side / 3].vertex[side % 3];
@@ -169,7 +169,7 @@ void walkRing(const Level& level, Index side, bool boundary, int count, std::vec
         const Face& f = level.faces[face];
         return f.vertex[0] == vertex ? 0 : f.vertex[1] == vertex ? 1 : 2;
     };
-    /* The face on the other side of edge k of a face; nobody behind a boundary */
+    /* The face across edge k of a face; `nobody` at a boundary */
     const auto across = [&](Index face, int k) {
         const Edge& e = level.edges[level.faces[face].edge[k]];
         const Index here = 3 * face + static_cast<Index>(k), other = e.side[0] == here ? e.side[1] : e.side[0];
@@ -200,7 +200,8 @@ void walkRing(const Level& level, Index side, bool boundary, int count, std::vec
     } while (face != nobody && face != last && ring.size() < longest);
 }
 
-/// Two tangents of the surface at a vertex, from its ring (Hoppe et al. 1994, "Piecewise Smooth Surface Reconstruction"); their cross product.
+/// The cross product of two tangents of the surface at a vertex, from its ring (Hoppe et al. 1994, "Piecewise Smooth Surface
+/// Reconstruction").
 glm::dvec3 normalAt(const std::vector<glm::dvec3>& points, const glm::dvec3& p, const std::vector<Index>& ring, bool boundary) {
     const size_t n = ring.size();
     const auto at = [&](size_t i) { return points[ring[i]]; };
@@ -225,7 +226,7 @@ glm::dvec3 normalAt(const std::vector<glm::dvec3>& points, const glm::dvec3& p, 
     return glm::cross(s, t);
 }
 
-/// The finest level's points move to where further levels would lead them; tangents are those of the moved points (as in pbrt-v4).
+/// Moves the finest level's points to the limit surface; tangents are computed from the moved points (as in pbrt-v4).
 Mesh limitOf(const Level& level) {
     const size_t vertices = level.points.size();
     const std::vector<Ring> rings = gatherRings(level);

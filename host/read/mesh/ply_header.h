@@ -1,5 +1,5 @@
 #pragma once
-// The header of a PLY file: which elements it has, and what a row of each holds.
+// The header of a PLY file: its elements, and the properties of each.
 
 #include <array>
 #include <cstddef>
@@ -23,7 +23,7 @@ struct Element { std::string name; std::size_t count = 0; std::vector<Property> 
 struct Header {
     Format format = Format::ascii;
     std::vector<Element> elements;
-    std::size_t size = 0;  ///< bytes up to the data
+    std::size_t size = 0;  ///< size of the header in bytes
 
     std::string elementNames() const {
         std::string names;
@@ -32,7 +32,7 @@ struct Header {
     }
 };
 
-/// Throws ReadProblem if the file does not begin with a header.
+/// Throws ReadProblem if the file does not begin with a valid header.
 Header parseHeader(std::string_view text);
 
 }  // namespace eikonal::ply

@@ -1,5 +1,5 @@
 #pragma once
-// The data of a PLY file, as text or binary.
+// The data of a PLY file, text or binary.
 
 #include "read/mesh/ply_header.h"
 #include "read/formats/read_bytes.h"
@@ -16,7 +16,7 @@
 
 namespace eikonal::ply {
 
-/// Reads the values of the data one after another. All types fit a double exactly.
+/// Reads the values in sequence. All PLY types fit a double exactly.
 class Values {
 public:
     Values(std::span<const char> bytes, Format format) : at_(bytes.data()), end_(bytes.data() + bytes.size()), format_(format) {}
@@ -35,7 +35,7 @@ public:
         }
     }
 
-    /// The length of a list whose entries have this type; refused if the rest of the file cannot hold it.
+    /// The length of a list; refused if the rest of the file cannot hold it.
     std::size_t nextCount(const Property& list) {
         const double count = next(list.countType);
         if (!(count >= 0) || count != std::floor(count)) throw ReadProblem{fmt::format("has a list \"{}\" of length {}", list.name, count)};
@@ -43,16 +43,16 @@ public:
         return static_cast<std::size_t>(count);
     }
 
-    /// Throws if there cannot be `count` more values of `bytes` bytes each.
+    /// Throws if the rest of the file cannot hold `count` values of `bytes` bytes each.
     void require(double count, std::size_t bytes) const {
         if (count * static_cast<double>(bytes) > static_cast<double>(end_ - at_) + 1) throwTruncated();
     }
 
-    /// The least that a value of this type takes: a digit and a space in text.
+    /// The smallest size of a value of this type; in text, a digit and a space.
     std::size_t size(Type type) const { return format_ == Format::ascii ? 2 : typeNames[static_cast<std::size_t>(type)].size; }
 
 private:
-    [[noreturn]] static void throwTruncated() { throw ReadProblem{"is truncated: it ends before all of its elements are there"}; }
+    [[noreturn]] static void throwTruncated() { throw ReadProblem{"is truncated: it ends before its last element"}; }
 
     template <class T> double load() {
         if (static_cast<std::size_t>(end_ - at_) < sizeof(T)) throwTruncated();
@@ -73,7 +73,7 @@ private:
         double value = 0;
         const auto [stop, error] = std::from_chars(*at_ == '+' ? at_ + 1 : at_, end_, value);
         if (error != std::errc{} || (stop != end_ && !isSpace(*stop)))
-            throw ReadProblem{fmt::format("has \"{}\" where a number should be", word())};
+            throw ReadProblem{fmt::format("has \"{}\" where a number is expected", word())};
         at_ = stop;
         return value;
     }

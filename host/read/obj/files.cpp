@@ -24,7 +24,7 @@ std::string ObjFiles::require(const std::string& name, const SourceLocation& whe
     std::string found = find(name, beside);
     if (!found.empty()) return found;
 
-    // Name what is nearly called so.
+    // Suggest a file with a similar name.
     const fs::path folder = beside.has_parent_path() ? beside.parent_path() : fs::path(".");
     std::vector<std::string> names;
     std::error_code error;

@@ -1,5 +1,5 @@
-// A reader of our own, because tinyobjloader takes what is no number or index for one, in silence, and does not say where it stands:
-// docs/obj.md, tests/unit/tinyobjloader_test.cpp.
+// Our own reader, because tinyobjloader silently accepts words that are not numbers or indices, and reports no line: docs/obj.md,
+// tests/unit/tinyobjloader_test.cpp.
 
 #include "read/obj/geometry.h"
 
@@ -56,7 +56,7 @@ private:
         for (std::size_t i = 1; i <= count; ++i) geometry_.corners.push_back(parseCorner(i));
     }
 
-    /// "p", "p/t", "p//n" or "p/t/n"; negative numbers count back from the last that was defined.
+    /// Parses "p", "p/t", "p//n" or "p/t/n"; negative numbers count back from the last one defined.
     ObjCorner parseCorner(std::size_t i) const {
         const std::string_view word = lines_.words()[i];
         const std::array<std::size_t, 3> defined{geometry_.positions.size(), geometry_.uvs.size(), geometry_.normals.size()};
@@ -105,7 +105,7 @@ private:
         else if (!harmless.contains(keyword)) report(std::string(keyword), fmt::format("\"{}\" is not a statement of an OBJ file", keyword));
     }
 
-    /// Positive numbers may name what comes later, so they can be checked only now.
+    /// Positive numbers may refer to later lines, so they are checked at the end.
     void checkIndices() const {
         const auto check = [&](const ObjFace& face, int index, std::size_t count, const char* what) {
             if (index >= static_cast<int>(count))
@@ -151,7 +151,7 @@ ObjGeometry parseObj(std::string_view text, const std::shared_ptr<const std::str
 }
 
 void completeNormals(ObjGeometry& geometry) {
-    // Smoothing groups: one new normal for each position in each group.
+    // Smoothing groups: one new normal per position and group.
     std::unordered_map<std::uint64_t, int> smooth;
     for (const ObjFace& face : geometry.faces) {
         if (face.smoothing == 0) continue;
@@ -167,7 +167,7 @@ void completeNormals(ObjGeometry& geometry) {
         }
     }
 
-    // Flat faces among others that have normals.
+    // Flat faces in groups where other corners have normals.
     std::vector<char> hasNormals(geometry.groups.size(), 0);
     for (const ObjFace& face : geometry.faces)
         for (std::uint32_t i = 0; i < face.cornerCount; ++i) hasNormals[face.group] |= geometry.cornersOf(face)[i].normal >= 0;

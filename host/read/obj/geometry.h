@@ -1,5 +1,5 @@
 #pragma once
-// The geometry of a Wavefront OBJ file, as it stands there.
+// The geometry of a Wavefront OBJ file.
 
 #include "diagnostics.h"
 
@@ -13,7 +13,7 @@
 
 namespace eikonal {
 
-/// Indices from 0; none (-1): not given.
+/// Indices from 0; none (-1) if not given.
 struct ObjCorner { int position = -1, uv = -1, normal = -1; };
 
 struct ObjFace {
@@ -23,10 +23,10 @@ struct ObjFace {
     int line = 0;
 };
 
-/// The faces of one object that have one material. An object is what "o" names, or "g" in a file without any "o".
+/// The faces of an object that share a material. Objects are named by "o", or by "g" in a file without any "o".
 struct ObjGroup { std::string object, material; int line = 0; };
 
-/// A name after mtllib.
+/// A file name after mtllib.
 struct ObjLibrary { std::string name; SourceLocation where; };
 
 struct ObjGeometry {
@@ -40,12 +40,13 @@ struct ObjGeometry {
     const ObjCorner* cornersOf(const ObjFace& face) const { return &corners[face.firstCorner]; }
 };
 
-/// Parses v vt vn f o g s usemtl mtllib. Positions are double precision, all indices checked. Lines, points, free-form surfaces and colours
-/// of vertices are reported to the diagnostics as unsupported. Throws SceneError at the line and column of what is wrong.
+/// Parses v vt vn f o g s usemtl mtllib. Positions are in double precision, and all indices are checked. Lines, points, free-form surfaces
+/// and vertex colours are reported as unsupported. Throws SceneError with the line and column of the error.
 ObjGeometry parseObj(std::string_view text, const std::shared_ptr<const std::string>& file, Diagnostics& diagnostics);
 
-/// Gives a normal to the corners without one: in smoothing groups the mean of the faces around the position, weighted by their angles there;
-/// elsewhere the face's, but only in groups where other corners have normals. A group without any normal stays without: its faces are flat.
+/// Gives a normal to each corner without one. In smoothing groups it is the mean of the faces around the position, weighted by their angles
+/// there; elsewhere it is the face's normal, but only in groups where other corners have normals. Groups without any normal are unchanged:
+/// their faces are flat.
 void completeNormals(ObjGeometry& geometry);
 
 }  // namespace eikonal

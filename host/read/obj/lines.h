@@ -1,5 +1,5 @@
 #pragma once
-// The lines of an OBJ or MTL file, as words.
+// Splits an OBJ or MTL file into lines and words.
 
 #include "error.h"
 
@@ -10,25 +10,25 @@
 
 namespace eikonal {
 
-/// Goes through a text line by line. Lines end with \n, \r\n or \r; a backslash at the end of a line joins the next one to it.
+/// Iterates over the lines of a text. Lines end with \n, \r\n or \r; a backslash at the end of a line joins the next line to it.
 class ObjLines {
 public:
-    /// The text must outlive this and all words. A byte-order mark is skipped. Throws SceneError at a byte 0: that is no text.
+    /// The text must outlive this object and all words. Skips a byte-order mark. Throws SceneError at a zero byte, since that is not text.
     ObjLines(std::string_view text, std::shared_ptr<const std::string> file);
 
-    /// Goes to the next line that has a word; false at the end. A line's comment (a word that begins with #) is no part of it.
+    /// Goes to the next line with a word; returns false at the end. Comments (from a word that begins with #) are skipped.
     bool next();
 
     const std::vector<std::string_view>& words() const { return words_; }
-    /// From word i to the end of the line, without white space around it and with its comment, if there is one: names may have spaces, and #.
+    /// The text from word i to the end of the line, trimmed, including a comment, because names may contain spaces and #.
     std::string rest(std::size_t i) const;
 
     SourceLocation where() const { return {file_, line_, 0}; }
-    /// The place of word i. Columns in joined lines count from the beginning of the first.
+    /// The place of word i. In joined lines, columns count from the beginning of the first line.
     SourceLocation where(std::size_t i) const;
     int line() const { return line_; }
 
-    /// Word i as a number. Throws SceneError if it is none, or not finite.
+    /// Word i as a number. Throws SceneError if it is not a finite number.
     double number(std::size_t i) const;
 
 private:
@@ -40,7 +40,7 @@ private:
     std::vector<std::string_view> words_;
 };
 
-/// The whole of a word as a number; false if it is none, or none that is finite in single precision: NaN, infinity, 1e300.
+/// Parses a whole word as a number; false if it is not one, or is not finite in single precision: NaN, infinity, 1e300.
 bool parseNumber(std::string_view word, double& value);
 
 }  // namespace eikonal

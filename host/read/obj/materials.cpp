@@ -17,10 +17,11 @@ namespace {
 double maximum(const glm::dvec3& c) { return std::max({c.x, c.y, c.z}); }
 double mean(const glm::dvec3& c) { return (c.x + c.y + c.z) / 3; }
 
-/// The width of GGX microfacets whose highlight is as wide as that of a Blinn-Phong exponent: Walter et al. 2007.
+/// The width of GGX microfacets whose highlight matches that of a Blinn-Phong exponent: Walter et al. 2007.
 double widthOfExponent(double exponent) { return std::sqrt(2 / (exponent + 2)); }
 
-/// The index of refraction that reflects 8 % times the specular color: the convention of Disney's "specular", which exporters follow.
+/// The index of refraction with a reflectance of 8 % times the specular colour: the convention of Disney's "specular", which exporters
+/// follow.
 double indexOfSpecular(double specular) {
     const double root = std::sqrt(0.08 * specular);
     return (1 + root) / (1 - root);
@@ -81,13 +82,13 @@ private:
 
     glm::dvec3 specular() const { return mtl_.color("ks").value_or(glm::dvec3(0)); }
 
-    /// Kd, times map_Kd. Without both: black if something else says what the surface is, else grey.
+    /// Kd, times map_Kd. Without both: black if other statements describe the surface, else grey.
     Input diffuseColor() {
         const bool isOtherwise = mtl_.has("ks") || mtl_.has("ke") || mtl_.has("map_ke") || mtl_.has("tf") || mtl_.has("map_ks");
         const glm::dvec3 kd = mtl_.color("kd").value_or(glm::dvec3(mtl_.has("map_kd") ? 1 : isOtherwise ? 0 : 0.5));
         const auto map = texture("map_kd", false);
         if (!map) return color(kd, "kd");
-        if (kd == glm::dvec3(1) || kd == glm::dvec3(0)) return *map;  // black times a map is an exporter's way to say "the map"
+        if (kd == glm::dvec3(1) || kd == glm::dvec3(0)) return *map;  // Exporters write a factor of 0 to mean the map alone
         return product(*map, color(kd, "kd"), false);
     }
 
@@ -140,7 +141,7 @@ private:
         return add(MaterialKind::dielectric, {{"eta", constant(eta, "ni")}, {"uroughness", constant(width, "pr")}, {"vroughness", constant(width, "pr")}});
     }
 
-    /// Pr Pm Ps Pc Pcr aniso: plastic to metal under a clear coat, with sheen.
+    /// Pr Pm Ps Pc Pcr aniso: a mix of plastic and metal under a clear coat, with sheen.
     int physicallyBased() {
         if (mtl_.number("anisor").value_or(0) != 0)
             diagnostics_.unsupported("mtl anisor", mtl_.whereIs("anisor"), "\"anisor\" is not rendered: stretched highlights follow the texture coordinates");
@@ -154,7 +155,7 @@ private:
                     {"coat", constant(coat, "pc")}, {"coatroughness", constant(coatRoughness * coatRoughness, "pcr")}, {"sheen", sheen}});
     }
 
-    /// A number from 0 to 1, times its map; a map without a number is itself.
+    /// A number in [0, 1], times its map; without a number, the map alone.
     Input portion(const std::string& keyword, const std::string& map) {
         const double value = mtl_.number(keyword).value_or(mtl_.has(map) ? 1 : 0);
         const auto image = value > 0 ? texture(map, true, value) : std::nullopt;
@@ -172,9 +173,9 @@ private:
         return {constant(pr * pr / aspect, "pr"), constant(pr * pr * aspect, "pr")};
     }
 
-    // ---- relief, opacity, light ---------------------------------------------------------------------------------------------
+    // ---- bump and normal maps, opacity, light -------------------------------------------------------------------------------
 
-    /// Many exporters write a normal map as map_Bump: colored, and bluish on the whole.
+    /// Many exporters write a normal map as map_Bump. Recognises one by its colours, which are bluish on average.
     static bool isNormalMap(const ImageData& image) {
         if (image.channels < 3) return false;
         glm::dvec3 sum(0);
@@ -201,7 +202,7 @@ private:
         }
     }
 
-    /// Relief is on the surface itself: of a mix, on both.
+    /// Applies bump and normal maps to the surface, or to both parts of a mix.
     template <class Set> void onSurfaces(int material, const Set& set) {
         Material& target = scene_.materials[static_cast<std::size_t>(material)];
         set(target);
@@ -216,7 +217,7 @@ private:
         onSurfaces(material, [&](Material& target) { target.displacement = texture; });
     }
 
-    /// d, or 1 - Tr where there is no d.
+    /// d, or 1 - Tr if there is no d.
     double dissolve() const {
         if (const auto d = mtl_.number("d")) return *d;
         return 1 - mtl_.number("tr").value_or(0);
@@ -225,7 +226,7 @@ private:
     Input opacity() {
         if (isRefractive()) return constant(1, "d");
         const std::string keyword = mtl_.has("d") ? "d" : "tr";
-        // An exporter's d = 0 beside a map means "the map".
+        // Exporters write d = 0 next to a map to mean the map alone.
         const double d = mtl_.has("map_d") && dissolve() == 0 ? 1 : dissolve();
         const auto map = texture("map_d", true, d);
         return map ? *map : constant(d, keyword);

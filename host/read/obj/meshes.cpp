@@ -12,7 +12,7 @@ namespace {
 
 bool isFinite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-/// Where a float's rounding (2^-24 of the distance to the origin) exceeds a millionth of the model's size, the middle of the model.
+/// The centre of the model if float rounding (2^-24 of the distance to the origin) exceeds a millionth of the model's size, else zero.
 glm::dvec3 chooseOffset(const ObjGeometry& geometry) {
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
     for (const ObjCorner& corner : geometry.corners) {
@@ -26,7 +26,7 @@ glm::dvec3 chooseOffset(const ObjGeometry& geometry) {
     return std::max({farthest.x, farthest.y, farthest.z}) > farAway * std::max({size.x, size.y, size.z}) ? (low + high) / 2. : glm::dvec3(0);
 }
 
-/// The vertices of one mesh: corners that are equal in everything share one.
+/// The vertices of a mesh; equal corners share one.
 class Vertices {
 public:
     explicit Vertices(std::size_t positions) : first_(positions, -1) {}
@@ -50,13 +50,13 @@ public:
     }
 
 private:
-    struct Entry { ObjCorner corner; int next; };  ///< next: another one at the same position
+    struct Entry { ObjCorner corner; int next; };  ///< next: another corner at the same position
     std::vector<Entry> entries_;
     std::vector<int> first_;  ///< by position
 };
 
 bool isClosed(const std::vector<std::array<int, 3>>& triangles) {
-    // Each edge as (lower, higher) with the direction it is run along; sorted, both directions stand side by side.
+    // Each edge as (lower, higher, direction); after sorting, both directions are adjacent.
     std::vector<std::array<int, 3>> edges;
     for (const auto& t : triangles)
         for (int i = 0; i < 3; ++i) {
@@ -98,7 +98,7 @@ ObjMeshes buildMeshes(const ObjGeometry& geometry) {
     result.offset = chooseOffset(geometry);
     result.groups.resize(geometry.groups.size());
 
-    // The faces of each group, in the file's order.
+    // The faces of each group, in file order.
     std::vector<std::vector<std::uint32_t>> facesOf(geometry.groups.size());
     for (std::uint32_t f = 0; f < geometry.faces.size(); ++f) facesOf[geometry.faces[f].group].push_back(f);
 

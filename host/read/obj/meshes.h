@@ -1,5 +1,5 @@
 #pragma once
-// Meshes of the groups of an OBJ file.
+// Builds meshes from the groups of an OBJ file.
 
 #include "read/obj/geometry.h"
 #include "scene/scene.h"
@@ -11,20 +11,20 @@
 namespace eikonal {
 
 struct ObjMesh {
-    std::shared_ptr<Mesh> mesh;   ///< null if nothing is left of the group
+    std::shared_ptr<Mesh> mesh;   ///< null if no triangle is left
     double area = 0;              ///< of its triangles
-    double uvArea = 0;            ///< of its triangles on the texture
-    bool isClosed = false;        ///< every edge belongs to two triangles that run along it in opposite directions
+    double uvArea = 0;            ///< area of its triangles in texture space
+    bool isClosed = false;        ///< every edge belongs to two triangles that traverse it in opposite directions
 };
 
 struct ObjMeshes {
-    std::vector<ObjMesh> groups;          ///< one for each of ObjGeometry::groups
+    std::vector<ObjMesh> groups;          ///< one for each ObjGeometry::groups
     glm::dvec3 offset{0};                 ///< to be added to all positions. Not zero for models far from the origin, whose details floats would lose
     std::size_t triangles = 0;
-    std::size_t degenerate = 0;           ///< triangles without area, or with a position that is not finite: left out
+    std::size_t degenerate = 0;           ///< triangles skipped because they have no area or a position that is not finite
 };
 
-/// Cuts the faces into triangles and gives corners with the same position, texture coordinate and normal one vertex.
+/// Triangulates the faces, and merges corners with the same position, texture coordinate and normal into one vertex.
 ObjMeshes buildMeshes(const ObjGeometry& geometry);
 
 }  // namespace eikonal

@@ -13,7 +13,7 @@
 namespace eikonal {
 namespace {
 
-/// An option of a texture: how many words follow it (at most; further ones only while they are numbers).
+/// A texture option. It takes `least` to `most` words; words beyond `least` must be numbers.
 struct Option { std::string_view name; std::size_t least, most; };
 constexpr std::array<Option, 14> options{{{"-s", 1, 3}, {"-o", 1, 3}, {"-t", 1, 3}, {"-mm", 2, 2}, {"-bm", 1, 1}, {"-clamp", 1, 1}, {"-blendu", 1, 1},
     {"-blendv", 1, 1}, {"-boost", 1, 1}, {"-texres", 1, 1}, {"-imfchan", 1, 1}, {"-type", 1, 1}, {"-colorspace", 1, 1}, {"-cc", 1, 1}}};
@@ -31,7 +31,7 @@ double numberIn(const MtlMaterial::Statement& statement, std::size_t i) {
     return value;
 }
 
-/// An option whose values are the statement's words from the first-th on.
+/// Applies an option whose values are the words from number `first` on.
 void applyOption(MtlTexture& texture, const MtlMaterial::Statement& statement, std::string_view name, std::size_t first, std::size_t count) {
     const std::vector<std::string> values(statement.words.begin() + static_cast<std::ptrdiff_t>(first), statement.words.begin() + static_cast<std::ptrdiff_t>(first + count));
     const auto number = [&](std::size_t i) { return numberIn(statement, first + i); };
@@ -44,7 +44,7 @@ void applyOption(MtlTexture& texture, const MtlMaterial::Statement& statement, s
     else if (name == "-t") { if (std::ranges::any_of(std::views::iota(std::size_t(0), count), [&](std::size_t i) { return number(i) != 0; })) texture.ignored.push_back(asWritten()); }
     else if (name == "-imfchan") { if (values[0] != "m" && values[0] != "l") texture.ignored.push_back(asWritten()); }
     else if (name == "-type" || name == "-colorspace" || (name == "-cc" && values[0] == "on")) texture.ignored.push_back(asWritten());
-    // -blendu, -blendv, -boost and -texres ask for filters, which are the renderer's business.
+    // -blendu, -blendv, -boost and -texres configure filtering, which the renderer decides.
 }
 
 }  // namespace
@@ -81,7 +81,7 @@ std::optional<MtlTexture> MtlMaterial::texture(const std::string& keyword) const
     const Statement& statement = found->second;
     const std::vector<std::string>& words = statement.words;
 
-    // Options stand before the name, or behind it; what is left is the name, spaces and all.
+    // Options come before or after the name; the remaining text, with spaces, is the name.
     MtlTexture texture{.where = statement.where};
     std::size_t searchFrom = 0, nameBegin = std::string::npos, nameEnd = 0;
     for (std::size_t i = 0; i < words.size(); ++i) {

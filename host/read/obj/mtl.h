@@ -1,5 +1,5 @@
 #pragma once
-// Material libraries (.mtl), as they stand there.
+// Parses material libraries (.mtl).
 
 #include "error.h"
 
@@ -14,18 +14,18 @@
 
 namespace eikonal {
 
-/// An image that a map_... statement names, with its options.
+/// The image of a map_... statement, with its options.
 struct MtlTexture {
-    std::string file;                        ///< as it stands there, quotes removed and with / between folders
+    std::string file;                        ///< without quotes, and with / between folders
     SourceLocation where;
     glm::dvec2 scale{1}, offset{0};          ///< -s -o: texture coordinates are multiplied by scale, then moved by offset
     bool clamp = false;                      ///< -clamp on
     double bumpMultiplier = 1;               ///< -bm
     double base = 0, gain = 1;               ///< -mm: a value v becomes base + gain v
-    std::vector<std::string> ignored;        ///< options that ask for something we do not do: "-t 1 1 1"
+    std::vector<std::string> ignored;        ///< unsupported options: "-t 1 1 1"
 };
 
-/// One material: its statements by keyword, in lower case ("kd", "map_kd"); of two with the same keyword the last.
+/// A material: its statements by lower-case keyword ("kd", "map_kd"); of repeated keywords, the last.
 class MtlMaterial {
 public:
     std::string name;
@@ -42,13 +42,13 @@ public:
     bool has(const std::string& keyword) const { return statements.contains(keyword); }
     SourceLocation whereIs(const std::string& keyword) const;
 
-    /// The number or color (one number: grey) after a keyword, if it is there. Throw SceneError if it is something else.
+    /// The number or colour (one number: grey) after a keyword; nothing if it is absent. Throws SceneError if it is something else.
     std::optional<double> number(const std::string& keyword) const;
     std::optional<glm::dvec3> color(const std::string& keyword) const;
     std::optional<MtlTexture> texture(const std::string& keyword) const;
 };
 
-/// Parses a library. Statements before the first newmtl are left out.
+/// Parses a library. Skips statements before the first newmtl.
 std::vector<MtlMaterial> parseMtl(std::string_view text, const std::shared_ptr<const std::string>& file);
 
 }  // namespace eikonal

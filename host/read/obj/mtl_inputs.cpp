@@ -46,7 +46,7 @@ std::optional<Input> MtlInputs::texture(const std::string& keyword, bool isFloat
         return addTexture({.name = file.path, .isFloat = isFloat, .kind = ImagemapTexture{addImage(file), mapping, scale}, .where = options.where});
     };
     if (options.base == 0) return add(factor * options.gain);
-    // From base at 0 to base + gain at 1.
+    // base at 0, base + gain at 1.
     const Input low = constant(factor * options.base, keyword), high = constant(factor * (options.base + options.gain), keyword);
     return addTexture({.name = file.path, .isFloat = isFloat, .kind = MixTexture{low, high, add(1)}, .where = options.where});
 }

@@ -13,14 +13,14 @@
 namespace eikonal {
 namespace {
 
-/// What the numbers after a keyword can be.
+/// The range of the numbers after a keyword.
 struct Range {
-    const char *keyword, *written;       ///< in lower case, and as the format's description has it
+    const char *keyword, *written;       ///< in lower case, and as in the format's specification
     double low, high;
     const char* text;                    ///< completes "it must be"
     bool isColor = false;
     bool isWhole = false;
-    std::optional<double> otherwise{};   ///< what counts instead; nothing: the nearer end
+    std::optional<double> otherwise{};   ///< the replacement; nothing: the nearer end
 };
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
@@ -32,7 +32,7 @@ constexpr Range ranges[] = {
     {.keyword = "tf", .written = "Tf", .low = 0, .high = 1, .text = fraction, .isColor = true},
     {.keyword = "ke", .written = "Ke", .low = 0, .high = unlimited, .text = positive, .isColor = true},
     {.keyword = "ns", .written = "Ns", .low = 0, .high = unlimited, .text = positive},
-    {.keyword = "ni", .written = "Ni", .low = 0.001, .high = 10, .text = "from 0.001 to 10", .otherwise = 1},  // the format's own range
+    {.keyword = "ni", .written = "Ni", .low = 0.001, .high = 10, .text = "from 0.001 to 10", .otherwise = 1},  // range in the specification
     {.keyword = "d", .written = "d", .low = 0, .high = 1, .text = fraction},
     {.keyword = "tr", .written = "Tr", .low = 0, .high = 1, .text = fraction},
     {.keyword = "illum", .written = "illum", .low = 0, .high = 10, .text = "a whole number from 0 to 10", .isWhole = true, .otherwise = 2},

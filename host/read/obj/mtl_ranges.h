@@ -1,13 +1,13 @@
 #pragma once
-// Which numbers mean something in a material library.
+// Ranges of the numbers in a material library.
 
 #include "diagnostics.h"
 #include "read/obj/mtl.h"
 
 namespace eikonal {
 
-/// The material with numbers that mean something: a fraction is in [0, 1], for one. Others are replaced, with a warning at the first of a
-/// statement that says by what. What is no number at all stays as it is, for whoever reads it.
+/// Replaces numbers out of their range, such as fractions outside [0, 1], with a warning at the first number of each statement. Words that
+/// are not numbers are kept for the parser of the statement.
 MtlMaterial withinRanges(MtlMaterial material, Diagnostics& diagnostics);
 
 }  // namespace eikonal

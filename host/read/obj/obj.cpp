@@ -29,17 +29,17 @@ void checkOptions(const ObjOptions& options) {
     if (options.width.value_or(1) <= 0 || options.height.value_or(1) <= 0) throw UsageError("the resolution must be positive");
     if (!(glm::length(options.up) > 0)) throw UsageError("the up direction must not be zero");
     if (options.camera && options.lookAt && glm::distance(*options.camera, *options.lookAt) == 0)
-        throw UsageError("the camera and the point that it looks at must differ");
+        throw UsageError("the camera and the point it looks at must differ");
 }
 
-/// The materials of all libraries, by name; the first of a name counts.
+/// The materials of all libraries by name; the first of each name counts.
 class Library {
 public:
     Library(const std::vector<ObjLibrary>& files, const std::filesystem::path& obj, Diagnostics& diagnostics) : diagnostics_(diagnostics) {
         for (const ObjLibrary& file : files) read(file, obj);
     }
 
-    /// Null, and a warning once for each name, if there is none.
+    /// Returns null, and warns once per name, if there is no such material.
     const MtlMaterial* find(const std::string& name, const SourceLocation& where) const {
         const auto found = materials_.find(name);
         if (found != materials_.end()) return &found->second;
@@ -49,7 +49,7 @@ public:
     }
 
 private:
-    /// The line names one file, spaces and all, or several.
+    /// The line is one file name with spaces, or several names.
     void read(const ObjLibrary& library, const std::filesystem::path& obj) {
         if (readFile(ObjFiles::find(library.name, obj))) return;
         std::istringstream names(library.name);
@@ -77,7 +77,7 @@ private:
     bool isIncomplete_ = false;
 };
 
-/// How long a side of the texture is on all surfaces with one material.
+/// The side length of the texture on the surfaces of each material.
 std::map<std::string, double> textureSizes(const ObjGeometry& geometry, const ObjMeshes& meshes) {
     std::map<std::string, std::pair<double, double>> areas;
     for (std::size_t g = 0; g < geometry.groups.size(); ++g) {

@@ -12,7 +12,7 @@ double area(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c) { return (b.x - a.x) * (c.
 
 bool contains(glm::dvec2 a, glm::dvec2 b, glm::dvec2 c, glm::dvec2 p) { return area(a, b, p) >= 0 && area(b, c, p) >= 0 && area(c, a, p) >= 0; }
 
-/// The polygon seen along its normal, counter-clockwise: two of the three coordinates, relative to the first corner.
+/// The polygon projected along its normal, counter-clockwise, with two of the three coordinates, relative to the first corner.
 std::vector<glm::dvec2> flatten(std::span<const glm::dvec3> corners) {
     const glm::dvec3 normal = polygonNormal(corners), size = glm::abs(normal);
     const int drop = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
@@ -45,7 +45,7 @@ void triangulate(std::span<const glm::dvec3> corners, std::vector<std::array<std
         return;
     }
 
-    // Cut off ears: corners whose triangle holds no other corner. After a round without one the next corner is cut all the same.
+    // Clip ears: corners whose triangle contains no other corner. If a round finds none, clip the next corner anyway.
     std::vector<std::uint32_t> left(n);
     std::iota(left.begin(), left.end(), 0u);
     for (std::size_t i = 0, misses = 0; left.size() > 3;) {

@@ -12,7 +12,7 @@ namespace {
 
 using std::numbers::pi;
 
-// 45 degrees high, 50 degrees to the left of the direction to the viewer, as seen by the viewer.
+// 45 degrees high, 50 degrees to the left of the viewer's direction, as seen by the viewer.
 const glm::dvec3 sunDirection{std::cos(pi / 4) * std::cos(50 * pi / 180), -std::cos(pi / 4) * std::sin(50 * pi / 180), std::sin(pi / 4)};
 constexpr double sunRadius = 5 * pi / 180;
 

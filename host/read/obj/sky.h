@@ -1,5 +1,5 @@
 #pragma once
-// Daylight for scenes without any light of their own.
+// A daylight environment for scenes without lights.
 
 #include "scene/scene.h"
 
@@ -7,9 +7,9 @@
 
 namespace eikonal {
 
-/// Adds an environment: a blue gradient above a pale horizon, grey-brown ground below it, and a warm sun, 45 degrees high and 10 degrees wide, so
-/// that shadows are soft. The sun stands to the left behind a viewer at the direction `towardsViewer`. A white, horizontal surface in the
-/// open has a radiance of about 0.8.
+/// Adds an environment: a blue gradient above a pale horizon, grey-brown ground below, and a warm sun, 45 degrees high and 10 degrees wide
+/// for soft shadows. The sun is to the left behind a viewer in direction `towardsViewer`. A white horizontal surface in the open has a
+/// radiance of about 0.8.
 void addSky(Scene& scene, glm::dvec3 up, glm::dvec3 towardsViewer);
 
 /// The radiance of that sky (linear sRGB) from a unit direction in its own space: z is up, the viewer towards +x.

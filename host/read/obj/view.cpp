@@ -13,7 +13,7 @@
 namespace eikonal {
 namespace {
 
-/// Right, towards the front, and up: the directions in which "front" and "above" are meant.
+/// The axes that define "right", "front" and "above".
 struct Compass {
     glm::dvec3 right, front, up;
     explicit Compass(glm::dvec3 upwards) : up(glm::normalize(upwards)) {
@@ -47,7 +47,7 @@ glm::dvec2 halfTangents(const View& view) {
     return tangent(view.fov) * glm::dvec2(view.width / shorter, view.height / shorter);
 }
 
-/// The distance from the target, towards the eye, from which every vertex is in the image.
+/// The smallest distance of the camera from the target at which every vertex is in the image.
 double fittingDistance(const std::vector<ViewedTriangle>& triangles, const View& view, double size) {
     const glm::dmat4 frame = worldFromCamera(view);
     const glm::dvec3 right(frame[0]), up(frame[1]), forward(frame[2]);
@@ -63,7 +63,7 @@ double fittingDistance(const std::vector<ViewedTriangle>& triangles, const View&
     return distance;
 }
 
-/// One place to look from.
+/// A candidate view.
 struct Candidate {
     View view;
     bool isInside = false;
@@ -97,7 +97,7 @@ std::vector<Candidate> candidates(const std::vector<ViewedTriangle>& triangles, 
     return result;
 }
 
-/// A wide image for what looks wide from there.
+/// Chooses a wide image if the model appears wide in this view.
 void chooseSize(const std::vector<ViewedTriangle>& triangles, const ViewWishes& wishes, bool isInside, View& view) {
     const glm::dmat4 frame = worldFromCamera(view);
     glm::dvec2 low(std::numeric_limits<double>::infinity()), high = -low;

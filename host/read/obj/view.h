@@ -1,5 +1,5 @@
 #pragma once
-// Where to look at a scene from, when nobody said.
+// Chooses the camera of an OBJ scene when the user gives none.
 
 #include "scene/scene.h"
 
@@ -10,7 +10,7 @@
 
 namespace eikonal {
 
-/// Triangles in world space, by the shape that they belong to.
+/// A triangle in world space, and the shape that it belongs to.
 struct ViewedTriangle { glm::vec3 a, b, c; std::uint32_t shape; };
 
 /// The triangles of all triangle meshes of the scene.
@@ -22,7 +22,7 @@ struct View {
     int width = 1024, height = 1024;        ///< of the image
 };
 
-/// What is already decided.
+/// What the user has decided.
 struct ViewWishes {
     std::optional<glm::dvec3> eye, target;
     glm::dvec3 up{0, 1, 0};
@@ -30,16 +30,16 @@ struct ViewWishes {
     std::optional<int> width, height;
 };
 
-/// Chooses what the wishes leave open:
-/// - The direction: each of several is tried with a small depth buffer, and the one wins that sees most of the surfaces: the mean over the
-///   shapes of the fraction of their area that is visible; area seen from behind counts half. So a solid is seen from its right, front and
-///   above (the first among equals; the front is +z, or -y if z is up), and a box that is open in front is looked into. Also tried are the
-///   inside's upper corners, where area seen from behind counts nothing: they win in closed rooms.
-/// - The distance: as near as shows every vertex, with a margin of 5 %. Inside, the eye stays in its corner.
-/// - The size: 1024 x 1024, or 1280 x 720 if what is seen is rather wide.
+/// Chooses everything that `wishes` leaves open:
+///   - Direction: each candidate is rendered into a small depth buffer. The score is the mean over the shapes of the fraction of their area
+///   that is visible, where area seen from behind counts half; the highest score wins. So a solid is seen from the right, front and above
+///   (the first of equal candidates; the front is +z, or -y if z is up), and a box that is open in front is seen into. Views from the upper
+///   corners of the interior are candidates, too; there, area seen from behind does not count. They win in closed rooms.
+///   - Distance: as close as possible with every vertex in the image and a margin of 5 %. Interior views stay in their corner.
+///   - Size: 1024 x 1024, or 1280 x 720 if the visible part is rather wide.
 View chooseView(const std::vector<ViewedTriangle>& triangles, const ViewWishes& wishes);
 
-/// pbrt's camera of that view: x right, y up, looking along +z.
+/// pbrt's camera transform of the view: x right, y up, looking along +z.
 Transform worldFromCamera(const View& view);
 
 }  // namespace eikonal

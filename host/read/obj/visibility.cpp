@@ -9,15 +9,15 @@
 namespace eikonal {
 namespace {
 
-constexpr int pixels = 96;  // on a side
+constexpr int pixels = 96;  // per side
 
-/// The nearest triangle in each pixel. Depths are along the viewing direction.
+/// The closest triangle of each pixel. Depth is measured along the viewing direction.
 class DepthBuffer {
 public:
     DepthBuffer() : depth_(pixels * pixels, std::numeric_limits<float>::infinity()), triangle_(pixels * pixels, -1) {}
 
-    /// Draws a convex polygon of up to four corners in camera space (x right, y up, z forward), all with z > 0.
-    /// plane: dot(plane, p) = 1 for the points p of its plane.
+    /// Draws a convex polygon of up to four corners in camera space (x right, y up, z forward), all with z > 0. plane: dot(plane, p) = 1
+    /// for the points p of its plane.
     void draw(const glm::vec3* corners, int count, const glm::vec3& plane, float scale, int triangle) {
         std::array<glm::vec2, 4> p;
         glm::vec2 low(pixels), high(0);
@@ -46,7 +46,7 @@ public:
             }
     }
 
-    /// The direction through a pixel's middle, with z = 1.
+    /// The direction through a pixel's centre, with z = 1.
     static glm::vec3 ray(int x, int y, float scale) {
         return {(static_cast<float>(x) + .5f - pixels / 2.f) / scale, (static_cast<float>(y) + .5f - pixels / 2.f) / scale, 1};
     }
@@ -60,7 +60,7 @@ private:
     std::vector<int> triangle_;
 };
 
-/// Cuts off what is nearer than z = nearest; returns the number of corners left, at most four.
+/// Clips a triangle at z = nearest; returns the number of remaining corners, at most four.
 int clip(const std::array<glm::vec3, 3>& triangle, float nearest, std::array<glm::vec3, 4>& result) {
     int count = 0;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -94,14 +94,15 @@ double visibleFraction(const std::vector<ViewedTriangle>& triangles, const View&
         if (count >= 3 && height != 0) buffer.draw(corners.data(), count, normal / height, scale, static_cast<int>(i));
     }
 
-    // A pixel's cone of solid angle 1 / scale^2 / |ray|^3 cuts out depth^2 / (scale^2 |cos|) of a surface, |cos| between its normal and the ray, z = 1.
+    // A pixel's cone of solid angle 1 / scale^2 / |ray|^3 covers depth^2 / (scale^2 |cos|) of a surface; cos is between its normal and the
+    // ray of z = 1.
     for (int y = 0; y < pixels; ++y)
         for (int x = 0; x < pixels; ++x) {
             const std::size_t i = static_cast<std::size_t>(y) * pixels + static_cast<std::size_t>(x);
             if (buffer.triangle(i) < 0) continue;
             const ViewedTriangle& t = triangles[static_cast<std::size_t>(buffer.triangle(i))];
             const glm::vec3 a = toCamera(t.a), normal = glm::normalize(glm::cross(toCamera(t.b) - a, toCamera(t.c) - a));
-            // The camera's space is mirrored: there a triangle that faces the eye has a normal along the ray.
+            // Camera space is mirrored, so a triangle that faces the camera has a normal along the ray.
             const float cosine = glm::dot(normal, DepthBuffer::ray(x, y, scale));
             const double cutOut = std::pow(buffer.depth(i) / scale, 2) / std::max(std::abs(cosine), .05f);
             visible[t.shape] += cutOut * (cosine > 0 ? 1 : behindCredit);

@@ -1,5 +1,5 @@
 #pragma once
-// How much of a scene a view shows: a small depth buffer.
+// Measures how much of a scene a view shows, with a small depth buffer.
 
 #include "read/obj/view.h"
 
@@ -7,8 +7,8 @@
 
 namespace eikonal {
 
-/// The mean, over the shapes, of the fraction of their area that the view shows (as seen through a square image of 96 x 96 pixels):
-/// area seen from the front counts 1, from behind behindCredit. In [0, 1].
+/// The mean over the shapes of the visible fraction of their area, in a square image of 96 x 96 pixels. Area seen from the front counts 1,
+/// from behind behindCredit. In [0, 1].
 double visibleFraction(const std::vector<ViewedTriangle>& triangles, const View& view, double behindCredit);
 
 }  // namespace eikonal

@@ -18,7 +18,7 @@ std::string parameterNames(const Kind& kind) {
     return names.empty() ? "it has none" : "it has " + names;
 }
 
-/// Says what is wrong with a parameter that the kind does not read.
+/// Reports a parameter that the kind does not have.
 void reject(Reading& reading, const Kind& kind, const Parameter& parameter) {
     const std::string shown = "\"" + parameter.declaration() + "\"";
     for (const Rule& rule : kind.rules)
@@ -33,7 +33,7 @@ void reject(Reading& reading, const Kind& kind, const Parameter& parameter) {
 
 std::string shown(double number) { return fmt::format("{:g}", number); }
 
-/// What a parameter's numbers have to keep to; null: nothing.
+/// The rule whose range the parameter's numbers must keep to; null if there is none.
 const Rule* rangedRule(const Kind& kind, const Parameter& parameter) {
     if (parameter.type != ParameterType::number && parameter.type != ParameterType::integer) return nullptr;
     for (const Rule& rule : kind.rules)
@@ -41,7 +41,7 @@ const Rule* rangedRule(const Kind& kind, const Parameter& parameter) {
     return nullptr;
 }
 
-/// Holds a number to its range. Throws SceneError.
+/// Clamps a number to its range or throws SceneError.
 template <class T> void keepTo(const Range& range, T& number, const Kind& kind, const Parameter& parameter, Reading& reading) {
     if (range.holds(number)) return;
     const std::string found = kind.title() + ": \"" + parameter.declaration() + "\" is " + shown(number);
@@ -181,7 +181,7 @@ std::vector<glm::vec3> Arguments::colors(const std::string& name) const {
     return result;
 }
 
-/// The spectrum that a rule falls back to.
+/// The default spectrum of a rule.
 static Spectrum defaultSpectrum(const Rule& rule) {
     if (auto curve = namedSpectrum(rule.fallback)) return Spectrum::sampled(curve);
     return Spectrum::constant(std::stod(rule.fallback));

@@ -1,5 +1,5 @@
 #pragma once
-// Parameters as a kind wants them: checked, typed, defaults filled in.
+// The parameters of a directive, checked and typed by the rules of its kind, with defaults filled in.
 
 #include "read/pbrt/kinds.h"
 #include "read/pbrt/reading.h"
@@ -9,13 +9,14 @@
 
 namespace eikonal::pbrt {
 
-/// The parameters of one directive, read by the rules of its kind. A parameter that is given twice counts as given last;
-/// those of an enclosing Attribute directive count where the directive has none. The names asked for must be in the rules;
-/// a value that is neither given nor has a default is zero or empty. Reading a wrong number of values throws SceneError.
+/// The parameters of one directive, read by the rules of its kind. Of repeated parameters the last counts; parameters of enclosing
+/// Attribute directives count if the directive has none of that name. Only names in the rules may be requested; a value that is not given
+/// and has no default is zero or empty. Reading a wrong number of values throws SceneError.
 class Arguments {
 public:
-    /// Notes parameters of `own` that the kind does not have (a warning, under --strict a problem), and throws SceneError for one
-    /// of a wrong type, and for numbers out of their range, unless they are clamped to it. `inherited` may be null, and may have parameters that the kind does not have.
+    /// Reports parameters of `own` that the kind does not have (a warning, under --strict a problem). Throws SceneError for a wrong type,
+    /// and for numbers out of range unless the rule clamps them. `inherited` may be null, and may have parameters that the kind does not
+    /// have.
     Arguments(Reading& reading, const Kind& kind, SourceLocation where, ParameterList own,
               std::shared_ptr<const ParameterList> inherited, ColorSpace space);
 
@@ -23,10 +24,10 @@ public:
     const SourceLocation& where() const { return where_; }
     ColorSpace space() const { return space_; }
 
-    /// The parameter that gives a value; null if none does.
+    /// The parameter that gives a value; null if there is none.
     const Parameter* given(const std::string& name) const;
     bool has(const std::string& name) const { return given(name); }
-    /// Where a parameter is given, or else the directive.
+    /// The place of a parameter if given, else of the directive.
     const SourceLocation& whereOf(const std::string& name) const;
 
     bool flag(const std::string& name) const;
@@ -34,20 +35,20 @@ public:
     double number(const std::string& name, double fallback) const;
     int integer(const std::string& name) const;
     std::string text(const std::string& name) const;
-    glm::dvec3 vector(const std::string& name) const;              ///< points and vectors
+    glm::dvec3 vector(const std::string& name) const;              ///< a point or vector
     glm::dvec3 vector(const std::string& name, glm::dvec3 fallback) const;
     std::vector<double> numbers(const std::string& name) const;
     std::vector<int> integers(const std::string& name) const;
     std::vector<std::string> texts(const std::string& name) const;
     std::vector<glm::vec2> vectors2(const std::string& name) const;
     std::vector<glm::vec3> vectors3(const std::string& name) const;
-    /// Colours, none of whose components is negative, in space().
+    /// RGB colours in space(), no component negative.
     std::vector<glm::vec3> colors(const std::string& name) const;
 
-    /// A spectrum or a float as one; `fallback` if it is not given and the row has no default.
+    /// A spectrum, or a float as a spectrum; `fallback` if the parameter is not given and has no default.
     Spectrum spectrum(const std::string& name, const Spectrum& fallback = Spectrum()) const;
 
-    /// The path of a file that exists; nothing if none is given, or if it is missing (which is noted).
+    /// The path of an existing file; nothing if the parameter is not given or the file is missing (which is noted).
     std::optional<std::string> file(const std::string& name) const;
 
 private:
@@ -72,7 +73,7 @@ template <class T> void expectCount(const Arguments& arguments, const std::strin
                                                       " values; " + std::to_string(count) + " are expected");
 }
 
-/// The "string type" that MakeNamedMaterial and MakeNamedMedium have. Throws SceneError if it is not given.
+/// The "string type" of MakeNamedMaterial and MakeNamedMedium. Throws SceneError if it is not given.
 std::string typeOf(const ParameterList& parameters, const char* directive, const SourceLocation& where);
 
 }  // namespace eikonal::pbrt

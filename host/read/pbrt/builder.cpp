@@ -24,7 +24,7 @@ void Builder::rotate(double degrees, glm::dvec3 axis, const SourceLocation& wher
 void Builder::lookAt(glm::dvec3 eye, glm::dvec3 at, glm::dvec3 up, const SourceLocation& where) {
     const glm::dvec3 forward = glm::normalize(at - eye);
     const glm::dvec3 across = glm::cross(glm::normalize(up), forward);
-    if (!(glm::dot(across, across) > 0)) throw SceneError(where, "LookAt looks along its up vector, or from where it looks at");
+    if (!(glm::dot(across, across) > 0)) throw SceneError(where, "LookAt has a viewing direction of length 0 or parallel to its up vector");
     const glm::dvec3 right = glm::normalize(across);
     const Transform worldFromCamera(glm::dvec4(right, 0), glm::dvec4(glm::cross(forward, right), 0), glm::dvec4(forward, 0), glm::dvec4(eye, 1));
     concatenate(glm::inverse(worldFromCamera));
@@ -72,7 +72,7 @@ void Builder::beginObject(const std::string& name, const SourceLocation& where) 
 void Builder::endObject(const SourceLocation& where) {
     if (!blocks_.empty() && !blocks_.back().isObject)
         throw SceneError(where, "ObjectEnd where AttributeEnd is expected, for the AttributeBegin at " + blocks_.back().where.toString());
-    if (blocks_.empty() && shapes.objectIsOpen()) throw SceneError(where, "ObjectEnd in a file that Import reads, for an ObjectBegin outside of it");
+    if (blocks_.empty() && shapes.objectIsOpen()) throw SceneError(where, "ObjectEnd in an imported file, for an ObjectBegin outside it");
     shapes.endObject(where);
     state = std::move(blocks_.back().saved);
     blocks_.pop_back();

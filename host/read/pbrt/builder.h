@@ -1,5 +1,5 @@
 #pragma once
-// Turns directives into a scene: keeps the graphics state, and hands what is described to the books.
+// Builds a scene from directives: keeps the graphics state, and passes descriptions to the registries.
 
 #include "read/pbrt/lights.h"
 #include "read/pbrt/materials.h"
@@ -30,8 +30,8 @@ struct Builder {
     GraphicsState state;
     bool inWorld = false;
 
-    // Transforms. Each throws SceneError where it makes no sense.
-    void concatenate(const Transform& transform);                       ///< onto the active ones
+    // Transforms. Each throws SceneError if it is invalid.
+    void concatenate(const Transform& transform);                       ///< multiplied onto the active transforms
     void setTransform(const Transform& transform);
     void rotate(double degrees, glm::dvec3 axis, const SourceLocation& where);
     void lookAt(glm::dvec3 eye, glm::dvec3 at, glm::dvec3 up, const SourceLocation& where);
@@ -46,10 +46,10 @@ struct Builder {
     void beginObject(const std::string& name, const SourceLocation& where);
     void endObject(const SourceLocation& where);
 
-    /// Parameters for all that follows of a target, with lower priority than its own.
+    /// Parameters for all later directives of a target, with lower priority than their own.
     void addAttributes(const std::string& target, ParameterList parameters, const SourceLocation& where);
 
-    /// Calls `body`, which reads another file, in a state of its own; blocks that it leaves open are closed, and noted.
+    /// Calls `body`, which reads another file, with a copy of the state. Blocks that it leaves open are closed, and noted as problems.
     template <class Body> void importing(Body&& body) {
         const GraphicsState saved = state;
         const auto savedSystems = coordinateSystems_;
@@ -62,7 +62,7 @@ struct Builder {
         coordinateSystems_ = savedSystems;
     }
 
-    /// Builds what could not be built before everything was read, and gives the scene away. Throws SceneError with all problems.
+    /// Builds everything that had to wait for the end of the file, and returns the scene. Throws SceneError with all problems.
     Scene finish(const SourceLocation& end);
 
 private:

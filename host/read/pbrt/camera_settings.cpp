@@ -1,4 +1,4 @@
-// From the parameters of a Camera directive to the scene's camera.
+// Fills in the scene's camera from the parameters of a Camera directive.
 
 #include "read/pbrt/lens_file.h"
 #include "read/pbrt/settings.h"
@@ -19,7 +19,7 @@ void Settings::applyCamera(const Arguments& arguments) {
         const std::vector<double> window = arguments.numbers("screenwindow");
         expectCount(arguments, "screenwindow", window, 4);
         if (window[0] == window[1] || window[2] == window[3])
-            throw SceneError(arguments.whereOf("screenwindow"), "\"float screenwindow\" holds nothing: its values are x0 x1 y0 y1, with x0 other than x1 and y0 other than y1");
+            throw SceneError(arguments.whereOf("screenwindow"), "\"float screenwindow\" is empty: its values are x0 x1 y0 y1, with different x0 and x1, and different y0 and y1");
         camera.screenWindow = {window[0], window[1], window[2], window[3]};
     }
     if (camera.kind == CameraKind::spherical) applyMapping(arguments);

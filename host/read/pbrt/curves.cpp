@@ -8,10 +8,10 @@ namespace {
 
 using Points = std::array<glm::vec3, 4>;
 
-/// The same curve with a degree of 3.
+/// Degree elevation from 2 to 3.
 Points elevated(glm::vec3 a, glm::vec3 b, glm::vec3 c) { return {a, glm::mix(a, b, 2.f / 3), glm::mix(b, c, 1.f / 3), c}; }
 
-/// One segment of a uniform B-spline, by its blossom.
+/// The Bezier points of a segment of a uniform B-spline, by its blossom.
 Points bezierOfSpline(const glm::vec3* p, int degree) {
     if (degree == 2) return elevated(glm::mix(p[0], p[1], .5f), p[1], glm::mix(p[1], p[2], .5f));
     const glm::vec3 b = glm::mix(p[1], p[2], 1.f / 3), c = glm::mix(p[1], p[2], 2.f / 3);
@@ -23,11 +23,11 @@ CurveKind kindOf(Reading& reading, const Arguments& arguments) {
     if (type == "flat") return CurveKind::flat;
     if (type == "ribbon") return CurveKind::ribbon;
     if (type != "cylinder")
-        reading.diagnostics.warn(arguments.whereOf("type"), "there is no curve of type \"" + type + "\" (there are flat, cylinder, ribbon); \"cylinder\" takes its place");
+        reading.diagnostics.warn(arguments.whereOf("type"), "there is no curve of type \"" + type + "\" (types are flat, cylinder, ribbon); \"cylinder\" is used instead");
     return CurveKind::cylinder;
 }
 
-/// How many segments the control points make.
+/// The number of segments of the control points. Throws SceneError if they do not fit.
 size_t countSegments(const Arguments& arguments, size_t points, const std::string& basis, int degree) {
     const auto d = static_cast<size_t>(degree);
     const std::string title = arguments.kind().title();
@@ -45,8 +45,8 @@ size_t countSegments(const Arguments& arguments, size_t points, const std::strin
 std::shared_ptr<Curve> readCurve(Reading& reading, const Arguments& arguments) {
     const std::string title = arguments.kind().title(), basis = arguments.text("basis");
     const int degree = arguments.integer("degree");
-    if (degree != 2 && degree != 3) throw SceneError(arguments.whereOf("degree"), title + " of degree " + std::to_string(degree) + ": there are degrees 2 and 3");
-    if (basis != "bezier" && basis != "bspline") throw SceneError(arguments.whereOf("basis"), title + " has the basis \"" + basis + "\"; there are \"bezier\" and \"bspline\"");
+    if (degree != 2 && degree != 3) throw SceneError(arguments.whereOf("degree"), title + " of degree " + std::to_string(degree) + "; the degree can be 2 or 3");
+    if (basis != "bezier" && basis != "bspline") throw SceneError(arguments.whereOf("basis"), title + " has the basis \"" + basis + "\"; it can be \"bezier\" or \"bspline\"");
     if (!arguments.has("P")) throw SceneError(arguments.where(), title + " needs its control points, \"point3 P\"");
     const std::vector<glm::vec3> points = arguments.vectors3("P");
     const size_t count = countSegments(arguments, points.size(), basis, degree);

@@ -13,11 +13,11 @@ namespace {
 
 using Where = const SourceLocation&;
 
-/// Calls f, whose errors are noted: it is not about the grammar, so reading can go on.
+/// Calls f and notes its errors; they do not concern the grammar, so reading continues.
 template <class F> void note(Builder& builder, F&& f) { builder.reading.problems.guard(std::forward<F>(f)); }
 
-/// For a directive with a name and parameters: reads both, then calls f(name, parameters), whose errors are noted; not if a file
-/// that parameters come from is missing, which is noted already, and may be why.
+/// Reads the name and parameters of a directive, calls f(name, parameters), and notes its errors. If an included file with parameters was
+/// missing, does not report errors that may follow from that.
 template <class F> void withParameters(Parser& parser, Builder& builder, const char* what, F&& f) {
     const std::string name = parser.quoted(what);
     ParameterList parameters = parser.parameters();

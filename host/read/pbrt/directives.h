@@ -1,5 +1,5 @@
 #pragma once
-// The directives of the language.
+// The table of directives.
 
 #include "read/pbrt/tokens.h"
 
@@ -11,7 +11,7 @@ namespace eikonal::pbrt {
 class Parser;
 struct Builder;
 
-/// Where a directive may stand: before WorldBegin, after it, or both.
+/// Where a directive is allowed: before WorldBegin, after it, or both.
 enum class Place { options, world, anywhere };
 
 struct Directive {
@@ -20,7 +20,7 @@ struct Directive {
     void (*run)(Parser&, Builder&, const SourceLocation& where);
 };
 
-/// The directive that a token names. Throws SceneError, or Version3Error if only pbrt-v3 has it.
+/// The directive named by a token. Throws SceneError, or Version3Error if only pbrt-v3 has it.
 const Directive& findDirective(const Token& token, const SourceLocation& where);
 
 /// The names of all directives.

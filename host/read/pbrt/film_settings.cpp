@@ -1,4 +1,4 @@
-// From the parameters of Film, PixelFilter and Sampler directives to the scene's film, filter and sampler.
+// Fills in the scene's film, filter and sampler from the parameters of Film, PixelFilter and Sampler directives.
 
 #include "read/pbrt/settings.h"
 #include "color/sensor.h"
@@ -13,7 +13,7 @@ namespace eikonal::pbrt {
 static GBuffer gbufferOf(const Arguments& arguments) {
     const std::string space = arguments.text("coordinatesystem");
     if (space != "camera" && space != "world")
-        throw SceneError(arguments.whereOf("coordinatesystem"), "there is no coordinate system \"" + space + "\"; a film has \"camera\" and \"world\"");
+        throw SceneError(arguments.whereOf("coordinatesystem"), "there is no coordinate system \"" + space + "\"; it can be \"camera\" or \"world\"");
     return space == "world" ? GBuffer::worldSpace : GBuffer::cameraSpace;
 }
 
@@ -33,13 +33,13 @@ void Settings::applyFilm(const Arguments& arguments) {
     film.width = arguments.integer("xresolution");
     film.height = arguments.integer("yresolution");
     if (film.width < 1 || film.height < 1)
-        throw SceneError(arguments.where(), "the image is " + std::to_string(film.width) + " x " + std::to_string(film.height) + " pixels; it needs one at least");
+        throw SceneError(arguments.where(), "the image is " + std::to_string(film.width) + " x " + std::to_string(film.height) + " pixels; it needs at least one");
     film.filename = arguments.text("filename");
     film.iso = arguments.number("iso");
     film.whiteBalance = arguments.number("whitebalance");
-    constexpr double coldest = 100;  // what is colder has no light to see by
+    constexpr double coldest = 100;  // a colder black body has no visible light
     if (film.whiteBalance > 0 && film.whiteBalance < coldest)
-        throw SceneError(arguments.whereOf("whitebalance"), fmt::format("film \"{}\": \"float whitebalance\" is {:g}; it is a temperature in kelvin, {:g} at least, or 0 for none",
+        throw SceneError(arguments.whereOf("whitebalance"), fmt::format("film \"{}\": \"float whitebalance\" is {:g}; it is a temperature in kelvin of at least {:g}, or 0 for none",
                                                                         arguments.kind().name, film.whiteBalance, coldest));
     film.maxComponentValue = arguments.number("maxcomponentvalue");
     film.diagonal = arguments.number("diagonal");

@@ -6,9 +6,9 @@
 namespace eikonal::pbrt {
 namespace {
 
-// Absorption of each concentration of melanin, per radius of a fiber: d'Eon et al. 2011, "An Energy-Conserving Hair Reflectance Model".
+// Absorption per concentration of melanin and fiber radius: d'Eon et al. 2011, "An Energy-Conserving Hair Reflectance Model".
 const glm::dvec3 eumelaninAbsorption(0.419, 0.697, 1.37), pheomelaninAbsorption(0.187, 0.4, 1.05);
-constexpr double brown = 1.3;  // of eumelanin
+constexpr double brown = 1.3;  // concentration of eumelanin
 
 Input melanins(TextureRegistry& textures, const Arguments& arguments) {
     const Input dark = textures.input(arguments, "eumelanin"), red = textures.input(arguments, "pheomelanin");
@@ -16,7 +16,7 @@ Input melanins(TextureRegistry& textures, const Arguments& arguments) {
     const auto amount = [](const Input& input) { return std::max(input.value.value(), 0.); };
     if (dark.texture == none && red.texture == none)
         return {Spectrum::rgb(amount(dark) * eumelaninAbsorption + amount(red) * pheomelaninAbsorption), none, where};
-    // The sum is half of each, doubled; colors of textures are at most 1, so that their scale comes as a number.
+    // Add by mixing both equally and doubling; texture colours are at most 1, so their scale is a separate number.
     const auto part = [&](const Input& concentration, const glm::dvec3& absorption) {
         const double most = std::max({absorption.x, absorption.y, absorption.z});
         const Input color = textures.derive(ScaleTexture{concentration, {Spectrum::rgb(absorption / most)}}, where);
@@ -25,7 +25,7 @@ Input melanins(TextureRegistry& textures, const Arguments& arguments) {
     return textures.derive(MixTexture{part(dark, eumelaninAbsorption), part(red, pheomelaninAbsorption), {Spectrum::constant(0.5)}}, where);
 }
 
-/// Chiang et al. 2016, equation 9: the absorption that makes hair look like a color.
+/// The absorption that gives hair a colour: Chiang et al. 2016, equation 9.
 Input absorptionOfColor(TextureRegistry& textures, const Input& color, const Input& betaN) {
     if (color.texture != none || betaN.texture != none) return textures.derive(AbsorptionTexture{color, betaN}, color.where);
     const double n = std::clamp(betaN.value.value(), 0.01, 1.);
@@ -49,7 +49,7 @@ void readHair(Reading& reading, TextureRegistry& textures, const Arguments& argu
     else if (std::string(used) == "reflectance") material.inputs["sigma_a"] = absorptionOfColor(textures, textures.input(arguments, "reflectance"), betaN);
     else if (!*used) material.inputs["sigma_a"] = {Spectrum::rgb(brown * eumelaninAbsorption)};
 
-    // From edge to edge of a curve, v goes from 0 to 1 and h from -1 to 1.
+    // Across a curve, v goes from 0 to 1 and h from -1 to 1.
     const Input left{Spectrum::constant(-1)}, right{Spectrum::constant(1)};
     material.inputs["h"] = textures.derive(BilerpTexture{left, right, left, right, Mapping{}}, arguments.where());
 }

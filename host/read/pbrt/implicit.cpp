@@ -16,11 +16,11 @@ ImplicitSurface readImplicit(const Arguments& arguments) {
 
     const std::vector<glm::vec3> corners = arguments.vectors3("bounds");
     if (corners.size() != 2)
-        throw SceneError(arguments.whereOf("bounds"), title + " needs the box that it is looked for in, two corners, as in \"point3 bounds\" [-1 -1 -1  1 1 1]");
+        throw SceneError(arguments.whereOf("bounds"), title + " needs a box that bounds it, given by two corners, as in \"point3 bounds\" [-1 -1 -1  1 1 1]");
     surface.low = glm::min(corners[0], corners[1]);
     surface.high = glm::max(corners[0], corners[1]);
     for (int c = 0; c < 3; ++c)
-        if (!(surface.low[c] < surface.high[c])) throw SceneError(arguments.whereOf("bounds"), "\"point3 bounds\" is a box without volume: its corners have the same " + std::string(1, "xyz"[c]));
+        if (!(surface.low[c] < surface.high[c])) throw SceneError(arguments.whereOf("bounds"), "\"point3 bounds\" is a box without volume: both corners have the same " + std::string(1, "xyz"[c]));
     return surface;
 }
 

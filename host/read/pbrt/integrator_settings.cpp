@@ -1,4 +1,4 @@
-// From the parameters of an Integrator directive to the scene's integrator.
+// Fills in the scene's integrator from the parameters of an Integrator directive.
 
 #include "read/pbrt/settings.h"
 
@@ -16,14 +16,14 @@ void Settings::applyLightSampler(const Arguments& arguments) {
         words.emplace_back(word);
         if (name == word) { sampler = value; return; }
     }
-    /* pbrt-v4's fourth: what a tree of bounds comes near to, with the same expectation */
+    /* pbrt-v4's fourth light sampler; the light tree approximates it, with the same expectation */
     if (name == "exhaustive") { sampler = LightSampler::bvh; return; }
     const std::string near = nearestWord(name, words);
     throw SceneError(arguments.whereOf("lightsampler"), "there is no light sampler \"" + name + "\"; " +
                                                             (near.empty() ? "there are \"bvh\", \"power\" and \"uniform\"" : "did you mean \"" + near + "\"?"));
 }
 
-/// Throws SceneError unless it is a power of two from 1 to mostTreeRays, or the number that `orElse` is.
+/// Throws SceneError unless the value is a power of two from 1 to mostTreeRays, or equal to `orElse`.
 static int treeRays(const Arguments& arguments, const std::string& name, int orElse) {
     const int rays = arguments.integer(name);
     if (rays != orElse && (rays < 1 || rays > mostTreeRays || !std::has_single_bit(static_cast<unsigned>(rays))))

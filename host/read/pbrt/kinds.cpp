@@ -18,7 +18,7 @@ struct Word {
     std::vector<ParameterType> types;
 };
 
-// The words for what is wanted, in the order of Wanted.
+// The words for types in rows, in the order of Wanted.
 const std::vector<Word>& words() {
     static const std::vector<Word> all = {
         {"bool", Wanted::flag, {T::boolean}},
@@ -54,7 +54,7 @@ std::string trimmed(std::string_view text) {
     return std::string(text.substr(begin, std::max(end, begin) - begin));
 }
 
-/// Cuts `text` at `separator`; returns what comes after it, or nothing.
+/// Splits `text` at `separator`, keeps the front in `text`, and returns the rest; nothing if there is no separator.
 std::string cutAt(std::string& text, std::string_view separator) {
     const size_t at = text.find(separator);
     if (at == text.npos) return {};
@@ -63,7 +63,7 @@ std::string cutAt(std::string& text, std::string_view separator) {
     return rest;
 }
 
-/// "(0, 180]", "[0, inf)": a round bracket beside an end that does not belong to the range.
+/// "(0, 180]", "[0, inf)": round brackets exclude the end.
 Range parseRange(const std::string& text, bool clamps) {
     const size_t comma = text.find(',');
     if (text.size() < 5 || comma == text.npos) throw std::logic_error("not a range: " + text);

@@ -1,5 +1,5 @@
 #pragma once
-// Lens files: text, "#" starts a comment; four numbers for each element, from the scene to the film.
+// Reads lens files: text with comments after "#", and four numbers per element, from the scene to the film.
 
 #include "scene/scene.h"
 
@@ -8,7 +8,7 @@
 
 namespace eikonal::pbrt {
 
-/// The elements of a lens file. Throws SceneError: its numbers are not four for each element, it has none, or an element is impossible.
+/// The elements of a lens file. Throws SceneError if it has none, if an element is incomplete, or if its numbers are invalid.
 std::vector<LensElement> readLensFile(const std::string& path);
 
 }  // namespace eikonal::pbrt

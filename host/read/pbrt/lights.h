@@ -1,5 +1,5 @@
 #pragma once
-// Light sources, and what makes a shape emit.
+// Reads lights and area lights.
 
 #include "read/pbrt/arguments.h"
 #include "read/pbrt/state.h"
@@ -12,7 +12,7 @@ namespace eikonal::pbrt {
 const KindTable& lightKinds();
 const KindTable& areaLightKinds();
 
-/// Adds a light to Scene::lights, if it is one that is rendered. Throws SceneError.
+/// Adds a light to Scene::lights if it is rendered. Throws SceneError.
 void addLight(Reading& reading, TextureRegistry& textures, const std::string& kind, const GraphicsState& state, ParameterList parameters,
               const SourceLocation& where);
 

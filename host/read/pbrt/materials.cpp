@@ -13,8 +13,8 @@ constexpr int kindOf(MaterialKind kind) { return static_cast<int>(kind); }
 
 }  // namespace
 
-// Everything that materials share is at the end of every row. Parameters that the scene knows under another name have "-> name",
-// those that it does not know at all have "-> -".
+// The common parameters of all materials are appended to each row. "-> name" gives a parameter another name in the scene; "-> -" omits it
+// from the scene.
 const KindTable& materialKinds() {
     static const KindTable table("material", "floatmap displacement -> -; file normalmap -> -; bool remaproughness = true -> -; string type -> -", {
         {"diffuse", kindOf(MaterialKind::diffuse), "colormap reflectance = 0.5"},
@@ -159,14 +159,14 @@ void MaterialRegistry::readMix(const Arguments& arguments, Material& material) {
     for (int i = 0; i < 2; ++i) {
         material.mixed[i] = resolve(numberOf(names[i]), where);
         if (material.mixed[i] != none && reading_.scene.materials[material.mixed[i]].kind == MaterialKind::interface)
-            throw SceneError(where, "\"" + names[i] + "\" is an interface, which cannot be a part of a mix");
+            throw SceneError(where, "\"" + names[i] + "\" is an interface, which cannot be part of a mix");
     }
 }
 
 void MaterialRegistry::readMeasured(const Arguments& arguments, Material& material) {
     const std::optional<std::string> path = arguments.file("filename");
     if (!path && !arguments.has("filename")) throw SceneError(arguments.where(), "material \"measured\" needs a \"string filename\": a .bsdf file of the RGL material database");
-    material.file = path.value_or("");  // missing: a problem that is noted already
+    material.file = path.value_or("");  // if missing, that is already noted
     material.where = arguments.whereOf("filename");
 }
 

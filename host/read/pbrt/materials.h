@@ -1,5 +1,5 @@
 #pragma once
-// Materials, named or not.
+// The materials of a scene, named or unnamed.
 
 #include "read/pbrt/arguments.h"
 #include "read/pbrt/state.h"
@@ -15,35 +15,35 @@ namespace eikonal::pbrt {
 
 const KindTable& materialKinds();
 
-/// The materials of a scene. Named ones may be used before they are made, and their textures too, so a material is a number of
-/// this book at first, which becomes an index of Scene::materials at the end.
+/// The materials of a scene. Named materials and their textures may be used before their definition, so a material first has a number in
+/// this registry; at the end the number becomes an index into Scene::materials.
 class MaterialRegistry {
 public:
     MaterialRegistry(Reading& reading, TextureRegistry& textures) : reading_(reading), textures_(textures) {}
 
-    /// The number of a named material.
+    /// The number of a named material, defined or not.
     int numberOf(const std::string& name);
 
-    /// Notes a material: a named one, or with an empty name an unnamed one. Returns its number. Throws SceneError.
+    /// Defines a material; an empty name makes it unnamed. Returns its number. Throws SceneError.
     int define(const std::string& name, const std::string& kind, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
 
-    /// The index in Scene::materials of a number (none stays none). Notes a problem, once for each, if it was never made.
+    /// The index in Scene::materials of a number (none stays none). Notes a problem, once per material, if it was never defined.
     int resolve(int number, const SourceLocation& where);
 
-    /// Builds those that nothing has used.
+    /// Builds the materials that are not used.
     void finish();
 
 private:
     struct Entry {
         std::string name;
-        std::unique_ptr<Arguments> arguments;  ///< null: not made (yet)
+        std::unique_ptr<Arguments> arguments;  ///< null: not defined (yet)
         int index = none;                      ///< in Scene::materials, once it is built
         bool beingBuilt = false, missed = false;
     };
 
     void build(Entry& entry, Material& material);
     void readInputs(const Arguments& arguments, Material& material);
-    /// A metal is given by what it reflects or by its indices. Throws SceneError if it is by both.
+    /// A metal is given by its reflectance or by its indices. Throws SceneError if both are given.
     void preferReflectance(const Arguments& arguments, Material& material, const std::array<std::string, 2>& indices);
     void readMeasured(const Arguments& arguments, Material& material);
     void readMix(const Arguments& arguments, Material& material);
@@ -52,7 +52,7 @@ private:
     Reading& reading_;
     TextureRegistry& textures_;
     std::map<std::string, int> numbers_;
-    std::deque<Entry> entries_;  ///< by number; never moved, since building one may add another
+    std::deque<Entry> entries_;  ///< by number; a deque, because building an entry may add another and references must stay valid
 };
 
 }  // namespace eikonal::pbrt

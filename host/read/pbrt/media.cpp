@@ -16,14 +16,14 @@ enum MediumKindOfPbrt { homogeneousKind, uniformGridKind, rgbGridKind, cloudKind
 
 constexpr const char* glow = "float temperaturecutoff = 0; float temperatureoffset | temperaturecutoff = 0; float temperaturescale = 1;";
 
-/// The size of the grid that a medium describes. Throws SceneError.
+/// The dimensions of a medium's grid. Throws SceneError.
 glm::ivec3 readSize(const Arguments& arguments) {
     const glm::ivec3 size(arguments.integer("nx"), arguments.integer("ny"), arguments.integer("nz"));
     if (size.x < 1 || size.y < 1 || size.z < 1) throw SceneError(arguments.where(), "the grid's nx, ny and nz must be at least 1");
     return size;
 }
 
-/// Throws SceneError unless there is one value for each of the grid's cells.
+/// Throws SceneError unless there is one value per grid cell.
 void checkCount(const Arguments& arguments, const std::string& name, size_t count, glm::ivec3 size, const char* type) {
     const double expected = double(size.x) * size.y * size.z;
     if (static_cast<double>(count) != expected)
@@ -31,7 +31,7 @@ void checkCount(const Arguments& arguments, const std::string& name, size_t coun
                                                               size.x, size.y, size.z, expected));
 }
 
-/// Values on the grid that a medium describes, none of them negative; empty if the parameter is not given. Throws SceneError.
+/// The values of a medium's grid, not negative; empty if the parameter is not given. Throws SceneError.
 Grid readGrid(const Arguments& arguments, const std::string& name) {
     const glm::ivec3 size = readSize(arguments);
     const std::vector<double> values = arguments.numbers(name);
@@ -94,8 +94,8 @@ void readUniformGrid(const Arguments& arguments, Medium& medium) {
     if (medium.density.values.empty()) throw SceneError(arguments.where(), "medium \"uniformgrid\" needs \"float density\"");
     medium.temperature = readGrid(arguments, "temperature");
     if (arguments.has("Le") && arguments.has("temperature"))
-        throw SceneError(arguments.whereOf("Le"), "the medium has both \"Le\" and \"temperature\"; one of them says how it shines");
-    /* pbrt-v4 takes what is not given as a grid of a single 1, which falls off towards the sides */
+        throw SceneError(arguments.whereOf("Le"), "the medium has both \"Le\" and \"temperature\"; give one of them");
+    /* If it is not given, pbrt-v4 uses a grid of a single 1, which falls off towards the sides */
     medium.LeScale = readGrid(arguments, "Lescale");
     if (medium.LeScale.values.empty()) medium.LeScale = {1, 1, 1, {1}};
     readBox(arguments, medium);
@@ -111,10 +111,10 @@ void readRgbGrid(const Arguments& arguments, Medium& medium) {
     medium.colors = {size.x, size.y, size.z, readColors(arguments, "sigma_a"), readColors(arguments, "sigma_s"), readColors(arguments, "Le"), arguments.space()};
     if (medium.colors.sigmaA.empty() && medium.colors.sigmaS.empty())
         throw SceneError(arguments.where(), "medium \"rgbgrid\" needs \"rgb sigma_a\" or \"rgb sigma_s\"");
-    if (!medium.colors.Le.empty() && medium.colors.sigmaA.empty()) throw SceneError(arguments.whereOf("Le"), "what shines must absorb: \"rgb Le\" needs \"rgb sigma_a\"");
+    if (!medium.colors.Le.empty() && medium.colors.sigmaA.empty()) throw SceneError(arguments.whereOf("Le"), "an emitting medium must absorb: \"rgb Le\" needs \"rgb sigma_a\"");
     readBox(arguments, medium);
     medium.sigmaA = medium.sigmaS = Spectrum::constant(arguments.number("scale"));
-    /* pbrt-v4 does not divide these by the luminance of white, as it does lights */
+    /* pbrt-v4 does not divide these by the luminance of white, unlike the emission of lights */
     medium.emissionScale = arguments.number("Lescale") * integrateXyz(whiteSpectrum(arguments.space())).y;
 }
 
@@ -200,8 +200,8 @@ void MediumRegistry::define(const std::string& name, const GraphicsState& state,
         default: readNanoVdbMedium(arguments, medium);
     }
     if (glm::determinant(glm::dmat3(medium.worldFromMedium)) == 0 && kind.value != homogeneousKind)
-        throw SceneError(where, "the medium's transform flattens it: there is no way back");
-    if (medium.kind == MediumKind::nanovdb && !medium.sparseDensity) return;   // its file is missing, which was noted
+        throw SceneError(where, "the medium's transform cannot be inverted; is there a Scale of 0?");
+    if (medium.kind == MediumKind::nanovdb && !medium.sparseDensity) return;   // its missing file is already noted
     entries_[number].index = static_cast<int>(reading_.scene.media.size());
     reading_.scene.media.push_back(std::move(medium));
 }

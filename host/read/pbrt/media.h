@@ -1,5 +1,5 @@
 #pragma once
-// Named media.
+// The named media of a scene.
 
 #include "read/pbrt/arguments.h"
 #include "read/pbrt/state.h"
@@ -12,20 +12,20 @@ namespace eikonal::pbrt {
 
 const KindTable& mediumKinds();
 
-/// The media of a scene. They may be named before they are made, so names become numbers of this book, and those become
-/// indices of Scene::media at the end.
+/// The media of a scene. They may be used before their definition, so a medium first has a number in this registry; at the end the number
+/// becomes an index into Scene::media.
 class MediumRegistry {
 public:
     explicit MediumRegistry(Reading& reading) : reading_(reading) {}
 
-    /// The number of a name; none for the empty one, which is vacuum.
+    /// The number of a medium, defined or not; none for the empty name, which means vacuum.
     int numberOf(const std::string& name);
 
-    /// Makes a medium, in Scene::media. Throws SceneError.
+    /// Defines a medium in Scene::media. Throws SceneError.
     void define(const std::string& name, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
 
-    /// The index in Scene::media of a number (none stays none; so is a medium that is not rendered).
-    /// Notes a problem, once for each, if it was never made: `where` uses it.
+    /// The index in Scene::media of a number (none stays none; none for a medium that is not rendered). Notes a problem, once per medium,
+    /// if it was never defined; `where` is the use.
     int resolve(int number, const SourceLocation& where);
 
 private:

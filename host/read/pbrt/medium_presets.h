@@ -1,5 +1,5 @@
 #pragma once
-// Measured scattering of everyday substances.
+// Measured scattering coefficients of everyday substances.
 
 #include <glm/glm.hpp>
 
@@ -11,7 +11,7 @@ namespace eikonal::pbrt {
 /// Coefficients per mm, in linear sRGB.
 struct MediumPreset { const char* name; glm::dvec3 reducedSigmaS, sigmaA; };
 
-/// The substance of that name; null if there is none.
+/// The substance called `name`; null if there is none.
 const MediumPreset* mediumPreset(const std::string& name);
 std::vector<std::string> mediumPresetNames();
 

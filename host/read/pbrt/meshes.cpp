@@ -14,7 +14,7 @@ std::shared_ptr<Mesh> readMesh(Reading& reading, const Arguments& arguments, int
     mesh->positions = arguments.vectors3("P");
     if (mesh->positions.empty()) throw SceneError(arguments.where(), title + " needs its vertices, \"point3 P\"");
 
-    // Faces: those given, or the only one there can be.
+    // The indices given, or those of the only possible face.
     std::vector<int> indices = arguments.integers("indices");
     if (indices.empty()) {
         if (static_cast<int>(mesh->positions.size()) != corners)
@@ -33,7 +33,7 @@ std::shared_ptr<Mesh> readMesh(Reading& reading, const Arguments& arguments, int
             throw SceneError(arguments.whereOf("indices"), "\"integer indices\" has a " + std::to_string(index) + "; \"P\" has vertices 0 to " + std::to_string(count - 1));
     mesh->indices.assign(indices.begin(), indices.end());
 
-    // What each vertex has besides its position.
+    // Per-vertex attributes besides positions.
     const auto perVertex = [&](auto values, const char* name) {
         if (values.empty() || values.size() == mesh->positions.size()) return values;
         reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored: it has " + std::to_string(values.size()) +
@@ -51,7 +51,7 @@ std::shared_ptr<Mesh> readSubdividedMesh(Reading& reading, const Arguments& argu
     if (!arguments.has("indices")) throw SceneError(arguments.where(), title + " needs the vertices of its faces, \"integer indices\"");
     const std::shared_ptr<const Mesh> control = readMesh(reading, arguments, 3);
     if (const std::string scheme = arguments.text("scheme"); scheme != "loop")
-        reading.diagnostics.warn(arguments.whereOf("scheme"), "there is no subdivision scheme \"" + scheme + "\"; \"loop\" takes its place");
+        reading.diagnostics.warn(arguments.whereOf("scheme"), "there is no subdivision scheme \"" + scheme + "\"; \"loop\" is used instead");
 
     const int levels = control->indices.empty() ? 0 : std::max(arguments.integer("levels"), 0);
     int possible = 0;
@@ -61,7 +61,7 @@ std::shared_ptr<Mesh> readSubdividedMesh(Reading& reading, const Arguments& argu
                                                           " triangles of this mesh; " + std::to_string(possible) + " would work");
     SubdividedMesh result = subdivideByLoop(*control, levels);
     if (result.droppedFaces > 0)
-        reading.diagnostics.warn(arguments.whereOf("indices"), std::to_string(result.droppedFaces) + " faces that name a vertex twice are left out");
+        reading.diagnostics.warn(arguments.whereOf("indices"), std::to_string(result.droppedFaces) + " faces that name a vertex twice are skipped");
     return std::make_shared<Mesh>(std::move(result.mesh));
 }
 
@@ -81,7 +81,7 @@ void PlyFiles::load() {
     for (size_t i = 0; i < files_.size(); ++i) {
         if (errors[i]) reading_.problems.add(*errors[i]);
         if (const size_t dropped = files_[i].mesh.droppedFaces)
-            reading_.diagnostics.warn(files_[i].where, "\"" + files_[i].path + "\" has " + std::to_string(dropped) + " faces with fewer than three corners, which are left out");
+            reading_.diagnostics.warn(files_[i].where, "\"" + files_[i].path + "\" has " + std::to_string(dropped) + " faces with fewer than three corners, which are skipped");
     }
 }
 

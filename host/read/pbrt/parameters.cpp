@@ -10,7 +10,7 @@ namespace {
 
 struct TypeName { const char* word; ParameterType type; };
 
-// The words for types; a type's first is the one that messages use.
+// The words for types; messages use the first word of a type.
 constexpr TypeName typeNames[] = {
     {"bool", ParameterType::boolean},     {"float", ParameterType::number},         {"integer", ParameterType::integer},
     {"point2", ParameterType::point2},    {"vector2", ParameterType::vector2},      {"point3", ParameterType::point3},
@@ -43,7 +43,7 @@ bool isNumeric(ParameterType type) { return type != ParameterType::boolean && ty
     throw SceneError(tokens.locate(token), found + " found where \"" + parameter.declaration() + "\" has " + wanted);
 }
 
-/// Numbers, in brackets or a single one.
+/// A single number, or numbers in brackets.
 template <class T> std::vector<T> readNumbers(TokenStream& tokens, const Token& first, const Parameter& parameter) {
     std::vector<T> numbers;
     if (first.kind == Token::Kind::open) tokens.readList(numbers);
@@ -52,7 +52,7 @@ template <class T> std::vector<T> readNumbers(TokenStream& tokens, const Token& 
     return numbers;
 }
 
-/// Calls add(token) for each value, in brackets or a single one.
+/// Calls add(token) for each value, single or in brackets.
 template <class Add> void readEach(TokenStream& tokens, const Token& first, Add&& add) {
     if (first.kind != Token::Kind::open) return add(first);
     for (Token token = tokens.next(); token.kind != Token::Kind::close; token = tokens.next()) add(token);
@@ -72,7 +72,7 @@ Values readValues(TokenStream& tokens, Parameter& parameter) {
         return flags;
     }
 
-    // A spectrum is given by numbers or by a name: look at the first value.
+    // A spectrum is given by numbers or by a name: check the first value.
     bool named = !isNumeric(parameter.type);
     if (parameter.type == ParameterType::spectrum) {
         Token value = first;

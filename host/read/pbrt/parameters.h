@@ -1,5 +1,5 @@
 #pragma once
-// Parameters as they are written: "rgb reflectance" [ .5 .5 .5 ].
+// Parameters as written in the file: "rgb reflectance" [ .5 .5 .5 ].
 
 #include "read/pbrt/tokens.h"
 #include "color/observer.h"
@@ -10,21 +10,21 @@
 
 namespace eikonal::pbrt {
 
-/// The types that a parameter may be declared with.
+/// The declared types of parameters.
 enum class ParameterType { boolean, number, integer, point2, vector2, point3, vector3, normal, rgb, blackbody, spectrum, text, texture };
 
-/// Values in the order of the file; those of points and vectors one component after the other.
+/// Values in file order; points and vectors component by component.
 using Values = std::variant<std::vector<bool>, std::vector<double>, std::vector<int>, std::vector<float>, std::vector<std::string>>;
 
 struct Parameter {
     ParameterType type;
     std::string name;
     Values values;          ///< bool; float, rgb, blackbody, spectrum: double; integer; points, vectors, normals: float; others: string
-    ColorSpace space = ColorSpace::srgb;  ///< in which its colours are given
+    ColorSpace space = ColorSpace::srgb;  ///< the colour space of its colours
     SourceLocation where;
-    SourceLocation whereText;  ///< strings: of the first character of the first one
+    SourceLocation whereText;  ///< strings: place of the first character of the first string
 
-    /// Whether it has no value: Parser::parameters gives none such.
+    /// Whether it has no values. Parser::parameters never returns such a parameter.
     bool isEmpty() const;
     /// "type name", as it was written.
     std::string declaration() const;
@@ -32,10 +32,10 @@ struct Parameter {
 
 using ParameterList = std::vector<Parameter>;
 
-/// The word for a type in a file.
+/// The name of a type in the file.
 const char* nameOf(ParameterType type);
 
-/// Reads a declaration's value or values: a bare one, or a list in brackets, which may be empty. Throws SceneError.
+/// Reads the values after a declaration: a single one, or a list in brackets, which may be empty. Throws SceneError.
 Parameter readParameter(TokenStream& tokens, const Token& declaration);
 
 }  // namespace eikonal::pbrt

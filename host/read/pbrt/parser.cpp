@@ -86,7 +86,7 @@ ParameterList Parser::parameters() {
     }
 }
 
-/// The name and text of the file that comes next in quotes; nothing, noted, if it is missing.
+/// The name and text of the quoted file that comes next; nothing if it is missing, which is noted.
 std::optional<std::pair<std::string, std::string>> Parser::openNamedFile(const SourceLocation& where, const char* directive) {
     const Token token = tokens_.nextInText();
     const SourceLocation place = tokens_.locate(token);

@@ -1,5 +1,5 @@
 #pragma once
-// The grammar of a pbrt file: directives, one after the other.
+// The grammar of pbrt files: a sequence of directives.
 
 #include "read/pbrt/builder.h"
 #include "read/pbrt/tokens.h"
@@ -9,31 +9,31 @@
 
 namespace eikonal::pbrt {
 
-/// Reads a text's directives and carries them out on a builder. Errors in the grammar are thrown as SceneError; others are noted
-/// with the builder's problems, and reading goes on.
+/// Reads the directives of a text and applies them to a builder. Grammar errors are thrown as SceneError; other errors are noted with the
+/// builder's problems, and reading continues.
 class Parser {
 public:
-    /// outer: what reads the file that imports this one; null: none.
+    /// outer: the parser of the importing file; null if there is none.
     explicit Parser(Builder& builder, const Parser* outer = nullptr);
 
-    /// Reads a whole text, and those that it includes. Returns where it ends.
+    /// Reads a whole text and the files that it includes. Returns the place of its end.
     SourceLocation read(const std::string& name, std::string text);
 
-    // What directives are made of. Each throws SceneError if something else is there.
+    // The parts of directives. Each throws SceneError if something else is found.
     double number();
     template <int count> std::array<double, count> numbers();
     Transform matrix();               ///< sixteen numbers in brackets, column after column
     std::string word();               ///< without quotes
     std::string quoted(const char* what);
-    /// The string in quotes that is next, or `otherwise` if there is none.
+    /// The quoted string that comes next; `otherwise` if none does.
     std::string quotedOr(const std::string& otherwise);
-    /// Those without a value are refused; where an included file is missing within a list, the parameter is left out.
+    /// Refuses parameters without a value. If an included file is missing within a list, the parameter is dropped.
     ParameterList parameters();
-    /// Whether the last parameters() left one out, so that what is wrong with them may be no fault of theirs.
+    /// Whether the last parameters() dropped one, so that further errors may be consequences.
     bool hasLostParameters() const { return hasLostParameters_; }
     SourceLocation lastPlace() const { return tokens_.locate(last_); }
 
-    /// Reads the file that is named next, in a state of its own.
+    /// Reads the file named next, with a state of its own.
     void import(const SourceLocation& where);
 
 private:
@@ -46,7 +46,7 @@ private:
     TokenStream tokens_;
     int missingIncludes_ = 0;
     bool hasLostParameters_ = false;
-    Token last_;          ///< the last one that next() gave
+    Token last_;          ///< the last result of next()
 };
 
 template <int count> std::array<double, count> Parser::numbers() {

@@ -1,5 +1,5 @@
 #pragma once
-// All that is wrong with a scene, gathered so that the user sees it at once.
+// Collects the problems of a scene, so that the user sees all of them at once.
 
 #include "error.h"
 
@@ -9,9 +9,9 @@
 
 namespace eikonal::pbrt {
 
-/// Text that pbrt-v3 reads and pbrt-v4 does not: it ends the reading, since everything after it would be wrong as well.
+/// Input that pbrt-v3 reads and pbrt-v4 does not. It ends the reading, because everything after it would be wrong, too.
 struct Version3Error : SceneError {
-    /// `what` belongs to pbrt-v3, and is now called `successor` (null: there is none).
+    /// `what` belongs to pbrt-v3; pbrt-v4 has `successor` instead (null: nothing).
     Version3Error(const SourceLocation& where, const std::string& what, const char* successor = nullptr);
 };
 
@@ -19,17 +19,17 @@ class Problems {
 public:
     void add(const SourceLocation& where, const std::string& message);
     void add(const SceneError& error);
-    /// A file that the scene names and that is not there. Each is listed once.
+    /// Notes a missing file; each name is listed once.
     void addMissingFile(const SourceLocation& where, const std::string& name);
 
-    /// Runs f; a SceneError that it throws is added, but for a Version3Error.
+    /// Runs f and notes a SceneError that it throws; a Version3Error passes through.
     template <class F> void guard(F&& f) {
         try {
             f();
         } catch (const Version3Error&) { throw; } catch (const SceneError& error) { add(error); }
     }
 
-    /// Throws one SceneError that lists all problems, if there are any: missing files last.
+    /// Throws one SceneError that lists all problems, missing files last, if there are any.
     void throwIfAny() const;
 
 private:

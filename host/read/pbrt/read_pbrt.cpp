@@ -8,7 +8,7 @@
 namespace eikonal {
 namespace {
 
-/// The name of a file without folder and ending.
+/// The file name without folder and extension.
 std::string stemOf(const std::string& path) {
     std::filesystem::path name = std::filesystem::path(path).filename();
     if (name.extension() == ".gz") name = name.stem();
@@ -22,7 +22,7 @@ Scene read(const std::string& name, std::string text, const std::string& folder,
     try {
         end = pbrt::Parser(builder).read(name, std::move(text));
     } catch (const pbrt::Version3Error&) { throw; } catch (const SceneError& error) {
-        // The rest of the text cannot be read; say what is known.
+        // The rest of the text cannot be read; report what was found so far.
         builder.reading.problems.add(error);
         builder.reading.problems.throwIfAny();
     }

@@ -1,5 +1,5 @@
 #pragma once
-// Reads scenes in the language of pbrt-v4 (https://pbrt.org/fileformat-v4).
+// Reads scenes in the pbrt-v4 format (https://pbrt.org/fileformat-v4).
 
 #include "diagnostics.h"
 #include "scene/scene.h"
@@ -9,13 +9,13 @@
 
 namespace eikonal {
 
-/// Reads a scene file (gzip-compressed or not) and all that it includes, imports and takes meshes and spectra from; images are
-/// only checked to exist. Names of files start at the scene's folder.
-/// Throws SceneError: for text that is no pbrt-v4 (it says so of pbrt-v3), or with a list of all that is wrong with the scene and
-/// all files that are missing. What is understood but not rendered is named by diagnostics.unsupported, once for each kind.
+/// Reads a scene file, possibly gzip-compressed, and all files that it includes or imports, with their meshes and spectra; images are only
+/// checked to exist. File names are relative to the scene's folder. Throws SceneError for text that is not pbrt-v4 (the message recognises
+/// pbrt-v3), or with a list of all problems and missing files. Features that are read but not rendered are reported by
+/// diagnostics.unsupported, once per kind.
 Scene readPbrt(const std::string& path, Diagnostics& diagnostics);
 
-/// The same from text. `nameForMessages` stands for the file in messages, `folder` is where names of files start.
+/// The same for a text. `nameForMessages` is the file name in messages; file names are relative to `folder`.
 Scene readPbrtText(std::string_view text, const std::string& nameForMessages, const std::string& folder, Diagnostics& diagnostics);
 
 }  // namespace eikonal

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A curve from wavelengths and values in turn; whereOf(i) is the place of the number i. Throws SceneError.
+/// A curve from alternating wavelengths and values; whereOf(i) is the place of number i. Throws SceneError.
 template <class WhereOf> SampledCurve toCurve(const std::vector<double>& numbers, const SourceLocation& where, WhereOf&& whereOf) {
     if (numbers.size() % 2)
         throw SceneError(where, fmt::format("a spectrum is pairs of a wavelength in nm and a value; {} number{}", numbers.size(), numbers.size() == 1 ? " is no pair" : "s are not pairs"));
@@ -26,7 +26,7 @@ template <class WhereOf> SampledCurve toCurve(const std::vector<double>& numbers
     return curve;
 }
 
-/// The numbers of a spectrum file: text, "#" starts a comment.
+/// Reads a spectrum file: numbers as text, with comments after "#".
 SampledCurve readCurve(const std::string& path, std::string text) {
     TokenStream tokens;
     tokens.push(path, std::move(text));
@@ -41,19 +41,19 @@ SampledCurve readCurve(const std::string& path, std::string text) {
     return toCurve(numbers, where, [&](size_t i) { return places[i]; });
 }
 
-/// Warns of a curve that cannot be what was meant. What is below 0 becomes 0.
+/// Warns of curves that are probably mistakes. Values below 0 become 0.
 void checkCurve(SampledCurve& curve, const std::string& title, const SourceLocation& where, Diagnostics& diagnostics) {
     const size_t lowest = static_cast<size_t>(std::ranges::min_element(curve.values) - curve.values.begin());
     if (curve.values[lowest] < 0) {
-        diagnostics.warn(where, fmt::format("{} is {:g} at {:g} nm; what is below 0 counts as 0", title, curve.values[lowest], curve.wavelengths[lowest]));
+        diagnostics.warn(where, fmt::format("{} is {:g} at {:g} nm; values below 0 count as 0", title, curve.values[lowest], curve.wavelengths[lowest]));
         for (double& value : curve.values) value = std::max(value, 0.);
     }
     const auto isDark = [](double value) { return value == 0; };
     if (!std::ranges::all_of(curve.values, isDark) && std::ranges::all_of(densify(curve), isDark))
-        diagnostics.warn(where, fmt::format("{} is black: it is 0 at {}, {}, ... {} nm, where spectra are looked at", title, shortestWavelength, shortestWavelength + 1, longestWavelength));
+        diagnostics.warn(where, fmt::format("{} is black: it is 0 at {}, {}, ... {} nm, where spectra are sampled", title, shortestWavelength, shortestWavelength + 1, longestWavelength));
 }
 
-/// The names that a scene may give spectra by, but for the channels of sensors.
+/// The spectrum names for messages, without the channels of sensors.
 std::string commonSpectra() {
     std::string names;
     for (const std::string& name : spectrumNames())
@@ -64,7 +64,7 @@ std::string commonSpectra() {
 }  // namespace
 
 std::vector<fs::path> Reading::candidatesFor(const std::string& name, const SourceLocation& where) const {
-    std::vector<fs::path> candidates = {fs::path(folder) / name};  // an absolute name stays what it is
+    std::vector<fs::path> candidates = {fs::path(folder) / name};  // an absolute name stays unchanged
     if (where.file) candidates.push_back(fs::path(*where.file).parent_path() / name);
     candidates.push_back(name);
     return candidates;

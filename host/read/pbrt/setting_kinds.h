@@ -1,5 +1,5 @@
 #pragma once
-// What can be set before WorldBegin: tables of kinds and their parameters.
+// Tables of the kinds that are allowed before WorldBegin, and their parameters.
 
 #include "read/pbrt/kinds.h"
 
@@ -7,7 +7,7 @@
 
 namespace eikonal::pbrt {
 
-/// The tables of what can be set: cameras, films, pixel filters, samplers, integrators, accelerators.
+/// The tables of cameras, films, pixel filters, samplers, integrators and accelerators.
 std::vector<const KindTable*> settingKinds();
 
 }  // namespace eikonal::pbrt

@@ -9,7 +9,7 @@
 
 namespace eikonal::pbrt {
 
-/// An option's name as pbrt-v4 compares it: without capitals, dashes and underscores.
+/// An option's name as pbrt-v4 compares it: lower case, without dashes and underscores.
 static std::string plain(const std::string& name) {
     std::string result;
     for (const char c : name)
@@ -32,12 +32,12 @@ void Settings::set(Sort sort, const std::string& kindName, const GraphicsState& 
         cameraMedium_ = state.outside;
     }
     if (sort == Sort::film) reading_.scene.film.colorSpace = state.space;
-    /* For integrators this is said when the scene is packed: --integrator may choose another */
+    /* For integrators, packing reports it, because --integrator may choose another */
     if (kind.standIn && sort != Sort::integrator) reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
 }
 
 void Settings::setOption(const std::string& name, const std::string& value, const SourceLocation& where, const SourceLocation& valueWhere) {
-    // Those that change no pixel are only known; those that would are not rendered yet.
+    // Options that change no pixel are accepted silently; the others are not rendered.
     const std::vector<std::string> harmless = {"disablewavelengthjitter", "disabletexturefiltering", "msereferenceimage", "msereferenceout",
                                                "pixelstats", "rendercoordsys", "wavefront"};
     const std::vector<std::string> missing = {"disablepixeljitter", "forcediffuse"};

@@ -1,5 +1,5 @@
 #pragma once
-// What is described before WorldBegin: camera, film, filter, sampler, integrator, accelerator, options.
+// The settings before WorldBegin: camera, film, filter, sampler, integrator, accelerator, options.
 
 #include "read/pbrt/arguments.h"
 #include "read/pbrt/media.h"
@@ -12,19 +12,19 @@
 
 namespace eikonal::pbrt {
 
-/// Gathers settings, and puts them into the scene when the world begins: of each sort the last counts.
+/// Collects settings, and puts them into the scene when the world begins; the last of each sort counts.
 class Settings {
 public:
     explicit Settings(Reading& reading) : reading_(reading) {}
 
     enum class Sort { camera, film, filter, sampler, integrator, accelerator };
 
-    /// Notes a setting. Throws SceneError if there is no such kind.
+    /// Sets a camera, film ... Throws SceneError for an unknown kind.
     void set(Sort sort, const std::string& kind, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
-    /// An Option directive; `value` as it is written, without quotes. Throws SceneError.
+    /// An Option directive; `value` as written, without quotes. Throws SceneError.
     void setOption(const std::string& name, const std::string& value, const SourceLocation& where, const SourceLocation& valueWhere);
 
-    /// Fills in the scene's camera, film, filter, sampler and integrator. The camera's medium comes with finish().
+    /// Fills in the scene's camera, film, filter, sampler and integrator. finish() fills in the camera's medium.
     void apply();
     void finish(MediumRegistry& media);
 
@@ -40,7 +40,7 @@ private:
 
     Reading& reading_;
     std::map<Sort, std::unique_ptr<Arguments>> given_;
-    int cameraMedium_ = none;  ///< a number of MediumRegistry
+    int cameraMedium_ = none;  ///< number in MediumRegistry
     int seed_ = 0;             ///< Option "seed"
 };
 

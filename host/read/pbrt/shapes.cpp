@@ -24,7 +24,8 @@ Disk readDisk(const Arguments& arguments) {
     return {std::abs(arguments.number("radius")), std::abs(arguments.number("innerradius")), arguments.number("height"), std::clamp(arguments.number("phimax"), 0., 360.)};
 }
 
-/// Where something that moves is in the end; nothing if it stands still. Throws SceneError if there is no way to interpolate.
+/// The transform of a moving thing at the end of its motion; nothing if it does not move. Throws SceneError if the motion cannot be
+/// interpolated.
 std::optional<Transform> endOfMotion(const GraphicsState& state, const SourceLocation& where) {
     if (!state.moves()) return std::nullopt;
     for (const Transform& t : state.transform)
@@ -38,7 +39,7 @@ Cylinder readCylinder(const Arguments& arguments) {
     return {std::abs(arguments.number("radius")), std::min(z0, z1), std::max(z0, z1), std::clamp(arguments.number("phimax"), 0., 360.)};
 }
 
-/// Whether there is anything to see of a quadric.
+/// Whether a quadric has any surface.
 bool hasArea(const Sphere& s) { return s.radius > 0 && s.zMin < s.zMax && s.phiMax > 0; }
 bool hasArea(const Disk& d) { return d.innerRadius < d.radius && d.phiMax > 0; }
 bool hasArea(const Cylinder& c) { return c.radius > 0 && c.zMin < c.zMax && c.phiMax > 0; }
@@ -70,7 +71,7 @@ void ShapeRegistry::add(const std::string& kindName, const GraphicsState& state,
     if (!readKind(arguments, pending)) return;
     const bool isMesh = std::holds_alternative<TriangleMesh>(pending.shape.kind) || std::holds_alternative<BilinearMesh>(pending.shape.kind);
     if (!isMesh && !isInvertible(state.transform)) {
-        /* A mesh that is flattened can still be seen */
+        /* A flattened mesh is still visible */
         reading_.diagnostics.warnOnce("flattened " + kind.title(), where, kind.title() + ": its transform cannot be inverted, as with a Scale of 0; it is left out");
         return;
     }
@@ -99,7 +100,7 @@ void ShapeRegistry::add(const std::string& kindName, const GraphicsState& state,
     pending_.push_back(std::move(pending));
 }
 
-/// Fills in what the shape is. False: its file is missing.
+/// Fills in the shape's kind. Returns false if its file is missing.
 bool ShapeRegistry::readKind(const Arguments& arguments, Pending& pending) {
     const auto quadric = [&](const auto& shape) {
         pending.shape.kind = shape;
@@ -145,7 +146,7 @@ int ShapeRegistry::objectNamed(const std::string& name) {
 
 void ShapeRegistry::beginObject(const std::string& name, const SourceLocation& where) {
     if (openObject_ != none)
-        throw SceneError(where, "ObjectBegin inside of the object \"" + reading_.scene.objects[openObject_].name + "\"; ObjectEnd must come first");
+        throw SceneError(where, "ObjectBegin inside the object \"" + reading_.scene.objects[openObject_].name + "\"; ObjectEnd must come first");
     const int object = objectNamed(name);
     if (objectIsMade_[object])
         throw SceneError(where, "there is already an object \"" + name + "\", at " + reading_.scene.objects[object].where.toString());
@@ -161,7 +162,7 @@ void ShapeRegistry::endObject(const SourceLocation& where) {
 
 void ShapeRegistry::addInstance(const std::string& name, const GraphicsState& state, const SourceLocation& where) {
     if (openObject_ != none)
-        throw SceneError(where, "ObjectInstance inside of the object \"" + reading_.scene.objects[openObject_].name + "\"; objects cannot hold instances");
+        throw SceneError(where, "ObjectInstance inside the object \"" + reading_.scene.objects[openObject_].name + "\"; objects cannot contain instances");
     if (!isInvertible(state.transform)) {
         reading_.diagnostics.warnOnce("flattened instance", where, "the instance's transform cannot be inverted, as with a Scale of 0; it is left out");
         return;

@@ -1,5 +1,5 @@
 #pragma once
-// Shapes, and the objects and instances that they are gathered in.
+// Shapes, objects and instances.
 
 #include "read/pbrt/arguments.h"
 #include "read/pbrt/materials.h"
@@ -17,22 +17,22 @@ namespace eikonal::pbrt {
 
 const KindTable& shapeKinds();
 
-/// The shapes of a scene. What they refer to (materials, media, alpha textures, PLY files) is known at the end.
+/// The shapes of a scene. Their materials, media, alpha textures and PLY files are resolved at the end.
 class ShapeRegistry {
 public:
     ShapeRegistry(Reading& reading, TextureRegistry& textures, MaterialRegistry& materials, MediumRegistry& media)
         : reading_(reading), textures_(textures), materials_(materials), media_(media), plyFiles_(reading) {}
 
-    /// Notes a shape, in the object that is open if there is one. Throws SceneError.
+    /// Adds a shape, to the open object if there is one. Throws SceneError.
     void add(const std::string& kind, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
 
-    /// Opens and closes an object: shapes in between are its own. Throws SceneError: one is open already, none is open, or the
+    /// Begins and ends an object, which gets the shapes in between. Throws SceneError if an object is already open, none is open, or the
     /// name is taken.
     void beginObject(const std::string& name, const SourceLocation& where);
     void endObject(const SourceLocation& where);
     bool objectIsOpen() const { return openObject_ != none; }
 
-    /// Places an object, which may be made later. Throws SceneError inside of an object.
+    /// Adds an instance of an object, which may be defined later. Throws SceneError inside an object.
     void addInstance(const std::string& name, const GraphicsState& state, const SourceLocation& where);
 
     /// Fills Scene::shapes, objects and instances.
@@ -41,9 +41,9 @@ public:
 private:
     struct Pending {
         Shape shape;
-        int plyFile = none;               ///< its kind is in this file
-        int object = none;                ///< in Scene::objects; none: seen as it is
-        int material, inside, outside;    ///< numbers of the books
+        int plyFile = none;               ///< number of the PLY file with its mesh
+        int object = none;                ///< in Scene::objects; none: not in an object
+        int material, inside, outside;    ///< numbers in the registries
         std::optional<Parameter> alpha, displacement;
     };
 

@@ -1,5 +1,5 @@
 #pragma once
-// Text files, compressed or not.
+// Reads text files, compressed or not.
 
 #include "error.h"
 
@@ -7,8 +7,8 @@
 
 namespace eikonal::pbrt {
 
-/// The whole text of a file, inflated if it is gzip; a UTF-8 byte order mark is dropped.
-/// Throws SceneError: it cannot be read, its gzip data is damaged, or it is UTF-16.
+/// The text of a file, decompressed if it is gzip; without a UTF-8 byte order mark. Throws SceneError if the file cannot be read, is
+/// damaged, or is UTF-16.
 std::string readTextFile(const std::string& path);
 
 }  // namespace eikonal::pbrt

@@ -11,7 +11,7 @@
 
 namespace eikonal::pbrt {
 
-/// Diffuse albedos for a phase function and an index, and the same as an image of one row.
+/// Diffuse albedos for a phase function and an index, as a table and as an image of one row.
 struct AlbedoTable {
     DiffuseAlbedoTable table;
     std::shared_ptr<const ImageData> row;
@@ -45,7 +45,7 @@ Spectrum spectrumOf(const DenseCurve& values) {
     return Spectrum::sampled(std::move(curve));
 }
 
-/// f of the values of two spectra, at each wavelength; colours by their channels.
+/// f of two spectra at each wavelength; of colours, per channel.
 template <class F> Spectrum combine(const Spectrum& a, const Spectrum& b, const F& f) {
     if (a.kind() == Spectrum::Kind::rgb && b.kind() == Spectrum::Kind::rgb) {
         const glm::dvec3 x = a.albedo(), y = b.albedo();
@@ -57,9 +57,10 @@ template <class F> Spectrum combine(const Spectrum& a, const Spectrum& b, const 
     return spectrumOf(x);
 }
 
-/// d of the profile for a mean free path, scattering reduced, a diffuse albedo A and an index: of the path, one over 1.85 - A + 7 |A - 0.8|^3 (Christensen and Burley
-/// 2015, equation 5: light that enters perpendicularly, and nothing that reflects it from inside). A boundary that does keeps light inside for longer:
-/// walks behind one have profiles of the same shape that are eta^2 as wide, less at low albedos (fitted to them by us, docs/subsurface.md).
+/// The parameter d of the diffusion profile, from the reduced mean free path, the diffuse albedo A and the index: path / (1.85 - A + 7 |A -
+/// 0.8|^3) (Christensen and Burley 2015, equation 5: for light that enters perpendicularly, without internal reflection). Internal
+/// reflection keeps light inside longer: random walks behind a boundary have profiles of the same shape that are up to about eta^2 times as
+/// wide, less at low albedos (our fit: docs/subsurface.md).
 double profileLength(double path, double A, double eta) {
     const double stretch = 1 + (std::max(eta * eta, 1.0) - 1) * std::min(3 * A, 0.9);
     return path * stretch / (1.85 - A + 7 * std::pow(std::abs(A - 0.8), 3));
@@ -70,7 +71,8 @@ DiffusionProfile profileOf(const Spectrum& albedo, const Medium& medium, double 
     return {albedo, combine(albedo, reduced, [&](double A, double sigma) { return profileLength(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), eta); })};
 }
 
-/// Of a body of which the coefficients are known. At wavelengths colours are made spectra of first, as in pbrt-v4: what they make of light is far from linear.
+/// The profile of a body with given coefficients. Spectral rendering converts colours to spectra first, as pbrt-v4 does, because albedo is
+/// far from linear in the coefficients.
 DiffusionProfile profileOf(Medium medium, const DiffuseAlbedoTable& table, double eta) {
     const auto profile = [&] {
         return profileOf(combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return table.diffuse(s / std::max(s + a, 1e-30)); }), medium, eta);
@@ -83,13 +85,14 @@ DiffusionProfile profileOf(Medium medium, const DiffuseAlbedoTable& table, doubl
     return result;
 }
 
-/// Of a body of which a texture says the albedo or the free paths. Scattering that is not reduced counts as that of an albedo of 0.5.
+/// The profile of a body whose albedo or mean free path is a texture. The mean free path is reduced with the scattering of an albedo of
+/// 0.5.
 DiffusionProfile texturedProfile(const Input& albedo, const Input& path, const DiffuseAlbedoTable& table, double g, double scale) {
     const double reduced = 1 - g * table.singleScattering(0.5);
     return {albedo.texture == none ? albedo.value : Spectrum::constant(1), (path.texture == none ? path.value : Spectrum::constant(1)) * (scale / reduced), albedo.texture, path.texture};
 }
 
-/// Of a body of which textures say the coefficients.
+/// The profile of a body whose coefficients are textures.
 DiffusionProfile texturedProfile(TextureRegistry& textures, const Input& sigmaA, const Input& sigmaS, const AlbedoTable& albedos, double g) {
     const SourceLocation& where = (sigmaA.texture == none ? sigmaS : sigmaA).where;
     const Input albedo = textures.derive(DiffuseAlbedoTexture{sigmaA, sigmaS, g, textures.image({.path = {}, .pixels = albedos.row, .where = where})}, where);
@@ -120,7 +123,7 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
             throw SceneError(arguments.whereOf("name"), "there is no substance \"" + name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
         }
         warnOfIgnored(reading, arguments, {"sigma_a", "sigma_s", "reflectance", "mfp"}, "a \"name\"");
-        if (medium->g != 0) warnOfIgnored(reading, arguments, {"g"}, "a \"name\": what is known of substances is their reduced scattering");
+        if (medium->g != 0) warnOfIgnored(reading, arguments, {"g"}, "a \"name\", whose substance has reduced scattering coefficients");
         medium->g = 0;
         medium->sigmaA = Spectrum::rgb(measured->sigmaA) * scale;
         medium->sigmaS = Spectrum::rgb(measured->reducedSigmaS) * scale;
@@ -142,7 +145,7 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
             material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(reflectance, mfp, table, medium->g, scale));
             return;
         }
-        /* rho of 1 / mfp scatters, the rest absorbs */
+        /* The share rho of 1 / mfp is scattering, the rest absorption */
         const auto all = [&](double length) { return 1 / std::max(length * scale, 1e-9); };
         albedo = reflectance.value;
         medium->sigmaA = combine(*albedo, mfp.value, [&](double A, double length) { return (1 - table.singleScattering(A)) * all(length); });

@@ -1,5 +1,5 @@
 #pragma once
-// What is inside of a body of material "subsurface", from the four ways in which a scene may say it.
+// The interior of material "subsurface", from its four alternative sets of parameters.
 
 #include "read/pbrt/arguments.h"
 #include "read/pbrt/textures.h"
@@ -8,10 +8,10 @@
 
 namespace eikonal::pbrt {
 
-/// Sets `interior`, `diffusion` and `method` of a material "subsurface", whose inputs have been read, from its `arguments`: "name", or "sigma_a" and "sigma_s", or
-/// "reflectance" with "mfp" (scene/diffuse_albedo.h), or, given none of them, pbrt-v4's default; "scale" multiplies coefficients or the mean free path.
-/// Warns of parameters that something else overrides. Throws SceneError if there is one sigma only, no such method, or no substance of that name. If a
-/// texture says what is inside, there is no `interior`: walks need one that is the same everywhere.
+/// Sets `interior`, `diffusion` and `method` of a material "subsurface", whose inputs have been read, from its `arguments`: "name"; or
+/// "sigma_a" and "sigma_s"; or "reflectance" with "mfp" (color/diffuse_albedo.h); or else pbrt-v4's default. "scale" multiplies the
+/// coefficients or the mean free path. Warns of parameters that are overridden. Throws SceneError if only one sigma is given, or for an
+/// unknown method or substance. If a texture gives the interior, `interior` stays null, because random walks need a homogeneous one.
 void readInterior(Reading& reading, const Arguments& arguments, Material& material, TextureRegistry& textures);
 
 }  // namespace eikonal::pbrt

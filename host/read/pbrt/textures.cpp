@@ -14,7 +14,7 @@ enum TextureKind { constantKind, scaleKind, mixKind, imagemapKind, checkerboardK
 constexpr const char* mappingParameters =
     "string mapping = uv; float uscale = 1; float vscale = 1; float udelta = 0; float vdelta = 0; vector3 v1; vector3 v2";
 
-/// The kinds of float or of spectrum textures. map: a value or texture of that type; value: no texture.
+/// The kinds of float or spectrum textures. map: a value or texture of that type; value: no texture.
 KindTable makeTable(bool isFloat, const std::string& map, const std::string& value) {
     const auto floatOnly = [&](const char* name) { return isFloat ? name : nullptr; };
     const auto spectrumOnly = [&](const char* name) { return isFloat ? nullptr : name; };
@@ -35,12 +35,12 @@ KindTable makeTable(bool isFloat, const std::string& map, const std::string& val
         {floatOnly("wrinkled"), wrinkledKind, "integer octaves = 8; float roughness = 0.5"},
         {floatOnly("windy"), windyKind, ""},
         {spectrumOnly("marble"), marbleKind, "integer octaves = 8; float roughness = 0.5; float scale = 1; float variation = 0.2"},
-        // Not rendered yet: a number stands in.
+        // Not rendered; a number replaces it.
         {"ptex", ptexKind, "file filename; string encoding; float scale = 1", "0.5"},
     });
 }
 
-/// The index in a list of words of the one that a parameter gives. Throws SceneError.
+/// The index in `words` of a parameter's word. Throws SceneError for other words.
 int choose(const Arguments& arguments, const std::string& name, std::initializer_list<const char*> words) {
     const std::string word = arguments.text(name);
     const auto found = std::ranges::find(words, word);
@@ -139,7 +139,7 @@ void TextureRegistry::define(const std::string& name, bool isFloat, const std::s
 int TextureRegistry::find(const std::string& name, bool isFloat, const SourceLocation& where) {
     const auto found = definitions_.find({name, isFloat});
     if (found != definitions_.end()) {
-        if (found->second.beingBuilt) throw SceneError(where, "the texture \"" + name + "\" is made of itself");
+        if (found->second.beingBuilt) throw SceneError(where, "the texture \"" + name + "\" refers to itself");
         return build(found->first, found->second);
     }
     const std::string wanted = std::string("there is no ") + (isFloat ? "float" : "spectrum") + " texture \"" + name + "\"";
@@ -224,7 +224,7 @@ decltype(Texture::kind) TextureRegistry::makeKind(const Definition& definition) 
             return BilerpTexture{corner("v00"), corner("v01"), corner("v10"), corner("v11"), readMapping(arguments, definition.worldFromTexture)};
         }
         case dotsKind:
-            // pbrt-v4 hands the two to the wrong members: its dots are painted with "outside", and what is between them with "inside"
+            // pbrt-v4 passes these two in the wrong order: it paints the dots with "outside" and the gaps with "inside"
             return DotsTexture{input(arguments, "outside"), input(arguments, "inside"), readMapping(arguments, definition.worldFromTexture)};
         case directionMixKind:
             return DirectionMixTexture{input(arguments, "tex1"), input(arguments, "tex2"), readDirection(arguments, definition.worldFromTexture)};

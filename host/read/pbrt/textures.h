@@ -1,5 +1,5 @@
 #pragma once
-// Named textures, and the parameters that may be one.
+// Named textures, and parameters that may be textures.
 
 #include "read/pbrt/arguments.h"
 #include "read/pbrt/state.h"
@@ -13,41 +13,41 @@ namespace eikonal::pbrt {
 
 /// The kinds of float or of spectrum textures.
 const KindTable& textureKinds(bool isFloat);
-/// What happens instead of a texture that is not rendered: the row's standIn, a parameter or a number, as a clause for a message.
+/// What replaces a texture that is not rendered, as a clause for a message: a parameter or a number, from the row's standIn.
 std::string textureStandIn(const Kind& kind);
 
-/// The textures of a scene. They may be used before they are defined, so they are built at the end, each when it is first used.
+/// The textures of a scene. They may be used before their definition, so each is built at its first use after the file is read.
 class TextureRegistry {
 public:
     explicit TextureRegistry(Reading& reading) : reading_(reading) {}
 
-    /// Notes a texture. Throws SceneError if there is one of that name and type, or no such kind.
+    /// Defines a texture. Throws SceneError if the name and type are taken, or for an unknown kind.
     void define(const std::string& name, bool isFloat, const std::string& kind, const GraphicsState& state, ParameterList parameters,
                 const SourceLocation& where);
 
-    /// A texture's index in Scene::textures. Throws SceneError if there is none of that name and type, or if it is made of itself.
+    /// The index of a texture in Scene::textures. Throws SceneError if there is none of that name and type, or if it refers to itself.
     int find(const std::string& name, bool isFloat, const SourceLocation& where);
 
-    /// The value or texture of a parameter wanted as one. With neither given nor a default: `fallback`.
+    /// The value or texture of a parameter; `fallback` if it is not given and has no default.
     Input input(const Arguments& arguments, const std::string& name, const Spectrum& fallback = Spectrum());
-    /// The texture that a parameter names; none if it gives a number, or is not given.
+    /// The texture that a parameter names; none if it is a number or not given.
     int textureOf(const Arguments& arguments, const std::string& name);
     /// The texture that a parameter of type texture names.
     int textureOf(const Parameter& parameter, bool isFloat);
 
-    /// The index in Scene::images of an image file, which is added if it is not there.
+    /// The index of an image file in Scene::images, where it is added once.
     int image(const ImageFile& file);
 
-    /// A texture that the program makes for itself, of spectra.
+    /// Adds a spectrum texture that the reader makes.
     Input derive(decltype(Texture::kind) kind, const SourceLocation& where);
     /// The input times a factor.
     Input scaled(const Input& input, double factor);
 
-    /// Builds those that nobody has used.
+    /// Builds the textures that are not used.
     void finish();
 
 private:
-    using Key = std::pair<std::string, bool>;  ///< name, whether it is float
+    using Key = std::pair<std::string, bool>;  ///< name, whether float
     struct Definition {
         Arguments arguments;
         Transform worldFromTexture;

@@ -10,14 +10,14 @@
 
 namespace eikonal::pbrt {
 
-/// A text that is being read.
+/// An open text.
 struct Source {
     std::shared_ptr<const std::string> name;
     std::string text;
-    const char* at = nullptr;    ///< what comes next
+    const char* at = nullptr;    ///< next character
     const char* end = nullptr;
 
-    // Where the last location was asked for: lines are only counted for those.
+    // Position, line and column of the last query; lines are only counted up to queries.
     mutable const char* counted = nullptr;
     mutable int line = 1;
 };
@@ -44,10 +44,10 @@ const char* skipSpaceAndComments(const char* at, const char* end) {
 
 const char* endOfWord(const char* at, const char* end) { return std::find_if(at, end, endsWord); }
 
-/// What a number is called in messages.
+/// The word for a number type in messages.
 template <class T> constexpr const char* numberWord = std::is_integral_v<T> ? "an integer" : "a number";
 
-/// A number that the quick path has refused: one with a plus sign, too large, too small, or none at all.
+/// Parses a number that the fast path refused: with a plus sign, out of range, or not a number.
 template <class T> T toUnusualNumber(std::string_view word, const char* wanted, const SourceLocation& where) {
     std::string_view digits = word;
     if (digits.starts_with('+')) digits.remove_prefix(1);
@@ -64,7 +64,7 @@ template <class T> T toUnusualNumber(std::string_view word, const char* wanted, 
         if (integerError != std::errc()) throw SceneError(where, quote(word) + " is too large for an integer of 32 bits");
         return integer;
     } else {
-        // A number too small to be told from zero is zero.
+        // Underflow counts as zero.
         const bool tiny = error == std::errc::result_out_of_range && digits.find_first_of("eE") != digits.npos &&
                           digits.find('-', digits.find_first_of("eE")) != digits.npos;
         if (tiny) return 0;
@@ -74,12 +74,12 @@ template <class T> T toUnusualNumber(std::string_view word, const char* wanted, 
     }
 }
 
-/// Reads a number in the form that nearly all have. Null: it is not of that form.
+/// Parses a number in the usual form; returns null for other forms.
 template <class T> const char* readUsualNumber(const char* at, const char* end, T& value) {
     const auto [stop, error] = std::from_chars(at, end, value);
     if (error != std::errc() || (stop != end && !endsWord(*stop))) return nullptr;
     if constexpr (std::is_floating_point_v<T>)
-        if (!std::isfinite(value)) return nullptr;  // "inf" and "nan" are no numbers here
+        if (!std::isfinite(value)) return nullptr;  // "inf" and "nan" are not numbers here
     return stop;
 }
 
@@ -97,7 +97,7 @@ void TokenStream::push(const std::string& name, std::string text) {
     open_.push_back(std::move(source));
 }
 
-/// Puts the text that has been read to its end aside.
+/// Closes a text that was read completely.
 void TokenStream::close() {
     finished_.push_back(std::move(open_.back()));
     open_.pop_back();
@@ -202,7 +202,7 @@ template <class T> void TokenStream::readList(std::vector<T>& numbers) {
     if (ahead_ && ahead_->kind != Token::Kind::end) open_.back()->at = std::exchange(ahead_, std::nullopt)->at;
     const size_t depth = open_.size();
     while (!ahead_) {
-        // Read numbers for as long as they are of the usual form.
+        // Read numbers as long as they have the usual form.
         Source& source = *open_.back();
         const char* const end = source.end;
         const char* at = skipSpaceAndComments(source.at, end);
@@ -210,7 +210,7 @@ template <class T> void TokenStream::readList(std::vector<T>& numbers) {
         for (const char* stop; at != end && (stop = readUsualNumber(at, end, value)); at = skipSpaceAndComments(stop, end)) numbers.push_back(value);
         source.at = at;
 
-        // What comes now is the end of the text, the end of the list, or unusual.
+        // Next is the end of the text, the end of the list, or an unusual number.
         if (at == end) {
             if (open_.size() <= depth) break;
             close();

@@ -1,5 +1,5 @@
 #pragma once
-// The words of a pbrt file, and of the files that it includes.
+// Splits pbrt files and their included files into tokens.
 
 #include "error.h"
 
@@ -15,20 +15,20 @@ namespace eikonal::pbrt {
 
 struct Source;
 
-/// The smallest piece of text that has a meaning. Its text stays valid until TokenStream::forget is called.
+/// A token. Its text stays valid until TokenStream::forget is called.
 struct Token {
     enum class Kind { word, quoted, open, close, end };
     Kind kind = Kind::end;
     std::string_view text;         ///< quoted: between the quotes, escapes resolved; end: empty
     const Source* source = nullptr;
-    const char* at = nullptr;      ///< in the source's text
+    const char* at = nullptr;      ///< position in the source text
 };
 
-/// What was found, for messages: its beginning, in quotes.
+/// The beginning of a text in quotes, for messages.
 std::string quote(std::string_view text);
 
-/// Splits a stack of texts into tokens: the one pushed last is read first, and where it ends the one below goes on.
-/// Errors in the text are thrown as SceneError.
+/// Splits a stack of texts into tokens: reads the text pushed last, and returns to the one below at its end. Errors are thrown as
+/// SceneError.
 class TokenStream {
 public:
     TokenStream();
@@ -36,31 +36,31 @@ public:
     TokenStream(const TokenStream&) = delete;
     TokenStream& operator=(const TokenStream&) = delete;
 
-    /// Reads `text` next. `name` is what messages call it.
+    /// Reads `text` next. `name` is its name in messages.
     void push(const std::string& name, std::string text);
-    /// Whether a text of that name is being read.
+    /// Whether a text of this name is being read.
     bool isOpen(const std::string& name) const;
 
-    /// Wherever the word Include is, `include` is called with it, and what follows is read then: `include` may take the name of a
-    /// file with nextInText() and push its text. Without this, Include is a word as any other.
+    /// Sets a function to call at each word Include, before reading on: it may take the name of a file with nextInText() and push the
+    /// file's text. Without it, Include is an ordinary word.
     void onInclude(std::function<void(const Token&)> include) { include_ = std::move(include); }
 
     Token next() { return take(true); }
     /// The next token, even if it is the word Include.
     Token nextInText() { return take(false); }
-    /// The next token again, later.
+    /// Makes the next call return this token again.
     void putBack(const Token& token) { ahead_ = token; }
 
-    /// Line and column of a token. Cheap if asked in the order of the text.
+    /// Line and column of a token. Fast if called in the order of the text.
     SourceLocation locate(const Token& token) const;
 
-    /// Appends the numbers up to the closing bracket and consumes it; the opening one has just been. The list ends in the text that
-    /// it begins in. T: float, double, int.
+    /// Appends numbers up to the closing bracket, and consumes it; the opening bracket was the last token. The list must end in the same
+    /// text. T: float, double, int.
     template <class T> void readList(std::vector<T>& numbers);
-    /// The number that a token is. `wanted` completes "found where ... is expected".
+    /// A token as a number. `wanted` completes the message "found where ... is expected".
     template <class T> T toNumber(const Token& token, const char* wanted) const;
 
-    /// Frees the texts that have been read to their ends; tokens from them become invalid.
+    /// Frees the texts that were read completely; their tokens become invalid.
     void forget();
 
 private:

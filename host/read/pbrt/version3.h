@@ -1,5 +1,5 @@
 #pragma once
-// How to tell pbrt-v3's language from pbrt-v4's: they are alike enough to mix up, and too different to read both.
+// Distinguishes pbrt-v3 from pbrt-v4. The languages look alike, but differ too much to read both.
 
 #include "read/pbrt/problems.h"
 
@@ -7,8 +7,8 @@
 
 namespace eikonal::pbrt {
 
-/// What pbrt-v4 has in place of something that only pbrt-v3 knows: `noun` is "directive", "material", "shape", ... or
-/// "parameter"; the answer is meant for a message. Null if pbrt-v3 has nothing of that name, or pbrt-v4 has it as well.
+/// What pbrt-v4 has instead of a name that only pbrt-v3 knows, for a message. `noun` is "directive", "material", "shape", ... or
+/// "parameter". Null if pbrt-v3 has no such name, or pbrt-v4 has it, too.
 const char* successorOf(const std::string& noun, const std::string& name);
 
 }  // namespace eikonal::pbrt

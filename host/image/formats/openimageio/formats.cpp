@@ -54,7 +54,7 @@ OIIO::ImageSpec specOf(const std::string& format, const EncodedImage& image) {
     const TypeDesc type = image.stored == bytes ? TypeDesc::UINT8 : image.stored == words ? TypeDesc::UINT16 : TypeDesc::FLOAT;
     OIIO::ImageSpec spec(image.width, image.height, static_cast<int>(image.channels.size()), type);
     spec.channelnames = image.channels;
-    // Not for TIFF: OpenImageIO 2.4 would add an EXIF directory, and in memory that damages the file.
+    // Not for TIFF: OpenImageIO 2.4 would add an EXIF directory, which damages a file in memory.
     if (image.stored != floats && format != "tiff") spec.attribute("oiio:ColorSpace", "sRGB");
     if (format == "jpeg" || format == "webp") spec.attribute("compression", format + ":95");
     if (format == "jpeg") spec.attribute("jpeg:subsampling", "4:4:4");

@@ -1,0 +1,29 @@
+#include "render/stage_launcher.h"
+
+#include <chrono>
+
+namespace eikonal {
+
+void StageLauncher::enqueue(const Stage& stage, SlotRange slots, const Bindings& own) const {
+    Bindings range;
+    range.set("first", slots.first);
+    range.set("count", slots.count);
+    profile_.add(stage.name, slots.count, stage.kernel.launch(context_, {&scene_, &queues_, &counts_, &own, &range}, slots.count, group_));
+}
+
+void StageLauncher::warmUp(Stages& stages, const Bindings& nothing) const {
+    const Buffer unused(context_, 1024, "what no stage has yet");
+    Bindings own = nothing;
+    for (const char* name : {"shading_pass", "pass_slots", "representatives"}) own.set(name, 0u);
+    for (const char* name : {"film", "survey_points", "survey_normals", "survey_weights"}) own.set(name, unused);
+    for (Stage& stage : stages.all()) {
+        const auto start = std::chrono::steady_clock::now();
+        enqueue(stage, {}, own);
+        context_.finish();
+        stage.firstLaunchSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    profile_.collect();
+    profile_.reset();
+}
+
+}  // namespace eikonal

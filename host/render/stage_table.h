@@ -1,0 +1,118 @@
+#pragma once
+// STAGES, SURVEYS and QUEUES (include/eikonal) as tables, for all that follow them: the wave, its queues, the bench, the tests.
+
+#include "eikonal/queues.h"
+#include "eikonal/stages.h"
+#include "feature_set.h"
+#include "pack/scene_constants.h"
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+
+namespace eikonal {
+
+/// Every queue, in the order of QUEUES; then what else stages read and write.
+enum class Queue : unsigned char {
+#define QUEUE_ID(q, FIELDS, ITEMS, FEATURE) q,
+    QUEUES(QUEUE_ID)
+#undef QUEUE_ID
+    pixels, film, counts
+};
+constexpr size_t queueCount = static_cast<size_t>(Queue::pixels);
+
+/// Up to eight of them, in an order.
+class QueueList {
+public:
+    constexpr QueueList() = default;
+    constexpr QueueList(std::same_as<Queue> auto... queues) : queues_{queues...}, count_(sizeof...(queues)) {}
+    constexpr const Queue* begin() const { return queues_.data(); }
+    constexpr const Queue* end() const { return begin() + count_; }
+    constexpr bool has(Queue queue) const { return std::find(begin(), end(), queue) != end(); }
+
+private:
+    std::array<Queue, 8> queues_{};
+    size_t count_ = 0;
+};
+
+/// What a scene must have for a stage or a queue to exist: nothing, a feature, or a constant that is not 0.
+class Requirement {
+public:
+    constexpr Requirement() = default;
+    constexpr Requirement(Feature feature) : feature_(feature) {}
+    constexpr Requirement(int SceneConstants::*constant) : constant_(constant) {}
+    bool isMet(const Features& features, const SceneConstants& constants) const {
+        return (feature_ == Feature::count || features.has(feature_)) && (!constant_ || constants.*constant_ > 0);
+    }
+    constexpr bool operator==(const Requirement&) const = default;
+    /// Feature::count: none.
+    constexpr Feature feature() const { return feature_; }
+
+private:
+    Feature feature_ = Feature::count;
+    int SceneConstants::*constant_ = nullptr;
+};
+
+enum class StageName : unsigned char {
+#define STAGE_ID(stage, ...) stage,
+    STAGES(STAGE_ID) SURVEYS(STAGE_ID)
+#undef STAGE_ID
+};
+
+struct StageRow {
+    StageName id;
+    const char* name;
+    QueueList reads, writes;    ///< of a survey: none
+    uint over;                  ///< one of next_queue or stage_items
+    Requirement requirement;
+};
+
+/// Where the items of a queue are: see QUEUES.
+enum class Placement : unsigned char { sparse, dense, by_path };
+
+struct QueueRow {
+    Queue id;
+    const char* name;
+    Placement placement;
+    Requirement requirement;
+};
+
+/// STAGES, in the order in which they run.
+constexpr auto stageTable = [] {
+    using enum Queue;
+    using enum Feature;
+    constexpr Requirement ALWAYS, ENVIRONMENTS(&SceneConstants::environments);
+#define STAGE_ROW(stage, READS, WRITES, over, FEATURE) StageRow{StageName::stage, #stage, QueueList READS, QueueList WRITES, over, FEATURE},
+    return std::array{STAGES(STAGE_ROW)};
+#undef STAGE_ROW
+}();
+
+/// SURVEYS.
+constexpr auto surveyTable = [] {
+    using enum Feature;
+#define SURVEY_ROW(kernel, FEATURE) StageRow{StageName::kernel, #kernel, {}, {}, no_queue, FEATURE},
+    return std::array{SURVEYS(SURVEY_ROW)};
+#undef SURVEY_ROW
+}();
+
+/// QUEUES.
+constexpr auto queueTable = [] {
+    using enum Placement;
+    using enum Feature;
+    constexpr Requirement ALWAYS, ENVIRONMENTS(&SceneConstants::environments);
+#define QUEUE_ROW(q, FIELDS, ITEMS, FEATURE) QueueRow{Queue::q, #q, ITEMS, FEATURE},
+    return std::array{QUEUES(QUEUE_ROW)};
+#undef QUEUE_ROW
+}();
+
+/// Of a stage of STAGES.
+constexpr const StageRow& rowOf(StageName stage) { return stageTable.at(static_cast<size_t>(stage)); }
+constexpr const QueueRow& rowOf(Queue queue) { return queueTable[static_cast<size_t>(queue)]; }
+/// "ray", "pixels".
+constexpr const char* nameOf(Queue queue) {
+    if (queue == Queue::pixels) return "pixels";
+    if (queue == Queue::film) return "film";
+    return queue == Queue::counts ? "counts" : rowOf(queue).name;
+}
+
+}  // namespace eikonal
