@@ -1,26 +1,11 @@
 // Lights with a shape: one for each element of a shape that emits.
 
-#include "overloaded.h"
 #include "kinds/light_packing.h"
+#include "kinds/shape_kind.h"
 
-#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace eikonal {
-
-static bool isWhole(const Sphere& sphere) { return sphere.zMin <= -sphere.radius && sphere.zMax >= sphere.radius && sphere.phiMax >= 360; }
-/// Whole, and still a sphere in the scene: from outside it is sampled by the cone that it fills.
-static bool isSeenAsASphere(const Sphere& sphere, const glm::dmat4& m) { return isWhole(sphere) && uniformScale(m) != 0; }
-
-/// The kind of light that each element of a shape is.
-static light_kind lightKindOf(const Shape& s, const glm::dmat4& m) {
-    return std::visit(Overloaded{[](const TriangleMesh&) { return kind_triangle_light; }, [](const BilinearMesh&) { return kind_bilinear_light; },
-                                 [&](const Sphere& q) { return isSeenAsASphere(q, m) ? kind_sphere_light : kind_ellipsoid_light; },
-                                 [](const Disk&) { return kind_disk_light; }, [](const Cylinder&) { return kind_cylinder_light; },
-                                 [](const CurveShape&) -> light_kind { throw std::logic_error("curves do not emit"); },
-                                 [](const ImplicitSurface&) -> light_kind { throw std::logic_error("implicit surfaces do not emit"); }}, s.kind);
-}
 
 /// Emitted power in scene units: what the sampler's probabilities follow.
 static double areaPower(const light& l, double luminance) { return l.pmf > 0 ? M_PI * luminance / l.inverse_area * (l.two_sided ? 2 : 1) : 0; }
@@ -36,7 +21,7 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
     const double scale = description.scale * (description.image != none ? meanLuminance(packer, description.image) : 1);
     const color L = packEmission(packer, description.L, scale);
     const SceneTables& tables = packer.packed.tables;
-    const LightKind& kind = kindOf(lightKindOf(s, m));
+    const LightKind& kind = kindOf(s.kind->traits.lightKindOf(s, m));
     for (size_t e = 0; e < elements; ++e) {
         light l = kind.traits.packElement({tables, s, packed, e, m}, L);
         l.two_sided = description.twoSided ? 1 : 0;

@@ -1,5 +1,6 @@
 // Shapes, objects and instances, and what each hierarchy over them is to hold.
 
+#include "kinds/shape_kind.h"
 #include "pack/hierarchies.h"
 #include "pack/shapes.h"
 
@@ -42,16 +43,14 @@ private:
     void reserveTables() {
         size_t positions = 0, normals = 0, tangents = 0, uvs = 0, indices = 0, elements = 0;
         const auto count = [&](const Shape& s) {
-            const auto* triangles = std::get_if<TriangleMesh>(&s.kind);
-            const auto* patches = std::get_if<BilinearMesh>(&s.kind);
-            const Mesh* mesh = triangles ? triangles->mesh.get() : patches ? patches->mesh.get() : nullptr;
-            if (!mesh) return;
+            if (!s.mesh) return;
+            const Mesh* mesh = s.mesh.get();
             positions += mesh->positions.size();
             normals += mesh->normals.size();
             tangents += mesh->tangents.size();
             uvs += mesh->uvs.size();
             indices += mesh->indices.size();
-            elements += mesh->indices.size() / (triangles ? 3 : 4);
+            elements += mesh->indices.size() / static_cast<size_t>(s.kind->traits.corners);
         };
         for (const Shape& s : packer_.scene.shapes) count(s);
         for (size_t i = 0; i < uses_.size(); ++i)
@@ -69,7 +68,7 @@ private:
     struct Member { const Shape* shape; glm::dmat4 groupFromObject; uint id; };
     size_t addGroup(const std::vector<Member>& members) {
         Box box;
-        for (const Member& m : members) box.grow(boundsOf(*m.shape, m.groupFromObject));
+        for (const Member& m : members) box.grow(m.shape->kind->traits.bound(*m.shape, m.groupFromObject));
         Group group;
         group.space = spaceOf(box);
         for (const Member& m : members) packShape(packer_, group, *m.shape, m.groupFromObject, true, false, m.id);

@@ -1,5 +1,6 @@
 #include "pack/pack.h"
 
+#include "kinds/shape_kind.h"
 #include "pack/color_mode.h"
 #include "pack/motion.h"
 #include "pack/packer.h"
@@ -24,7 +25,9 @@ static Box reachOf(const Box& box, const glm::dmat4& start, const std::optional<
     return end ? boundsInMotion({Motion(start, *end)}, box, seen) : transformed(box, start);
 }
 static Box reachOf(const Shape& s, TimeSpan seen) {
-    return s.worldFromObjectAtEnd ? reachOf(boundsOf(s, glm::dmat4(1)), s.worldFromObject, s.worldFromObjectAtEnd, seen) : boundsOf(s, s.worldFromObject);
+    const auto bound = s.kind->traits.bound;
+    if (!s.worldFromObjectAtEnd) return bound(s, s.worldFromObject);
+    return reachOf(bound(s, glm::dmat4(1)), s.worldFromObject, s.worldFromObjectAtEnd, seen);
 }
 
 static Box worldBounds(const Scene& scene) {

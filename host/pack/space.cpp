@@ -1,7 +1,5 @@
 #include "pack/space.h"
 
-#include "overloaded.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -56,57 +54,12 @@ affine toAffine(const glm::dmat4& m) {
     return {f(m[0].x), f(m[1].x), f(m[2].x), f(m[3].x), f(m[0].y), f(m[1].y), f(m[2].y), f(m[3].y), f(m[0].z), f(m[1].z), f(m[2].z), f(m[3].z)};
 }
 
-static void growByCorners(Box& box, const glm::dmat4& m, glm::dvec3 low, glm::dvec3 high) {
-    for (int i = 0; i < 8; ++i) box.grow(transformPoint(m, {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}));
-}
-
 Box transformed(const Box& box, const glm::dmat4& m) {
     Box reach;
-    if (!box.empty()) growByCorners(reach, m, box.low, box.high);
+    if (box.empty()) return reach;
+    for (int i = 0; i < 8; ++i)
+        reach.grow(transformPoint(m, {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z}));
     return reach;
-}
-
-static Box meshBounds(const Mesh& mesh, const glm::dmat4& m) {
-    Box box;
-    for (const glm::vec3& p : mesh.positions) box.grow(transformPoint(m, p));
-    return box;
-}
-
-Box boundsOf(const Shape& shape, const glm::dmat4& m) {
-    return std::visit(Overloaded{
-        [&](const TriangleMesh& s) { return meshBounds(*s.mesh, m); },
-        [&](const BilinearMesh& s) { return meshBounds(*s.mesh, m); },
-        [&](const Sphere& s) {
-            Box box;
-            growByCorners(box, m, {-s.radius, -s.radius, std::max(-s.radius, s.zMin)}, {s.radius, s.radius, std::min(s.radius, s.zMax)});
-            return box;
-        },
-        [&](const Disk& s) {
-            Box box;
-            growByCorners(box, m, {-s.radius, -s.radius, s.height}, {s.radius, s.radius, s.height});
-            return box;
-        },
-        [&](const CurveShape& s) {
-            Box box;
-            for (const CurveSegment& segment : s.curve->segments) {
-                const double half = 0.5 * std::max(segment.width[0], segment.width[1]);
-                for (const glm::dvec3 p : segment.points) growByCorners(box, m, p - half, p + half);
-            }
-            return box;
-        },
-        [&](const ImplicitSurface& s) {
-            Box box;
-            growByCorners(box, m, s.low, s.high);
-            return box;
-        },
-        [&](const Cylinder& s) {
-            /* A circle reaches as far along each axis as its two radii together, at right angles */
-            const glm::dvec3 reach = s.radius * glm::sqrt(glm::dvec3(m[0] * m[0] + m[1] * m[1]));
-            Box box;
-            for (const double z : {s.zMin, s.zMax})
-                for (const double side : {-1.0, 1.0}) box.grow(transformPoint(m, {0, 0, z}) + side * reach);
-            return box;
-        }}, shape.kind);
 }
 
 }  // namespace eikonal

@@ -35,9 +35,6 @@ SceneSpace spaceOf(const Box& box);
 /// Bounds of a box in the space that `m` takes its own to.
 Box transformed(const Box& box, const glm::dmat4& m);
 
-/// Bounds of a shape in the space that `m` takes its object space to.
-Box boundsOf(const Shape& shape, const glm::dmat4& m);
-
 glm::dvec3 transformPoint(const glm::dmat4& m, glm::dvec3 p);
 glm::dvec3 transformVector(const glm::dmat4& m, glm::dvec3 v);
 /// Of unit length; zero stays zero.

@@ -36,7 +36,7 @@ struct DisplacedMesh {
 bool isFinite(const glm::vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
 Mesh splitMesh(const Shape& s) {
-    const Mesh& whole = *std::get<TriangleMesh>(s.kind).mesh;
+    const Mesh& whole = *s.mesh;
     const Displacement& d = *s.displacement;
     for (const std::uint32_t corner : whole.indices)
         if (!whole.normals.empty() && !isFinite(whole.normals[corner])) throw SceneError(d.where, "a mesh is displaced along its normals, and one of this one's is not a finite number");
@@ -104,7 +104,7 @@ void finish(DisplacedMesh& displaced) {
     displaceVertices(displaced.mesh, displaced.heights);
     for (const std::uint32_t corner : displaced.mesh.indices)
         if (!isFinite(displaced.mesh.positions[corner])) throw SceneError(s.displacement->where, "this texture moves a vertex to where no finite number reaches");
-    s.kind = TriangleMesh{std::make_shared<Mesh>(std::move(displaced.mesh))};
+    s.mesh = std::make_shared<Mesh>(std::move(displaced.mesh));
     s.displacement.reset();
 }
 
@@ -122,7 +122,7 @@ void displaceMeshes(Scene& scene, const Context& context, Compiler& compiler, co
         if (!s.displacement) return;
         meshes.push_back({&s, {}, {}});
         textures.push_back(s.displacement->texture);
-        if (std::get<TriangleMesh>(s.kind).mesh->uvs.empty())
+        if (s.mesh->uvs.empty())
             diagnostics.warn(s.displacement->where, "this mesh has no texture coordinates: the texture that displaces it is looked up at (0, 0)");
     });
 

@@ -10,12 +10,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace eikonal {
 
 struct Expression;  // read/formats/expression.h
+struct ShapeKind;   // kinds/shape_kind.h
 
 /// A mesh of triangles (3 indices per face) or bilinear patches (4 per face: corners (0,0) (1,0) (0,1) (1,1) in (u, v)).
 struct Mesh {
@@ -25,12 +25,6 @@ struct Mesh {
     std::vector<glm::vec2> uvs;          ///< one per position, or empty
     std::vector<std::uint32_t> indices;
 };
-
-struct TriangleMesh { std::shared_ptr<const Mesh> mesh; };
-struct BilinearMesh { std::shared_ptr<const Mesh> mesh; };
-struct Sphere { double radius = 1, zMin = -1, zMax = 1, phiMax = 360; };
-struct Disk { double radius = 1, innerRadius = 0, height = 0, phiMax = 360; };
-struct Cylinder { double radius = 1, zMin = -1, zMax = 1, phiMax = 360; };  ///< Open at both ends.
 
 enum class CurveKind { flat, cylinder, ribbon };
 /// A cubic Bezier curve. Its width and, for ribbons, its normal are interpolated between the two ends.
@@ -44,7 +38,6 @@ struct Curve {
     std::vector<CurveSegment> segments;
     int splitDepth = 3;                 ///< a segment becomes 2^splitDepth elements, or more if it bends strongly
 };
-struct CurveShape { std::shared_ptr<const Curve> curve; };
 
 /// The zero set of F within a box in object space. F < 0 is inside.
 struct ImplicitSurface { std::shared_ptr<const Expression> F; glm::dvec3 low, high; };
@@ -59,9 +52,16 @@ struct Displacement {
     SourceLocation where;
 };
 
+/// A shape. Which of the fields up to `displacement` count depends on its kind (host/kinds/shape/); the others keep their defaults.
 struct Shape {
-    std::variant<TriangleMesh, BilinearMesh, Sphere, Disk, Cylinder, CurveShape, ImplicitSurface> kind;
-    std::optional<Displacement> displacement;     ///< of a TriangleMesh
+    const ShapeKind* kind = nullptr;              ///< never null in a scene
+    std::shared_ptr<const Mesh> mesh;             ///< triangle, bilinear
+    double radius = 1, innerRadius = 0;           ///< sphere, disk, cylinder; innerRadius: disk
+    double zMin = -1, zMax = 1, height = 0;       ///< zMin <= zMax: sphere, cylinder (open at both ends); height: disk
+    double phiMax = 360;                          ///< sphere, disk, cylinder: degrees in [0, 360]
+    std::shared_ptr<const Curve> curve;           ///< curve
+    std::shared_ptr<const ImplicitSurface> implicit;   ///< implicit
+    std::optional<Displacement> displacement;     ///< triangle
     Transform worldFromObject{1};
     std::optional<Transform> worldFromObjectAtEnd;  ///< set: the shape moves, and has this transform at Scene::motionEnd
     bool reverseOrientation = false;

@@ -13,14 +13,14 @@
 namespace eikonal {
 namespace {
 
-#define SHAPE_NAME(name, FEATURE) #name,
+#define SHAPE_NAME(name, FEATURE, SPACE) #name,
 const std::string kindNames[] = {SHAPES(SHAPE_NAME)};
 
 /// Every shape and instances; no textures, which would take minutes to compile and cut nothing out here.
 Features shapeFeatures() {
     Features features;
     features.require(Feature::INSTANCES).require(Feature::TANGENTS);
-#define REQUIRE_SHAPE(name, FEATURE) features.require(Feature::FEATURE);
+#define REQUIRE_SHAPE(name, FEATURE, SPACE) features.require(Feature::FEATURE);
     SHAPES(REQUIRE_SHAPE)
 #undef REQUIRE_SHAPE
     return features;

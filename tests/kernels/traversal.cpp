@@ -62,10 +62,14 @@ static glm::dmat4 randomTransform(Random& random, double size) {
     return m;
 }
 
-Shape shapeOf(decltype(Shape::kind) kind, const glm::dmat4& m) {
-    Shape s;
-    s.kind = std::move(kind);
+Shape placed(Shape s, const glm::dmat4& m) {
     s.worldFromObject = m;
+    return s;
+}
+
+static Shape newShape(shape_kind kind) {
+    Shape s;
+    s.kind = &kindOf(kind);
     return s;
 }
 
@@ -81,7 +85,7 @@ Shape randomTriangles(Random& random, size_t count) {
         const float size = random.logBetween(0.02f, 1);
         for (int k = 0; k < 3; ++k) addCorner(*mesh, p + toGlm(random.box(size)));
     }
-    return shapeOf(TriangleMesh{mesh});
+    return triangleMesh(mesh);
 }
 
 static Shape randomPatches(Random& random, size_t count) {
@@ -91,29 +95,29 @@ static Shape randomPatches(Random& random, size_t count) {
         const glm::vec3 twist = random.below(3) ? toGlm(random.box(0.3f)) : glm::vec3(0);
         for (const glm::vec3& q : {p, p + u, p + v, p + u + v + twist}) addCorner(*mesh, q);
     }
-    return shapeOf(BilinearMesh{mesh});
+    return bilinearMesh(mesh);
 }
 
 static Shape randomSphere(Random& random) {
-    Sphere s;
+    Shape s = newShape(shape_sphere);
     if (random.below(2)) { s.zMin = random.between(-1, 0); s.zMax = random.between(0.1f, 1); }
     if (random.below(2)) s.phiMax = random.between(30, 330);
-    return shapeOf(s, randomTransform(random, 0.3));
+    return placed(s, randomTransform(random, 0.3));
 }
 
 static Shape randomDisk(Random& random) {
-    Disk d;
+    Shape d = newShape(shape_disk);
     if (random.below(2)) d.innerRadius = random.between(0.2f, 0.8f);
     if (random.below(2)) d.phiMax = random.between(30, 330);
     d.height = random.between(-0.5f, 0.5f);
-    return shapeOf(d, randomTransform(random, 0.4));
+    return placed(d, randomTransform(random, 0.4));
 }
 
 static Shape randomCylinder(Random& random) {
-    Cylinder c;
+    Shape c = newShape(shape_cylinder);
     if (random.below(2)) { c.zMin = random.between(-2, 0); c.zMax = random.between(0.1f, 2); }
     if (random.below(2)) c.phiMax = random.between(30, 330);
-    return shapeOf(c, randomTransform(random, 0.2));
+    return placed(c, randomTransform(random, 0.2));
 }
 
 /// Two segments, of any type, wider at one end; of every second the transform keeps angles.
@@ -136,7 +140,9 @@ static Shape randomCurve(Random& random) {
     glm::dmat4 m = randomTransform(random, 0.4);
     if (random.below(2))
         for (int i = 0; i < 3; ++i) m[i] = 0.5 * glm::normalize(m[i]);
-    return shapeOf(CurveShape{curve}, m);
+    Shape s = newShape(shape_curve);
+    s.curve = curve;
+    return placed(s, m);
 }
 
 std::shared_ptr<Mesh> closedMesh(int steps, bool round) {

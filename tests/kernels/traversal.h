@@ -2,6 +2,7 @@
 // Rays through scenes of random shapes: the nearest hits, and whether anything blocks them.
 
 #include "eikonal/stages.h"
+#include "kinds/shape_kind.h"
 #include "pack/tables.h"
 #include "random_inputs.h"
 #include "scene/scene.h"
@@ -23,7 +24,7 @@ PackedScene pack(const Scene& scene);
 
 static inline glm::vec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
 
-Shape shapeOf(decltype(Shape::kind) kind, const glm::dmat4& m = glm::dmat4(1));
+Shape placed(Shape s, const glm::dmat4& m);
 Shape randomTriangles(Random& random, size_t count);
 /// A closed surface around the origin: an octahedron, each edge in `steps` parts, on the sphere or left flat.
 std::shared_ptr<Mesh> closedMesh(int steps, bool round);

@@ -33,9 +33,9 @@ TEST(TraversalEdges, DegenerateTrianglesAreNotThere) {
             mesh->positions.push_back(corner);
         }
     }
-    dirty.shapes.push_back(shapeOf(TriangleMesh{mesh}));
+    dirty.shapes.push_back(triangleMesh(mesh));
     /* Boxes of both scenes are equal, or their spaces would differ */
-    for (Scene* s : {&clean, &dirty}) s->shapes.push_back(shapeOf(TriangleMesh{closedMesh(1, false)}, glm::dmat4(glm::dmat3(4))));
+    for (Scene* s : {&clean, &dirty}) s->shapes.push_back(placed(triangleMesh(closedMesh(1, false)), glm::dmat4(glm::dmat3(4))));
     const PackedScene a = pack(clean), b = pack(dirty);
     const auto rays = randomRays(4000, 71);
     const auto want = trace(a, rays), got = trace(b, rays);
@@ -70,7 +70,7 @@ TEST(TraversalEdges, SizesAndDistancesMayDifferByMillions) {
         const glm::vec3 p = toGlm(random.box(1));
         for (int k = 0; k < 3; ++k) { mesh->indices.push_back(static_cast<std::uint32_t>(mesh->positions.size())); mesh->positions.push_back(p + toGlm(random.box(size))); }
     }
-    scene.shapes.push_back(shapeOf(TriangleMesh{mesh}));
+    scene.shapes.push_back(triangleMesh(mesh));
     const PackedScene packed = pack(scene);
     const BruteForce truth(packed);
     std::vector<Ray> rays;

@@ -14,7 +14,7 @@ namespace {
 TEST(Watertight, NoRayEscapesAClosedMesh) {
     for (bool round : {true, false}) {
         Scene scene;
-        scene.shapes.push_back(shapeOf(TriangleMesh{closedMesh(24, round)}));
+        scene.shapes.push_back(triangleMesh(closedMesh(24, round)));
         const PackedScene packed = pack(scene);
         const auto& positions = packed.tables.positions;
         Random random(68);

@@ -32,7 +32,7 @@ protected:
         EXPECT_TRUE(hasDisplacedMeshes(scene));
         displaceMeshes(scene, device(), compiler(), {}, {}, diagnostics);
         EXPECT_FALSE(hasDisplacedMeshes(scene));
-        return *std::get<TriangleMesh>((scene.shapes.empty() ? scene.objects.at(0).shapes : scene.shapes).at(0).kind).mesh;
+        return *(scene.shapes.empty() ? scene.objects.at(0).shapes : scene.shapes).at(0).mesh;
     }
 
     const std::string square = "Shape \"plymesh\" \"string filename\" \"square.ply\" \"texture displacement\" \"height\" ";

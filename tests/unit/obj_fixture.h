@@ -42,7 +42,7 @@ protected:
     }
     std::string errorIn(const std::string& content) { return errorOf([&] { load(content); }); }
 
-    static const Mesh& meshOf(const Scene& scene, std::size_t shape = 0) { return *std::get<TriangleMesh>(scene.shapes.at(shape).kind).mesh; }
+    static const Mesh& meshOf(const Scene& scene, std::size_t shape = 0) { return *scene.shapes.at(shape).mesh; }
 
     std::vector<std::string> warnings_;
 };

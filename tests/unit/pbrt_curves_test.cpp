@@ -9,7 +9,7 @@ namespace {
 
 class PbrtCurves : public PbrtTest {
 protected:
-    Curve curve(const std::string& parameters) { return *std::get<CurveShape>(world("Shape \"curve\" " + parameters).shapes.at(0).kind).curve; }
+    Curve curve(const std::string& parameters) { return *world("Shape \"curve\" " + parameters).shapes.at(0).curve; }
     std::string error(const std::string& parameters) { return errorOfWorld("Shape \"curve\" " + parameters); }
 };
 

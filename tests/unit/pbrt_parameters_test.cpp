@@ -114,8 +114,8 @@ TEST_F(PbrtParameters, attributeGivesWhatADirectiveDoesNot) {
     std::map<double, int> roughnesses;
     for (const Material& material : m) ++roughnesses[material.inputs.at("uroughness").value.value()];
     EXPECT_EQ(roughnesses, (std::map<double, int>{{0, 1}, {.1, 1}, {.2, 1}}));
-    EXPECT_EQ(std::get<Sphere>(scene.shapes[0].kind).radius, 3);
-    EXPECT_EQ(std::get<Sphere>(scene.shapes[1].kind).radius, 4);
+    EXPECT_EQ(scene.shapes[0].radius, 3);
+    EXPECT_EQ(scene.shapes[1].radius, 4);
     EXPECT_THAT(errorOfWorld("Attribute \"shapes\" \"float radius\" 1"), HasSubstr("it can be \"shape\", \"light\", \"material\", \"medium\" or \"texture\""));
 }
 
@@ -123,7 +123,7 @@ TEST_F(PbrtParameters, includeBetweenParametersAndInsideOfValues) {
     write("points.txt", "0 0 0  1 0 0  0 1 0");
     write("mesh.txt", "\"point3 P\" [ Include \"points.txt\" ] \"integer indices\"");
     const Scene scene = world("Shape \"trianglemesh\" Include \"mesh.txt\" [0 1 2 2 1 0] \"normal N\" [0 0 1 0 0 1 0 0 1]");
-    const Mesh& mesh = *std::get<TriangleMesh>(scene.shapes.at(0).kind).mesh;
+    const Mesh& mesh = *scene.shapes.at(0).mesh;
     EXPECT_EQ(mesh.positions.size(), 3u);
     EXPECT_EQ(mesh.indices.size(), 6u);
     EXPECT_EQ(mesh.normals.size(), 3u);

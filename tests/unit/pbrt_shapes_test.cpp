@@ -1,5 +1,6 @@
 // Shapes, objects and instances. The defaults are those of pbrt-v4's source (shapes.cpp).
 
+#include "kinds/shape_kind.h"
 #include "unit/pbrt_reading.h"
 
 namespace eikonal {
@@ -8,25 +9,24 @@ namespace {
 class PbrtShapes : public PbrtTest {
 protected:
     Shape shape(const std::string& text) { return world("Shape " + text).shapes.at(0); }
-    template <class T> T kind(const std::string& text) { return std::get<T>(shape(text).kind); }
 };
 
 const std::string triangle = "\"trianglemesh\" \"point3 P\" [0 0 0  1 0 0  0 1 0] ";
 
 TEST_F(PbrtShapes, spheres) {
-    const auto whole = kind<Sphere>("\"sphere\"");
+    const auto whole = shape("\"sphere\"");
     EXPECT_EQ(whole.radius, 1);
     EXPECT_EQ(whole.zMin, -1);
     EXPECT_EQ(whole.zMax, 1);
     EXPECT_EQ(whole.phiMax, 360);
-    const auto part = kind<Sphere>("\"sphere\" \"float radius\" 2 \"float zmin\" 1 \"float zmax\" -5 \"float phimax\" 400");
+    const auto part = shape("\"sphere\" \"float radius\" 2 \"float zmin\" 1 \"float zmax\" -5 \"float phimax\" 400");
     EXPECT_EQ(part.zMin, -2);
     EXPECT_EQ(part.zMax, 1);
     EXPECT_EQ(part.phiMax, 360);
 }
 
 TEST_F(PbrtShapes, disks) {
-    const auto disk = kind<Disk>("\"disk\" \"float radius\" 2 \"float innerradius\" .5 \"float height\" 3 \"float phimax\" 90");
+    const auto disk = shape("\"disk\" \"float radius\" 2 \"float innerradius\" .5 \"float height\" 3 \"float phimax\" 90");
     EXPECT_EQ(disk.radius, 2);
     EXPECT_EQ(disk.innerRadius, .5);
     EXPECT_EQ(disk.height, 3);
@@ -34,12 +34,12 @@ TEST_F(PbrtShapes, disks) {
 }
 
 TEST_F(PbrtShapes, cylinders) {
-    const auto whole = kind<Cylinder>("\"cylinder\"");
+    const auto whole = shape("\"cylinder\"");
     EXPECT_EQ(whole.radius, 1);
     EXPECT_EQ(whole.zMin, -1);
     EXPECT_EQ(whole.zMax, 1);
     EXPECT_EQ(whole.phiMax, 360);
-    const auto part = kind<Cylinder>("\"cylinder\" \"float radius\" 2 \"float zmin\" 5 \"float zmax\" 3 \"float phimax\" 90");
+    const auto part = shape("\"cylinder\" \"float radius\" 2 \"float zmin\" 5 \"float zmax\" 3 \"float phimax\" 90");
     EXPECT_EQ(part.radius, 2);
     EXPECT_EQ(part.zMin, 3);
     EXPECT_EQ(part.zMax, 5);
@@ -47,7 +47,7 @@ TEST_F(PbrtShapes, cylinders) {
 }
 
 TEST_F(PbrtShapes, implicitSurfaces) {
-    const auto surface = kind<ImplicitSurface>("\"implicit\" \"string F\" \"x^2 + a*y\" \"float a\" 3 \"point3 bounds\" [1 2 -3  -1 0 4]");
+    const auto surface = *shape("\"implicit\" \"string F\" \"x^2 + a*y\" \"float a\" 3 \"point3 bounds\" [1 2 -3  -1 0 4]").implicit;
     expectNear(surface.low, {-1, 0, -3});
     expectNear(surface.high, {1, 2, 4});
     const std::string cube = " \"point3 bounds\" [-1 -1 -1 1 1 1]";
@@ -70,16 +70,16 @@ TEST_F(PbrtShapes, quadricsWithoutAreaAreLeftOut) {
 
 TEST_F(PbrtShapes, subdividedMeshes) {
     const std::string octahedron = "\"loopsubdiv\" \"point3 P\" [1 0 0 -1 0 0 0 1 0 0 -1 0 0 0 1 0 0 -1] \"integer indices\" [0 2 4 2 1 4 1 3 4 3 0 4 2 0 5 1 2 5 3 1 5 0 3 5] ";
-    EXPECT_EQ(kind<TriangleMesh>(octahedron).mesh->indices.size(), 3u * 8 * 64);
-    EXPECT_EQ(kind<TriangleMesh>(octahedron + "\"integer levels\" 0").mesh->indices.size(), 3u * 8);
+    EXPECT_EQ(shape(octahedron).mesh->indices.size(), 3u * 8 * 64);
+    EXPECT_EQ(shape(octahedron + "\"integer levels\" 0").mesh->indices.size(), 3u * 8);
     EXPECT_THAT(errorOfWorld("Shape " + octahedron + "\"integer levels\" 12"), HasSubstr("\"integer levels\" is 12, which makes more than 33554432 triangles of this mesh; 11 would work"));
     EXPECT_THAT(errorOfWorld("Shape \"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0]"), HasSubstr("needs the vertices of its faces"));
-    EXPECT_EQ(kind<TriangleMesh>("\"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 1 0 1 2] \"string scheme\" \"butterfly\"").mesh->indices.size(), 3u * 64);
+    EXPECT_EQ(shape("\"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 1 0 1 2] \"string scheme\" \"butterfly\"").mesh->indices.size(), 3u * 64);
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("no subdivision scheme \"butterfly\""), HasSubstr("1 faces that name a vertex twice are skipped")));
 }
 
 TEST_F(PbrtShapes, triangleMeshes) {
-    const auto mesh = kind<TriangleMesh>(triangle + "\"normal N\" [0 0 1 0 0 1 0 0 1] \"point2 uv\" [0 0 1 0 0 1]").mesh;
+    const auto mesh = shape(triangle + "\"normal N\" [0 0 1 0 0 1 0 0 1] \"point2 uv\" [0 0 1 0 0 1]").mesh;
     EXPECT_THAT(mesh->indices, ElementsAre(0, 1, 2));
     EXPECT_EQ(mesh->positions[1], glm::vec3(1, 0, 0));
     EXPECT_EQ(mesh->normals.size(), 3u);
@@ -92,16 +92,16 @@ TEST_F(PbrtShapes, triangleMeshes) {
 }
 
 TEST_F(PbrtShapes, meshesThatDoNotAddUpAreMended) {
-    EXPECT_EQ(kind<TriangleMesh>(triangle + "\"integer indices\" [0 1 2 0]").mesh->indices.size(), 3u);
+    EXPECT_EQ(shape(triangle + "\"integer indices\" [0 1 2 0]").mesh->indices.size(), 3u);
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("has 4 values, not a multiple of 3; the last are ignored")));
-    EXPECT_THAT(kind<TriangleMesh>(triangle + "\"point2 uv\" [0 0]").mesh->uvs, IsEmpty());
+    EXPECT_THAT(shape(triangle + "\"point2 uv\" [0 0]").mesh->uvs, IsEmpty());
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"uv\" is ignored: it has 1 vertices, and \"P\" has 3")));
 }
 
 TEST_F(PbrtShapes, bilinearMeshes) {
     const std::string corners = "\"bilinearmesh\" \"point3 P\" [0 0 0  1 0 0  0 1 0  1 1 0]";
-    EXPECT_THAT(kind<BilinearMesh>(corners).mesh->indices, ElementsAre(0, 1, 2, 3));
-    EXPECT_THAT(kind<BilinearMesh>(corners + " \"integer indices\" [3 2 1 0]").mesh->indices, ElementsAre(3, 2, 1, 0));
+    EXPECT_THAT(shape(corners).mesh->indices, ElementsAre(0, 1, 2, 3));
+    EXPECT_THAT(shape(corners + " \"integer indices\" [3 2 1 0]").mesh->indices, ElementsAre(3, 2, 1, 0));
 }
 
 TEST_F(PbrtShapes, plyFilesAreReadOnce) {
@@ -109,8 +109,8 @@ TEST_F(PbrtShapes, plyFilesAreReadOnce) {
                    "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n4 0 1 2 3\n");
     const Scene scene = world("Shape \"plymesh\" \"string filename\" \"m.ply\" Translate 1 0 0 Shape \"plymesh\" \"string filename\" \"m.ply\"");
     ASSERT_EQ(scene.shapes.size(), 4u);  // triangles and quadrilaterals apart, twice
-    EXPECT_EQ(std::get<TriangleMesh>(scene.shapes[0].kind).mesh, std::get<TriangleMesh>(scene.shapes[2].kind).mesh);
-    EXPECT_TRUE(std::holds_alternative<BilinearMesh>(scene.shapes[3].kind));
+    EXPECT_EQ(scene.shapes[0].mesh, scene.shapes[2].mesh);
+    EXPECT_EQ(scene.shapes[3].kind, &kindOf(shape_bilinear));
     expectNear(apply(scene.shapes[3].worldFromObject, {0, 0, 0}), {1, 0, 0});
     EXPECT_FALSE(scene.shapes.at(0).displacement);
     EXPECT_THAT(errorOfWorld("Shape \"plymesh\""), HasSubstr("needs a \"string filename\""));
@@ -124,7 +124,7 @@ TEST_F(PbrtShapes, displacedMeshes) {
     const Scene scene = world(waves + mesh + "\"texture displacement\" \"waves\" \"float edgelength\" .25");
     EXPECT_THAT(warnings_, IsEmpty());
     ASSERT_EQ(scene.shapes.size(), 1u);
-    EXPECT_THAT(std::get<TriangleMesh>(scene.shapes[0].kind).mesh->indices, ElementsAre(0, 1, 2, 0, 1, 2, 0, 2, 3));
+    EXPECT_THAT(scene.shapes[0].mesh->indices, ElementsAre(0, 1, 2, 0, 1, 2, 0, 2, 3));
     EXPECT_EQ(scene.shapes[0].displacement->edgeLength, .25);
     EXPECT_EQ(scene.textures[static_cast<size_t>(scene.shapes[0].displacement->texture)].name, "waves");
     EXPECT_EQ(read("Option \"displacementedgescale\" 4\nWorldBegin " + waves + mesh + "\"texture displacement\" \"waves\"").shapes[0].displacement->edgeLength, 4);
@@ -138,9 +138,9 @@ TEST_F(PbrtShapes, displacedMeshes) {
 }
 
 TEST_F(PbrtShapes, tangents) {
-    EXPECT_THAT(kind<TriangleMesh>(triangle + "\"vector3 S\" [1 0 0  0 1 0  0 0 1]").mesh->tangents, ElementsAre(glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)));
+    EXPECT_THAT(shape(triangle + "\"vector3 S\" [1 0 0  0 1 0  0 0 1]").mesh->tangents, ElementsAre(glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)));
     EXPECT_THAT(warnings_, IsEmpty());
-    EXPECT_THAT(kind<TriangleMesh>(triangle + "\"vector3 S\" [1 0 0]").mesh->tangents, IsEmpty());
+    EXPECT_THAT(shape(triangle + "\"vector3 S\" [1 0 0]").mesh->tangents, IsEmpty());
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"S\" is ignored: it has 1 vertices, and \"P\" has 3")));
 }
 

@@ -1,5 +1,6 @@
 #include "read/obj/obj.h"
 
+#include "kinds/shape_kind.h"
 #include "read/obj/geometry.h"
 #include "read/obj/materials.h"
 #include "read/obj/meshes.h"
@@ -107,8 +108,7 @@ void addShapes(Scene& scene, const ObjGeometry& geometry, const ObjMeshes& meshe
             diagnostics.warnOnce("obj uv " + group.material, where,
                                  fmt::format("material \"{}\" has textures, but \"{}\" has no texture coordinates", group.material, group.object));
 
-        Shape shape;
-        shape.kind = TriangleMesh{mesh.mesh};
+        Shape shape = triangleMesh(mesh.mesh);
         shape.worldFromObject = glm::translate(glm::dmat4(1), meshes.offset);
         shape.material = material.material;
         shape.alpha = material.alpha;

@@ -118,9 +118,7 @@ void chooseSize(const std::vector<ViewedTriangle>& triangles, const ViewWishes& 
 std::vector<ViewedTriangle> viewedTriangles(const Scene& scene) {
     std::vector<ViewedTriangle> triangles;
     for (std::uint32_t s = 0; s < scene.shapes.size(); ++s) {
-        const auto* shape = std::get_if<TriangleMesh>(&scene.shapes[s].kind);
-        if (!shape) continue;
-        const Mesh& mesh = *shape->mesh;
+        const Mesh& mesh = *scene.shapes[s].mesh;
         const auto world = [&](std::uint32_t i) { return glm::vec3(scene.shapes[s].worldFromObject * glm::dvec4(mesh.positions[i], 1)); };
         for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
             triangles.push_back({world(mesh.indices[i]), world(mesh.indices[i + 1]), world(mesh.indices[i + 2]), s});

@@ -17,6 +17,15 @@ namespace eikonal::pbrt {
 
 const KindTable& shapeKinds();
 
+/// A shape whose material, media, textures and file are yet to be resolved.
+struct PendingShape {
+    Shape shape;
+    int plyFile = none;               ///< number of the PLY file with its mesh
+    int object = none;                ///< in Scene::objects; none: not in an object
+    int material, inside, outside;    ///< numbers in the registries
+    std::optional<Parameter> alpha, displacement;
+};
+
 /// The shapes of a scene. Their materials, media, alpha textures and PLY files are resolved at the end.
 class ShapeRegistry {
 public:
@@ -39,16 +48,7 @@ public:
     void finish();
 
 private:
-    struct Pending {
-        Shape shape;
-        int plyFile = none;               ///< number of the PLY file with its mesh
-        int object = none;                ///< in Scene::objects; none: not in an object
-        int material, inside, outside;    ///< numbers in the registries
-        std::optional<Parameter> alpha, displacement;
-    };
-
-    bool readKind(const Arguments& arguments, Pending& pending);
-    void place(Pending pending);
+    void place(PendingShape pending);
     int objectNamed(const std::string& name);
 
     Reading& reading_;
@@ -56,7 +56,7 @@ private:
     MaterialRegistry& materials_;
     MediumRegistry& media_;
     PlyFiles plyFiles_;
-    std::vector<Pending> pending_;
+    std::vector<PendingShape> pending_;
     std::map<std::string, int> objectNumbers_;
     std::vector<bool> objectIsMade_;
     int openObject_ = none;

@@ -1,6 +1,7 @@
-// A bilinear patch that emits (kernels/light/bilinear.clh).
+// A mesh of bilinear patches, and what emits of one (kernels/shape/bilinear.clh, kernels/light/bilinear.clh).
 
-#include "kinds/light_packing.h"
+#include "kinds/shape_packing.h"
+#include "kinds/shape_reading.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +9,29 @@
 
 namespace eikonal {
 
-static light packElement(const AreaElement& e, const color& L) {
+static bool read(const pbrt::ShapeReading& in, pbrt::PendingShape& pending) {
+    pending.shape.mesh = pbrt::readMesh(in.reading, in.arguments, 4);
+    if (in.arguments.file("emissionfilename")) in.reading.diagnostics.info("\"emissionfilename\" only guides sampling; it is not used");
+    return true;
+}
+
+static size_t pack(const ShapePacking& in) {
+    const Mesh& mesh = *in.description.mesh;
+    const size_t count = mesh.indices.size() / 4;
+    if (count == 0) return 0;
+    addVertices(in);
+    for (size_t i = 0; i < count; ++i) {
+        Box box;
+        for (int c = 0; c < 4; ++c) box.grow(toGlm(in.tables.positions[in.packed.first_vertex + mesh.indices[4 * i + static_cast<size_t>(c)]]));
+        addBox(in.group, box, in.packed.first_element + static_cast<uint>(i));
+    }
+    in.packer.packed.counts.patches += count;
+    return count;
+}
+
+static light_kind lightKindOf(const Shape&, const glm::dmat4&) { return kind_bilinear_light; }
+
+static light packLight(const AreaElement& e, const color& L) {
     const uint* corner = &e.tables.indices[e.packed.first_index + 4 * e.element];
     const vec3* p = &e.tables.positions[e.packed.first_vertex];
     const glm::dvec3 p00 = toGlm(p[corner[0]]), p10 = toGlm(p[corner[1]]), p01 = toGlm(p[corner[2]]), p11 = toGlm(p[corner[3]]);
@@ -30,7 +53,7 @@ static light packElement(const AreaElement& e, const color& L) {
     return l;
 }
 
-static void bound(const light& l, double, LightBounds& bounds) {
+static void boundLight(const light& l, double, LightBounds& bounds) {
     const glm::dvec3 p = toGlm(l.p), x = toGlm(l.a), y = toGlm(l.b);
     /* Normals are linear in u and in v, so those at the corners bound them; on which side it shines is as in sample_bilinear_light */
     const glm::dvec3 c = toGlm(l.c);
@@ -44,6 +67,12 @@ static void bound(const light& l, double, LightBounds& bounds) {
     if (bounds.normals > std::numbers::pi / 4) boundAllDirections(bounds);
 }
 
-const LightTraits bilinear_light{.packElement = packElement, .bound = bound};
+const LightTraits bilinear_light{.packElement = packLight, .bound = boundLight};
+
+static const ShapeDirective directives[] = {
+    {"bilinearmesh", "integers indices; point3s P; normals N; point2s uv; integers faceIndices; file emissionfilename", read},
+};
+
+const ShapeTraits bilinear_shape{.directives = directives, .corners = 4, .bound = meshBounds, .pack = pack, .lightKindOf = lightKindOf};
 
 }  // namespace eikonal

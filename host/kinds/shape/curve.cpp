@@ -1,0 +1,65 @@
+// Curves with a width (kernels/shape/curve.clh).
+
+#include "kinds/shape_packing.h"
+#include "kinds/shape_reading.h"
+#include "pack/curves.h"
+#include "read/pbrt/curves.h"
+
+#include <algorithm>
+
+namespace eikonal {
+
+static bool read(const pbrt::ShapeReading& in, pbrt::PendingShape& pending) {
+    pending.shape.curve = pbrt::readCurve(in.reading, in.arguments);
+    return true;
+}
+
+static Box bound(const Shape& s, const glm::dmat4& m) {
+    Box box;
+    for (const CurveSegment& segment : s.curve->segments) {
+        const double half = 0.5 * std::max(segment.width[0], segment.width[1]);
+        for (const glm::dvec3 p : segment.points) box.grow(transformed({p - half, p + half}, m));
+    }
+    return box;
+}
+
+/// In the space of the hierarchy if its widths and its left and right stay what they are, else with maps, which each ray then goes through.
+static size_t pack(const ShapePacking& in) {
+    const Curve& description = *in.description.curve;
+    SceneTables& tables = in.tables;
+    if (in.description.reverseOrientation != isMirrored(in)) in.packed.flags |= shape_reversed;
+    in.packed.first_index = static_cast<uint>(tables.curve_segments.size());
+    in.packed.splits = curveSplits(description);
+    const double scale = swapsHandedness(in.m) ? 0 : uniformScale(in.m);
+    if (scale == 0) {
+        in.packed.quadric = static_cast<uint>(tables.quadrics.size());
+        quadric maps{};
+        maps.scene_from_object = toAffine(in.m);
+        maps.object_from_scene = toAffine(glm::inverse(in.m));
+        tables.quadrics.push_back(maps);
+    }
+    const uint parts = 1u << in.packed.splits;
+    uint element = in.packed.first_element;
+    for (const CurveSegment& segment : description.segments) {
+        const curve c = packSegment(segment, description.kind, scale > 0 ? in.m : glm::dmat4(1), scale > 0 ? scale : 1);
+        tables.curve_segments.push_back(c);
+        for (uint part = 0; part < parts; ++part, ++element) {
+            if (c.width[0] <= 0 && c.width[1] <= 0) continue;
+            const Box box = boundsOfPart(c, part, in.packed.splits);
+            addBox(in.group, scale > 0 ? box : transformed(box, in.m), element);
+        }
+    }
+    in.packer.packed.counts.curves += description.segments.size();
+    return element - in.packed.first_element;
+}
+
+static const ShapeDirective directives[] = {
+    {"curve",
+     "point3s P; integer degree = 3; string basis = bezier; string type = flat; normals N; float width = 1; float width0; float width1;"
+     "integer splitdepth = 3",
+     read},
+};
+
+const ShapeTraits curve_shape{.directives = directives, .bound = bound, .pack = pack, .cannotEmit = "a curve cannot emit (pbrt-v4 stops there)"};
+
+}  // namespace eikonal

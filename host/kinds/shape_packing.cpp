@@ -1,0 +1,67 @@
+#include "kinds/shape_packing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal {
+
+/// A mesh's tangents where `m` takes them, the longest of unit length: their squares are finite then, and means of theirs stay what they are.
+static std::vector<glm::dvec3> tangentsInReach(const Mesh& mesh, const glm::dmat4& m) {
+    std::vector<glm::dvec3> tangents;
+    double longest = 0;
+    for (const glm::vec3& t : mesh.tangents) {
+        tangents.push_back(transformVector(m, t));
+        longest = std::max(longest, glm::length(tangents.back()));
+    }
+    for (glm::dvec3& t : tangents) t *= longest > 0 ? 1 / longest : 0;
+    return tangents;
+}
+
+void addVertices(const ShapePacking& in) {
+    const auto& [packer, tables, group, s, packed, m, instanceSwaps] = in;
+    const Mesh& mesh = *s.mesh;
+    packed.first_vertex = static_cast<uint>(tables.positions.size());
+    packed.first_index = static_cast<uint>(tables.indices.size());
+    if (s.reverseOrientation != swapsHandedness(m)) packed.flags |= shape_reversed;
+    for (const glm::vec3& p : mesh.positions) tables.positions.push_back(toVec3(transformPoint(m, p)));
+    tables.indices.insert(tables.indices.end(), mesh.indices.begin(), mesh.indices.end());
+    if (!mesh.normals.empty()) {
+        packed.first_normal = static_cast<uint>(tables.normals.size());
+        for (const glm::vec3& n : mesh.normals) tables.normals.push_back(toVec3(transformNormal(m, n) * (s.reverseOrientation ? -1.0 : 1.0)));
+    }
+    if (!mesh.tangents.empty()) {
+        packed.first_tangent = static_cast<uint>(tables.tangents.size());
+        for (const glm::dvec3& t : tangentsInReach(mesh, m)) tables.tangents.push_back(toVec3(t));
+        packer.packed.require(Feature::TANGENTS, s.where.toString());
+    }
+    if (!mesh.uvs.empty()) {
+        packed.first_uv = static_cast<uint>(tables.uvs.size());
+        for (const glm::vec2& uv : mesh.uvs) tables.uvs.push_back({uv.x, uv.y});
+    }
+}
+
+size_t addQuadric(const ShapePacking& in, quadric q, bool flips) {
+    if (in.description.reverseOrientation != flips) in.packed.flags |= shape_reversed;
+    in.packed.quadric = static_cast<uint>(in.tables.quadrics.size());
+    q.scene_from_object = toAffine(in.m);
+    q.object_from_scene = toAffine(glm::inverse(in.m));
+    in.tables.quadrics.push_back(q);
+    addBox(in.group, in.description.kind->traits.bound(in.description, in.m), in.packed.first_element);
+    return 1;
+}
+
+quadric newRound(const ShapePacking& in) {
+    ++in.packer.packed.counts.quadrics;
+    quadric q{};
+    q.radius = static_cast<float>(in.description.radius);
+    q.phi_max = static_cast<float>(glm::radians(std::clamp(in.description.phiMax, 0.0, 360.0)));
+    return q;
+}
+
+Box meshBounds(const Shape& s, const glm::dmat4& m) {
+    Box box;
+    for (const glm::vec3& p : s.mesh->positions) box.grow(transformPoint(m, p));
+    return box;
+}
+
+}  // namespace eikonal
