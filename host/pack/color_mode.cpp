@@ -1,5 +1,6 @@
 #include "pack/color_mode.h"
 
+#include "kinds/medium_kind.h"
 #include "overloaded.h"
 
 #include <algorithm>
@@ -18,8 +19,8 @@ bool isIndexOfMetal(const Material& m, const std::string& name) {
 }
 
 bool isMeasured(const Medium& m) {
-    const bool glows = m.emissionScale > 0 && (!m.temperature.values.empty() || m.sparseTemperature);
-    return isMeasured(m.sigmaA) || isMeasured(m.sigmaS) || isMeasured(m.Le) || glows;
+    const bool isBlackbody = m.emissionScale > 0 && emissionOf(m) == MediumEmission::blackbody;
+    return isMeasured(m.sigmaA) || isMeasured(m.sigmaS) || isMeasured(m.Le) || isBlackbody;
 }
 
 /// What a texture takes its colours from.

@@ -5,6 +5,7 @@
 #include "app/wait_notice.h"
 #include "film/exposure.h"
 #include "image/formats/image_formats.h"
+#include "kinds/medium_kind.h"
 #include "pack/packer.h"
 #include "render/displacement.h"
 #include "render/path_loop.h"
@@ -54,9 +55,9 @@ BuildSettings buildSettingsFor(const DeviceOptions& options) {
 }
 
 void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& diagnostics) {
-    const auto shines = [](const Medium& m) { return m.Le.illuminant() != glm::dvec3(0) || !m.temperature.values.empty() || m.sparseTemperature || !m.colors.Le.empty(); };
+    const auto emits = [](const Medium& m) { return emissionOf(m) != MediumEmission::none; };
     if (!countsMaterials(scene.integrator) || packed.counts.lights > 0) return;
-    if (packed.features.has(Feature::MEDIA) && std::ranges::any_of(scene.media, shines)) return;
+    if (packed.features.has(Feature::MEDIA) && std::ranges::any_of(scene.media, emits)) return;
     diagnostics.warn({}, "the scene has no light: the image will be black");
 }
 

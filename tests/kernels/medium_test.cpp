@@ -2,6 +2,7 @@
 // the medium says of itself.
 
 #include "medium_walk.h"
+#include "kinds/medium_kind.h"
 #include "random_inputs.h"
 
 #include <fmt/format.h>
@@ -70,7 +71,7 @@ TEST_P(EveryMedium, WeightsAreRightInEveryChannel) {
 /// No point of the medium exceeds the bound of its cell.
 TEST_P(EveryMedium, IsBounded) {
     const PackedScene packed = scene();
-    if (packed.tables.media[0].kind == kind_homogeneous_medium) GTEST_SKIP() << "it needs no bounds";
+    if (kindOf(packed.tables.media[0]).variation == MediumVariation::HOMOGENEOUS) GTEST_SKIP() << "it needs no bounds";
     struct Both { spectrum sigma_t, bound; };
     const DeviceFunction<Both> function({.include = "medium/medium.clh", .type = "both", .body = R"(
         medium_tables medium_set = BIND_MEDIA;
@@ -97,9 +98,7 @@ TEST_P(EveryMedium, IsBounded) {
 
 std::vector<std::string> kinds() {
     std::vector<std::string> names;
-#define MEDIUM_NAME(name, FEATURE, VARIATION) names.push_back(#name);
-    MEDIA_KINDS(MEDIUM_NAME)
-#undef MEDIUM_NAME
+    for (const MediumKind& e : mediumKindList()) names.push_back(e.name);
     return names;
 }
 INSTANTIATE_TEST_SUITE_P(Media, EveryMedium, testing::ValuesIn(kinds()), [](const auto& info) { return info.param; });

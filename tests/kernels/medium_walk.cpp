@@ -63,7 +63,7 @@ const DeviceFunction<Integrals>& integrate() {
             vec3 p = mul_add(box_d, ((float)i + 0.5f) * step, box_o);
             int inside = (p.x >= 0.0f) & (p.y >= 0.0f) & (p.z >= 0.0f) & (p.x <= 1.0f) & (p.y <= 1.0f) & (p.z <= 1.0f);
             medium_spectra at = c;
-            if (m.kind != kind_homogeneous_medium) {
+            if (is_heterogeneous(m)) {
                 if (!inside) continue;
                 at = eval_medium_point(medium_set, colors, m, c, p);
             }

@@ -4,6 +4,7 @@
 #include "run_program.h"
 
 #include "image/image_file.h"
+#include "kinds/medium_kind.h"
 
 #include <fmt/format.h>
 
@@ -76,10 +77,9 @@ Features allButMethods() {
     for (Feature f : {SPECTRAL, SPECTRAL_FILM, DISPERSION, ANISOTROPY, SHAPE_CURVE, SHAPE_IMPLICIT, FILTER, SOBOL, JOINT_PAIRS, LENS, CAMERA_MOTION, MEDIA, EQUIANGULAR,
                       AMBIENT_OCCLUSION, TREE, UNIFORM_DIRECTIONS}) methods.require(f);
 #define REQUIRE(name, FEATURE) methods.require(Feature::FEATURE);
-#define REQUIRE_MEDIUM(name, FEATURE, VARIATION) REQUIRE(name, FEATURE)
-    MEDIA_KINDS(REQUIRE_MEDIUM) CAMERAS(REQUIRE)
-#undef REQUIRE_MEDIUM
+    CAMERAS(REQUIRE)
 #undef REQUIRE
+    for (const MediumKind& e : mediumKindList()) methods.require(e.feature);
     Features features;
     for (size_t i = 0; i < featureCount; ++i)
         if (!methods.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));

@@ -1,6 +1,7 @@
 #include "rendering.h"
 
 #include "device/cache.h"
+#include "kinds/medium_kind.h"
 #include "pack/environment_guide.h"
 #include "render/path_loop.h"
 #include "render/roulette_pilot.h"
@@ -51,12 +52,17 @@ PackedScene packScene(const std::string& text, ColorMode color) {
     return packed;
 }
 
+static Features mediumKindFeatures() {
+    Features features;
+    for (const MediumKind& e : mediumKindList()) features.require(e.feature);
+    return features;
+}
+
 Features surfaceFeatures() {
     using enum Feature;
-    const Features others = Features().require(SHAPE_CURVE).require(SHAPE_IMPLICIT).require(SPECTRAL).require(SPECTRAL_FILM).require(DISPERSION).require(MEDIA).require(AOVS).require(MOTION_VECTORS).require(SOBOL).require(JOINT_PAIRS).require(AMBIENT_OCCLUSION).require(TREE).require(UNIFORM_DIRECTIONS).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
+    const Features others = mediumKindFeatures().require(SHAPE_CURVE).require(SHAPE_IMPLICIT).require(SPECTRAL).require(SPECTRAL_FILM).require(DISPERSION).require(MEDIA).require(AOVS).require(MOTION_VECTORS).require(SOBOL).require(JOINT_PAIRS).require(AMBIENT_OCCLUSION).require(TREE).require(UNIFORM_DIRECTIONS).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
         .require(CAMERA_ORTHOGRAPHIC).require(CAMERA_SPHERICAL).require(CAMERA_REALISTIC).require(APERTURE).require(CAMERA_MOTION).require(MOTION)
-        .require(LIGHT_IMAGE_INFINITE).require(TEXTURE_IMAGEMAP).require(TEXTURE_FBM).require(TEXTURE_WRINKLED).require(TEXTURE_WINDY).require(TEXTURE_MARBLE)
-        .require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID).require(MEDIUM_RGBGRID).require(MEDIUM_CLOUD).require(MEDIUM_NANOVDB);
+        .require(LIGHT_IMAGE_INFINITE).require(TEXTURE_IMAGEMAP).require(TEXTURE_FBM).require(TEXTURE_WRINKLED).require(TEXTURE_WINDY).require(TEXTURE_MARBLE);
     Features features;
     for (size_t i = 0; i < featureCount; ++i)
         if (!others.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));
@@ -64,7 +70,7 @@ Features surfaceFeatures() {
 }
 Features mediumFeatures() {
     using enum Feature;
-    return surfaceFeatures().require(MEDIA).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID).require(MEDIUM_RGBGRID).require(MEDIUM_CLOUD).require(MEDIUM_NANOVDB);
+    return surfaceFeatures().require(MEDIA) | mediumKindFeatures();
 }
 static RenderSetup forcing(const Features& features) {
     RenderSetup setup;

@@ -1,6 +1,7 @@
 #include "read/pbrt/subsurface.h"
 
 #include "color/diffuse_albedo.h"
+#include "kinds/medium_kind.h"
 #include "read/formats/image.h"
 #include "read/pbrt/medium_presets.h"
 
