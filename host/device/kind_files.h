@@ -1,5 +1,5 @@
 #pragma once
-// The files of a family's kinds, which no kernel has to list: `#include "light/kinds.clh"` stands for one #include for each line of LIGHTS, and so on.
+// The files of a family's kinds, which no kernel has to list: `#include "light/kinds.clh"` stands for an #include for each line of LIGHTS.
 
 #include <optional>
 #include <string>

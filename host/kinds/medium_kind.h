@@ -19,8 +19,8 @@ enum class MediumEmission { none, spectrum, blackbody };   ///< blackbody: that 
 struct MediumTraits {
     /// The parameters of a medium whose "type" is the kind's name: a row of read/pbrt/kinds.h, in parts. "g" is one of them.
     const char* parameters[6] = {};
-    /// Reads the fields that the kind uses; name, transform and g are filled in. Returns false for a medium to be left out, since its file is
-    /// missing, which has been noted. Throws SceneError.
+    /// Reads the fields that the kind uses; name, transform and g are filled in. Returns false for a medium to be left out, since its file
+    /// is missing, which has been noted. Throws SceneError.
     bool (*read)(const pbrt::MediumReading&, Medium&) = nullptr;
 
     /// The medium for the device, and its tables. HETEROGENEOUS: also its box and its majorants.

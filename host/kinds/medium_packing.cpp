@@ -27,7 +27,9 @@ glm::dmat4 packBox(const Packer& packer, const Medium& description, glm::dvec3 p
     return mediumFromBox;
 }
 
-glm::ivec3 majorantCells(glm::dvec3 voxels) { return glm::ivec3(glm::clamp(glm::ceil(voxels / double(majorantVoxels)), glm::dvec3(1), glm::dvec3(mostMajorants))); }
+glm::ivec3 majorantCells(glm::dvec3 voxels) {
+    return glm::ivec3(glm::clamp(glm::ceil(voxels / double(majorantVoxels)), glm::dvec3(1), glm::dvec3(mostMajorants)));
+}
 
 void packDensityMajorants(SceneTables& tables, medium& m, glm::dvec3 voxels) {
     packMajorants(tables, m, majorantCells(voxels), [&](glm::dvec3 low, glm::dvec3 high) { return boundOn(tables, m.density, low, high); });

@@ -23,7 +23,8 @@ template <class Bound> void packMajorants(SceneTables& tables, medium& m, glm::i
     const glm::dvec3 size(cells);
     for (int z = 0; z < cells.z; ++z)
         for (int y = 0; y < cells.y; ++y)
-            for (int x = 0; x < cells.x; ++x) tables.majorants.push_back(bound(glm::dvec3(x, y, z) / size, glm::dvec3(x + 1, y + 1, z + 1) / size));
+            for (int x = 0; x < cells.x; ++x)
+                tables.majorants.push_back(bound(glm::dvec3(x, y, z) / size, glm::dvec3(x + 1, y + 1, z + 1) / size));
 }
 /// How many majorants a grid of so many voxels gets.
 glm::ivec3 majorantCells(glm::dvec3 voxels);

@@ -35,8 +35,8 @@ glm::ivec3 readSize(const Arguments& arguments) {
 static void checkCount(const Arguments& arguments, const std::string& name, size_t count, glm::ivec3 size, const char* type) {
     const double expected = double(size.x) * size.y * size.z;
     if (static_cast<double>(count) != expected)
-        throw SceneError(arguments.whereOf(name), fmt::format("\"{} {}\" has {} values; nx * ny * nz = {} * {} * {} = {:.0f} are expected", type, name, count,
-                                                              size.x, size.y, size.z, expected));
+        throw SceneError(arguments.whereOf(name), fmt::format("\"{} {}\" has {} values; nx * ny * nz = {} * {} * {} = {:.0f} are expected",
+                                                              type, name, count, size.x, size.y, size.z, expected));
 }
 
 Grid readGrid(const Arguments& arguments, const std::string& name) {
@@ -44,7 +44,8 @@ Grid readGrid(const Arguments& arguments, const std::string& name) {
     const std::vector<double> values = arguments.numbers(name);
     if (!values.empty()) checkCount(arguments, name, values.size(), size, "float");
     const auto below = std::ranges::find_if(values, [](double value) { return value < 0; });
-    if (below != values.end()) throw SceneError(arguments.whereOf(name), fmt::format("\"float {}\" has a value below 0: {:g}", name, *below));
+    if (below != values.end())
+        throw SceneError(arguments.whereOf(name), fmt::format("\"float {}\" has a value below 0: {:g}", name, *below));
     return {size.x, size.y, size.z, {values.begin(), values.end()}};
 }
 

@@ -21,7 +21,8 @@ constexpr const char* phaseParameters = "float g = 0 clamped to [-1, 1]";
 constexpr const char* coefficientParameters = "spectrum sigma_a = 1; spectrum sigma_s = 1";
 constexpr const char* boxParameters = "point3 p0; point3 p1";
 constexpr const char* gridParameters = "integer nx = 1; integer ny = 1; integer nz = 1";
-constexpr const char* temperatureParameters = "float temperaturecutoff = 0; float temperatureoffset | temperaturecutoff = 0; float temperaturescale = 1";
+constexpr const char* temperatureParameters =
+    "float temperaturecutoff = 0; float temperatureoffset | temperaturecutoff = 0; float temperaturescale = 1";
 
 /// Reads "sigma_a" and "sigma_s".
 void readCoefficients(const Arguments& arguments, Medium& medium);

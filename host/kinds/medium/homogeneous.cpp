@@ -26,10 +26,13 @@ static bool read(const pbrt::MediumReading& in, Medium& medium) {
     return true;
 }
 
-static MediumEmission emission(const Medium& d) { return d.Le.illuminant() != glm::dvec3(0) ? MediumEmission::spectrum : MediumEmission::none; }
+static MediumEmission emission(const Medium& d) {
+    return d.Le.illuminant() != glm::dvec3(0) ? MediumEmission::spectrum : MediumEmission::none;
+}
 
 const MediumTraits homogeneous_medium{
-    .parameters = {"string preset", pbrt::coefficientParameters, "float scale = 1 in [0, inf); spectrum Le = 0; float Lescale = 1 in [0, inf)", pbrt::phaseParameters},
+    .parameters = {"string preset", pbrt::coefficientParameters,
+                   "float scale = 1 in [0, inf); spectrum Le = 0; float Lescale = 1 in [0, inf)", pbrt::phaseParameters},
     .read = read, .pack = newMedium, .emission = emission};
 
 }  // namespace eikonal

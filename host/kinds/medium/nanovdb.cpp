@@ -12,7 +12,8 @@ namespace eikonal {
 static void readGrids(const pbrt::Arguments& arguments, const std::string& path, Medium& medium) {
     const auto expectGrid = [&](bool isThere, const char* parameter) {
         if (isThere) return;
-        throw SceneError(arguments.whereOf(parameter), fmt::format("{} has no grid \"{}\"; it has \"{}\"", path, arguments.text(parameter), fmt::join(gridNames(path), "\", \"")));
+        throw SceneError(arguments.whereOf(parameter), fmt::format("{} has no grid \"{}\"; it has \"{}\"", path, arguments.text(parameter),
+                                                                   fmt::join(gridNames(path), "\", \"")));
     };
     try {
         medium.sparseDensity = readNanoVdb(path, arguments.text("gridname"));
@@ -42,7 +43,8 @@ static Box boxOf(const SparseGrid& grid) {
     const glm::dmat4 mediumFromVoxel = glm::inverse(grid.voxelFromMedium);
     Box box;
     for (int corner = 0; corner < 8; ++corner)
-        box.grow(transformPoint(mediumFromVoxel, {corner & 1 ? grid.high.x + 1. : grid.low.x, corner & 2 ? grid.high.y + 1. : grid.low.y, corner & 4 ? grid.high.z + 1. : grid.low.z}));
+        box.grow(transformPoint(mediumFromVoxel, {corner & 1 ? grid.high.x + 1. : grid.low.x, corner & 2 ? grid.high.y + 1. : grid.low.y,
+                                                  corner & 4 ? grid.high.z + 1. : grid.low.z}));
     return box;
 }
 
@@ -67,7 +69,8 @@ static MediumEmission emission(const Medium& d) { return d.sparseTemperature ? M
 
 const MediumTraits nanovdb_medium{
     .parameters = {pbrt::phaseParameters, pbrt::coefficientParameters, pbrt::temperatureParameters,
-                   "file filename; string gridname = density; string temperaturename = temperature; float Lescale = 1 in [0, inf); float scale = 1 in [0, inf)"},
+                   "file filename; string gridname = density; string temperaturename = temperature;"
+                   "float Lescale = 1 in [0, inf); float scale = 1 in [0, inf)"},
     .read = read, .pack = pack, .emission = emission};
 
 }  // namespace eikonal

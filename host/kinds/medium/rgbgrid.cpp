@@ -8,7 +8,8 @@ namespace eikonal {
 static bool read(const pbrt::MediumReading& in, Medium& medium) {
     const pbrt::Arguments& arguments = in.arguments;
     const glm::ivec3 size = readSize(arguments);
-    medium.colors = {size.x, size.y, size.z, readColors(arguments, "sigma_a"), readColors(arguments, "sigma_s"), readColors(arguments, "Le"), arguments.space()};
+    medium.colors = {size.x, size.y, size.z, readColors(arguments, "sigma_a"), readColors(arguments, "sigma_s"), readColors(arguments, "Le"),
+                     arguments.space()};
     if (medium.colors.sigmaA.empty() && medium.colors.sigmaS.empty())
         throw SceneError(arguments.where(), "medium \"rgbgrid\" needs \"rgb sigma_a\" or \"rgb sigma_s\"");
     if (!medium.colors.Le.empty() && medium.colors.sigmaA.empty())
@@ -43,7 +44,8 @@ static void packColorMajorants(Packer& packer, const ColorGrid& grid, medium& m)
     const float everywhere = m.first_sigma_a == NONE || m.first_sigma_s == NONE ? 1.f : 0.f;   // what is not given is 1
     SceneTables scratch;
     const uint packed = packGrid(scratch, greatest, voxelFromBox(grid.nx, grid.ny, grid.nz));
-    packMajorants(tables, m, majorantCells({grid.nx, grid.ny, grid.nz}), [&](glm::dvec3 low, glm::dvec3 high) { return everywhere + boundOn(scratch, packed, low, high); });
+    packMajorants(tables, m, majorantCells({grid.nx, grid.ny, grid.nz}),
+                  [&](glm::dvec3 low, glm::dvec3 high) { return everywhere + boundOn(scratch, packed, low, high); });
 }
 
 static medium pack(Packer& packer, const Medium& d) {
@@ -65,7 +67,8 @@ static MediumEmission emission(const Medium& d) { return d.colors.Le.empty() ? M
 
 const MediumTraits rgbgrid_medium{
     .parameters = {pbrt::boxParameters, pbrt::gridParameters,
-                   "colors sigma_a; colors sigma_s; colors Le; float Lescale = 1 in [0, inf); float scale = 1 in [0, inf)", pbrt::phaseParameters},
+                   "colors sigma_a; colors sigma_s; colors Le; float Lescale = 1 in [0, inf); float scale = 1 in [0, inf)",
+                   pbrt::phaseParameters},
     .read = read, .pack = pack, .emission = emission};
 
 }  // namespace eikonal

@@ -44,8 +44,8 @@ static MediumEmission emission(const Medium& d) {
 }
 
 const MediumTraits uniformgrid_medium{
-    .parameters = {pbrt::phaseParameters, pbrt::coefficientParameters, pbrt::boxParameters, pbrt::gridParameters, pbrt::temperatureParameters,
-                   "float scale = 1 in [0, inf); spectrum Le = 0; floats Lescale; floats density; floats temperature"},
+    .parameters = {pbrt::phaseParameters, pbrt::coefficientParameters, pbrt::boxParameters, pbrt::gridParameters,
+                   pbrt::temperatureParameters, "float scale = 1 in [0, inf); spectrum Le = 0; floats Lescale; floats density; floats temperature"},
     .read = read, .pack = pack, .emission = emission};
 
 }  // namespace eikonal
