@@ -2,6 +2,7 @@
 
 #include "eikonal/cameras.h"
 #include "eikonal/lights.h"
+#include "eikonal/media.h"
 #include "eikonal/shapes.h"
 
 #include <fmt/format.h>
@@ -18,6 +19,9 @@ std::optional<std::string> kindFiles(const std::string& name) {
 #define ADD_LIGHT(kind, FEATURE, PLACE) add("light", #kind, #FEATURE);
     LIGHTS(ADD_LIGHT)
 #undef ADD_LIGHT
+#define ADD_MEDIUM(kind, FEATURE, VARIATION) add("medium", #kind, #FEATURE);
+    MEDIA_KINDS(ADD_MEDIUM)
+#undef ADD_MEDIUM
 #define ADD_SHAPE(kind, FEATURE, SPACE) add("shape", #kind, #FEATURE);
     SHAPES(ADD_SHAPE)
 #undef ADD_SHAPE

@@ -1,13 +1,13 @@
 #pragma once
-// The files of a family's kinds, which no kernel has to list: `#include "light/kinds.clh"` stands for one #include for each line of LIGHTS.
+// The files of a family's kinds, which no kernel has to list: `#include "light/kinds.clh"` stands for an #include for each line of LIGHTS.
 
 #include <optional>
 #include <string>
 
 namespace eikonal {
 
-/// The text of "<family>/kinds.clh": includes kernels/<family>/<kind>.clh for each kind of the family's list (include/eikonal), in its order, and
-/// mentions their features, so that a program is built with them. Nothing if no family has a list of that name.
+/// The text of "<family>/kinds.clh": includes kernels/<family>/<kind>.clh for each kind of the family's list (include/eikonal), in its
+/// order, and mentions their features, so that a program is built with them. Nothing if no family has a list of that name.
 std::optional<std::string> kindFiles(const std::string& name);
 
 }  // namespace eikonal

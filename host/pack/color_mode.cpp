@@ -1,6 +1,7 @@
 #include "pack/color_mode.h"
 
 #include "kinds/material_kind.h"
+#include "kinds/medium_kind.h"
 #include "overloaded.h"
 
 #include <algorithm>
@@ -20,8 +21,8 @@ bool isIndexOfMetal(const Material& m, const std::string& name) {
 }
 
 bool isMeasured(const Medium& m) {
-    const bool glows = m.emissionScale > 0 && (!m.temperature.values.empty() || m.sparseTemperature);
-    return isMeasured(m.sigmaA) || isMeasured(m.sigmaS) || isMeasured(m.Le) || glows;
+    const bool isBlackbody = m.emissionScale > 0 && emissionOf(m) == MediumEmission::blackbody;
+    return isMeasured(m.sigmaA) || isMeasured(m.sigmaS) || isMeasured(m.Le) || isBlackbody;
 }
 
 /// What a texture takes its colours from.
@@ -51,7 +52,9 @@ public:
     bool has(const Input& input) {
         if (input.texture == none) return isMeasured(input.value);
         std::optional<bool>& known = known_[static_cast<size_t>(input.texture)];
-        if (!known) known = std::ranges::any_of(inputsOf(scene_.textures[static_cast<size_t>(input.texture)]), [&](const Input& i) { return has(i); });
+        if (!known)
+            known =
+                std::ranges::any_of(inputsOf(scene_.textures[static_cast<size_t>(input.texture)]), [&](const Input& i) { return has(i); });
         return *known;
     }
 
@@ -64,7 +67,9 @@ private:
 bool isMeasured(MeasuredInputs& inputs, const Material& m) {
     for (const auto& [name, input] : m.inputs)
         if (!isIndexOfMetal(m, name) && inputs.has(input)) return true;
-    const auto isMeasuredBody = [&](const DiffusionProfile& body) { return inputs.has({body.albedo, body.albedoTexture}) || inputs.has({body.length, body.pathTexture}); };
+    const auto isMeasuredBody = [&](const DiffusionProfile& body) {
+        return inputs.has({body.albedo, body.albedoTexture}) || inputs.has({body.length, body.pathTexture});
+    };
     return (m.interior && isMeasured(*m.interior)) || (m.diffusion && m.diffusion->isTextured() && isMeasuredBody(*m.diffusion));
 }
 
@@ -86,8 +91,9 @@ std::string needOfWavelengths(const Scene& scene) {
     if (scene.film.spectrum) return scene.film.where.toString() + ": film \"spectral\"";
     if (scene.film.sensor != "cie1931") return scene.film.where.toString() + ": sensor \"" + scene.film.sensor + "\"";
     MeasuredInputs inputs(scene);
-    for (const std::string& need : {firstMeasured(inputs, scene.materials, "a material"), firstMeasured(inputs, scene.lights, "a light"),
-                                    firstMeasured(inputs, scene.areaLights, "an area light"), firstMeasured(inputs, scene.media, "a medium")})
+    for (const std::string& need :
+         {firstMeasured(inputs, scene.materials, "a material"), firstMeasured(inputs, scene.lights, "a light"),
+          firstMeasured(inputs, scene.areaLights, "an area light"), firstMeasured(inputs, scene.media, "a medium")})
         if (!need.empty()) return need;
     return {};
 }

@@ -5,6 +5,7 @@
 #include "app/wait_notice.h"
 #include "film/exposure.h"
 #include "image/formats/image_formats.h"
+#include "kinds/medium_kind.h"
 #include "pack/packer.h"
 #include "render/displacement.h"
 #include "render/path_loop.h"
@@ -29,8 +30,9 @@ void prepareOpenCl(const DeviceOptions& options) {
 static void reportCacheFolder(Diagnostics& diagnostics) {
     const CacheFolder cache = ProgramCache::chooseFolder();
     if (cache.refused.empty()) return;
-    diagnostics.warnOnce("cache folder", {}, fmt::format("compiled kernels are {}: {} {}; EIKONAL_CACHE_DIR may name another folder",
-                                                         cache.path.empty() ? "not kept" : "kept in " + cache.path, cache.refused, cache.reason));
+    diagnostics.warnOnce("cache folder", {},
+                         fmt::format("compiled kernels are {}: {} {}; EIKONAL_CACHE_DIR may name another folder",
+                                     cache.path.empty() ? "not kept" : "kept in " + cache.path, cache.refused, cache.reason));
 }
 
 std::string cacheFolderFor(const DeviceOptions& options) { return options.cache ? ProgramCache::defaultFolder() : std::string(); }
@@ -38,7 +40,8 @@ std::string cacheFolderFor(const DeviceOptions& options) { return options.cache 
 StageShape shapeFor(const DeviceInfo& device, const DeviceOptions& options) {
     StageShape shape = StageShape::forDevice(device);
     if (options.localSize && *options.localSize > device.largestGroup)
-        throw UsageError(fmt::format("--local-size: \"{}\" has work-groups of at most {} items, not {}", device.name, device.largestGroup, *options.localSize));
+        throw UsageError(fmt::format("--local-size: \"{}\" has work-groups of at most {} items, not {}", device.name, device.largestGroup,
+                                     *options.localSize));
     if (options.localSize) shape.localSize = *options.localSize;
     if (options.itemsPerWorkItem) shape.itemsPerWorkItem = *options.itemsPerWorkItem;
     if (options.wavePaths) shape.wavePaths = *options.wavePaths;
@@ -54,9 +57,9 @@ BuildSettings buildSettingsFor(const DeviceOptions& options) {
 }
 
 void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& diagnostics) {
-    const auto shines = [](const Medium& m) { return m.Le.illuminant() != glm::dvec3(0) || !m.temperature.values.empty() || m.sparseTemperature || !m.colors.Le.empty(); };
+    const auto emits = [](const Medium& m) { return emissionOf(m) != MediumEmission::none; };
     if (!countsMaterials(scene.integrator) || packed.counts.lights > 0) return;
-    if (packed.features.has(Feature::MEDIA) && std::ranges::any_of(scene.media, shines)) return;
+    if (packed.features.has(Feature::MEDIA) && std::ranges::any_of(scene.media, emits)) return;
     diagnostics.warn({}, "the scene has no light: the image will be black");
 }
 
@@ -64,14 +67,15 @@ Session::Session(const Options& options, Diagnostics& diagnostics, bool profilin
     : options_(options), diagnostics_(diagnostics), profiling_(profiling) {
     times_.start = secondsSinceStart();
     prepareOpenCl(options.device);
-    if (options.device.threads > 0) hostThreads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(options.device.threads));
+    if (options.device.threads > 0)
+        hostThreads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(options.device.threads));
 }
 
 Session::~Session() = default;
 
 void Session::load(bool withDevice) {
-    /* Opening a device reads a whole compiler from disk: time to read the scene meanwhile, and to load what decodes its images. The device is opened on the thread that uses
-       it: Oclgrind 21.10 keeps its memory apart for each thread */
+    /* Opening a device reads a whole compiler from disk: time to read the scene meanwhile, and to load what decodes its images. The device
+       is opened on the thread that uses it: Oclgrind 21.10 keeps its memory apart for each thread */
     auto loaded = std::async(std::launch::async, [this] {
         const Stopwatch time;
         scene_ = loadScene(options_.scene, diagnostics_);
@@ -128,7 +132,8 @@ void Session::buildKernels() {
     const Stopwatch time;
     const BuildSettings settings = buildSettingsFor(options_.device);
     missing_ = Stages::missing(*compiler_, packed_, shape_, settings);
-    const WaitNotice notice(fmt::format("compiling {} kernel{} for this device{}", missing_, missing_ == 1 ? "" : "s", compiler_->cache().folder().empty() ? "" : "; they are kept for the next time"),
+    const WaitNotice notice(fmt::format("compiling {} kernel{} for this device{}", missing_, missing_ == 1 ? "" : "s",
+                                        compiler_->cache().folder().empty() ? "" : "; they are kept for the next time"),
                             missing_ == 0 || options_.log < LogLevel::warning);
     if (options_.device.cache && context_->device().isCpu) compileInWorkers(options_.device, packed_, missing_);
     times_.workers = time.seconds();
@@ -139,7 +144,8 @@ void Session::buildKernels() {
 MemoryPlan Session::plan() const {
     const size_t pixels = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height());
     const size_t onDevice = std::min<size_t>(pixels, shape_.wavePaths);
-    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape_), (pixels + onDevice) * Film::bytes(packed_), pixels * Film::developedBytes(packed_)};
+    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape_), (pixels + onDevice) * Film::bytes(packed_),
+            pixels * Film::developedBytes(packed_)};
 }
 
 void Session::prepare() {
@@ -147,8 +153,10 @@ void Session::prepare() {
     deviceScene_ = std::make_unique<DeviceScene>(*context_, packed_);
     times_.upload = uploadTime.seconds();
     const Stopwatch launchTime;
-    const size_t paths = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height()) * static_cast<size_t>(packed_.samples);
-    wave_ = std::make_unique<Wave>(*context_, *deviceScene_, packed_, *stages_, shape_, profile_, paths < shape_.wavePaths ? PageSize::small : PageSize::large);
+    const size_t paths =
+        static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height()) * static_cast<size_t>(packed_.samples);
+    wave_ = std::make_unique<Wave>(*context_, *deviceScene_, packed_, *stages_, shape_, profile_,
+                                   paths < shape_.wavePaths ? PageSize::small : PageSize::large);
     wave_->warmUp();
     times_.launch = launchTime.seconds();
     const Stopwatch keepTime;

@@ -35,23 +35,24 @@ struct ColorGrid {
     ColorSpace space = ColorSpace::srgb;
 };
 
-enum class MediumKind { homogeneous, uniformGrid, rgbGrid, cloud, nanovdb };
+struct MediumKind;   // host/kinds/medium_kind.h
 
+/// A medium. Which fields count depends on its kind (host/kinds/medium/); the others keep their defaults.
 struct Medium {
-    MediumKind kind = MediumKind::homogeneous;
+    const MediumKind* kind = nullptr;   ///< never null in a scene
     std::string name;
-    Spectrum sigmaA, sigmaS;       ///< per world unit, "scale" included; rgbGrid: only the scale, which its colours multiply
+    Spectrum sigmaA, sigmaS;       ///< per world unit, "scale" included; rgbgrid: only the scale, which its colours multiply
     Spectrum Le;                   ///< "Lescale" included, if it is a single number
     double g = 0;
-    glm::dvec3 p0{0}, p1{1};       ///< grids and clouds: their box in medium space
+    glm::dvec3 p0{0}, p1{1};       ///< heterogeneous media: their box in medium space
     Transform worldFromMedium{1};
 
-    Grid density;                  ///< uniformGrid
-    Grid temperature, LeScale;     ///< uniformGrid: empty if not given
+    Grid density;                  ///< uniformgrid
+    Grid temperature, LeScale;     ///< uniformgrid: empty if not given
     std::shared_ptr<const SparseGrid> sparseDensity, sparseTemperature;  ///< nanovdb; the temperature may be null
     double temperatureOffset = 0, temperatureScale = 1;                  ///< kelvin = (temperature - offset) * scale
     double emissionScale = 1;      ///< factor of emission by temperature or by a grid of colours
-    ColorGrid colors;              ///< rgbGrid
+    ColorGrid colors;              ///< rgbgrid
     double cloudDensity = 1, wispiness = 1, frequency = 5;               ///< cloud
 
     SourceLocation where;

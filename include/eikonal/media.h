@@ -1,17 +1,20 @@
-/* Every participating medium.   M(name, FEATURE).  A medium called x is kernels/medium/x.clh. */
+/* Every kind of participating medium. M(name, FEATURE, VARIATION): medium x is kernels/medium/x.clh beside host/kinds/medium/x.cpp.
+   VARIATION says how its coefficients vary, and with that what x.clh defines:
+     HOMOGENEOUS     not at all: nothing; kernels/medium/homogeneous.clh samples all of them
+     HETEROGENEOUS   from point to point of a box: eval_x_medium and bounded_x_medium (kernels/medium/null_collision.clh) */
 #ifndef EIKONAL_MEDIA_H
 #define EIKONAL_MEDIA_H
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
 
 #define MEDIA_KINDS(M) \
-    M(homogeneous_medium,  MEDIUM_HOMOGENEOUS) \
-    M(uniformgrid_medium,  MEDIUM_UNIFORMGRID)  /* density on a regular grid */ \
-    M(rgbgrid_medium,      MEDIUM_RGBGRID)      /* coefficients on a regular grid */ \
-    M(cloud_medium,        MEDIUM_CLOUD)        /* density from noise */ \
-    M(nanovdb_medium,      MEDIUM_NANOVDB)      /* density on a sparse grid */
+    M(homogeneous, MEDIUM_HOMOGENEOUS, HOMOGENEOUS) \
+    M(uniformgrid, MEDIUM_UNIFORMGRID, HETEROGENEOUS)  /* density on a regular grid */ \
+    M(rgbgrid,     MEDIUM_RGBGRID,     HETEROGENEOUS)  /* coefficients on a regular grid */ \
+    M(cloud,       MEDIUM_CLOUD,       HETEROGENEOUS)  /* density from noise */ \
+    M(nanovdb,     MEDIUM_NANOVDB,     HETEROGENEOUS)  /* density on a sparse grid */
 
-#define MEDIUM_KIND(name, FEATURE) kind_##name,
+#define MEDIUM_KIND(name, FEATURE, VARIATION) kind_##name##_medium,
 enum medium_kind { MEDIA_KINDS(MEDIUM_KIND) medium_kinds };
 
 /* Bricks of a grid have this many cells a side, and hold the values at all of their corners: one more, which neighbours hold as well.
@@ -50,7 +53,7 @@ typedef struct {
     float g;                   /* Henyey-Greenstein: mean cosine, in [-0.99, 0.99] */
     uint equiangular_lights;   /* homogeneous ones that scatter: how many of `point_lights` there are; 0: none, or none that matters */
 
-    /* All but homogeneous ones: they fill the unit cube, and nothing else */
+    /* HETEROGENEOUS: they fill the unit cube, and nothing else */
     affine box_from_scene;
     uint majorants_x, majorants_y, majorants_z;
     uint first_majorant;       /* in `majorants`, x fastest: bounds, over the cells of a coarse grid, on what multiplies sigma_t */

@@ -1,7 +1,8 @@
-// Every medium of the list MEDIA_KINDS: where a path's way ends, what is left of it, and what shines on it, against integrals along the way of what
-// the medium says of itself.
+// Every medium of the list MEDIA_KINDS: where a path's way ends, what is left of it, and what shines on it, against integrals along the way
+// of what the medium says of itself.
 
 #include "medium_walk.h"
+#include "kinds/medium_kind.h"
 #include "random_inputs.h"
 
 #include <fmt/format.h>
@@ -24,7 +25,8 @@ TEST_P(EveryMedium, ShadowRaysLoseWhatTheyShould) {
     const PackedScene packed = scene();
     const DeviceScene onDevice(testContext(), packed);
     for (const MediumRay& ray : rays) {
-        const Channels tau = channelsOf(integrate().with(onDevice, std::vector<vec3>{ray.o}, std::vector<vec3>{ray.d}, std::vector<float>{wayLength})[0].tau);
+        const Channels tau = channelsOf(
+            integrate().with(onDevice, std::vector<vec3>{ray.o}, std::vector<vec3>{ray.d}, std::vector<float>{wayLength})[0].tau);
         std::array<Accumulator, 3> T;
         for (const Walked& w : walk(attenuate(), onDevice, ray, wayLength, 30000)) {
             const double density = mean(w.r_u) + mean(w.r_l);
@@ -70,9 +72,11 @@ TEST_P(EveryMedium, WeightsAreRightInEveryChannel) {
 /// No point of the medium exceeds the bound of its cell.
 TEST_P(EveryMedium, IsBounded) {
     const PackedScene packed = scene();
-    if (packed.tables.media[0].kind == kind_homogeneous_medium) GTEST_SKIP() << "it needs no bounds";
+    if (kindOf(packed.tables.media[0]).variation == MediumVariation::HOMOGENEOUS) GTEST_SKIP() << "it needs no bounds";
     struct Both { spectrum sigma_t, bound; };
-    const DeviceFunction<Both> function({.include = "medium/medium.clh", .type = "both", .body = R"(
+    const DeviceFunction<Both> function({.include = "medium/medium.clh",
+                                         .type = "both",
+                                         .body = R"(
         medium_tables medium_set = BIND_MEDIA;
         color_tables color_set = BIND_COLORS;
         sampled_wavelengths colors = path_wavelengths(color_set, 0u, 0u);
@@ -81,7 +85,9 @@ TEST_P(EveryMedium, IsBounded) {
         medium_spectra at = eval_medium_point(medium_set, colors, m, c, p);
         result.sigma_t = add(at.sigma_a, at.sigma_s);
         result.bound = mul(bounded_extinction(m, c), current_majorant(medium_set, m, start_majorant(m, p, make_vec3(0.0f, 0.0f, 1.0f), 1.0f)));)",
-        .inputs = {"vec3 p"}, .declarations = "typedef struct { spectrum sigma_t, bound; } both;", .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"});
+                                         .inputs = {"vec3 p"},
+                                         .declarations = "typedef struct { spectrum sigma_t, bound; } both;",
+                                         .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     const DeviceScene onDevice(testContext(), packed);
     Random random(7);
     std::vector<vec3> points;
@@ -97,10 +103,7 @@ TEST_P(EveryMedium, IsBounded) {
 
 std::vector<std::string> kinds() {
     std::vector<std::string> names;
-#define MEDIUM_NAME(name, FEATURE) names.push_back(#name);
-    MEDIA_KINDS(MEDIUM_NAME)
-#undef MEDIUM_NAME
-    for (std::string& name : names) name.resize(name.size() - std::string("_medium").size());
+    for (const MediumKind& e : mediumKindList()) names.push_back(e.name);
     return names;
 }
 INSTANTIATE_TEST_SUITE_P(Media, EveryMedium, testing::ValuesIn(kinds()), [](const auto& info) { return info.param; });
@@ -109,8 +112,12 @@ INSTANTIATE_TEST_SUITE_P(Media, EveryMedium, testing::ValuesIn(kinds()), [](cons
 TEST(ExtremeMedia, EveryOpticalDepthIsFiniteAndRight) {
     for (const std::string kind : {"homogeneous", "uniformgrid"})
         for (const double depth : {0., 1e-12, 1e-3, 1., 20., 1e3, 1e6, 1e9}) {
-            const PackedScene packed = sceneWith(kind, fmt::format("\"rgb sigma_a\" [ {0} 0 {1} ] \"rgb sigma_s\" [ {0} {0} 0 ] \"rgb Le\" [ 1 1 1 ] ", depth, depth * 1e-3) +
-                                                           (kind == "homogeneous" ? "" : "\"integer nx\" 2 \"point3 p0\" [ -1 -1 -1 ] \"point3 p1\" [ 1 1 1 ] \"float density\" [ 1 1 ]"));
+            const PackedScene packed = sceneWith(
+                kind,
+                fmt::format("\"rgb sigma_a\" [ {0} 0 {1} ] \"rgb sigma_s\" [ {0} {0} 0 ] \"rgb Le\" [ 1 1 1 ] ", depth, depth * 1e-3) +
+                    (kind == "homogeneous"
+                         ? ""
+                         : "\"integer nx\" 2 \"point3 p0\" [ -1 -1 -1 ] \"point3 p1\" [ 1 1 1 ] \"float density\" [ 1 1 ]"));
             const DeviceScene onDevice(testContext(), packed);
             const MediumRay ray{{-0.5f, 0, 0}, {1, 0, 0}};
             std::array<Accumulator, 3> T, passed;
@@ -119,7 +126,8 @@ TEST(ExtremeMedia, EveryOpticalDepthIsFiniteAndRight) {
                     ASSERT_TRUE(finite(w.beta) && finite(w.r_u) && finite(w.r_l) && finite(w.L)) << kind << " of depth " << depth;
                     const double density = mean(w.r_u) + (function == &attenuate() ? mean(w.r_l) : 0);
                     for (int c = 0; c < 3; ++c)
-                        (function == &attenuate() ? T : passed)[c].add(w.end != 0 || mean(w.beta) == 0 ? 0 : channelsOf(w.beta)[c] / density);
+                        (function == &attenuate() ? T : passed)[c].add(w.end != 0 || mean(w.beta) == 0 ? 0
+                                                                                                       : channelsOf(w.beta)[c] / density);
                 }
             const Channels sigma{2 * depth, depth, depth * 1e-3};
             for (int c = 0; c < 3; ++c)

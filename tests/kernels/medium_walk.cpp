@@ -33,24 +33,35 @@ static std::string values(int each, double low, double high) {
 }
 
 std::string parametersOf(const std::string& kind) {
-    const std::string colours = "\"rgb sigma_a\" [ 0.4 0.8 1.5 ] \"rgb sigma_s\" [ 0.5 2 1 ] ", size = "\"integer nx\" 5 \"integer ny\" 4 \"integer nz\" 6 ",
+    const std::string colours = "\"rgb sigma_a\" [ 0.4 0.8 1.5 ] \"rgb sigma_s\" [ 0.5 2 1 ] ",
+                      size = "\"integer nx\" 5 \"integer ny\" 4 \"integer nz\" 6 ",
                       box = "\"point3 p0\" [ -0.5 -0.4 -0.5 ] \"point3 p1\" [ 0.5 0.6 0.4 ] ";
     const std::map<std::string, std::string> all = {
         {"homogeneous", colours + "\"rgb Le\" [ 1 2 0.5 ]"},
-        {"uniformgrid", colours + size + box + "\"float scale\" 2 \"float density\" " + values(1, 0, 3) + " \"float Lescale\" " + values(1, 0, 1) + " \"rgb Le\" [ 1 2 0.5 ]"},
-        {"rgbgrid", size + box + "\"float scale\" 2 \"rgb sigma_a\" " + values(3, 0, 2) + " \"rgb sigma_s\" " + values(3, 0, 3) + " \"rgb Le\" " + values(3, 0, 1)},
+        {"uniformgrid", colours + size + box + "\"float scale\" 2 \"float density\" " + values(1, 0, 3) + " \"float Lescale\" " +
+                            values(1, 0, 1) + " \"rgb Le\" [ 1 2 0.5 ]"},
+        {"rgbgrid", size + box + "\"float scale\" 2 \"rgb sigma_a\" " + values(3, 0, 2) + " \"rgb sigma_s\" " + values(3, 0, 3) +
+                        " \"rgb Le\" " + values(3, 0, 1)},
         {"cloud", colours + "\"point3 p0\" [ -0.5 0 -0.5 ] \"point3 p1\" [ 0.5 1 0.5 ] \"float density\" 2"},
-        {"nanovdb", colours + "\"float scale\" 3 \"float temperaturescale\" 2 \"float temperatureoffset\" 100 \"float Lescale\" 0.1 \"string filename\" \"" + nanoVdbFile() + "\""}};
+        {"nanovdb",
+         colours +
+             "\"float scale\" 3 \"float temperaturescale\" 2 \"float temperatureoffset\" 100 \"float Lescale\" 0.1 \"string filename\" \"" +
+             nanoVdbFile() + "\""}};
     const auto found = all.find(kind);
     return found == all.end() ? "" : found->second;
 }
 
 PackedScene sceneWith(const std::string& kind, const std::string& parameters, const std::string& lights) {
-    return packText("WorldBegin " + lights + " MakeNamedMedium \"m\" \"string type\" \"" + kind + "\" " + parameters + " MediumInterface \"m\" \"\" Material \"interface\" Shape \"sphere\" \"float radius\" 0.5", ColorMode::rgb);
+    return packText("WorldBegin " + lights + " MakeNamedMedium \"m\" \"string type\" \"" + kind + "\" " + parameters +
+                        " MediumInterface \"m\" \"\" Material \"interface\" Shape \"sphere\" \"float radius\" 0.5",
+                    ColorMode::rgb);
 }
 
 const DeviceFunction<Integrals>& integrate() {
-    static const DeviceFunction<Integrals> function({.include = "medium/medium.clh", .type = "integrals", .body = R"(
+    static const DeviceFunction<Integrals> function(
+        {.include = "medium/medium.clh",
+         .type = "integrals",
+         .body = R"(
         medium_tables medium_set = BIND_MEDIA;
         color_tables color_set = BIND_COLORS;
         sampled_wavelengths colors = path_wavelengths(color_set, 0u, 0u);
@@ -63,7 +74,7 @@ const DeviceFunction<Integrals>& integrate() {
             vec3 p = mul_add(box_d, ((float)i + 0.5f) * step, box_o);
             int inside = (p.x >= 0.0f) & (p.y >= 0.0f) & (p.z >= 0.0f) & (p.x <= 1.0f) & (p.y <= 1.0f) & (p.z <= 1.0f);
             medium_spectra at = c;
-            if (m.kind != kind_homogeneous_medium) {
+            if (is_heterogeneous(m)) {
                 if (!inside) continue;
                 at = eval_medium_point(medium_set, colors, m, c, p);
             }
@@ -74,29 +85,41 @@ const DeviceFunction<Integrals>& integrate() {
             result.emitted = add(result.emitted, mul(mul(at.sigma_a, at.Le), T));
             result.tau = add(result.tau, mul(half_tau, 2.0f));
         })",
-        .inputs = {"vec3 o", "vec3 d", "float t"},
-        .declarations = "typedef struct { spectrum tau, absorbed, scattered, emitted; } integrals;", .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"});
+         .inputs = {"vec3 o", "vec3 d", "float t"},
+         .declarations = "typedef struct { spectrum tau, absorbed, scattered, emitted; } integrals;",
+         .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     return function;
 }
 
 static FunctionText walkText(const std::string& body) {
-    return {.include = "medium/medium.clh", .type = "walked",
-            .body = "medium_tables medium_set = BIND_MEDIA; color_tables color_set = BIND_COLORS; sampled_wavelengths colors = path_wavelengths(color_set, 0u, 0u); random_stream more = make_stream(seed, 1u, 2u); spectrum zero = uniform_spectrum(0.0f), one = uniform_spectrum(1.0f); track end = {track_passes, t};" + body +
-                    "result.end = end.end; result.t = end.t; result.beta = path.beta; result.r_u = path.r_u; result.r_l = path.r_l; result.L = path.L;",
+    return {.include = "medium/medium.clh",
+            .type = "walked",
+            .body =
+                "medium_tables medium_set = BIND_MEDIA; color_tables color_set = BIND_COLORS; sampled_wavelengths colors = "
+                "path_wavelengths(color_set, 0u, 0u); random_stream more = make_stream(seed, 1u, 2u); spectrum zero = "
+                "uniform_spectrum(0.0f), one = uniform_spectrum(1.0f); track end = {track_passes, t};" +
+                body +
+                "result.end = end.end; result.t = end.t; result.beta = path.beta; result.r_u = path.r_u; result.r_l = path.r_l; result.L = "
+                "path.L;",
             .inputs = {"vec3 o", "vec3 d", "float t", "uint hero", "uint seed"},
-            .declarations = "typedef struct { uint end; float t; spectrum beta, r_u, r_l, L; } walked;", .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"};
+            .declarations = "typedef struct { uint end; float t; spectrum beta, r_u, r_l, L; } walked;",
+            .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"};
 }
 
 const DeviceFunction<Walked>& track() {
-    static const DeviceFunction<Walked> function(walkText("tracked_path path = {hero, one, one, one, zero}; float u = next_random(&more); end = sample_medium(medium_set, colors, 0u, o, d, t, u, &more, &path);"));
+    static const DeviceFunction<Walked> function(
+        walkText("tracked_path path = {hero, one, one, one, zero}; float u = next_random(&more); end = sample_medium(medium_set, colors, "
+                 "0u, o, d, t, u, &more, &path);"));
     return function;
 }
 const DeviceFunction<Walked>& attenuate() {
-    static const DeviceFunction<Walked> function(walkText("tracked_path path = {hero, one, zero, one, zero}; attenuate_medium(medium_set, colors, 0u, o, d, t, &more, &path);"));
+    static const DeviceFunction<Walked> function(
+        walkText("tracked_path path = {hero, one, zero, one, zero}; attenuate_medium(medium_set, colors, 0u, o, d, t, &more, &path);"));
     return function;
 }
 
-std::vector<Walked> walk(const DeviceFunction<Walked>& function, const DeviceScene& scene, const MediumRay& ray, float t, size_t n, int hero) {
+std::vector<Walked> walk(const DeviceFunction<Walked>& function, const DeviceScene& scene, const MediumRay& ray, float t, size_t n,
+                         int hero) {
     std::vector<uint> heroes(n), seeds(n);
     for (size_t i = 0; i < n; ++i) {
         heroes[i] = hero < 0 ? static_cast<uint>(i % 3) : static_cast<uint>(hero);
@@ -112,7 +135,8 @@ void expectMean(const Accumulator& a, double expected, const std::string& what) 
 }
 
 void expectWeights(const DeviceScene& scene, const MediumRay& ray) {
-    const Integrals expected = integrate().with(scene, std::vector<vec3>{ray.o}, std::vector<vec3>{ray.d}, std::vector<float>{wayLength})[0];
+    const Integrals expected =
+        integrate().with(scene, std::vector<vec3>{ray.o}, std::vector<vec3>{ray.d}, std::vector<float>{wayLength})[0];
     std::array<Accumulator, 3> passed, scattered, emitted;
     for (const Walked& w : walk(track(), scene, ray, wayLength, 60000)) {
         ASSERT_TRUE(finite(w.beta) && finite(w.r_u) && finite(w.r_l) && finite(w.L));

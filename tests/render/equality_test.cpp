@@ -4,6 +4,7 @@
 #include "run_program.h"
 
 #include "image/image_file.h"
+#include "kinds/medium_kind.h"
 
 #include <fmt/format.h>
 
@@ -66,20 +67,22 @@ AttributeBegin Material "dielectric" MediumInterface "smoke" "" Translate 1.5 -.
 AttributeBegin AreaLightSource "diffuse" "rgb L" [20 20 20] Material "diffuse" MediumInterface "" "smoke" Translate -.6 .2 -1.2 Shape "sphere" "float radius" .05 AttributeEnd
 )";
 
-/// Every feature but those that choose another method, where the same image is only the same on average: wavelengths, a filter's table, a sampler, a
-/// lens of radius 0, a camera of another kind or one that moves nowhere, frames along the surface, curves (with them, light is sampled from where the
-/// next ray starts), another integrator, and media, with which strategies are weighted by the
-/// balance heuristic instead of the power heuristic.
+/// Every feature but those that choose another method, where the same image is only the same on average: wavelengths, a filter's table, a
+/// sampler, a lens of radius 0, a camera of another kind or one that moves nowhere, frames along the surface, curves (with them, light is
+/// sampled from where the next ray starts), another integrator, and media, with which strategies are weighted by the balance heuristic
+/// instead of the power heuristic.
 Features allButMethods() {
     using enum Feature;
     Features methods;
-    for (Feature f : {SPECTRAL, SPECTRAL_FILM, DISPERSION, ANISOTROPY, SHAPE_CURVE, SHAPE_IMPLICIT, FILTER, SOBOL, JOINT_PAIRS, LENS, CAMERA_MOTION, MEDIA, EQUIANGULAR,
-                      AMBIENT_OCCLUSION, TREE, UNIFORM_DIRECTIONS}) methods.require(f);
+    for (Feature f : {SPECTRAL, SPECTRAL_FILM, DISPERSION, ANISOTROPY, SHAPE_CURVE, SHAPE_IMPLICIT, FILTER, SOBOL, JOINT_PAIRS, LENS,
+                      CAMERA_MOTION, MEDIA, EQUIANGULAR, AMBIENT_OCCLUSION, TREE, UNIFORM_DIRECTIONS})
+        methods.require(f);
 #define REQUIRE(name, FEATURE) methods.require(Feature::FEATURE);
 #define REQUIRE_CAMERA(name, FEATURE, CODE) REQUIRE(name, FEATURE)
-    MEDIA_KINDS(REQUIRE) CAMERAS(REQUIRE_CAMERA)
+    CAMERAS(REQUIRE_CAMERA)
 #undef REQUIRE_CAMERA
 #undef REQUIRE
+    for (const MediumKind& e : mediumKindList()) methods.require(e.feature);
     Features features;
     for (size_t i = 0; i < featureCount; ++i)
         if (!methods.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));
@@ -140,7 +143,9 @@ TEST_P(Equality, AnEndedRenderHasWholeSamples) {
         scene.samples = n;
         const FilmImage whole = render(scene, plain()).image;
         for (size_t i = 0; i < whole.pixelCount(); ++i)
-            if (ended.image.sampleCount[i] == static_cast<float>(n)) { ASSERT_EQ(ended.image.color[i], whole.color[i]) << n << " samples, pixel " << i; }
+            if (ended.image.sampleCount[i] == static_cast<float>(n)) {
+                ASSERT_EQ(ended.image.color[i], whole.color[i]) << n << " samples, pixel " << i;
+            }
     }
 }
 
@@ -179,7 +184,9 @@ TEST_P(Equality, WaveSizeDoesNotShowInAdaptiveSampling) {
         scene.samples = n;
         const FilmImage uniform = render(scene, plain()).image;
         for (size_t i = 0; i < uniform.pixelCount(); ++i)
-            if (adaptive.image.sampleCount[i] == static_cast<float>(n)) { ASSERT_EQ(adaptive.image.color[i], uniform.color[i]) << n << " samples, pixel " << i; }
+            if (adaptive.image.sampleCount[i] == static_cast<float>(n)) {
+                ASSERT_EQ(adaptive.image.color[i], uniform.color[i]) << n << " samples, pixel " << i;
+            }
     }
 }
 
@@ -229,7 +236,8 @@ class Threads : public ProgramTest {};
 TEST_F(Threads, DoNotShow) {
     write("scene.pbrt", sceneText(view(), mediumWorld));
     for (const char* threads : {"1", "2"}) {
-        const Outcome run = this->run({"render", "scene.pbrt", "-o", std::string(threads) + ".exr", "--aov", "all", "--nthreads", threads, "--contraction", "off", "--spp", "64", "--target-error", "0.15"});
+        const Outcome run = this->run({"render", "scene.pbrt", "-o", std::string(threads) + ".exr", "--aov", "all", "--nthreads", threads,
+                                       "--contraction", "off", "--spp", "64", "--target-error", "0.15"});
         ASSERT_EQ(run.status, 0) << run.error;
     }
     expectSameBits(readImage(path("1.exr")).image, readImage(path("2.exr")).image, "one thread and two");

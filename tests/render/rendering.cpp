@@ -1,6 +1,7 @@
 #include "rendering.h"
 
 #include "device/cache.h"
+#include "kinds/medium_kind.h"
 #include "pack/environment_guide.h"
 #include "render/path_loop.h"
 #include "render/roulette_pilot.h"
@@ -37,9 +38,11 @@ Compiler& compiler() {
 }
 
 std::string sceneText(const View& view, const std::string& world) {
-    return fmt::format("LookAt {}\nCamera \"perspective\" \"float fov\" {}\nFilm \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {}\n"
-                       "PixelFilter \"box\"\nSampler \"{}\" \"integer pixelsamples\" {}\nIntegrator \"volpath\" \"integer maxdepth\" {}\n{}\nWorldBegin\n{}\n",
-                       view.lookAt, view.fov, view.width, view.height, view.sampler, view.samples, view.maxDepth, view.more, world);
+    return fmt::format(
+        "LookAt {}\nCamera \"perspective\" \"float fov\" {}\nFilm \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {}\n"
+        "PixelFilter \"box\"\nSampler \"{}\" \"integer pixelsamples\" {}\nIntegrator \"volpath\" \"integer maxdepth\" "
+        "{}\n{}\nWorldBegin\n{}\n",
+        view.lookAt, view.fov, view.width, view.height, view.sampler, view.samples, view.maxDepth, view.more, world);
 }
 
 PackedScene packScene(const std::string& text, ColorMode color) {
@@ -47,16 +50,49 @@ PackedScene packScene(const std::string& text, ColorMode color) {
     Scene scene = readPbrtText(text, "test.pbrt", ".", diagnostics);
     scene.colorMode = color;
     PackedScene packed = packScene(scene, diagnostics);
-    if (!diagnostics.warnings().empty()) throw std::invalid_argument("the scene of a test gives a warning: " + diagnostics.warnings().front());
+    if (!diagnostics.warnings().empty())
+        throw std::invalid_argument("the scene of a test gives a warning: " + diagnostics.warnings().front());
     return packed;
+}
+
+static Features mediumKindFeatures() {
+    Features features;
+    for (const MediumKind& e : mediumKindList()) features.require(e.feature);
+    return features;
 }
 
 Features surfaceFeatures() {
     using enum Feature;
-    const Features others = Features().require(SHAPE_CURVE).require(SHAPE_IMPLICIT).require(SPECTRAL).require(SPECTRAL_FILM).require(DISPERSION).require(MEDIA).require(AOVS).require(MOTION_VECTORS).require(SOBOL).require(JOINT_PAIRS).require(AMBIENT_OCCLUSION).require(TREE).require(UNIFORM_DIRECTIONS).require(LENS).require(FILTER).require(BUMP).require(NORMAL_MAP)
-        .require(CAMERA_ORTHOGRAPHIC).require(CAMERA_SPHERICAL).require(CAMERA_REALISTIC).require(APERTURE).require(CAMERA_MOTION).require(MOTION)
-        .require(LIGHT_IMAGE_INFINITE).require(TEXTURE_IMAGEMAP).require(TEXTURE_FBM).require(TEXTURE_WRINKLED).require(TEXTURE_WINDY).require(TEXTURE_MARBLE)
-        .require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID).require(MEDIUM_RGBGRID).require(MEDIUM_CLOUD).require(MEDIUM_NANOVDB);
+    const Features others = mediumKindFeatures()
+                                .require(SHAPE_CURVE)
+                                .require(SHAPE_IMPLICIT)
+                                .require(SPECTRAL)
+                                .require(SPECTRAL_FILM)
+                                .require(DISPERSION)
+                                .require(MEDIA)
+                                .require(AOVS)
+                                .require(MOTION_VECTORS)
+                                .require(SOBOL)
+                                .require(JOINT_PAIRS)
+                                .require(AMBIENT_OCCLUSION)
+                                .require(TREE)
+                                .require(UNIFORM_DIRECTIONS)
+                                .require(LENS)
+                                .require(FILTER)
+                                .require(BUMP)
+                                .require(NORMAL_MAP)
+                                .require(CAMERA_ORTHOGRAPHIC)
+                                .require(CAMERA_SPHERICAL)
+                                .require(CAMERA_REALISTIC)
+                                .require(APERTURE)
+                                .require(CAMERA_MOTION)
+                                .require(MOTION)
+                                .require(LIGHT_IMAGE_INFINITE)
+                                .require(TEXTURE_IMAGEMAP)
+                                .require(TEXTURE_FBM)
+                                .require(TEXTURE_WRINKLED)
+                                .require(TEXTURE_WINDY)
+                                .require(TEXTURE_MARBLE);
     Features features;
     for (size_t i = 0; i < featureCount; ++i)
         if (!others.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));
@@ -64,7 +100,7 @@ Features surfaceFeatures() {
 }
 Features mediumFeatures() {
     using enum Feature;
-    return surfaceFeatures().require(MEDIA).require(MEDIUM_HOMOGENEOUS).require(MEDIUM_UNIFORMGRID).require(MEDIUM_RGBGRID).require(MEDIUM_CLOUD).require(MEDIUM_NANOVDB);
+    return surfaceFeatures().require(MEDIA) | mediumKindFeatures();
 }
 static RenderSetup forcing(const Features& features) {
     RenderSetup setup;
@@ -170,15 +206,19 @@ void expectSameBits(const FilmImage& a, const FilmImage& b, const std::string& w
         for (int x = std::max(a.bounds.x0, b.bounds.x0); x < std::min(a.bounds.x1, b.bounds.x1); ++x) {
             const size_t i = a.index(x, y), j = b.index(x, y);
             const auto bits = [](const FilmImage& f, size_t k) {
-                return std::array{std::bit_cast<std::uint32_t>(f.color[k].r), std::bit_cast<std::uint32_t>(f.color[k].g), std::bit_cast<std::uint32_t>(f.color[k].b),
-                                  std::bit_cast<std::uint32_t>(f.variance[k]), std::bit_cast<std::uint32_t>(f.sampleCount[k])};
+                return std::array{std::bit_cast<std::uint32_t>(f.color[k].r), std::bit_cast<std::uint32_t>(f.color[k].g),
+                                  std::bit_cast<std::uint32_t>(f.color[k].b), std::bit_cast<std::uint32_t>(f.variance[k]),
+                                  std::bit_cast<std::uint32_t>(f.sampleCount[k])};
             };
             ++compared;
             if (bits(a, i) == bits(b, j)) continue;
-            if (!different++) first = fmt::format("({}, {}): {:.9g} {:.9g} {:.9g} and {:.9g} {:.9g} {:.9g}", x, y, a.color[i].r, a.color[i].g, a.color[i].b, b.color[j].r, b.color[j].g, b.color[j].b);
+            if (!different++)
+                first = fmt::format("({}, {}): {:.9g} {:.9g} {:.9g} and {:.9g} {:.9g} {:.9g}", x, y, a.color[i].r, a.color[i].g,
+                                    a.color[i].b, b.color[j].r, b.color[j].g, b.color[j].b);
         }
     size_t otherChannels = 0;
-    for (const auto& [x, y] : {std::pair(&a.albedo, &b.albedo), {&a.normal, &b.normal}, {&a.geometricNormal, &b.geometricNormal}, {&a.position, &b.position}})
+    for (const auto& [x, y] :
+         {std::pair(&a.albedo, &b.albedo), {&a.normal, &b.normal}, {&a.geometricNormal, &b.geometricNormal}, {&a.position, &b.position}})
         for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];
     for (const auto& [x, y] : {std::pair(&a.motion, &b.motion), {&a.uv, &b.uv}, {&a.depthSlope, &b.depthSlope}})
         for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];
@@ -193,7 +233,8 @@ void expectSameBits(const FilmImage& a, const FilmImage& b, const std::string& w
 }
 
 void expectFinite(const Rendered& rendered, const std::string& what) {
-    EXPECT_EQ(rendered.invalid.count, 0u) << what << ": invalid samples, the first in pixel (" << rendered.invalid.x << ", " << rendered.invalid.y << ")";
+    EXPECT_EQ(rendered.invalid.count, 0u) << what << ": invalid samples, the first in pixel (" << rendered.invalid.x << ", "
+                                          << rendered.invalid.y << ")";
     size_t bad = 0;
     for (const glm::vec3& c : rendered.image.color)
         for (int k = 0; k < 3; ++k) bad += !(c[k] >= 0 && std::isfinite(c[k]));

@@ -14,7 +14,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 FOLDERS = ("host", "kernels", "include", "tests", "docs", "scenes", "cmake")
 # File names that recipes use for a file that the reader is about to write.
-PLACEHOLDERS = re.compile(r"<[^<>]*>|(?<=/)(velvet|x|x_medium)(?=\.)")
+PLACEHOLDERS = re.compile(r"<[^<>]*>|(?<=/)(velvet|x)(?=\.)")
 SOURCE_NAME = re.compile(r"[a-z]\w*\.(?:clh?|h|cpp|py)")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 CODE = re.compile(r"`([^`]+)`")

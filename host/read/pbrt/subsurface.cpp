@@ -1,6 +1,7 @@
 #include "read/pbrt/subsurface.h"
 
 #include "color/diffuse_albedo.h"
+#include "kinds/medium_kind.h"
 #include "read/formats/image.h"
 #include "read/pbrt/medium_presets.h"
 
@@ -33,7 +34,8 @@ const AlbedoTable& albedoTable(Reading& reading, double g, double eta) {
 
 void warnOfIgnored(Reading& reading, const Arguments& arguments, std::initializer_list<const char*> names, const std::string& since) {
     for (const char* name : names)
-        if (arguments.has(name)) reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored, since there is " + since);
+        if (arguments.has(name))
+            reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored, since there is " + since);
 }
 
 Spectrum spectrumOf(const DenseCurve& values) {
@@ -68,17 +70,23 @@ double profileLength(double path, double A, double eta) {
 
 DiffusionProfile profileOf(const Spectrum& albedo, const Medium& medium, double eta) {
     const Spectrum reduced = combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return a + s * (1 - medium.g); });
-    return {albedo, combine(albedo, reduced, [&](double A, double sigma) { return profileLength(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), eta); })};
+    return {albedo, combine(albedo, reduced, [&](double A, double sigma) {
+                return profileLength(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), eta);
+            })};
 }
 
 /// The profile of a body with given coefficients. Spectral rendering converts colours to spectra first, as pbrt-v4 does, because albedo is
 /// far from linear in the coefficients.
 DiffusionProfile profileOf(Medium medium, const DiffuseAlbedoTable& table, double eta) {
     const auto profile = [&] {
-        return profileOf(combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return table.diffuse(s / std::max(s + a, 1e-30)); }), medium, eta);
+        return profileOf(
+            combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return table.diffuse(s / std::max(s + a, 1e-30)); }), medium,
+            eta);
     };
     DiffusionProfile result = profile();
-    if (medium.sigmaA.kind() != Spectrum::Kind::rgb || medium.sigmaS.kind() != Spectrum::Kind::rgb || (medium.sigmaA.isFlat() && medium.sigmaS.isFlat())) return result;
+    if (medium.sigmaA.kind() != Spectrum::Kind::rgb || medium.sigmaS.kind() != Spectrum::Kind::rgb ||
+        (medium.sigmaA.isFlat() && medium.sigmaS.isFlat()))
+        return result;
     medium.sigmaA = spectrumOf(medium.sigmaA.dense());
     medium.sigmaS = spectrumOf(medium.sigmaS.dense());
     result.atWavelengths = std::make_shared<DiffusionProfile>(profile());
@@ -89,14 +97,18 @@ DiffusionProfile profileOf(Medium medium, const DiffuseAlbedoTable& table, doubl
 /// 0.5.
 DiffusionProfile texturedProfile(const Input& albedo, const Input& path, const DiffuseAlbedoTable& table, double g, double scale) {
     const double reduced = 1 - g * table.singleScattering(0.5);
-    return {albedo.texture == none ? albedo.value : Spectrum::constant(1), (path.texture == none ? path.value : Spectrum::constant(1)) * (scale / reduced), albedo.texture, path.texture};
+    return {albedo.texture == none ? albedo.value : Spectrum::constant(1),
+            (path.texture == none ? path.value : Spectrum::constant(1)) * (scale / reduced), albedo.texture, path.texture};
 }
 
 /// The profile of a body whose coefficients are textures.
-DiffusionProfile texturedProfile(TextureRegistry& textures, const Input& sigmaA, const Input& sigmaS, const AlbedoTable& albedos, double g) {
+DiffusionProfile texturedProfile(TextureRegistry& textures, const Input& sigmaA, const Input& sigmaS, const AlbedoTable& albedos,
+                                 double g) {
     const SourceLocation& where = (sigmaA.texture == none ? sigmaS : sigmaA).where;
-    const Input albedo = textures.derive(DiffuseAlbedoTexture{sigmaA, sigmaS, g, textures.image({.path = {}, .pixels = albedos.row, .where = where})}, where);
-    return {Spectrum::constant(1), Spectrum::constant(1), albedo.texture, textures.derive(FreePathTexture{sigmaA, sigmaS, g}, where).texture};
+    const Input albedo = textures.derive(
+        DiffuseAlbedoTexture{sigmaA, sigmaS, g, textures.image({.path = {}, .pixels = albedos.row, .where = where})}, where);
+    return {Spectrum::constant(1), Spectrum::constant(1), albedo.texture,
+            textures.derive(FreePathTexture{sigmaA, sigmaS, g}, where).texture};
 }
 
 }  // namespace
@@ -111,6 +123,7 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
 
     std::optional<Spectrum> albedo;
     auto medium = std::make_shared<Medium>();
+    medium->kind = &kindOf(kind_homogeneous_medium);
     medium->where = arguments.where();
     medium->g = std::clamp(arguments.number("g"), -0.99, 0.99);
     const double scale = arguments.number("scale");
@@ -119,7 +132,8 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         const MediumPreset* measured = mediumPreset(name);
         if (!measured) {
             const std::string near = nearestWord(name, mediumPresetNames());
-            throw SceneError(arguments.whereOf("name"), "there is no substance \"" + name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+            throw SceneError(arguments.whereOf("name"),
+                             "there is no substance \"" + name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
         }
         warnOfIgnored(reading, arguments, {"sigma_a", "sigma_s", "reflectance", "mfp"}, "a \"name\"");
         if (medium->g != 0) warnOfIgnored(reading, arguments, {"g"}, "a \"name\", whose substance has reduced scattering coefficients");
@@ -128,11 +142,15 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         medium->sigmaS = Spectrum::rgb(measured->reducedSigmaS) * scale;
     } else if (hasA || hasS) {
         if (!hasA || !hasS)
-            throw SceneError(arguments.whereOf(hasA ? "sigma_a" : "sigma_s"), std::string("\"") + (hasA ? "sigma_a" : "sigma_s") + "\" needs a \"" + (hasA ? "sigma_s" : "sigma_a") + "\" as well");
+            throw SceneError(
+                arguments.whereOf(hasA ? "sigma_a" : "sigma_s"),
+                std::string("\"") + (hasA ? "sigma_a" : "sigma_s") + "\" needs a \"" + (hasA ? "sigma_s" : "sigma_a") + "\" as well");
         warnOfIgnored(reading, arguments, {"reflectance", "mfp"}, "a \"sigma_a\"");
-        const Input sigmaA = textures.scaled(textures.input(arguments, "sigma_a"), scale), sigmaS = textures.scaled(textures.input(arguments, "sigma_s"), scale);
+        const Input sigmaA = textures.scaled(textures.input(arguments, "sigma_a"), scale),
+                    sigmaS = textures.scaled(textures.input(arguments, "sigma_s"), scale);
         if (sigmaA.texture != none || sigmaS.texture != none) {
-            material.diffusion = std::make_shared<DiffusionProfile>(texturedProfile(textures, sigmaA, sigmaS, albedoTable(reading, medium->g, eta), medium->g));
+            material.diffusion = std::make_shared<DiffusionProfile>(
+                texturedProfile(textures, sigmaA, sigmaS, albedoTable(reading, medium->g, eta), medium->g));
             return;
         }
         medium->sigmaA = sigmaA.value;
@@ -147,7 +165,8 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         /* The share rho of 1 / mfp is scattering, the rest absorption */
         const auto all = [&](double length) { return 1 / std::max(length * scale, 1e-9); };
         albedo = reflectance.value;
-        medium->sigmaA = combine(*albedo, mfp.value, [&](double A, double length) { return (1 - table.singleScattering(A)) * all(length); });
+        medium->sigmaA =
+            combine(*albedo, mfp.value, [&](double A, double length) { return (1 - table.singleScattering(A)) * all(length); });
         medium->sigmaS = combine(*albedo, mfp.value, [&](double A, double length) { return table.singleScattering(A) * all(length); });
     } else {
         warnOfIgnored(reading, arguments, {"mfp"}, "no \"reflectance\"");
@@ -155,7 +174,8 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         medium->sigmaS = Spectrum::rgb({2.55, 3.21, 3.77}) * scale;
     }
     material.interior = medium;
-    material.diffusion = std::make_shared<DiffusionProfile>(albedo ? profileOf(*albedo, *medium, eta) : profileOf(*medium, albedoTable(reading, medium->g, eta).table, eta));
+    material.diffusion = std::make_shared<DiffusionProfile>(albedo ? profileOf(*albedo, *medium, eta)
+                                                                   : profileOf(*medium, albedoTable(reading, medium->g, eta).table, eta));
 }
 
 }  // namespace eikonal::pbrt

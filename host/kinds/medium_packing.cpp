@@ -1,0 +1,55 @@
+#include "kinds/medium_packing.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal {
+
+/// One majorant for so many voxels along a side, and no more majorants than that.
+constexpr int majorantVoxels = 4, mostMajorants = 64;
+
+medium newMedium(Packer& packer, const Medium& description) {
+    medium m{};
+    m.kind = description.kind->value;
+    m.sigma_a = packCoefficient(packer, description.sigmaA, 1 / packer.space.scale);
+    m.sigma_s = packCoefficient(packer, description.sigmaS, 1 / packer.space.scale);
+    m.Le = packEmission(packer, description.Le);
+    m.g = static_cast<float>(std::clamp(description.g, -0.99, 0.99));
+    m.density = m.temperature = m.Le_scale = m.first_sigma_a = m.first_sigma_s = m.first_Le = m.first_majorant = NONE;
+    return m;
+}
+
+glm::dmat4 packBox(const Packer& packer, const Medium& description, glm::dvec3 p0, glm::dvec3 p1, medium& m) {
+    glm::dmat4 mediumFromBox(1);
+    for (int axis = 0; axis < 3; ++axis) mediumFromBox[axis][axis] = p1[axis] - p0[axis];
+    mediumFromBox[3] = glm::dvec4(p0, 1);
+    m.box_from_scene = toAffine(glm::inverse(description.worldFromMedium * mediumFromBox) * packer.space.worldFromScene());
+    return mediumFromBox;
+}
+
+glm::ivec3 majorantCells(glm::dvec3 voxels) {
+    return glm::ivec3(glm::clamp(glm::ceil(voxels / double(majorantVoxels)), glm::dvec3(1), glm::dvec3(mostMajorants)));
+}
+
+void packDensityMajorants(SceneTables& tables, medium& m, glm::dvec3 voxels) {
+    packMajorants(tables, m, majorantCells(voxels), [&](glm::dvec3 low, glm::dvec3 high) { return boundOn(tables, m.density, low, high); });
+}
+
+static void packBlackbodyColors(SceneTables& tables) {
+    if (!tables.blackbodies.empty()) return;
+    for (int i = 0; i <= BLACKBODY_STEPS; ++i) {
+        const double kelvin = BLACKBODY_COLDEST * std::pow(double(BLACKBODY_HOTTEST) / BLACKBODY_COLDEST, double(i) / BLACKBODY_STEPS);
+        const glm::dvec3 xyz = integrateXyz(Spectrum::blackbody(kelvin).dense());
+        const vec3 rgb = toVec3(rgbFromXyz(ColorSpace::srgb) * (xyz / xyz.y));
+        tables.blackbodies.push_back({static_cast<float>(std::log(xyz.y)), rgb.x, rgb.y, rgb.z});
+    }
+}
+
+void packBlackbodyEmission(Packer& packer, const Medium& description, medium& m) {
+    packBlackbodyColors(packer.packed.tables);
+    m.temperature_offset = static_cast<float>(description.temperatureOffset);
+    m.temperature_scale = static_cast<float>(description.temperatureScale);
+    m.Le = packConstant(packer, description.emissionScale);
+}
+
+}  // namespace eikonal

@@ -1,0 +1,44 @@
+#pragma once
+// What kinds of media read of a pbrt scene.
+
+#include "kinds/medium_kind.h"
+#include "read/pbrt/arguments.h"
+#include "scene/media.h"
+
+#include <string>
+#include <vector>
+
+namespace eikonal::pbrt {
+
+/// What there is to read a medium from.
+struct MediumReading {
+    Reading& reading;
+    const Arguments& arguments;
+};
+
+/* Parts of rows */
+constexpr const char* phaseParameters = "float g = 0 clamped to [-1, 1]";
+constexpr const char* coefficientParameters = "spectrum sigma_a = 1; spectrum sigma_s = 1";
+constexpr const char* boxParameters = "point3 p0; point3 p1";
+constexpr const char* gridParameters = "integer nx = 1; integer ny = 1; integer nz = 1";
+constexpr const char* temperatureParameters =
+    "float temperaturecutoff = 0; float temperatureoffset | temperaturecutoff = 0; float temperaturescale = 1";
+
+/// Reads "sigma_a" and "sigma_s".
+void readCoefficients(const Arguments& arguments, Medium& medium);
+void scaleCoefficients(Medium& medium, double scale);
+
+/// Reads the corners "p0" and "p1". Throws SceneError for a flat box.
+void readBox(const Arguments& arguments, Medium& medium);
+
+/// The dimensions of a grid: "nx", "ny" and "nz". Throws SceneError.
+glm::ivec3 readSize(const Arguments& arguments);
+/// The values of a grid, not negative; empty if the parameter is not given. Throws SceneError.
+Grid readGrid(const Arguments& arguments, const std::string& name);
+/// The colours of a grid; empty if the parameter is not given. Throws SceneError.
+std::vector<glm::vec3> readColors(const Arguments& arguments, const std::string& name);
+
+/// Reads "temperatureoffset" and "temperaturescale".
+void readTemperature(const Arguments& arguments, Medium& medium);
+
+}  // namespace eikonal::pbrt
