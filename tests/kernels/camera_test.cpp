@@ -229,8 +229,7 @@ TEST_P(Filters, AreSampledByImportance) {
         integral += value;
         size += std::abs(value);
     }
-    /* The device holds 64 cells of constant density: what 48 cells expect of it differs by their slopes, as little as the tolerance below
-     */
+    /* The device holds 64 cells of constant density: 48 cells expect something else only by their slopes, less than the tolerance below. */
     Accumulator weight, x;
     for (const CameraSample& r : rays) {
         const double offset = pixelOf({r.d.x, r.d.y}).x - 20.5;

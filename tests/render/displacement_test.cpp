@@ -132,7 +132,7 @@ TEST_F(Displaced, RenderLikeTheMeshThatTheyBecome) {
 TEST_F(Displaced, SaysWhatIsWrong) {
     const std::string constant = "WorldBegin Texture \"height\" \"float\" \"constant\" \"float value\" 1e39 ";
     write("counted.pbrt", "WorldBegin Texture \"height\" \"float\" \"windy\" " + square + "\"float edgelength\" .1");
-    EXPECT_THAT(run({"info", "counted.pbrt"}).out, HasSubstr("holds      2048 triangles"));
+    EXPECT_THAT(run({"info", "counted.pbrt"}).out, HasSubstr("contents   2048 triangles"));
     write("fine.pbrt", "WorldBegin\nTexture \"height\" \"float\" \"windy\"\n" + square + "\"float edgelength\" 1e-5");
     const Outcome fine = run({"render", "fine.pbrt"});
     EXPECT_EQ(fine.status, static_cast<int>(ExitCode::scene));

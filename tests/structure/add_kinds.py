@@ -24,7 +24,7 @@ Camera "perspective" "float fov" 45
 Film "rgb" "integer xresolution" 48 "integer yresolution" 48
 Sampler "independent" "integer pixelsamples" 4
 WorldBegin
-LightSource "distant" "point3 from" [2 4 -3] "rgb L" 2
+LightSource "distant" "point3 from" [2 4 -3] "rgb L" [2 2 2]
 """
 FLOOR = 'Shape "trianglemesh" "point3 P" [-4 0 -4  4 0 -4  4 0 4  -4 0 4] "integer indices" [0 1 2 0 2 3]\n'
 
@@ -38,6 +38,9 @@ KINDS = {
                  'AreaLightSource "diffuse" "rgb L" [3 2 1]\nTranslate 1.2 0 0\nShape "@" "float radius" 0.2 "float zmin" 0 "float zmax" 1\n'),
     "spherical": ("dome", ["kernels/camera/spherical.clh", "host/kinds/camera/spherical.cpp"], ["include/eikonal/cameras.h"],
                   BOX.replace('Camera "perspective" "float fov" 45', 'Camera "@" "string mapping" "equirectangular"') + FLOOR),
+    "cloud": ("haze", ["kernels/medium/cloud.clh", "host/kinds/medium/cloud.cpp"], ["include/eikonal/media.h"],
+              BOX + FLOOR + 'MakeNamedMedium "m" "string type" "@" "point3 p0" [-1 0 -1] "point3 p1" [1 2 1] "float density" 2\n'
+              'MediumInterface "m" ""\nMaterial "interface"\nTranslate 0 1 0\nShape "sphere" "float radius" 0.9\n'),
 }
 
 
