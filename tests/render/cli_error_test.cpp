@@ -66,7 +66,7 @@ TEST_F(Cli, ErrorsOfUsageExitWith2) {
 TEST_F(Cli, AnImageThatDoesNotFitIsRefusedBeforeTheWork) {
     const Outcome run = this->run({"render", "tiny.pbrt", "--resolution", "200000x200000", "-o", "large.exr"});
     EXPECT_EQ(run.status, 1);
-    EXPECT_THAT(run.error, testing::AllOf(HasSubstr("200000 x 200000 pixels take"), HasSubstr("--pixelbounds")));
+    EXPECT_THAT(run.error, testing::AllOf(HasSubstr("200000 x 200000 pixels need"), HasSubstr("--pixelbounds")));
     EXPECT_FALSE(exists("large.exr"));
 }
 

@@ -99,7 +99,7 @@ TEST_F(Installation, RendersWithItsOwnKernels) {
     fs::remove(kernels / "trace/bvh.clh");
     const Outcome run = this->run({"render", "tiny.pbrt"});
     EXPECT_EQ(run.status, 3);
-    EXPECT_THAT(run.error, AllOf(HasSubstr("\"bvh.clh\""), HasSubstr(kernels.string())));
+    EXPECT_THAT(run.error, AllOf(HasSubstr("\"trace/bvh.clh\""), HasSubstr(kernels.string())));
 }
 
 }  // namespace
