@@ -14,9 +14,11 @@ namespace eikonal {
 
 struct MeasuredFile {
     double alpha = 0.5;
-    bool isotropic = true;                                             ///< otherwise for azimuths all around, though the surface has no grain
+    bool isotropic = true;  ///< otherwise for azimuths all around, though the surface has no grain
     std::function<double(double)> reflectance = [](double) { return 0.5; };  ///< of the wavelength in nm
-    std::function<double(double, double)> brightness = [](double x, double y) { return 1 + x * (1 - y); };  ///< how light is sampled: matters to noise only
+    std::function<double(double, double)> brightness = [](double x, double y) {
+        return 1 + x * (1 - y);
+    };  ///< how light is sampled: matters to noise only
 
     struct Array { int type; std::vector<std::uint64_t> shape; std::string bytes; };
     static constexpr int byteType = 1, floatType = 10;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace eikonal {
 namespace {
@@ -20,6 +21,17 @@ int parameterWords(const StageProgram& stage, const Features& features) {
     return bsdfWords(features);
 }
 
+/// Whether the BSDF that `stage` shades takes random walks: those have a parameter that limits them.
+bool walksBetweenLayers(const StageProgram& stage) {
+    bool walks = false;
+#define IS_LIMIT(q, type, name, FEATURE) walks |= std::string_view(#name) == "max_depth" && stage.over == next_##q;
+#define LOOK_AT(bsdf, FEATURE, PARAMETERS) PARAMETERS(IS_LIMIT, bsdf)
+    BSDFS(LOOK_AT)
+#undef LOOK_AT
+#undef IS_LIMIT
+    return walks;
+}
+
 int wordsOf(Queue queue, const StageProgram& stage, const Features& features) {
     const QueueList blocks{Queue::pixels, Queue::film, Queue::counts};
     if (blocks.has(queue)) return 0;
@@ -27,7 +39,7 @@ int wordsOf(Queue queue, const StageProgram& stage, const Features& features) {
     switch (queue) {
         case Queue::path: return stage.over == each_sample ? layout.words : 2 * layout.field("L").words;
         case Queue::hit: return layout.words - bsdfWords(features) + parameterWords(stage, features);
-        case Queue::walk: return stage.over == next_coated_diffuse || stage.over == next_coated_conductor ? layout.words : 0;
+        case Queue::walk: return walksBetweenLayers(stage) ? layout.words : 0;
         default: return layout.words;
     }
 }

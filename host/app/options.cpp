@@ -80,6 +80,13 @@ void addDevice(CLI::App* app, Options& o) {
         ->group(group);
 }
 
+std::vector<std::pair<const char*, const IntegratorKind*>> integratorNames() {
+    std::vector<std::pair<const char*, const IntegratorKind*>> names;
+    for (const IntegratorKind* kind : integratorKindList()) names.emplace_back(kind->name, kind);
+    names.emplace_back(volpathAlias, &volpath_integrator);
+    return names;
+}
+
 /// `takesOne`: the command takes a single scene.
 void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     SceneOptions& s = o.scene;
@@ -99,7 +106,7 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
         ->group(group);
     value(app, "--integrator", s.integrator, "NAME",
           "Light transport algorithm: volpath, path, direct, whitted, ambientocclusion, simplepath, simplevolpath, randomwalk",
-          oneOf<IntegratorKind>({std::begin(integratorNames), std::end(integratorNames)}))
+          oneOf<const IntegratorKind*>(integratorNames()))
         ->group(group);
     value(app, "--subsurface", s.subsurface, "NAME",
           "Light transport inside bodies of material \"subsurface\": diffusion, or randomwalk (slower, exact)",

@@ -21,7 +21,7 @@ struct SceneOptions {
     std::optional<int> seed;
     std::optional<SamplerKind> sampler;
     std::optional<ColorMode> colorMode;
-    std::optional<IntegratorKind> integrator;
+    const IntegratorKind* integrator = nullptr;         ///< null: the scene's
     std::optional<SubsurfaceMethod> subsurface;       ///< for all materials "subsurface"
     std::optional<int> maxDepth;                      ///< bounces, >= 0
     std::optional<RouletteRule> roulette;

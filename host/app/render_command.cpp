@@ -7,6 +7,7 @@
 #include "render/session.h"
 #include "app/statistics.h"
 #include "app/wait_notice.h"
+#include "eikonal/film.h"
 #include "render/projection.h"
 
 #include <fmt/format.h>

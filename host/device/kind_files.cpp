@@ -4,6 +4,7 @@
 #include "eikonal/lights.h"
 #include "eikonal/media.h"
 #include "eikonal/shapes.h"
+#include "eikonal/textures.h"
 
 #include <fmt/format.h>
 
@@ -28,6 +29,9 @@ std::optional<std::string> kindFiles(const std::string& name) {
 #define ADD_CAMERA(kind, FEATURE, CODE) add("camera", #kind, #FEATURE);
     CAMERAS(ADD_CAMERA)
 #undef ADD_CAMERA
+#define ADD_TEXTURE(kind, FEATURE, OPERANDS) add("texture", #kind, #FEATURE);
+    TEXTURES(ADD_TEXTURE)
+#undef ADD_TEXTURE
     if (includes.empty()) return std::nullopt;
     return fmt::format("{}/* features of these kinds:{} */\n", includes, features);
 }

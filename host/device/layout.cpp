@@ -1,6 +1,8 @@
 #include "device/layout.h"
 
 #include "eikonal/bsdfs.h"
+#include "eikonal/film.h"
+#include "eikonal/queues.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -21,7 +23,11 @@ private:
     QueueLayout layout_;
 };
 
+/// `feature`: one of features.h, ALWAYS, or several of them: "MEDIA_OR_LIGHT_PATTERN".
 static bool isPresent(const Features& features, const std::string& feature) {
+    const size_t either = feature.find("_OR_");
+    if (either != std::string::npos)
+        return isPresent(features, feature.substr(0, either)) || isPresent(features, feature.substr(either + 4));
     return feature == "ALWAYS" || features.has(featureNamed(feature));
 }
 

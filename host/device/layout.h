@@ -1,8 +1,6 @@
 #pragma once
 // Layouts of queues on the host, expanded from the lists that kernels use (include/eikonal/queues.h).
 
-#include "eikonal/film.h"
-#include "eikonal/queues.h"
 #include "feature_set.h"
 
 #include <string>

@@ -100,7 +100,7 @@ void KernelSource::append(const std::string& text, const std::string& name) {
         ++number;
         const std::string included = includedBy(line);
         if (included.empty()) text_ += line + "\n";
-        else if (!files_.insert(included).second && !included.ends_with(".cl")) text_ += "\n";  // a stage may come once per BSDF
+        else if (files_.contains(included)) text_ += "\n";
         else {
             include(included);
             text_ += fmt::format("#line {} \"{}\"\n", number + 1, name);
@@ -109,10 +109,16 @@ void KernelSource::append(const std::string& text, const std::string& name) {
 }
 
 void KernelSource::include(const std::string& name) {
-    if (const std::optional<std::string> kinds = kindFiles(name)) return append(*kinds, name);
+    if (const std::optional<std::string> kinds = kindFiles(name)) {
+        files_.insert(name);
+        return append(*kinds, name);
+    }
     for (const std::string& folder : {folders_.kernels, folders_.include}) {
         const auto content = contentOf(fs::path(folder) / name);
-        if (content) return append(*content, name);
+        if (!content) continue;
+        /* A file without an include guard comes each time that it is included, such as once for each BSDF */
+        if (content->find("\n#ifndef ") != std::string::npos) files_.insert(name);
+        return append(*content, name);
     }
     throw DeviceError(fmt::format("a kernel includes \"{}\", which is in neither {} nor {}", name, folders_.kernels, folders_.include));
 }

@@ -1,4 +1,5 @@
 #include "film/film.h"
+#include "eikonal/film.h"
 #include "color/observer.h"
 
 #include <tbb/parallel_for.h>

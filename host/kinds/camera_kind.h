@@ -30,6 +30,8 @@ struct CameraTraits {
     bool (*wrapsAround)(const camera&) = nullptr;
     /// Whether it has a thin lens of `lensRadius`.
     bool hasThinLens = false;
+    /// Its name in pbrt-v3, if it had another. Null: it had not.
+    const char* version3Name = nullptr;
 };
 
 /* Each kind's file defines one of them. */

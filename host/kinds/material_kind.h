@@ -1,28 +1,15 @@
 #pragma once
-// Every kind of material: one file of host/kinds/material/ for each line of MATERIALS, which holds all that the host knows of it. What it
+// Every kind of material: one file of host/kinds/material/ for each line of MATERIALS
+// (include/eikonal/materials.h), which holds all that the host knows of it. What it
 // scatters is a BSDF of BSDFS (include/eikonal/bsdfs.h): a smooth material may have another than a rough one.
 
+#include "eikonal/materials.h"
 #include "eikonal/stages.h"
 
 #include <array>
 #include <span>
 
 namespace eikonal {
-
-#define MATERIALS(M) \
-    M(diffuse) \
-    M(coated_diffuse) \
-    M(conductor) \
-    M(dielectric) \
-    M(thin_dielectric) \
-    M(diffuse_transmission) \
-    M(mix) \
-    M(interface) \
-    M(coated_conductor) \
-    M(subsurface) \
-    M(hair) \
-    M(measured) \
-    M(principled)
 
 class InputWriter;
 struct Material;

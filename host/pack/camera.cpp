@@ -56,36 +56,16 @@ static void packView(Packer& packer) {
     if (description.lensRadius > 0 && kind.traits.hasThinLens) packer.packed.require(Feature::LENS, description.where.toString());
 }
 
-/// The value of one axis of a filter at x pixels from the centre.
-static double filterValue(const FilterDescription& f, double x, double radius) {
-    x = std::abs(x);
-    if (x >= radius) return 0;
-    const auto gaussian = [&](double d) { return std::exp(-d * d / (2 * f.sigma * f.sigma)); };
-    const auto sinc = [](double t) { return std::abs(t) < 1e-5 ? 1 : std::sin(M_PI * t) / (M_PI * t); };
-    switch (f.kind) {
-        case FilterKind::box: return 1;
-        case FilterKind::triangle: return radius - x;
-        case FilterKind::gaussian: return std::max(0.0, gaussian(x) - gaussian(radius));
-        case FilterKind::mitchell: {
-            /* Mitchell and Netravali 1988; its own support is [-2, 2] */
-            const double t = 2 * x / radius, B = f.B, C = f.C;
-            if (t <= 1) return ((12 - 9 * B - 6 * C) * t * t * t + (-18 + 12 * B + 6 * C) * t * t + (6 - 2 * B)) / 6;
-            return ((-B - 6 * C) * t * t * t + (6 * B + 30 * C) * t * t + (-12 * B - 48 * C) * t + (8 * B + 24 * C)) / 6;
-        }
-        case FilterKind::sinc: return sinc(x) * sinc(x / f.tau);
-    }
-    return 0;
-}
-
 /// One axis as an alias table over cells of |f|; what is left of value over density is the sign.
 static void packFilterAxis(Packer& packer, double radius) {
+    const FilterDescription& filter = packer.scene.filter;
     std::vector<double> weights;
     for (int i = 0; i < FILTER_CELLS; ++i) {
         /* The mean of a few points stands for the cell */
         double mean = 0;
         constexpr int points = 8;
         for (int k = 0; k < points; ++k)
-            mean += filterValue(packer.scene.filter, ((i + (k + 0.5) / points) * 2 / FILTER_CELLS - 1) * radius, radius) / points;
+            mean += filter.kind->eval(filter, std::abs(((i + (k + 0.5) / points) * 2 / FILTER_CELLS - 1) * radius), radius) / points;
         weights.push_back(std::abs(mean));
         packer.packed.tables.filter_values.push_back(mean < 0 ? -1.0f : 1.0f);
     }
@@ -96,7 +76,7 @@ static void packFilterAxis(Packer& packer, double radius) {
 static void packFilter(Packer& packer) {
     const FilterDescription& description = packer.scene.filter;
     packer.packed.frame().pixel_filter = {static_cast<float>(description.xRadius), static_cast<float>(description.yRadius)};
-    if (description.kind == FilterKind::box && description.xRadius == 0.5 && description.yRadius == 0.5) return;
+    if (description.kind == &box_filter && description.xRadius == 0.5 && description.yRadius == 0.5) return;
     packer.packed.require(Feature::FILTER, description.where.toString());
     packFilterAxis(packer, description.xRadius);
     packFilterAxis(packer, description.yRadius);

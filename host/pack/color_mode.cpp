@@ -2,11 +2,9 @@
 
 #include "kinds/material_kind.h"
 #include "kinds/medium_kind.h"
-#include "overloaded.h"
 
 #include <algorithm>
 #include <optional>
-#include <variant>
 
 namespace eikonal {
 namespace {
@@ -25,25 +23,6 @@ bool isMeasured(const Medium& m) {
     return isMeasured(m.sigmaA) || isMeasured(m.sigmaS) || isMeasured(m.Le) || isBlackbody;
 }
 
-/// What a texture takes its colours from.
-std::vector<Input> inputsOf(const Texture& texture) {
-    using Inputs = std::vector<Input>;
-    return std::visit(Overloaded{
-        [](const ConstantTexture& t) { return Inputs{t.value}; },
-        [](const ImagemapTexture&) { return Inputs{}; },
-        [](const ScaleTexture& t) { return Inputs{t.texture, t.scale}; },
-        [](const MixTexture& t) { return Inputs{t.a, t.b}; },
-        [](const CheckerboardTexture& t) { return Inputs{t.a, t.b}; },
-        [](const BilerpTexture& t) { return Inputs{t.v00, t.v01, t.v10, t.v11}; },
-        [](const DotsTexture& t) { return Inputs{t.inside, t.outside}; },
-        [](const DirectionMixTexture& t) { return Inputs{t.a, t.b}; },
-        [](const NoiseTexture&) { return Inputs{}; },
-        [](const AbsorptionTexture& t) { return Inputs{t.color}; },
-        [](const DiffuseAlbedoTexture& t) { return Inputs{t.sigmaA, t.sigmaS}; },
-        [](const FreePathTexture& t) { return Inputs{t.sigmaA, t.sigmaS}; },
-    }, texture.kind);
-}
-
 /// Whether inputs are measured, in themselves or somewhere in their textures. Each texture is looked at once.
 class MeasuredInputs {
 public:
@@ -54,7 +33,7 @@ public:
         std::optional<bool>& known = known_[static_cast<size_t>(input.texture)];
         if (!known)
             known =
-                std::ranges::any_of(inputsOf(scene_.textures[static_cast<size_t>(input.texture)]), [&](const Input& i) { return has(i); });
+                std::ranges::any_of(scene_.textures[static_cast<size_t>(input.texture)].operands, [&](const Input& i) { return has(i); });
         return *known;
     }
 

@@ -14,7 +14,8 @@ uint curveSplits(const Curve& curve) {
     for (const CurveSegment& s : curve.segments) {
         const double width = std::max(s.width[0], s.width[1]);
         if (width <= 0) continue;
-        double bend = 0;   /* how far the control points are from evenly spaced: a piece is off its chord by less than 6/8 of that, over pieces^2 */
+        double bend =
+            0; /* how far the control points are from evenly spaced: a piece is off its chord by less than 6/8 of that, over pieces^2 */
         for (size_t i = 0; i < 2; ++i) bend = std::max<double>(bend, glm::length(s.points[i] - 2.f * s.points[i + 1] + s.points[i + 2]));
         const double pieces = std::sqrt(bend * 6 / 8 * std::sqrt(2.0) / (width / 20));
         while (splits < mostSplits && std::ldexp(8.0, splits) < pieces) ++splits;

@@ -37,7 +37,7 @@ void packUnlearnedGuide(SceneTables& tables);
 struct GuideOptions {
     size_t rays = 0;                 ///< shadow rays, at most
     bool hasAllDirections = false;   ///< also maps for points that look in all directions
-    double openShare = 1;            ///< learning ends where a look at a few maps shows that clearly more than this share of the light arrives
+    double openShare = 1;  ///< learning ends where a look at a few maps shows that clearly more than this share of the light arrives
 };
 
 /// Fills the guide's tables with what is learnt from `points` (with normals; those of zero length are no points). Cells are cut so that

@@ -25,7 +25,7 @@ public:
         }
         packer_.packed.require(Feature::LIGHTS, std::to_string(powers_.size()) + " lights");
         /* Of lights behind portals, an item can carry a direction for one */
-        const bool looksAtAll = packer_.scene.integrator.kind == IntegratorKind::whitted && powers_.size() <= MOST_TREE_LIGHTS &&
+        const bool looksAtAll = packer_.scene.integrator.kind->splitsRays && powers_.size() <= MOST_TREE_LIGHTS &&
                                 !packer_.packed.features.has(Feature::PORTALS);
         const auto sampled = std::count_if(powers_.begin(), powers_.end(), [](double p) { return p > 0; });
         const bool many = sampled > static_cast<std::ptrdiff_t>(fewLights);

@@ -1,6 +1,7 @@
 #pragma once
 // The parameters of BSDFs: where each has its words, and what is written there for a material.
 
+#include "eikonal/formulas.h"
 #include "pack/packer.h"
 
 #include <algorithm>
@@ -77,8 +78,8 @@ public:
     void metal(uint slot, const char* name) {
         const Input& in = get(name);
         if (packer_.spectral && !in.value.isConstant()) return add(slot, input_spectrum, {}, program(in, TextureUse::metal));
-        const glm::dvec3 r = glm::clamp(in.value.isConstant() ? glm::dvec3(in.value.value()) : in.value.albedo(), 0.0, 0.9999);
-        add(slot, input_spectrum, packRgb(2.0 * glm::sqrt(r / (1.0 - r))),
+        const glm::dvec3 r = in.value.isConstant() ? glm::dvec3(in.value.value()) : in.value.albedo();
+        add(slot, input_spectrum, packRgb({metal_k(r.x), metal_k(r.y), metal_k(r.z)}),
             in.texture == none ? NONE : texture(in.texture, TextureUse::metal));
     }
     void number(uint slot, const char* name) {
@@ -137,7 +138,7 @@ private:
     }
     double widthOf(double roughness) const {
         const double alpha = description_.remapRoughness ? std::sqrt(std::max(roughness, 0.0)) : roughness;
-        return regularize_ && alpha < 0.3 ? std::clamp(2 * alpha, 0.1, 0.3) : alpha;
+        return regularize_ ? regular_width(alpha) : alpha;
     }
     Packer& packer_;
     const Material& description_;

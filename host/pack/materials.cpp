@@ -21,7 +21,7 @@ static void requireBsdf(Packer& packer, next_queue h, const std::string& why) {
 #undef REQUIRE_BSDF
     if (transmits(h)) packer.packed.require(Feature::TRANSMISSION, why);
     if (h == next_crossing)
-        for (Feature feature : {Feature::INTERFACE, Feature::CROSSINGS}) packer.packed.require(feature, why);
+        packer.packed.require(Feature::INTERFACE, why);
     if (h == next_mix) packer.packed.require(Feature::MIX, why);
 }
 
@@ -43,7 +43,7 @@ static uint packProfile(Packer& packer, InputWriter& in, const Material& descrip
     SceneTables& tables = packer.packed.tables;
     const auto [place, isNew] = packer.profiles.try_emplace(description.diffusion.get(), static_cast<uint>(tables.profiles.size()));
     if (!isNew) return place->second;
-    for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, Feature::CROSSINGS, Feature::BSDF_SUBSURFACE_EXIT})
+    for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, Feature::BSDF_SUBSURFACE_EXIT})
         packer.packed.require(feature, in.why());
     const DiffusionProfile& profile = profileIn(packer, description);
     const color albedo = packReflectance(packer, profile.albedo);
@@ -88,7 +88,7 @@ static void packMaterial(Packer& packer, const Material& description, material& 
     SceneTables& tables = packer.packed.tables;
     const bool isSurface = description.kind != &interface_material && description.kind != &mix_material;
     if (isSurface && !countsMaterials(packer.scene.integrator)) { m.next_queue = next_occlusion; return; }
-    if (description.kind == &subsurface_material && packer.scene.integrator.kind == IntegratorKind::whitted)
+    if (description.kind == &subsurface_material && packer.scene.integrator.kind->splitsRays)
         return packMaterial(packer, coatOver(packer, description), m, regularize);
     InputWriter inputs(packer, description, regularize);
     m.first_input = static_cast<uint>(tables.material_inputs.size());

@@ -15,7 +15,7 @@ namespace eikonal {
 struct PortalImage {
     int resolution = 1;
     std::vector<glm::dvec3> texels;   ///< radiance
-    std::vector<uint> sums;           ///< (resolution + 1)^2: of the weights of all texels with smaller x and y; at most 2^30 + resolution^2
+    std::vector<uint> sums;  ///< (resolution + 1)^2: of the weights of all texels with smaller x and y; at most 2^30 + resolution^2
     double fluence = 0;               ///< luminance integrated over the hemisphere
 };
 

@@ -60,7 +60,8 @@ struct PackedScene {
     std::optional<Roulette> roulette;        ///< unset: one that suits the scene is to be chosen; until then the settings have the default
     double worldScale = 1;                   ///< world units in one unit of scene space
     glm::dvec3 worldCenter{0};               ///< the origin of scene space, world space
-    std::array<glm::dmat4, 3> cameraFromScene{glm::dmat4(1), glm::dmat4(1), glm::dmat4(1)};  ///< when the shutter opens, between, and when it closes
+    std::array<glm::dmat4, 3> cameraFromScene{glm::dmat4(1), glm::dmat4(1),
+                                              glm::dmat4(1)};  ///< when the shutter opens, between, and when it closes
     SceneCounts counts;
 
     const settings& frame() const { return tables.frame.front(); }

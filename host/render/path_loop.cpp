@@ -8,9 +8,9 @@ namespace eikonal {
 
 /// The text that has the functions of every BSDF that the scene has, and then the loop.
 static std::string loopText(const Features& features) {
-    std::string text = "#define AS_LIBRARY\n", list = "#define SCENE_BSDFS(B)";
+    std::string text, list = "#define SCENE_BSDFS(B)";
     const auto include = [&](const char* bsdf) {
-        text += fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"stages/shade_hits.cl\"\n#undef BSDF\n", bsdf);
+        text += fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"shade/shade_hit.clh\"\n#undef BSDF\n", bsdf);
         list += fmt::format(" B({})", bsdf);
     };
 #define INCLUDE_BSDF(bsdf, FEATURE, PARAMETERS) \

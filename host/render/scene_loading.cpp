@@ -53,7 +53,7 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.seed) scene.sampler.seed = *o.seed;
     if (o.sampler) scene.sampler.kind = *o.sampler;
     if (o.integrator) {
-        scene.integrator.kind = *o.integrator;
+        scene.integrator.kind = o.integrator;
         scene.integrator.standsFor.clear();
     }
     if (o.subsurface)

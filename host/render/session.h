@@ -1,7 +1,6 @@
 #pragma once
 // What it takes to render a scene, made ready step by step, with the time that each step took.
 
-#include "app/clock.h"
 #include "app/options.h"
 #include "pack/pack.h"
 #include "render/render.h"

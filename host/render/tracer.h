@@ -19,7 +19,8 @@ struct QueueItems {
 /// Where a tracer's work comes from, and who is told when it is done.
 struct BatchStream {
     std::function<std::optional<Batch>()> next;   ///< the next batch, of Tracer::mostPaths() paths at most; none: there are no more
-    std::function<void(const Batch&)> traced;     ///< called for each in the order in which they came, when its paths are at their ends; may resolve it
+    std::function<void(const Batch&)>
+        traced;  ///< called for each in the order in which they came, when its paths are at their ends; may resolve it
     int endX = 0, endY = 0;                       ///< no pixel from there on
     /// If set, a wave calls it after every bounce of a stream of one batch, with the rays that leave and the states of all paths. False:
     /// the rays are dropped.

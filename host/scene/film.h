@@ -3,6 +3,7 @@
 
 #include "error.h"
 #include "color/spectrum.h"
+#include "kinds/filter_kind.h"
 
 #include <array>
 #include <optional>
@@ -38,10 +39,8 @@ struct FilmDescription {
     SourceLocation where;
 };
 
-enum class FilterKind { box, triangle, gaussian, mitchell, sinc };
-
 struct FilterDescription {
-    FilterKind kind = FilterKind::gaussian;
+    const FilterKind* kind = &gaussian_filter;
     double xRadius = 1.5, yRadius = 1.5;
     double sigma = 0.5;                  ///< gaussian
     double B = 1. / 3, C = 1. / 3;       ///< mitchell

@@ -3,6 +3,7 @@
 
 #include "error.h"
 #include "color/spectrum.h"
+#include "kinds/integrator_kind.h"
 
 #include <optional>
 #include <string>
@@ -10,19 +11,7 @@
 
 namespace eikonal {
 
-enum class IntegratorKind { volpath, path, direct, whitted, ambientOcclusion, simplePath, randomWalk };
-
-/// The names in scene files and for --integrator.
-inline constexpr std::pair<const char*, IntegratorKind> integratorNames[] = {{"volpath", IntegratorKind::volpath},
-                                                                             {"path", IntegratorKind::path},
-                                                                             {"direct", IntegratorKind::direct},
-                                                                             {"whitted", IntegratorKind::whitted},
-                                                                             {"ambientocclusion", IntegratorKind::ambientOcclusion},
-                                                                             {"simplepath", IntegratorKind::simplePath},
-                                                                             {"simplevolpath", IntegratorKind::volpath},
-                                                                             {"randomwalk", IntegratorKind::randomWalk}};
-
-/// With IntegratorKind::whitted, the most rays that one camera ray may split into.
+/// With the integrator "whitted", the most rays that one camera ray may split into.
 constexpr int mostTreeRays = 64;
 
 /// How the light to sample is chosen. automatic: by power for few lights, by the light tree for many.
@@ -53,18 +42,18 @@ struct Roulette {
 };
 
 struct IntegratorDescription {
-    IntegratorKind kind = IntegratorKind::volpath;
+    const IntegratorKind* kind = &volpath_integrator;
     std::string standsFor;                 ///< the integrator that the scene names, if this one replaces it; otherwise empty
     int maxDepth = 5;                      ///< the most scattering events on a path
     std::optional<Roulette> roulette;      ///< unset: chosen for the scene by pilot paths (render/roulette_pilot.h)
     bool regularize = false;
     LightSampler lightSampler = LightSampler::automatic;
     EnvironmentGuide environmentGuide = EnvironmentGuide::automatic;
-    bool sampleLights = true;              ///< simplePath: sample lights; otherwise only paths that hit a light find it
-    bool sampleBsdf = true;                ///< simplePath: sample directions by the BSDF, otherwise uniformly
-    bool cosine = true;                    ///< ambientOcclusion: sample directions by the cosine, otherwise uniformly
-    double maxDistance = 0;                ///< ambientOcclusion: surfaces farther away do not occlude, world units; 0: no limit
-    ColorSpace colorSpace = ColorSpace::srgb;  ///< ambientOcclusion: the colour space whose white the light has
+    bool sampleLights = true;              ///< simplepath: sample lights; otherwise only paths that hit a light find it
+    bool sampleBsdf = true;                ///< simplepath: sample directions by the BSDF, otherwise uniformly
+    bool cosine = true;                    ///< ambientocclusion: sample directions by the cosine, otherwise uniformly
+    double maxDistance = 0;                ///< ambientocclusion: surfaces farther away do not occlude, world units; 0: no limit
+    ColorSpace colorSpace = ColorSpace::srgb;  ///< ambientocclusion: the colour space whose white the light has
     int rays = 16;                         ///< whitted: the most rays per camera ray, a power of two, at most mostTreeRays
     int bundle = 4;                        ///< whitted: rays that leave a rough surface, 0 or a power of two, at most mostTreeRays
     double threshold = 0.004;              ///< whitted: rays of smaller weight are not traced

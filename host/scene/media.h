@@ -53,7 +53,7 @@ struct Medium {
     double temperatureOffset = 0, temperatureScale = 1;                  ///< kelvin = (temperature - offset) * scale
     double emissionScale = 1;      ///< factor of emission by temperature or by a grid of colours
     ColorGrid colors;              ///< rgbgrid
-    double cloudDensity = 1, wispiness = 1, frequency = 5;               ///< cloud
+    double noiseDensity = 1, wispiness = 1, frequency = 5;               ///< cloud
 
     SourceLocation where;
 };

@@ -7,11 +7,12 @@
 
 #include <memory>
 #include <string>
-#include <variant>
+#include <vector>
 
 namespace eikonal {
 
-struct ImageData;   // read/formats/image.h
+struct ImageData;     // read/formats/image.h
+struct TextureKind;   // kinds/texture_kind.h
 
 enum class ColorEncoding { automatic, srgb, linear };  ///< automatic: sRGB for integer files, linear for others
 enum class WrapMode { repeat, black, clamp, octahedral };
@@ -49,39 +50,25 @@ struct Mapping {
     Transform worldFromTexture{1};                            ///< spherical, cylindrical, planar
 };
 
-struct ConstantTexture { Input value; };
-struct ImagemapTexture { int image = none; Mapping mapping; double scale = 1; bool invert = false; };
-struct ScaleTexture { Input texture, scale; };
-struct MixTexture { Input a, b, amount; };
-struct CheckerboardTexture { Input a, b; Mapping mapping; int dimensions = 2; };
-struct BilerpTexture { Input v00, v01, v10, v11; Mapping mapping; };
-struct DotsTexture { Input inside, outside; Mapping mapping; };
-/// Blends a, where the geometric normal is parallel to the direction (unit, world space), and b, where it is perpendicular.
-struct DirectionMixTexture { Input a, b; glm::dvec3 direction{0, 1, 0}; };
-enum class NoisePattern { fbm, wrinkled, windy, marble };
-struct NoiseTexture {
-    NoisePattern pattern = NoisePattern::fbm;
-    int octaves = 8;                   ///< not for windy
-    double roughness = 0.5;            ///< not for windy
-    double scale = 1, variation = 0.2; ///< marble
-    Transform worldFromTexture{1};
-};
-
-/// Absorption of hair from its colour and azimuthal roughness; made for the material "hair".
-struct AbsorptionTexture { Input color, betaN; };
-/// Diffuse albedo of a deep body from its coefficients per world unit. g: mean cosine of its phase function. albedos: in Scene::images, a
-/// row of albedos for this g and eta (color/diffuse_albedo.h). Made for the material "subsurface", as FreePathTexture is.
-struct DiffuseAlbedoTexture { Input sigmaA, sigmaS; double g = 0; int albedos = none; };
-/// Mean free path of reduced scattering from coefficients: 1 / (sigma_a + (1 - g) sigma_s).
-struct FreePathTexture { Input sigmaA, sigmaS; double g = 0; };
-
+/// A texture of one of the kinds of TEXTURES (include/eikonal/textures.h). Each kind uses a part of the fields (host/kinds/texture/).
 struct Texture {
+    const TextureKind* kind = nullptr;
     std::string name;
-    bool isFloat = false;       ///< declared "float", not "spectrum"
-    std::variant<ConstantTexture, ImagemapTexture, ScaleTexture, MixTexture, CheckerboardTexture, BilerpTexture, DotsTexture,
-                 DirectionMixTexture, NoiseTexture, AbsorptionTexture, DiffuseAlbedoTexture, FreePathTexture>
-        kind;
+    bool isFloat = false;              ///< declared "float", not "spectrum"
     SourceLocation where;
+
+    std::vector<Input> operands;       ///< what it is made of, in the order of the kind's line in TEXTURES; constant: its value
+    Mapping mapping;                   ///< solid textures use its worldFromTexture alone
+    double scale = 1;                  ///< imagemap: of its values; marble: of space
+
+    int image = none;                  ///< imagemap, diffusealbedo: in Scene::images
+    bool invert = false;               ///< imagemap
+    int dimensions = 2;                ///< checkerboard
+    glm::dvec3 direction{0, 1, 0};     ///< directionmix: unit vector, world space
+    int octaves = 8;                   ///< fbm, wrinkled, marble
+    double roughness = 0.5;            ///< fbm, wrinkled, marble
+    double variation = 0.2;            ///< marble
+    double g = 0;                      ///< diffusealbedo, freepath: mean cosine of the body's phase function
 };
 
 }  // namespace eikonal

@@ -20,7 +20,6 @@
     F(BODY_TEXTURES,    "such a body, of which a texture says what is inside") \
     F(EQUIANGULAR,             "a light that is a point, and a homogeneous medium that scatters") \
     F(INTERFACE,        "a surface of material \"interface\"") \
-    F(CROSSINGS,         "a surface of material \"interface\", or a body whose light leaves by a diffusion profile") \
     F(INSTANCES,        "object instances") \
     F(ALPHA,            "shapes cut out by an alpha texture") \
     F(MIX,              "a mix of materials") \
@@ -56,7 +55,7 @@
 
 /* Calls F(FEATURE, name of the kind) for every kind in each list. */
 #define FEATURE_OF_BSDF(name, FEATURE, PARAMETERS) KIND_FEATURE(FEATURE, #name)
-#define FEATURE_OF_KIND(name, FEATURE) KIND_FEATURE(FEATURE, #name)
+#define FEATURE_OF_TEXTURE(name, FEATURE, OPERANDS) KIND_FEATURE(FEATURE, #name)
 #define FEATURE_OF_CAMERA(name, FEATURE, CODE) KIND_FEATURE(FEATURE, #name)
 #define FEATURE_OF_SHAPE(name, FEATURE, SPACE) KIND_FEATURE(FEATURE, #name)
 #define FEATURE_OF_LIGHT(name, FEATURE, PLACE) KIND_FEATURE(FEATURE, #name)
@@ -64,6 +63,6 @@
 /* Before use: #define KIND_FEATURE(FEATURE, text) ... */
 #define KIND_FEATURES \
     BSDFS(FEATURE_OF_BSDF) SHAPES(FEATURE_OF_SHAPE) LIGHTS(FEATURE_OF_LIGHT) MEDIA_KINDS(FEATURE_OF_MEDIUM) \
-    TEXTURES(FEATURE_OF_KIND) CAMERAS(FEATURE_OF_CAMERA)
+    TEXTURES(FEATURE_OF_TEXTURE) TEXTURE_OPERATIONS(FEATURE_OF_TEXTURE) CAMERAS(FEATURE_OF_CAMERA)
 
 #endif

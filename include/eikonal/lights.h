@@ -35,23 +35,25 @@ enum light_kind { LIGHTS(LIGHT_KIND) light_kinds };
      triangle     p, a, b (edges from p), n, inverse_area, L
      bilinear     p, a, b, c (point(u, v) = p + u a + v b + u v c), n (of a flat one), L
      sphere       p (centre), radius, inverse_area, n.x (1: emits outwards, -1: inwards), L
-     ellipsoid    p (centre), a, b, c (half axes), extent, cos_inner, cos_outer (from which part of the axis c to which, in [-1, 1]), n.x (the side that emits:
-                  1 that of dp/dphi x dp/dz, or -1), inverse_area (of all of it), L; a part of a sphere is one, too
+     ellipsoid    p (centre), a, b, c (half axes), extent, cos_inner, cos_outer (the part of the axis c, in [-1, 1]), n.x (the side that
+                  emits: 1 that of dp/dphi x dp/dz, or -1), inverse_area (of all of it), L; a part of a sphere is one, too
      disk         p (centre), a, b (radii: point = p + x a + y b), radius (of its hole, 1: all of it), extent, n, inverse_area, L
      cylinder     p (centre of the end at z_min), a, b (radii), c (axis: point = p + cos a + sin b + v c), extent, n.x (the side that
                   emits: 1 that of dp/dphi x c, or -1), inverse_area (of all of it), L
      goniometric  p, a, b, n (rows of image-from-scene), first_texel, resolution, L (intensity where the image is 1)
-     projection   p, a, b, n (rows of image-from-scene: the slide fills |x / z| <= 1, |y / z| <= 1), first_texel, resolution, rows, L (intensity)
+     projection   p, a, b, n (rows of image-from-scene: the slide fills |x / z| <= 1, |y / z| <= 1), first_texel, resolution,
+                   rows, L (intensity)
      uniform_infinite   L
      image_infinite     a, b, n (rows of light-from-scene), first_texel, first_alias, resolution, L (scale)
-     portal_infinite    p, c (opposite corners), a, b, n (its sides and the normal that points out), first_texel, first_sum, resolution, L (scale)
+     portal_infinite    p, c (opposite corners), a, b, n (its sides and the normal that points out), first_texel, first_sum,
+                   resolution, L (scale)
    Areas emit on the side of n, on both with `two_sided`. */
 #define LIGHT_FIELDS(F) \
     F(uint,     kind)         /* enum light_kind */ \
     F(uint,     two_sided)    /* 0 or 1 */ \
-    F(uint,     element)      /* area whose radiance varies (an image, alpha): its element; otherwise NONE. L is the mean, without alpha */ \
+    F(uint,     element)      /* area of varying radiance (an image, alpha): its element; otherwise NONE. L is the mean, without alpha */ \
     F(uint,     invisible)    /* 1: an area that no ray hits, since its alpha is 0: only light sampling finds it */ \
-    F(float,    pmf)          /* probability with which the light sampler picks this light, or the tree that it is in; 0: only BSDF sampling finds it */ \
+    F(float,    pmf)          /* probability of being sampled, or that of the tree that it is in; 0: only BSDF sampling finds it */ \
     F(float,    inverse_area) \
     F(float,    extent)       /* ellipsoid, disk, cylinder: how much of the circle there is, in (0, 1] */ \
     F(vec3,     p) \

@@ -70,7 +70,7 @@ typedef struct {
 
     /* cloud: noise is a function of the medium's own space, in which low and extent are the unit cube's */
     vec3 low, extent;
-    float cloud_density, wispiness, frequency;
+    float noise_density, wispiness, frequency;
 } medium;
 
 CONTRACT_END

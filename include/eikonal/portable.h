@@ -1,5 +1,5 @@
 /* Types shared by both compilers. C++ and OpenCL C both read the contract headers (this folder):
-   they hold lists, enumerations and plain structs of 32-bit words, and no logic.
+   they hold lists, enumerations and plain structs of 32-bit words, and no logic (but formulas.h).
    Structs consist of 4-byte words only, so both languages give them the same layout; `layout_probe` tests it. */
 #ifndef EIKONAL_PORTABLE_H
 #define EIKONAL_PORTABLE_H

@@ -7,9 +7,12 @@
    Spaces: everything is in scene space (docs/tour.md) unless a comment says otherwise; directions have unit length. */
 #ifndef EIKONAL_QUEUES_H
 #define EIKONAL_QUEUES_H
+#include "eikonal/feature_fields.h"
 #include "eikonal/portable.h"
 
 #define HAS_ALWAYS 1
+/* A field that either of two features needs */
+#define HAS_MEDIA_OR_LIGHT_PATTERN (HAS_MEDIA || HAS_LIGHT_PATTERN)
 
 /* What a path carries from bounce to bounce, in every queue that continues it. */
 #define TRAVEL_FIELDS(F, q) \
@@ -25,42 +28,22 @@
     F(q, uint,     splits,     TREE)         /* how often the ray may still split in two; it owns 2^splits path states from `path` on */ \
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices; Russian roulette multiplies by it */ \
     F(q, spectrum, r_u,        MEDIA)        /* rescaled path probability of unidirectional sampling, per channel (pbrt-v4's r_u) */ \
-    F(q, uint,     within,     SUBSURFACE)   /* 1: inside a subsurface body; in a hit: bit 0 for the side of ng, bit 1 for the other */ \
-    F(q, uint,     uncounted,  SUBSURFACE)   /* scattering events inside the body; not counted against maxdepth */ \
-    F(q, uint,     around,     SUBSURFACE)   /* medium around the subsurface body entered last, or NONE */
-
-/* The light to sample at a vertex. Chosen by route_intersections, since choosing needs a loop and shading has none. */
-#define LIGHT_CHOICE_FIELDS(F, q) \
-    F(q, uint,     light,      LIGHT_TREE)   /* index in `lights` */ \
-    F(q, float,    light_pmf,  LIGHT_TREE)   /* its probability; 0: none */ \
-    F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* which map of the environment guide applies at this point */ \
-    F(q, vec3,     light_wi,   PORTALS)      /* for a light with a portal: a direction through the portal */ \
-    F(q, float,    light_density, PORTALS)   /* density of light_wi over solid angle; 0: none */ \
-    F(q, uint,     light_texel, PORTALS)     /* the texel seen along light_wi */
+    SUBSURFACE_TRAVEL_FIELDS(F, q)
 
 /* A ray to trace: filled by generate_rays, shading and route_intersections, drained by intersect_rays. Sparse: slots may be dead. */
 #define RAY_FIELDS(F, q) \
     TRAVEL_FIELDS(F, q) \
     F(q, vec3,     o,          ALWAYS)       /* origin, already offset from the surface */ \
     F(q, vec3,     d,          ALWAYS) \
-    F(q, float,    t_max,      ALWAYS)       /* < 0: dead slot */ \
+    F(q, float,    t_max,      ALWAYS)       /* < 0: dead slot; 0: goes on where its probe says */ \
     F(q, float,    pdf,        ALWAYS)       /* density over solid angle with which d was sampled; 0: light sampling cannot produce d */ \
     F(q, float,    traveled,   INTERFACE)    /* distance from where d was sampled to o; > 0 behind null interfaces */ \
-    F(q, uint,     passed,     CROSSINGS)     /* number of surfaces passed since d was sampled */ \
+    F(q, uint,     passed,     INTERFACE)    /* number of null interfaces passed since d was sampled */ \
     F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* as in hit, at the point where d was sampled */ \
     F(q, vec3,     n,          LIGHT_TREE)   /* shading normal where d was sampled, on the side of wo; zero: not on a surface */ \
     F(q, spectrum, r_l,        MEDIA)        /* rescaled path probability of light sampling (pbrt-v4's r_l), without the light's pdf */ \
     F(q, uint,     medium,     MEDIA)        /* medium at o, or NONE */ \
-    F(q, uint,     body,       DIFFUSION)    /* in `profiles`: a probe ray, looking for exit points on this body; NONE: a light path */ \
-    F(q, uint,     found,      DIFFUSION)    /* probe: number of exit points found so far */ \
-    F(q, vec3,     entry,      DIFFUSION)    /* probe: where the path entered the body */ \
-    F(q, vec3,     entry_n,    DIFFUSION)    /* and the shading normal there */ \
-    F(q, vec3,     exit_p,     DIFFUSION)    /* probe with found > 0: the chosen exit point; this and the next three as in hit */ \
-    F(q, float,    exit_offset, DIFFUSION) \
-    F(q, vec3,     exit_ng,    DIFFUSION) \
-    F(q, vec3,     exit_ns,    DIFFUSION) \
-    F(q, spectrum, body_albedo, BODY_TEXTURES) /* probe: parameters of the body at `entry`, as in hit */ \
-    F(q, spectrum, body_length, BODY_TEXTURES)
+    F(q, uint,     probe,      DIFFUSION)    /* slot of the probe that finds where the path leaves a subsurface body; or NONE */
 
 /* Where a ray ends: slot i belongs to ray i. Filled by intersect_rays, refined by extinguish_rays and classify_intersections. */
 #define INTERSECTION_FIELDS(F, q) \
@@ -85,12 +68,7 @@
     F(q, vec3,     wo,         ALWAYS)       /* towards the previous vertex */ \
     F(q, uint,     inside,     MEDIA)        /* medium on the side away from ng */ \
     F(q, uint,     outside,    MEDIA)        /* medium on the side of ng */ \
-    F(q, uint,     body,       DIFFUSION)    /* in `profiles`: the body below the surface; NONE: no diffusion profile */ \
-    F(q, vec3,     probe_o,    DIFFUSION)    /* probe ray to trace if the path enters the body: origin, direction and length */ \
-    F(q, vec3,     probe_d,    DIFFUSION) \
-    F(q, float,    probe_length, DIFFUSION) \
-    F(q, spectrum, body_albedo, BODY_TEXTURES) /* of the body where the path enters: fraction of the light that leaves again */ \
-    F(q, spectrum, body_length, BODY_TEXTURES) /* and d of its profile */ \
+    F(q, uint,     probe,      DIFFUSION)    /* slot of the probe for the subsurface body below the surface; NONE: no such body */ \
     LIGHT_CHOICE_FIELDS(F, q)
 
 /* A scattering point in a medium: filled by route_intersections, drained by shade_scatters. Dense. */
@@ -135,28 +113,12 @@
     F(q, float,    time,       MOTION)       /* as in ray */ \
     F(q, spectrum, Ld,         ALWAYS)       /* contribution, all weights included; with MEDIA not yet divided by mean(r_u + r_l) */ \
     F(q, uint,     element,    LIGHT_PATTERN) /* the element sampled, if its light has an image or alpha, which Ld lacks; else NONE */ \
-    F(q, uint,     color_seed, LIGHT_PATTERN) /* seed and sample of the path's wavelengths, which the image is read with */ \
-    F(q, uint,     color_sample, LIGHT_PATTERN) \
     F(q, uint,     medium,     MEDIA) \
     F(q, spectrum, r_u,        MEDIA)        /* rescaled path probability if the BSDF or phase function had sampled d */ \
     F(q, spectrum, r_l,        MEDIA)        /* rescaled path probability of light sampling */ \
-    F(q, uint,     seed,       MEDIA) \
-    F(q, uint,     sample,     MEDIA) \
+    F(q, uint,     seed,       MEDIA_OR_LIGHT_PATTERN) \
+    F(q, uint,     sample,     MEDIA_OR_LIGHT_PATTERN) \
     F(q, uint,     depth,      MEDIA)
-
-/* A random walk between the layers of a coated surface, seen from above: used inside shade_hits only, slot i belongs to slot i of hit. */
-#define WALK_FIELDS(F, q) \
-    F(q, uint,     state,      ALWAYS)       /* walk_goes_on, walk_left or walk_ended (kernels/bsdf/layer_walk.clh) */ \
-    F(q, uint,     key,        ALWAYS)       /* of its random numbers */ \
-    F(q, vec3,     w,          ALWAYS)       /* direction of travel, in the shading frame, as all directions here */ \
-    F(q, spectrum, beta,       ALWAYS) \
-    F(q, uint,     spread,     ALWAYS)       /* 1: scattered by anything but mirrors since it entered the coat */ \
-    F(q, float,    z,          LAYER_MEDIUM) /* height above the base */ \
-    F(q, vec3,     wi,         ALWAYS)       /* eval: direction the light comes from */ \
-    F(q, spectrum, f,          ALWAYS)       /* eval: sum found so far */ \
-    F(q, vec3,     exit_w,     ALWAYS)       /* eval: direction below the coat, sampled by refracting wi */ \
-    F(q, float,    exit_weight, ALWAYS)      /* eval: its weight */ \
-    F(q, float,    exit_pdf,   ALWAYS)       /* eval: its density */
 
 /* What persists from camera to film, by path index. Only the path itself adds to its radiance. */
 #define PATH_FIELDS(F, q) \
@@ -165,16 +127,7 @@
     F(q, spectrum, L,          ALWAYS)       /* radiance so far */ \
     F(q, float,    weight,     ALWAYS)       /* filter weight of this sample; 0: outside the image */ \
     F(q, float,    importance, IMPORTANCE)   /* film response to a radiance of 1 */ \
-    F(q, spectrum, albedo,     AOVS)         /* of the first surface other than mirrors and clear glass, times the throughput before it */ \
-    F(q, vec3,     normal,     AOVS)         /* of the first surface: shading normal */ \
-    F(q, vec3,     ng,         AOVS)         /* of the first surface: geometric normal, on the same side */ \
-    F(q, vec3,     position,   AOVS)         /* of the first surface: the point hit */ \
-    F(q, vec2,     uv,         AOVS)         /* of the first surface: texture coordinates there */ \
-    F(q, vec3,     opening,    MOTION_VECTORS) /* of the first surface: where that point is at shutter open */ \
-    F(q, vec3,     closing,    MOTION_VECTORS) /* and at shutter close */ \
-    F(q, uint,     object,     AOVS)         /* of the first surface: id of its object, from 1; 0: none */ \
-    F(q, uint,     material,   AOVS)         /* of the first surface: its material, from 1; 0: none */ \
-    F(q, float,    distance,   AOVS)         /* to the first surface, scene units; FAR_AWAY: none */
+    FIRST_SURFACE_FIELDS(F, q)               /* auxiliary channels of the image */
 
 /* Q(queue, FIELDS, where its items are, FEATURE that makes it exist: as in STAGES)
      sparse    slot i belongs to slot i of another queue, and may be dead
@@ -189,6 +142,8 @@
     Q(emission,     EMISSION_FIELDS,     dense,   EMITTERS) \
     Q(shadow,       SHADOW_FIELDS,       sparse,  ALWAYS) \
     Q(walk,         WALK_FIELDS,         sparse,  LAYERS) \
+    Q(probe,        PROBE_FIELDS,        sparse,  DIFFUSION) \
+    Q(exit_point,   EXIT_POINT_FIELDS,   sparse,  DIFFUSION) \
     Q(path,         PATH_FIELDS,         by_path, ALWAYS)
 
 #endif

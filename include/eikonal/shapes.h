@@ -1,6 +1,7 @@
 /* Every shape. An element is what the acceleration structure stores: one triangle, bilinear patch, quadric, piece of a curve segment or
    implicit surface. Elements are numbered through the whole scene, shape after shape.
-   S(name, FEATURE, SPACE): a shape called x is kernels/shape/x.clh beside host/kinds/shape/x.cpp. SPACE says in which space its elements are:
+   S(name, FEATURE, SPACE): a shape called x is kernels/shape/x.clh beside host/kinds/shape/x.cpp. SPACE says in which space its elements
+   are:
      OBJECT   object space, whose maps are in `quadrics`: one element for a shape
      GROUP    the space of the BVH that holds them
      LEAF     as GROUP; the BVH has leaves of their own for them, eight side by side

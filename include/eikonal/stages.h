@@ -15,9 +15,10 @@ CONTRACT_BEGIN
 #define STAGES(S) \
     S(generate_rays,          (pixels),                    (ray, path),                each_sample,    ALWAYS) \
     S(intersect_rays,         (ray),                       (intersection),             each_ray,       ALWAYS) \
+    S(trace_probes,           (ray, probe),                (intersection, exit_point), each_ray,       DIFFUSION) \
     S(extinguish_rays,        (intersection, ray),         (ray, intersection, path),  each_ray,       MEDIA) \
     S(classify_intersections, (intersection, ray),         (intersection, counts),     each_ray,       ALWAYS) \
-    S(route_intersections,    (intersection, ray, counts), (hit, scatter, miss, emission, ray, shadow, path), each_ray, ALWAYS) \
+    S(route_intersections,    (intersection, ray, counts, exit_point), (hit, scatter, miss, emission, ray, shadow, path, probe), each_ray, ALWAYS) \
     S(shade_misses,           (miss),                      (path),                     next_miss,      ENVIRONMENTS) \
     S(shade_emitters,         (emission),                  (path),                     next_emission,  EMITTERS) \
     S(shade_hits,             (hit),                       (ray, shadow, path, walk),  each_bsdf,      ALWAYS) \
@@ -42,7 +43,7 @@ enum next_queue {
     next_emission,            /* shade_emitters; besides another queue */
     next_queues,
     next_mix,                 /* a material to be resolved to one of the above; no queue */
-    next_absorbed,            /* ended in a medium */
+    next_absorbed,            /* ended in a medium or a body */
     next_none,                /* the path ends, or goes where its element says */
     next_values               /* how many values there are */
 };

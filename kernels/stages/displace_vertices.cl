@@ -5,7 +5,8 @@
 
 #define DISPLACE_VERTICES(TABLE, ARGUMENT) \
     TEXTURE_TABLES(TABLE) \
-    ARGUMENT(__global const vec3 *, vertex_points) ARGUMENT(__global const vec3 *, vertex_normals) ARGUMENT(__global const vec2 *, vertex_uvs) \
+    ARGUMENT(__global const vec3 *, vertex_points) ARGUMENT(__global const vec3 *, vertex_normals) \
+    ARGUMENT(__global const vec2 *, vertex_uvs) \
     ARGUMENT(uint, program) ARGUMENT(__global float *, heights)
 TRACING_STAGE(displace_vertices, DISPLACE_VERTICES) {
     texture_tables tables = BIND_TEXTURES;

@@ -1,23 +1,8 @@
 /* ray -> intersection, slot i to slot i.  Finds the nearest hit of each ray. A tracing stage; dead slots are skipped. */
-#include "stages/queue.clh"
-#include "trace/bvh.clh"
 #include "eikonal/stages.h"
+#include "trace/intersect_ray.clh"
 #include "stages/stage.clh"
 
-FN intersection_item intersect_ray(geometry g, texture_tables tables, ray_item r) {
-    nearest_hit best;
-    best.t_max = r.t_max;
-    walk_bvh(g, tables, r.o, r.d, r.time, walk_nearest, &best);
-    intersection_item f = new_intersection();
-    f.t = best.t_max;
-    f.element = best.element;
-    f.instance = best.instance;
-    f.u = best.u;
-    f.v = best.v;
-    return f;
-}
-
-#ifndef AS_LIBRARY
 #define INTERSECT_RAYS(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) \
     ARGUMENT(__global const uint *, ray) ARGUMENT(__global uint *, intersection)
@@ -34,4 +19,3 @@ TRACING_STAGE(intersect_rays, INTERSECT_RAYS) {
         store_intersection(intersection, capacity, i, f);
     }
 }
-#endif

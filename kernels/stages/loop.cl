@@ -1,18 +1,20 @@
 /* pixels -> path.  The stages' functions in a plain loop over each path: a reference that the wavefront must match bit by bit, and a
-   baseline for performance (docs/performance.md). Each work-item has several paths. Its program defines AS_LIBRARY, includes shade_hits.cl
-   for each BSDF of the scene, and lists them: SCENE_BSDFS(B) calls B(name) for each. */
-#include "stages/generate_rays.cl"
-#include "stages/intersect_rays.cl"
-#include "stages/extinguish_rays.cl"
+   baseline for performance (docs/performance.md). Each work-item has several paths. Its program includes shade_hit.clh for
+   each BSDF of the scene, and lists them: SCENE_BSDFS(B) calls B(name) for each. */
+#include "camera/start_path.clh"
+#include "trace/intersect_ray.clh"
+#include "medium/extinguish_ray.clh"
 #include "trace/route.clh"
-#include "trace/route_items.clh"
-#include "stages/shade_misses.cl"
-#include "stages/shade_occlusions.cl"
-#include "stages/shade_scatters.cl"
-#include "stages/test_shadows.cl"
+#include "shade/shade_miss.clh"
+#include "shade/shade_occlusion.clh"
+#include "shade/shade_scatter.clh"
+#include "trace/test_shadow.clh"
 #include "stages/stage.clh"
 
-#define SHADE_CASE(name) if (next_queue == next_##name) return JOIN(shade_, name)(lights, colors, frame, h, bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, path_wavelengths(colors, h.seed, h.sample)), pass, 1);
+#define SHADE_CASE(name) \
+    if (next_queue == next_##name) \
+        return shade_##name(lights, colors, frame, h, \
+                            bind_tables(load_##name(hit, capacity, slot), tables, path_wavelengths(colors, h.seed, h.sample)), pass, 1);
 FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables colors, __global const settings *frame,
                         __global const uint *hit, uint capacity, uint slot, uint next_queue, hit_item h, uint pass) {
     SCENE_BSDFS(SHADE_CASE)
@@ -24,7 +26,11 @@ FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables co
 
 /* The albedo to store for denoisers, if the BSDF has one. */
 typedef struct { spectrum albedo; int found; } kept_albedo;
-#define ALBEDO_CASE(name) if (next_queue == next_##name && !JOIN(name, _is_delta)) { k.albedo = JOIN(albedo_, name)(bind_tables(JOIN(load_, name)(hit, capacity, slot), tables, colors)); k.found = 1; }
+#define ALBEDO_CASE(name) \
+    if (next_queue == next_##name && !name##_is_delta) { \
+        k.albedo = albedo_##name(bind_tables(load_##name(hit, capacity, slot), tables, colors)); \
+        k.found = 1; \
+    }
 FN kept_albedo albedo_any(bsdf_tables tables, sampled_wavelengths colors, __global const uint *hit, uint capacity, uint slot,
                           uint next_queue) {
     kept_albedo k = {uniform_spectrum(0.0f), 0};
@@ -32,12 +38,62 @@ FN kept_albedo albedo_any(bsdf_tables tables, sampled_wavelengths colors, __glob
     return k;
 }
 
-FN void meet_light(geometry g, texture_tables tables, medium_tables media, color_tables colors, __global uint *path, uint path_capacity,
-                   shadow_item s) {
+/* A path on its way: where its hit is stored, what left its last vertex, and rays still to follow, several with ray splitting. */
+typedef struct {
+    bsdf_tables bsdfs;
+    __global uint *hit, *path;
+    uint capacity, path_capacity, slot, shading_passes;
+    scattering out;
+    probe_item probe;
+    ray_item waiting[HAS_TREE ? MOST_TREE_RAYS : 1];
+    uint rays;
+} destinations;
+
+FN void meet_light(scene_tables scene, destinations *to, shadow_item s) {
     if (s.t_max < 0.0f) return;
-    spectrum L = test_shadow(g, tables, media, colors, s);
-    if (!is_black(L)) add_radiance(path, path_capacity, s.path, L);
+    spectrum L = test_shadow(scene.geometry, scene.tables, scene.media, scene.colors, s);
+    if (!is_black(L)) add_radiance(to->path, to->path_capacity, s.path, L);
 }
+
+/* The shading stages, at once (trace/route_intersection.clh) */
+FN uint reserve_hit(destinations *to, uint next_queue) { return to->slot; }
+FN void send_probe(destinations *to, uint slot, probe_item p) { to->probe = p; }
+FN void send_ray(destinations *to, ray_item r) { to->out.ray = r; }
+FN void send_miss(scene_tables scene, destinations *to, miss_item m) {
+    add_radiance(to->path, to->path_capacity, m.path, shade_miss(scene.lights, scene.colors, m));
+}
+FN void send_scatter(scene_tables scene, destinations *to, scatter_item s) {
+    to->out = shade_scatter(scene.lights, scene.colors, scene.frame, s, 1);
+}
+FN void send_emission(destinations *to, emission_item e) {
+    add_radiance(to->path, to->path_capacity, e.path, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
+}
+FN scattering shade_pass(scene_tables scene, destinations *to, uint next_queue, hit_item h, uint pass) {
+    return shade_any(scene.lights, to->bsdfs, scene.colors, scene.frame, to->hit, to->capacity, to->slot, next_queue, h, pass);
+}
+FN void send_hit(scene_tables scene, destinations *to, uint next_queue, uint slot, hit_item h) {
+    kept_albedo k = {uniform_spectrum(1.0f), 1};
+    if (HAS_AMBIENT_OCCLUSION && next_queue == next_occlusion)
+        to->out.shadow = shade_occlusion(scene.colors, scene.frame, h, 1);
+    else {
+        to->out = shade_pass(scene, to, next_queue, h, 0u);
+        if (HAS_AOVS) {
+            k = albedo_any(to->bsdfs, path_wavelengths(scene.colors, h.seed, h.sample), to->hit, to->capacity, slot, next_queue);
+            k.found &= !h.has_nonspecular_vertex;
+        }
+    }
+    if (HAS_AOVS && k.found) STORE_FIELD(path, spectrum, albedo, to->path, to->path_capacity, h.path, seen_albedo(h, k.albedo));
+    if (!HAS_TREE) return;
+    meet_light(scene, to, to->out.shadow);
+    to->out.shadow.t_max = -1.0f;
+    for (uint pass = 1; pass < to->shading_passes; ++pass) {
+        scattering more = shade_pass(scene, to, next_queue, h, pass);
+        if (more.ray.t_max >= 0.0f) to->waiting[to->rays++] = more.ray;
+        meet_light(scene, to, more.shadow);
+    }
+}
+
+#include "trace/route_intersection.clh"
 
 #define LOOP(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) LIGHT_TABLES(TABLE) BSDF_TABLES(TABLE) MEDIUM_TABLES(TABLE) \
@@ -45,105 +101,50 @@ FN void meet_light(geometry g, texture_tables tables, medium_tables media, color
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global uint *, hit) ARGUMENT(__global uint *, path) BATCH_ARGUMENTS(ARGUMENT) \
     ARGUMENT(uint, shading_passes)
 TRACING_STAGE(loop, LOOP) {
-    geometry g = BIND_GEOMETRY;
-    texture_tables tables = BIND_TEXTURES;
-    material_tables material_set = BIND_MATERIALS;
-    light_tables light_set = BIND_LIGHTS;
+    scene_tables scene = BIND_SCENE;
     bsdf_tables bsdf_set = BIND_BSDFS;
-    medium_tables medium_set = BIND_MEDIA;
-    color_tables color_set = BIND_COLORS;
     camera_tables camera_set = BIND_CAMERA;
     for (uint slot = (uint)first_slot; slot < SLOTS_END; ++slot) {
+        destinations to;
+        to.bsdfs = bsdf_set;
+        to.hit = hit; to.path = path;
+        to.capacity = capacity; to.path_capacity = path_capacity; to.slot = slot; to.shading_passes = shading_passes;
+
         pixel_sample at = LOCATE_PATH(slot);
         camera_path started = start_path(camera_set, frame, at.x, at.y, at.sample, slot, at.in_image);
         store_path(path, path_capacity, started.ray.path, started.path);
-
-        /* Rays still to follow; several with ray splitting */
-        ray_item waiting[HAS_TREE ? MOST_TREE_RAYS : 1];
-        uint rays = 1;
-        waiting[0] = started.ray;
-        while (rays > 0) {
-            ray_item r = waiting[--rays];
+        to.rays = 1;
+        to.waiting[0] = started.ray;
+        while (to.rays > 0) {
+            ray_item r = to.waiting[--to.rays];
             while (r.t_max >= 0.0f) {
-                /* Intersect, sample the medium, classify */
-                intersection_item f = intersect_ray(g, tables, r);
+                /* Where the ray ends */
+                intersection_item f = intersect_ray(scene.geometry, scene.tables, r);
                 f.next_queue = next_none;
                 f.material = NONE;
+                exit_point_item exit = new_exit_point();
+                if (HAS_DIFFUSION && r.probe != NONE) {
+                    traced_probe found = trace_probe(scene.geometry, scene.tables, scene.materials, scene.colors, r, to.probe);
+                    f = found.intersection;
+                    exit = found.exit;
+                }
                 if (HAS_MEDIA && r.medium != NONE) {
-                    extinguished e = extinguish_ray(medium_set, color_set, r, f);
+                    extinguished e = extinguish_ray(scene.media, scene.colors, r, f);
                     r = e.ray;
                     f = e.intersection;
                     if (!is_black(e.L)) add_radiance(path, path_capacity, r.path, e.L);
                 }
-                next_step next = classify_intersection(g, tables, material_set, frame, r, f);
+                next_step next = classify_intersection(scene.geometry, scene.tables, scene.materials, frame, r, f);
                 f.next_queue = next.next_queue;
                 f.material = next.material;
+                f.emits = (uint)next.emits;
 
-                scattering out;
-                out.ray = r;
-                out.ray.t_max = -1.0f;
-                out.shadow = no_shadow(r.path);
-                if (ENVIRONMENTS && f.next_queue == next_miss)
-                    add_radiance(path, path_capacity, r.path, shade_miss(light_set, color_set, make_miss(r)));
-                else if (HAS_MEDIA && f.next_queue == next_scatter)
-                    out = shade_scatter(light_set, color_set, frame,
-                                        choose_scatters_light(light_set, frame, make_scatter(medium_set, r, f)), 1);
-                else if (HAS_DIFFUSION && r.body != NONE && f.next_queue < next_miss) {
-                    if (f.next_queue == next_crossing)
-                        out.ray = make_probe(g, tables, material_set, r, f, intersection_surface(g, tables, r, f));
-                    else {
-                        exit_vertex e = make_exit_vertex(material_set, color_set, r);
-                        e.hit = choose_hits_light(light_set, frame, e.hit, 0);
-                        store_exit_vertex(hit, capacity, slot, tables, color_set, material_set, material_set.materials[f.material], e);
-                        out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.next_queue, e.hit, 0u);
-                        if (HAS_AOVS && !e.hit.has_nonspecular_vertex) {
-                            kept_albedo k = albedo_any(bsdf_set, path_wavelengths(color_set, e.hit.seed, e.hit.sample), hit, capacity, slot,
-                                                       f.next_queue);
-                            if (k.found) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(e.hit, k.albedo));
-                        }
-                    }
-                }
-                else if (f.element != NONE) {
-                    surface s = intersection_surface(g, tables, r, f);
-                    if (HAS_EMITTERS && next.emits) {
-                        emission_item e = make_emission(g, tables, light_set, color_set, r, f, s);
-                        add_radiance(path, path_capacity, r.path, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
-                    }
-                    if (HAS_INTERFACE && f.next_queue == next_crossing) out.ray = make_crossing(g, r, f, s);
-                    else if (HAS_AMBIENT_OCCLUSION && f.next_queue == next_occlusion) {
-                        hit_item h = make_hit(g, r, f, s, material_set.materials[f.material]);
-                        out.shadow = shade_occlusion(color_set, frame, h, 1);
-                        if (HAS_AOVS) store_first_surface(g, frame, path, path_capacity, r, f, s);
-                        if (HAS_AOVS)
-                            STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(h, uniform_spectrum(1.0f)));
-                    } else if (f.next_queue < next_miss) {
-                        material m = material_set.materials[f.material];
-                        s = perturb_normal(tables, m, s);
-                        hit_item h = choose_hits_light(light_set, frame, make_hit(g, r, f, s, m), (int)m.transmits);
-                        if (HAS_DIFFUSION) h = place_probe(tables, material_set, color_set, m, h, s);
-                        store_shading(hit, capacity, slot, tables, color_set, material_set, m, h, s);
-                        out = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.next_queue, h, 0u);
-                        if (HAS_TREE) {
-                            meet_light(g, tables, medium_set, color_set, path, path_capacity, out.shadow);
-                            out.shadow.t_max = -1.0f;
-                        }
-                        for (uint pass = 1; HAS_TREE && pass < shading_passes; ++pass) {
-                            scattering more = shade_any(light_set, bsdf_set, color_set, frame, hit, capacity, slot, f.next_queue, h, pass);
-                            if (more.ray.t_max >= 0.0f) waiting[rays++] = more.ray;
-                            meet_light(g, tables, medium_set, color_set, path, path_capacity, more.shadow);
-                        }
-                        if (HAS_AOVS && r.depth == 0) store_first_surface(g, frame, path, path_capacity, r, f, s);
-                        if (HAS_AOVS && !h.has_nonspecular_vertex) {
-                            kept_albedo k =
-                                albedo_any(bsdf_set, path_wavelengths(color_set, h.seed, h.sample), hit, capacity, slot, f.next_queue);
-                            if (k.found) STORE_FIELD(path, spectrum, albedo, path, path_capacity, r.path, seen_albedo(h, k.albedo));
-                        }
-                    }
-                }
-
-                /* Test the shadow ray, then continue with the scattered ray */
-                meet_light(g, tables, medium_set, color_set, path, path_capacity, out.shadow);
-                r = out.ray;
+                /* What is there, the light that it adds, and the ray that goes on */
+                to.out.ray.t_max = -1.0f;
+                to.out.shadow = no_shadow(r.path);
+                if (f.next_queue < next_queues || f.emits) route_intersection(scene, &to, r, f, exit);
+                meet_light(scene, &to, to.out.shadow);
+                r = to.out.ray;
             }
         }
     }

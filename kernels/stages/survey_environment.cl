@@ -8,7 +8,8 @@
 
 #define SURVEY_ENVIRONMENT(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) \
-    ARGUMENT(__global const vec3 *, survey_points) ARGUMENT(__global const vec3 *, survey_normals) ARGUMENT(__global float *, survey_weights) \
+    ARGUMENT(__global const vec3 *, survey_points) ARGUMENT(__global const vec3 *, survey_normals) \
+    ARGUMENT(__global float *, survey_weights) \
     ARGUMENT(uint, representatives)
 TRACING_STAGE(survey_environment, SURVEY_ENVIRONMENT) {
     geometry g = BIND_GEOMETRY;
@@ -25,7 +26,7 @@ TRACING_STAGE(survey_environment, SURVEY_ENVIRONMENT) {
             if (!(cosine > 0.0f)) continue;
             nearest_hit any;
             any.t_max = FAR_AWAY;
-            sum += walk_bvh(g, tables, survey_points[k], d, time, walk_blocker, &any) ? 0.0f : cosine;
+            sum += traverse_bvh(g, tables, survey_points[k], d, time, traversal_blocker, &any) ? 0.0f : cosine;
         }
         survey_weights[i] = sum;
     }

@@ -2,13 +2,12 @@
    not among the stages of a wave (host/render/survey.cpp). Paths start uniformly over the image, pass straight through dielectric
    interfaces, and leave all other surfaces in a cosine-distributed direction. Unused entries get a normal of zero length. */
 #include "camera/camera.clh"
-#define AS_LIBRARY
-#include "stages/intersect_rays.cl"
+#include "trace/intersect_ray.clh"
 #include "trace/route_items.clh"
 #include "stages/stage.clh"
 
 /* The most dielectric interfaces that one path passes. */
-#define MOST_SURVEY_PASSAGES 8
+#define MOST_SURVEY_CROSSINGS 8
 
 FN int passes_straight(uint next_queue) {
     return next_queue == next_crossing || next_queue == next_dielectric || next_queue == next_specular_dielectric ||
@@ -28,7 +27,7 @@ TRACING_STAGE(survey_vertices, SURVEY_VERTICES_ARGUMENTS) {
         uint x = (uint)(next_random(&numbers) * (float)frame->width), y = (uint)(next_random(&numbers) * (float)frame->height);
         ray_item r = generate_ray(camera_set, frame, min(x, frame->width - 1u), min(y, frame->height - 1u), 0u, path).ray;
         uint found = 0u;
-        for (int step = 0; step < SURVEY_VERTICES + MOST_SURVEY_PASSAGES && found < SURVEY_VERTICES && r.t_max >= 0.0f; ++step) {
+        for (int step = 0; step < SURVEY_VERTICES + MOST_SURVEY_CROSSINGS && found < SURVEY_VERTICES && r.t_max >= 0.0f; ++step) {
             intersection_item f = intersect_ray(g, tables, r);
             if (f.element == NONE) break;
             surface s = intersection_surface(g, tables, r, f);

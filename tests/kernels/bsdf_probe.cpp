@@ -18,7 +18,11 @@ std::vector<BsdfKind> bsdfKinds() {
         return type == "spectrum" && spectral ? size_t{CHANNELS_SPECTRAL} : inRgb;
     };
 #define ADD_PARAMETER(q, type, name, FEATURE) kind.parameters.push_back({#type, #name, words(#type, WORDS_##type, spectral)});
-#define ADD_KIND(bsdf, FEATURE, PARAMETERS) { BsdfKind kind{#bsdf, spectral, {}}; PARAMETERS(ADD_PARAMETER, bsdf) if (hasKernelFile("bsdf/" #bsdf ".clh")) kinds.push_back(kind); }
+#define ADD_KIND(bsdf, FEATURE, PARAMETERS)                                                             \
+    {                                                                                                   \
+        BsdfKind kind{#bsdf, spectral, {}};                                                             \
+        PARAMETERS(ADD_PARAMETER, bsdf) if (hasKernelFile("bsdf/" #bsdf ".clh")) kinds.push_back(kind); \
+    }
     for (bool spectral : {false, true}) { BSDFS(ADD_KIND) }
 #undef ADD_KIND
 #undef ADD_PARAMETER

@@ -88,7 +88,8 @@ TEST(Color, OfATexelIsThatOfTheTable) {
     const DeviceScene onDevice(testContext(), tables.packed);
     const auto values = function.with(onDevice, colors, std::vector<Four>(colors.size(), Four{420, 500, 580, 660}));
     for (size_t i = 0; i < colors.size(); ++i) {
-        const glm::dvec3 c = glm::max(glm::dvec3(colors[i].x, colors[i].y, colors[i].z), 0.0);  // colours of wider spaces stop at the end of sRGB
+        const glm::dvec3 c =
+            glm::max(glm::dvec3(colors[i].x, colors[i].y, colors[i].z), 0.0);  // colours of wider spaces stop at the end of sRGB
         const double largest = std::max({c.x, c.y, c.z}), scale = largest > 1 ? 2 * largest : 1;
         const bool grey = c.x == c.y && c.y == c.z;
         const auto expected = [&](double lambda) { return grey ? c.x : scale * tabulatedReflectance(c / scale)(lambda); };

@@ -17,7 +17,8 @@ TEST(AlphaCutOut, OnlyWhatIsThereIsHit) {
         WorldBegin
         Texture "holes" "float" "checkerboard" "float uscale" 4 "float vscale" 4 "float tex1" 1 "float tex2" 0
         Shape "bilinearmesh" "point3 P" [ -1 -1 0  1 -1 0  -1 1 0  1 1 0 ] "texture alpha" "holes"
-        Shape "trianglemesh" "point3 P" [ -1 -1 -1  1 -1 -1  1 1 -1  -1 1 -1 ] "point2 uv" [ 0 0 1 0 1 1 0 1 ] "integer indices" [ 0 1 2 0 2 3 ] "texture alpha" "holes"
+        Shape "trianglemesh" "point3 P" [ -1 -1 -1  1 -1 -1  1 1 -1  -1 1 -1 ] "point2 uv" [ 0 0 1 0 1 1 0 1 ]
+            "integer indices" [ 0 1 2 0 2 3 ] "texture alpha" "holes"
         Shape "sphere" "float radius" 0.5 "float alpha" 0)");
     ASSERT_TRUE(scene.features.has(Feature::ALPHA));
     const affine& m = scene.tables.quadrics[0].scene_from_object;

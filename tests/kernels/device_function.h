@@ -23,7 +23,8 @@ struct FunctionText {
     std::string body;                     ///< statements that set `result` from the inputs
     std::vector<std::string> inputs;      ///< "vec3 wo": type and name of each array
     std::string declarations = {};        ///< structs and functions before the kernel
-    std::string tables = {};              ///< "LIGHT_TABLES(TABLE)": scene tables, and other arguments, as a stage lists them (kernels/stages/stage.clh)
+    std::string tables =
+        {};  ///< "LIGHT_TABLES(TABLE)": scene tables, and other arguments, as a stage lists them (kernels/stages/stage.clh)
     /// All but the environment guide, whose tables scenes of tests have not.
     Features features = Features::all().without(Feature::ENVIRONMENT_GUIDE);
     SceneConstants constants = {.environments = 1};

@@ -112,7 +112,7 @@ TEST(ImageEnvironment, BesideOtherLights) {
         if (i == 2) l.image = 0;
         description.lights.push_back(l);
     }
-    description.integrator.kind = IntegratorKind::simplePath;
+    description.integrator.kind = &simplepath_integrator;
     description.integrator.sampleBsdf = false;   /* so that all are sampled */
     Diagnostics diagnostics(LogLevel::silent);
     const PackedScene scene = packScene(description, diagnostics);

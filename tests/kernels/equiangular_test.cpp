@@ -30,7 +30,9 @@ TEST(Equiangular, ShareWaysByBrightness) {
 
 /// Ways that are sampled towards point lights: the density that they are weighted with is theirs, and means are right in every channel.
 TEST(Equiangular, WaysTowardsThemAreWeightedRight) {
-    const PackedScene packed = sceneWith("homogeneous", parametersOf("homogeneous"), R"(LightSource "point" "point3 from" [ 0 0.32 0.1 ] LightSource "spot" "rgb I" [ 3 3 3 ] "point3 from" [ 0.4 0.6 0.3 ])");
+    const PackedScene packed =
+        sceneWith("homogeneous", parametersOf("homogeneous"),
+                  R"(LightSource "point" "point3 from" [ 0 0.32 0.1 ] LightSource "spot" "rgb I" [ 3 3 3 ] "point3 from" [ 0.4 0.6 0.3 ])");
     ASSERT_TRUE(packed.features.has(Feature::EQUIANGULAR));
     ASSERT_EQ(packed.tables.media[0].equiangular_lights, 2u);
     const DeviceScene onDevice(testContext(), packed);
@@ -41,8 +43,10 @@ TEST(Equiangular, WaysTowardsThemAreWeightedRight) {
                                          .body = R"(
         medium_tables medium_set = BIND_MEDIA;
         float sum = 0.0f, step = 2.0f / 40.0f / 64.0f;
-        for (int i = 0; i < 64; ++i) sum += pdf_equiangular(medium_set.point_lights, 2u, o, d, 2.0f, u.x * 2.0f + ((float)i + 0.5f) * step) * step;
-        result = make_vec3(sample_equiangular(medium_set.point_lights, 2u, o, d, 2.0f, u.x, u.y), sum, equiangular_share(medium_set.point_lights, 2u, o, d, 2.0f, 3.0f));)",
+        for (int i = 0; i < 64; ++i) sum += pdf_equiangular(medium_set.point_lights, 2u, o, d, 2.0f,
+            u.x * 2.0f + ((float)i + 0.5f) * step) * step;
+        result = make_vec3(sample_equiangular(medium_set.point_lights, 2u, o, d, 2.0f, u.x, u.y), sum,
+            equiangular_share(medium_set.point_lights, 2u, o, d, 2.0f, 3.0f));)",
                                          .inputs = {"vec3 o", "vec3 d", "vec2 u"},
                                          .tables = "MEDIUM_TABLES(TABLE)"});
     Random random(13);

@@ -57,7 +57,8 @@ std::vector<ImageLightResult> sample(const PackedScene& scene, const std::vector
         if (l.kind == kind_portal_infinite_light) found = sample_portal(tables, l, p, v, found);
         light_sample s = sample_light(tables, colors, found, p, v);
         light_emission seen = eval_portal_infinite_light(tables, colors, l, eval_color(colors, l.L), p, s.wi, 0u);
-        result.L = s.L; result.wi = s.wi; result.pdf = s.pdf; result.is_delta = s.is_delta; result.Le = seen.Le; result.pdf_here = seen.pdf;)",
+        result.L = s.L; result.wi = s.wi; result.pdf = s.pdf; result.is_delta = s.is_delta; result.Le = seen.Le;
+            result.pdf_here = seen.pdf;)",
          .inputs = {"vec3 p", "vec2 v"},
          .declarations =
              "typedef struct { spectrum L; vec3 wi; float pdf; int is_delta; spectrum Le; float pdf_here; } image_light_result;",
@@ -288,7 +289,8 @@ TEST(PortalEnvironment, IsDarkElsewhere) {
                                              .body = R"(
         light_tables tables = BIND_LIGHTS;
         color_tables color_set = BIND_COLORS;
-        light_emission seen = eval_portal_infinite_light(tables, path_wavelengths(color_set, 0u, 0u), fetch(tables.lights), uniform_spectrum(1.0f), p, d, 0u);
+        light_emission seen = eval_portal_infinite_light(tables, path_wavelengths(color_set, 0u, 0u), fetch(tables.lights),
+            uniform_spectrum(1.0f), p, d, 0u);
         result = seen.pdf + max_component(seen.Le);)",
                                              .inputs = {"vec3 p", "vec3 d"},
                                              .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});

@@ -15,33 +15,51 @@ namespace {
 
 /// Members of the structs of the scene's tables, all of them but those of a light, which are listed in lights.h.
 #define STRUCT_MEMBERS(M) \
-    M(material, next_queue) M(material, first_input) M(material, input_count) M(material, displacement) M(material, normal_map) M(material, mix_a) M(material, mix_b) \
-    M(material, mix_amount) M(material, disperses) M(material, regular) M(material_input, texture) M(material_input, slot) M(material_input, kind) M(material_input, count) M(material_input, value) M(color, c0) M(color, c1) M(color, c2) M(color, scale) M(color, curve) \
-    M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) M(settings, sequence_sample_bits) M(settings, sequence_tile_bits) M(settings, max_depth) M(settings, light_count) \
-    M(settings, first_infinite) M(settings, infinite_count) M(settings, lights_in_tree) M(settings, world_scale) M(settings, sensor_curves) M(settings, albedo_curves) M(settings, bucket_count) M(settings, max_component_value) \
-    M(wavelength_range, first) M(wavelength_range, extent) M(wavelength_range, share) M(wavelength_range, inverse_pdf) M(wavelength_range, inverse_pdf_beside) \
-    M(camera, kind) M(camera, scene_from_camera) M(camera, screen_x) M(camera, screen_y) M(camera, step_x) M(camera, step_y) M(camera, lens_radius) \
-    M(camera, focal_distance) M(camera, moving) M(camera, times) M(camera, equal_area) M(camera, element_count) M(camera, rear_z) M(camera, film_radius) \
+    M(material, next_queue) M(material, first_input) M(material, input_count) M(material, displacement) M(material, normal_map) \
+    M(material, mix_a) M(material, mix_b) \
+    M(material, mix_amount) M(material, disperses) M(material, regular) M(material_input, texture) M(material_input, slot) \
+    M(material_input, kind) M(material_input, count) M(material_input, value) M(color, c0) M(color, c1) M(color, c2) M(color, scale) \
+    M(color, curve) \
+    M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) \
+    M(settings, sequence_sample_bits) M(settings, sequence_tile_bits) M(settings, max_depth) M(settings, light_count) \
+    M(settings, first_infinite) M(settings, infinite_count) M(settings, lights_in_tree) M(settings, world_scale) \
+    M(settings, sensor_curves) M(settings, albedo_curves) M(settings, bucket_count) M(settings, max_component_value) \
+    M(wavelength_range, first) M(wavelength_range, extent) M(wavelength_range, share) M(wavelength_range, inverse_pdf) \
+    M(wavelength_range, inverse_pdf_beside) \
+    M(camera, kind) M(camera, scene_from_camera) M(camera, screen_x) M(camera, screen_y) M(camera, step_x) M(camera, step_y) \
+    M(camera, lens_radius) \
+    M(camera, focal_distance) M(camera, moving) M(camera, times) M(camera, equal_area) M(camera, element_count) M(camera, rear_z) \
+    M(camera, film_radius) \
     M(camera, aperture_width) M(camera, aperture_height) M(camera, medium) M(filter, radius_x) M(filter, radius_y) \
     M(alias_entry, keep) M(alias_entry, other) M(alias_entry, pmf) \
-    M(light_node, x) M(light_node, y) M(light_node, z) M(light_node, radius) M(light_node, axis_x) M(light_node, axis_y) M(light_node, axis_z) \
-    M(light_node, cos_normals) M(light_node, cos_emission) M(light_node, intensity) M(light_node, two_sided) M(light_node, child) M(light_node, parent) \
-    M(shape, kind) M(shape, flags) M(shape, first_element) M(shape, first_index) M(shape, first_vertex) M(shape, first_normal) M(shape, first_tangent) M(shape, first_uv) \
-    M(shape, quadric) M(shape, splits) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, emission) M(shape, id) M(shape, inside) M(shape, outside) \
-    M(quadric, object_from_scene) M(quadric, scene_from_object) M(quadric, radius) M(quadric, inner_radius) M(quadric, z_min) M(quadric, z_max) M(quadric, phi_max) \
+    M(light_node, x) M(light_node, y) M(light_node, z) M(light_node, radius) M(light_node, axis_x) M(light_node, axis_y) \
+    M(light_node, axis_z) \
+    M(light_node, cos_normals) M(light_node, cos_emission) M(light_node, intensity) M(light_node, two_sided) M(light_node, child) \
+    M(light_node, parent) \
+    M(shape, kind) M(shape, flags) M(shape, first_element) M(shape, first_index) M(shape, first_vertex) M(shape, first_normal) \
+    M(shape, first_tangent) M(shape, first_uv) \
+    M(shape, quadric) M(shape, splits) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, emission) M(shape, id) \
+    M(shape, inside) M(shape, outside) \
+    M(quadric, object_from_scene) M(quadric, scene_from_object) M(quadric, radius) M(quadric, inner_radius) M(quadric, z_min) \
+    M(quadric, z_max) M(quadric, phi_max) \
     M(curve, p) M(curve, width) M(curve, type) M(curve, normal_angle) M(curve, n) \
-    M(instance, object_from_scene) M(instance, scene_from_object) M(instance, root) M(instance, first_motion) M(instance, motion_count) M(instance, id) \
+    M(instance, object_from_scene) M(instance, scene_from_object) M(instance, root) M(instance, first_motion) M(instance, motion_count) \
+    M(instance, id) \
     M(motion, start) M(motion, end) M(motion, start_rotation) M(motion, end_rotation) M(motion, angle) M(motion, centre) \
     M(lens_element, z) M(lens_element, radius) M(lens_element, aperture) M(lens_element, eta) \
     M(pupil_bounds, low_x) M(pupil_bounds, low_y) M(pupil_bounds, high_x) M(pupil_bounds, high_y) \
     M(bvh_node, bounds) M(bvh_node, child) M(triangle_line, words) \
-    M(texture_instruction, kind) M(texture_instruction, mapping) M(texture_instruction, flags) M(texture_instruction, image) M(texture_instruction, value) \
+    M(texture_instruction, kind) M(texture_instruction, mapping) M(texture_instruction, flags) M(texture_instruction, image) \
+    M(texture_instruction, value) \
     M(texture_instruction, texture_from_scene) M(texture_program, first) M(texture_program, count) \
     M(image, width) M(image, height) M(image, channels) M(image, format) M(image, wrap) M(image, filter) M(image, first) \
-    M(medium, kind) M(medium, sigma_a) M(medium, sigma_s) M(medium, Le) M(medium, g) M(medium, equiangular_lights) M(medium, box_from_scene) \
-    M(medium, majorants_x) M(medium, majorants_y) M(medium, majorants_z) M(medium, first_majorant) M(medium, density) M(medium, temperature) M(medium, Le_scale) \
-    M(medium, temperature_offset) M(medium, temperature_scale) M(medium, nx) M(medium, ny) M(medium, nz) M(medium, first_sigma_a) M(medium, first_sigma_s) \
-    M(medium, first_Le) M(medium, low) M(medium, extent) M(medium, cloud_density) M(medium, wispiness) M(medium, frequency)
+    M(medium, kind) M(medium, sigma_a) M(medium, sigma_s) M(medium, Le) M(medium, g) M(medium, equiangular_lights) \
+    M(medium, box_from_scene) \
+    M(medium, majorants_x) M(medium, majorants_y) M(medium, majorants_z) M(medium, first_majorant) M(medium, density) \
+    M(medium, temperature) M(medium, Le_scale) \
+    M(medium, temperature_offset) M(medium, temperature_scale) M(medium, nx) M(medium, ny) M(medium, nz) M(medium, first_sigma_a) \
+    M(medium, first_sigma_s) \
+    M(medium, first_Le) M(medium, low) M(medium, extent) M(medium, noise_density) M(medium, wispiness) M(medium, frequency)
 
 /// What both sides report, in the same order.
 struct Report {

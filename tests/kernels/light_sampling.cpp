@@ -14,7 +14,8 @@ static const DeviceFunction<LightResult>& sampler() {
         color_tables color_set = BIND_COLORS;
         sampled_wavelengths colors = path_wavelengths(color_set, 0u, 0u);
         light_choice found = choose_this_light(tables, no_choice(), (uint)sample_light_index(tables, count, u).i);
-        if (tables.lights[found.light].kind == kind_portal_infinite_light) found = sample_portal(tables, fetch(tables.lights + found.light), p, v, found);
+        if (tables.lights[found.light].kind == kind_portal_infinite_light) found = sample_portal(tables, fetch(tables.lights + found.light),
+            p, v, found);
         light_sample s = sample_light(tables, colors, found, p, v);
         result.L = s.L; result.wi = s.wi; result.distance = s.distance; result.pdf = s.pdf; result.is_delta = s.is_delta;
         result.index = (uint)sample_light_index(tables, count, u).i;

@@ -20,7 +20,8 @@ const PackedScene& scene() {
         Integrator "volpath" "integer maxdepth" 5
         WorldBegin
         LightSource "distant" "rgb L" [ 3 2 1 ] "point3 from" [ 0 0 1 ] "point3 to" [ 0 0 0 ]
-        MakeNamedMedium "fog" "string type" "homogeneous" "rgb sigma_a" [ 0.5 0.5 0.5 ] "rgb sigma_s" [ 1.5 1.5 1.5 ] "rgb Le" [ 1 2 4 ] "float g" 0.6
+        MakeNamedMedium "fog" "string type" "homogeneous" "rgb sigma_a" [ 0.5 0.5 0.5 ] "rgb sigma_s" [ 1.5 1.5 1.5 ] "rgb Le" [ 1 2 4 ]
+            "float g" 0.6
         MediumInterface "fog" "" Material "interface" Shape "sphere" "float radius" 0.5)");
     return packed;
 }

@@ -84,7 +84,8 @@ TEST_P(EveryMedium, IsBounded) {
         medium_spectra c = eval_medium(colors, m);
         medium_spectra at = eval_medium_point(medium_set, colors, m, c, p);
         result.sigma_t = add(at.sigma_a, at.sigma_s);
-        result.bound = mul(bounded_extinction(m, c), current_majorant(medium_set, m, start_majorant(m, p, make_vec3(0.0f, 0.0f, 1.0f), 1.0f)));)",
+        result.bound = mul(bounded_extinction(m, c), current_majorant(medium_set, m, start_majorant(m, p, make_vec3(0.0f, 0.0f, 1.0f),
+            1.0f)));)",
                                          .inputs = {"vec3 p"},
                                          .declarations = "typedef struct { spectrum sigma_t, bound; } both;",
                                          .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"});

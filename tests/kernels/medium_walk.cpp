@@ -142,7 +142,8 @@ void expectWeights(const DeviceScene& scene, const MediumRay& ray) {
         ASSERT_TRUE(finite(w.beta) && finite(w.r_u) && finite(w.r_l) && finite(w.L));
         for (int c = 0; c < 3; ++c) {
             const double weight = channelsOf(w.beta)[c] / mean(w.r_u);
-            EXPECT_LE(weight, 3 / 0.75 * 1.001) << "a firefly";   // a third of all paths follow a channel, and at least three quarters of those the medium
+            EXPECT_LE(weight, 3 / 0.75 * 1.001)
+                << "a firefly";  // a third of all paths follow a channel, and at least three quarters of those the medium
             passed[c].add(w.end == 0 ? weight : 0);
             scattered[c].add(w.end == 2 ? weight : 0);
             emitted[c].add(channelsOf(w.L)[c]);

@@ -30,7 +30,9 @@ inline const std::array<MediumRay, 3> rays = {MediumRay{{-0.9f, 0.3f, 0.1f}, {1,
                                               MediumRay{{0.1f, 0.25f, 0.05f}, {-0.48f, 0.6f, 0.64f}},
                                               MediumRay{{0.05f, -0.7f, -0.3f}, {0, 0.8f, 0.6f}}};
 
-struct Integrals { spectrum tau, absorbed, scattered, emitted; };   ///< up to a distance; the last three: of sigma * T, and sigma_a * Le * T
+struct Integrals {
+    spectrum tau, absorbed, scattered, emitted;
+};  ///< up to a distance; the last three: of sigma * T, and sigma_a * Le * T
 const DeviceFunction<Integrals>& integrate();
 
 struct Walked { uint end; float t; spectrum beta, r_u, r_l, L; };

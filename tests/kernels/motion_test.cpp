@@ -94,13 +94,16 @@ constexpr const char* world = R"(
     WorldBegin
     Shape "sphere" "float radius" 0.5
     AttributeBegin Translate 0 1 0 ActiveTransform EndTime Translate 1 0.5 0 Rotate 140 1 2 3 Scale 2 1 0.5 ActiveTransform All
-        Shape "trianglemesh" "integer indices" [ 0 1 2 0 2 3 0 3 1 1 3 2 ] "point3 P" [ 0 0 0  1 0 0  0 1 0  0 0 1 ] Shape "disk" AttributeEnd
+        Shape "trianglemesh" "integer indices" [ 0 1 2 0 2 3 0 3 1 1 3 2 ] "point3 P" [ 0 0 0  1 0 0  0 1 0  0 0 1 ] Shape "disk"
+            AttributeEnd
     ObjectBegin "a"
         Shape "sphere" "float radius" 0.3
-        AttributeBegin Translate 0.8 0 0 ActiveTransform EndTime Rotate 90 0 0 1 ActiveTransform All Shape "bilinearmesh" "point3 P" [ 0 0 0  1 0 0  0 1 0  1 1 1 ] AttributeEnd
+        AttributeBegin Translate 0.8 0 0 ActiveTransform EndTime Rotate 90 0 0 1 ActiveTransform All
+            Shape "bilinearmesh" "point3 P" [ 0 0 0  1 0 0  0 1 0  1 1 1 ] AttributeEnd
     ObjectEnd
     AttributeBegin Translate -2 0 0 ObjectInstance "a" AttributeEnd
-    AttributeBegin Translate 2 0 0 ActiveTransform EndTime Translate 0 -3 0 Rotate 60 0 1 0 ActiveTransform All ObjectInstance "a" AttributeEnd)";
+    AttributeBegin Translate 2 0 0 ActiveTransform EndTime Translate 0 -3 0 Rotate 60 0 1 0 ActiveTransform All ObjectInstance "a"
+        AttributeEnd)";
 
 /// At each of some times rays meet what brute force meets in the scene as it is then.
 TEST(Motion, RaysMeetWhatIsThereAtTheirTime) {

@@ -65,18 +65,20 @@ std::vector<Probe> probe(const PackedScene& scene, const std::vector<vec3>& o, c
         texture_tables tables = BIND_TEXTURES;
         nearest_hit best;
         best.t_max = FAR_AWAY;
-        walk_bvh(g, tables, o, d, 0.0f, walk_nearest, &best);
+        traverse_bvh(g, tables, o, d, 0.0f, traversal_nearest, &best);
         shape_hit hit = {best.t_max, best.u, best.v};
-        result.t = best.element == NONE ? -1.0f : best.t_max; result.element = best.element; result.instance = best.instance; result.u = best.u; result.v = best.v;
+        result.t = best.element == NONE ? -1.0f : best.t_max; result.element = best.element; result.instance = best.instance;
+            result.u = best.u; result.v = best.v;
         result.again = -1.0f;
         if (best.element != NONE) {
             surface at = eval_surface(g, tables, best.element, best.instance, o, d, 0.0f, hit);
             result.p = at.p; result.error = at.error; result.ng = at.ng; result.ns = at.ns; result.uv = at.uv;
-            result.dpdu = at.dpdu; result.dpdv = at.dpdv; result.dndu = at.dndu; result.dndv = at.dndv; result.tangent = surface_tangent(at);
+            result.dpdu = at.dpdu; result.dpdv = at.dpdv; result.dndu = at.dndu; result.dndv = at.dndv;
+                result.tangent = surface_tangent(at);
             vec3 leaving = mul(w, dot3(w, at.ng) * side < 0.0f ? -1.0f : 1.0f);
             nearest_hit next;
             next.t_max = FAR_AWAY;
-            walk_bvh(g, tables, offset_origin(at.p, surface_offset(at), at.ng, leaving), leaving, 0.0f, walk_nearest, &next);
+            traverse_bvh(g, tables, offset_origin(at.p, surface_offset(at), at.ng, leaving), leaving, 0.0f, traversal_nearest, &next);
             if (next.element == best.element && next.instance == best.instance) result.again = next.t_max;
         })",
          .inputs = {"vec3 o", "vec3 d", "vec3 w", "float side"},

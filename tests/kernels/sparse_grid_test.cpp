@@ -19,7 +19,8 @@ TEST(SparseGrids, AreSampledAsTheLibraryDoes) {
                                        .body = R"(
         medium_tables medium_set = BIND_MEDIA;
         vec3 p = transform_point(medium_set.media[0].box_from_scene, at);
-        result = make_vec2(lookup_grid(medium_set, medium_set.media[0].density, p), lookup_grid(medium_set, medium_set.media[0].temperature, p));)",
+        result = make_vec2(lookup_grid(medium_set, medium_set.media[0].density, p), lookup_grid(medium_set, medium_set.media[0].temperature,
+            p));)",
                                        .inputs = {"vec3 at"},
                                        .tables = "MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     Random random(11);

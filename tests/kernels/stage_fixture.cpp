@@ -27,12 +27,14 @@ static const char* const everything = R"(
     Texture "bumps" "float" "checkerboard" "float uscale" 20 "float vscale" 20 "float tex1" 0.01 "float tex2" 0
     Material "diffuse" "texture reflectance" "checks" "texture displacement" "bumps"
     Shape "bilinearmesh" "point3 P" [ -20 -1 -20  20 -1 -20  -20 -1 20  20 -1 20 ]
-    AttributeBegin Translate -3 0 0 Material "conductor" "float uroughness" 0.1 "float vroughness" 0.4 Shape "sphere" "float radius" 0.6 AttributeEnd
+    AttributeBegin Translate -3 0 0 Material "conductor" "float uroughness" 0.1 "float vroughness" 0.4 Shape "sphere" "float radius" 0.6
+        AttributeEnd
     AttributeBegin Translate -1.8 0 0 Material "conductor" "float roughness" 0 Shape "sphere" "float radius" 0.6 AttributeEnd
     AttributeBegin Translate -0.6 0 0 Material "dielectric" "float roughness" 0.3 Shape "sphere" "float radius" 0.6 AttributeEnd
     AttributeBegin Translate 0.6 0 0 Material "dielectric" Shape "sphere" "float radius" 0.6 AttributeEnd
     AttributeBegin Translate 1.8 0 0 Material "thindielectric" Shape "sphere" "float radius" 0.6 AttributeEnd
-    AttributeBegin Translate 3 0 0 Material "diffusetransmission" Shape "sphere" "float radius" 0.6 "float zmin" -0.4 "float alpha" 0.8 AttributeEnd
+    AttributeBegin Translate 3 0 0 Material "diffusetransmission" Shape "sphere" "float radius" 0.6 "float zmin" -0.4 "float alpha" 0.8
+        AttributeEnd
     MakeNamedMaterial "red" "string type" "diffuse" "rgb reflectance" [ 0.8 0.1 0.1 ]
     MakeNamedMaterial "glass" "string type" "dielectric"
     AttributeBegin

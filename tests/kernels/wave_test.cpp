@@ -95,7 +95,8 @@ TEST(Wave, ThroughMediaEndsFiniteAndClean) {
         Sampler "sobol" "integer pixelsamples" 4
         Integrator "volpath" "integer maxdepth" 5
         MakeNamedMedium "thin" "string type" "homogeneous" "rgb sigma_a" [ 0.05 0.1 0.2 ] "rgb sigma_s" [ 0.3 0.2 0.4 ] "float g" 0.4
-        MakeNamedMedium "cloud" "string type" "uniformgrid" "integer nx" 2 "integer ny" 2 "integer nz" 2 "float density" [ 0 1 2 1 0.5 1 3 1 ]
+        MakeNamedMedium "cloud" "string type" "uniformgrid" "integer nx" 2 "integer ny" 2 "integer nz" 2
+            "float density" [ 0 1 2 1 0.5 1 3 1 ]
             "rgb sigma_a" [ 0.2 0.2 0.2 ] "rgb sigma_s" [ 2 2 2 ] "point3 p0" [ -1 -1 -1 ] "point3 p1" [ 1 1 1 ]
         WorldBegin
         LightSource "infinite" "rgb L" [ 0.5 0.5 0.5 ]

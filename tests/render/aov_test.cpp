@@ -79,7 +79,8 @@ TEST(Aovs, PositionsAndNormalsAreThoseOfTheWorld) {
     View v = view();
     v.lookAt = "103 0 -4  103 0 0  0 1 0";
     const Rendered r = renderAovs(v, R"(LightSource "point" AttributeBegin Translate 100 0 0 Rotate 45 0 1 0
-        Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-9 -9 0  9 -9 0  9 9 0  -9 9 0] "normal N" [1 0 -2  1 0 -2  1 0 -2  1 0 -2] AttributeEnd)");
+        Shape "trianglemesh" "integer indices" [0 1 2 0 2 3] "point3 P" [-9 -9 0  9 -9 0  9 9 0  -9 9 0]
+            "normal N" [1 0 -2  1 0 -2  1 0 -2  1 0 -2] AttributeEnd)");
     const glm::vec3 p = r.image.position[9], ng = r.image.geometricNormal[9], n = r.image.normal[9];
     EXPECT_NEAR(p.x, 103, 2e-3);
     EXPECT_NEAR(p.y, 0, 2e-3);
@@ -202,12 +203,14 @@ TEST(Aovs, DepthSlopesInAPanorama) {
 TEST(Aovs, ObjectsAndMaterialsHaveNumbers) {
     View v = view(60, 3);
     const std::string world =
-        R"(LightSource "point" MakeNamedMaterial "a" "string type" "diffuse" MakeNamedMaterial "b" "string type" "diffuse" "rgb reflectance" [.2 .2 .2]
+        R"(LightSource "point" MakeNamedMaterial "a" "string type" "diffuse"
+            MakeNamedMaterial "b" "string type" "diffuse" "rgb reflectance" [.2 .2 .2]
 ObjectBegin "ball" NamedMaterial "b" Shape "sphere" "float radius" .4 Translate 0 0 .1 Shape "sphere" "float radius" .4 ObjectEnd
 NamedMaterial "a" Shape "bilinearmesh" "point3 P" [-.2 -.2 0  .2 -.2 0  -.2 .2 0  .2 .2 0]
 AttributeBegin Translate -1.54 0 0 Scale 2 2 2 ObjectInstance "ball" AttributeEnd
 AttributeBegin Translate 1.54 0 0 Scale 2 2 2 ObjectInstance "ball" AttributeEnd
-AttributeBegin ActiveTransform EndTime Translate 0 .1 0 ActiveTransform All Translate 0 1.54 0 NamedMaterial "b" Shape "sphere" "float radius" .8 AttributeEnd)";
+AttributeBegin ActiveTransform EndTime Translate 0 .1 0 ActiveTransform All Translate 0 1.54 0 NamedMaterial "b"
+    Shape "sphere" "float radius" .8 AttributeEnd)";
     const Rendered r = renderAovs(v, world);
     const std::vector<float> &object = r.image.object, &material = r.image.material;
     EXPECT_EQ(object[3], 3);

@@ -96,7 +96,9 @@ TEST_F(Displaced, RenderLikeTheMeshThatTheyBecome) {
     const std::string height =
         "Texture \"height\" \"float\" \"checkerboard\" \"float uscale\" 3 \"float vscale\" 1 \"float tex1\" .2 \"float tex2\" 0 "
         "Texture \"holes\" \"float\" \"checkerboard\" \"float uscale\" 9 \"float vscale\" 9 \"float tex1\" 0 ";
-    const std::string tent = "Shape \"plymesh\" \"string filename\" \"tent.ply\" \"texture displacement\" \"height\" \"float edgelength\" 9 ";   // as it is, wherever it is
+    const std::string tent =
+        "Shape \"plymesh\" \"string filename\" \"tent.ply\" \"texture displacement\" \"height\" \"float edgelength\" 9 ";  // as it is,
+                                                                                                                           // wherever it is
     const std::string head =
         "LookAt 0 1 -4  0 0 0  0 1 0 Camera \"perspective\" \"float fov\" 50 \"float shutterclose\" 1 Film \"rgb\" \"integer xresolution\" "
         "16 \"integer yresolution\" 16\n"

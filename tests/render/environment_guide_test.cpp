@@ -15,7 +15,8 @@ std::string room(const std::string& inside, const std::string& integrator) {
     view.more = "Integrator " + integrator + " \"integer maxdepth\" 4\n";
     return sceneText(view, R"(LightSource "infinite" "rgb L" [1 2 3]
         Material "diffuse" "rgb reflectance" [.6 .5 .4]
-        Shape "trianglemesh" "point3 P" [-2 -2 -2  2 -2 -2  2 2 -2  -2 2 -2  -2 -2 2  2 -2 2  2 2 2  -2 2 2] "integer indices" [0 1 2 0 2 3  4 5 6 4 6 7  0 4 7 0 7 3  1 5 6 1 6 2  0 1 5 0 5 4]
+        Shape "trianglemesh" "point3 P" [-2 -2 -2  2 -2 -2  2 2 -2  -2 2 -2  -2 -2 2  2 -2 2  2 2 2  -2 2 2]
+            "integer indices" [0 1 2 0 2 3  4 5 6 4 6 7  0 4 7 0 7 3  1 5 6 1 6 2  0 1 5 0 5 4]
         Shape "trianglemesh" "point3 P" [-2 2 -2  1 2 -2  1 2 2  -2 2 2] "integer indices" [0 1 2 0 2 3]
         Shape "trianglemesh" "point3 P" [1 2 -2  2 2 -2  2 2 0  1 2 0] "integer indices" [0 1 2 0 2 3])" +
                                inside);

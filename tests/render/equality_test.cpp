@@ -31,7 +31,8 @@ LightSource "point" "rgb I" [5 5 5] "point3 from" [1 3 -3]
 LightSource "spot" "rgb I" [9 5 5] "point3 from" [-2 3 -3] "point3 to" [0 0 0]
 LightSource "distant" "rgb L" [.3 .3 .1] "point3 from" [1 1 -1] "point3 to" [0 0 0]
 AttributeBegin AreaLightSource "diffuse" "rgb L" [4 4 4] Translate 0 2 0 Rotate 90 1 0 0 Shape "disk" "float radius" .5 AttributeEnd
-AttributeBegin AreaLightSource "diffuse" "rgb L" [2 4 4] "bool twosided" true Shape "bilinearmesh" "point3 P" [1.5 0 0  1.5 0 1  1.5 1 0  1.6 1 1] AttributeEnd
+AttributeBegin AreaLightSource "diffuse" "rgb L" [2 4 4] "bool twosided" true
+    Shape "bilinearmesh" "point3 P" [1.5 0 0  1.5 0 1  1.5 1 0  1.6 1 1] AttributeEnd
 AttributeBegin AreaLightSource "diffuse" "rgb L" [4 4 1] Translate -1.6 .5 0 Shape "sphere" "float radius" .2 AttributeEnd
 Texture "check" "spectrum" "checkerboard" "float uscale" 4 "float vscale" 4 "rgb tex1" [.8 .2 .1] "rgb tex2" [.1 .2 .8]
 Texture "half" "spectrum" "scale" "texture tex" "check" "float scale" .5
@@ -42,29 +43,36 @@ Texture "rough" "float" "mix" "float tex1" .1 "float tex2" .5 "float amount" .5
 ObjectBegin "ball" Material "conductor" "texture roughness" "rough" Shape "sphere" "float radius" .4 ObjectEnd
 AttributeBegin Translate -.9 .5 0 ObjectInstance "ball" Translate .2 .7 .5 Scale .5 .8 .5 ObjectInstance "ball" AttributeEnd
 AttributeBegin Translate -.9 -.5 0 Material "dielectric" "float roughness" 0 Shape "sphere" "float radius" .4 AttributeEnd
-AttributeBegin Translate 0 -.5 -.5 Material "dielectric" "float uroughness" .3 "float vroughness" .1 Shape "sphere" "float radius" .4 AttributeEnd
+AttributeBegin Translate 0 -.5 -.5 Material "dielectric" "float uroughness" .3 "float vroughness" .1 Shape "sphere" "float radius" .4
+    AttributeEnd
 AttributeBegin Translate .9 -.5 0 Material "coateddiffuse" "texture reflectance" "mixed" Shape "sphere" "float radius" .4 AttributeEnd
 AttributeBegin Translate .9 .5 0 Material "conductor" "float roughness" 0 Shape "sphere" "float radius" .4 "float zmin" -.2 AttributeEnd
-AttributeBegin Translate -.3 -.8 .4 ActiveTransform EndTime Translate .5 .4 0 Rotate 60 1 2 3 ActiveTransform All Material "diffuse" Shape "sphere" "float radius" .3 AttributeEnd
-AttributeBegin Translate -.5 .9 .5 Material "subsurface" "rgb reflectance" [.8 .5 .3] "rgb mfp" [.2 .1 .05] Shape "sphere" "float radius" .3 AttributeEnd
+AttributeBegin Translate -.3 -.8 .4 ActiveTransform EndTime Translate .5 .4 0 Rotate 60 1 2 3 ActiveTransform All Material "diffuse"
+    Shape "sphere" "float radius" .3 AttributeEnd
+AttributeBegin Translate -.5 .9 .5 Material "subsurface" "rgb reflectance" [.8 .5 .3] "rgb mfp" [.2 .1 .05] Shape "sphere" "float radius" .3
+    AttributeEnd
 AttributeBegin Translate 0 .4 -.8 Material "thindielectric" Shape "disk" "float radius" .4 AttributeEnd
 MakeNamedMaterial "paint" "string type" "diffuse" "texture reflectance" "mixed" "texture displacement" "waves"
 MakeNamedMaterial "leaf" "string type" "diffusetransmission"
 Material "mix" "string materials" ["paint" "leaf"] "float amount" .4
-Shape "trianglemesh" "point3 P" [-2 -2 1  2 -2 1  2 2 1  -2 2 1] "integer indices" [0 1 2 0 2 3] "point2 uv" [0 0 1 0 1 1 0 1] "texture alpha" "holes"
+Shape "trianglemesh" "point3 P" [-2 -2 1  2 -2 1  2 2 1  -2 2 1] "integer indices" [0 1 2 0 2 3] "point2 uv" [0 0 1 0 1 1 0 1]
+    "texture alpha" "holes"
 Material "diffuse" Shape "bilinearmesh" "point3 P" [-3 -1 -3  3 -1 -3  -3 -1 3  3 -1 3]
 )";
 /// Media of both kinds in interfaces and glass, in each other, with a lamp inside.
 const std::string mediumWorld = surfaceWorld + R"(
 MakeNamedMedium "smoke" "string type" "homogeneous" "rgb sigma_a" [.1 .2 .3] "rgb sigma_s" [3 2 1] "float g" .4
-MakeNamedMedium "flame" "string type" "uniformgrid" "integer nx" 2 "integer ny" 2 "integer nz" 1 "float density" [1 3 0 2] "point3 p0" [-.5 -.5 -.5] "point3 p1" [.5 .5 .5] "rgb Le" [1 .5 .2]
+MakeNamedMedium "flame" "string type" "uniformgrid" "integer nx" 2 "integer ny" 2 "integer nz" 1 "float density" [1 3 0 2]
+    "point3 p0" [-.5 -.5 -.5] "point3 p1" [.5 .5 .5] "rgb Le" [1 .5 .2]
 AttributeBegin Material "interface" Translate 0 .2 -1
     MediumInterface "smoke" "" Shape "sphere" "float radius" .9
     MediumInterface "flame" "smoke" Shape "sphere" "float radius" .5
 AttributeEnd
-AttributeBegin Translate -1.5 -.5 -1 Material "subsurface" "string method" "randomwalk" "float roughness" .2 "rgb reflectance" [.8 .5 .3] "rgb mfp" [.2 .1 .05] Shape "sphere" "float radius" .3 AttributeEnd
+AttributeBegin Translate -1.5 -.5 -1 Material "subsurface" "string method" "randomwalk" "float roughness" .2 "rgb reflectance" [.8 .5 .3]
+    "rgb mfp" [.2 .1 .05] Shape "sphere" "float radius" .3 AttributeEnd
 AttributeBegin Material "dielectric" MediumInterface "smoke" "" Translate 1.5 -.5 -1 Shape "sphere" "float radius" .4 AttributeEnd
-AttributeBegin AreaLightSource "diffuse" "rgb L" [20 20 20] Material "diffuse" MediumInterface "" "smoke" Translate -.6 .2 -1.2 Shape "sphere" "float radius" .05 AttributeEnd
+AttributeBegin AreaLightSource "diffuse" "rgb L" [20 20 20] Material "diffuse" MediumInterface "" "smoke" Translate -.6 .2 -1.2
+    Shape "sphere" "float radius" .05 AttributeEnd
 )";
 
 /// Every feature but those that choose another method, where the same image is only the same on average: wavelengths, a filter's table, a
@@ -219,9 +227,12 @@ TEST_F(OtherKernels, FeaturesThatTheSceneDoesNotRequireDoNotShow) {
 
 // Simple scenes, where nearly everything is left out.
 TEST(MinimalFeatures, GiveTheSameImageAsAll) {
-    for (const char* world : {R"(LightSource "point" "rgb I" [9 9 9] "point3 from" [2 3 -3] Material "diffuse" Shape "trianglemesh" "point3 P" [-2 -1 1  2 -1 1  2 2 1  -2 2 1] "integer indices" [0 1 2 0 2 3])",
-                              R"(LightSource "infinite" "rgb L" [1 1 1] Material "conductor" "float roughness" .2 Shape "sphere")",
-                              R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Material "diffuse" ReverseOrientation Shape "sphere" "float radius" 9)"}) {
+    for (
+        const char* world :
+        {R"(LightSource "point" "rgb I" [9 9 9] "point3 from" [2 3 -3] Material "diffuse"
+            Shape "trianglemesh" "point3 P" [-2 -1 1  2 -1 1  2 2 1  -2 2 1] "integer indices" [0 1 2 0 2 3])",
+         R"(LightSource "infinite" "rgb L" [1 1 1] Material "conductor" "float roughness" .2 Shape "sphere")",
+         R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Material "diffuse" ReverseOrientation Shape "sphere" "float radius" 9)"}) {
         RenderSetup minimal, everything;
         minimal.contraction = everything.contraction = false;
         everything.forced = allButMethods();

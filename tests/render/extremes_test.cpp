@@ -85,13 +85,16 @@ TEST(SlowExtremes, MediaOfEveryDensity) {
 TEST(Extremes, ShapesThatAreHardlyThere) {
     const char* worlds[] = {
         /* triangles of no area, needles, one vertex far away */
-        R"(Shape "trianglemesh" "point3 P" [0 0 0  0 0 0  0 0 0  -1 0 0  0 0 0  1 0 0  -1 0 0  1 1e-7 0  1 0 0  0 0 0  1e7 1 0  1e7 0 1] "integer indices" [0 1 2 3 4 5 6 7 8 9 10 11])",
+        R"(Shape "trianglemesh" "point3 P" [0 0 0  0 0 0  0 0 0  -1 0 0  0 0 0  1 0 0  -1 0 0  1 1e-7 0  1 0 0  0 0 0  1e7 1 0  1e7 0 1]
+            "integer indices" [0 1 2 3 4 5 6 7 8 9 10 11])",
         /* lamps of no area */
-        R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Shape "trianglemesh" "point3 P" [-1 0 0  0 0 0  1 0 0  -1 0 0  1 1e-7 0  1 0 0] "integer indices" [0 1 2 3 4 5])",
+        R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Shape "trianglemesh" "point3 P" [-1 0 0  0 0 0  1 0 0  -1 0 0  1 1e-7 0  1 0 0]
+            "integer indices" [0 1 2 3 4 5])",
         R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Shape "sphere" "float radius" 1e-6)",
         /* the same surface three times */
         R"(Material "dielectric" Shape "sphere" Shape "sphere" Material "diffuse" Shape "sphere")",
-        R"(Material "diffuse" Shape "bilinearmesh" "point3 P" [-3 -1 -3  3 -1 -3  -3 -1 3  3 -1 3] Shape "bilinearmesh" "point3 P" [0 0 0  0 0 0  0 0 0  0 0 0])",
+        R"(Material "diffuse" Shape "bilinearmesh" "point3 P" [-3 -1 -3  3 -1 -3  -3 -1 3  3 -1 3]
+            Shape "bilinearmesh" "point3 P" [0 0 0  0 0 0  0 0 0  0 0 0])",
         /* flat and stretched */
         R"(Scale 1 1e-6 1 Shape "sphere")", R"(Scale 1e-3 1e3 1 Material "dielectric" Shape "sphere")"};
     for (const char* world : worlds) expectFinite(render(sceneText(view(), surroundings + world), surfaces()), world);
@@ -117,7 +120,8 @@ TEST(Extremes, ScenesOfEverySizeAreTheSame) {
         v.lookAt = fmt::format("0 {:.17g} {:.17g}  0 0 0  0 1 0", s, -4 * s);
         return render(sceneText(v, fmt::format(R"(Scale {0:.17g} {0:.17g} {0:.17g}
             LightSource "point" "rgb I" [{1:.17g} {1:.17g} {1:.17g}] "point3 from" [1 3 -3]
-            AttributeBegin AreaLightSource "diffuse" "rgb L" [4 4 4] Translate 0 2 0 Rotate 90 1 0 0 Shape "disk" "float radius" .5 AttributeEnd
+            AttributeBegin AreaLightSource "diffuse" "rgb L" [4 4 4] Translate 0 2 0 Rotate 90 1 0 0 Shape "disk" "float radius" .5
+                AttributeEnd
             AttributeBegin Material "diffuse" Shape "bilinearmesh" "point3 P" [-3 -1 -3  3 -1 -3  -3 -1 3  3 -1 3] AttributeEnd
             MakeNamedMedium "m" "string type" "homogeneous" "float scale" {2:.17g} "rgb sigma_a" [.5 .25 .125] "rgb sigma_s" [1 1 1]
             AttributeBegin MediumInterface "m" "" Material "interface" Shape "sphere" "float radius" .5 AttributeEnd

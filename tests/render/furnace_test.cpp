@@ -48,9 +48,11 @@ TEST(Furnace, WhiteThingsOfEveryShapeCannotBeSeen) {
         AttributeBegin Translate -.8 1 0 Rotate -90 1 0 0 Shape "sphere" "float radius" 1 "float zmin" -1 "float zmax" 0 AttributeEnd
         AttributeBegin Translate 1.2 .5 .4 Shape "sphere" "float radius" .5 Shape "disk" "float radius" .8 "float height" .5 AttributeEnd
         Shape "trianglemesh" "integer indices" [0 1 2 1 0 3] "point3 P" [.5 1.2 -1  1.7 1.2 -1  1.1 .2 -.4  1.1 .2 -1.6]
-        AttributeBegin Translate -.2 .6 -1 Rotate 40 1 0 1 Shape "cylinder" "float radius" .3 "float zmax" .6 "float phimax" 300 AttributeEnd
+        AttributeBegin Translate -.2 .6 -1 Rotate 40 1 0 1 Shape "cylinder" "float radius" .3 "float zmax" .6 "float phimax" 300
+            AttributeEnd
         Shape "curve" "string type" "cylinder" "float width" .3 "point3 P" [-1.5 .2 -1.5  -.5 1.5 -1.5  .5 -.5 -1.5  1.5 .6 -1.2]
-        AttributeBegin Translate .3 .3 -1.4 Scale .8 .8 .8 Shape "implicit" "string F" "x^2*y^2 + y^2*z^2 + z^2*x^2 - x*y*z" "point3 bounds" [-.5 -.5 -.5 .5 .5 .5] AttributeEnd
+        AttributeBegin Translate .3 .3 -1.4 Scale .8 .8 .8 Shape "implicit" "string F" "x^2*y^2 + y^2*z^2 + z^2*x^2 - x*y*z"
+            "point3 bounds" [-.5 -.5 -.5 .5 .5 .5] AttributeEnd
         Shape "loopsubdiv" "point3 P" [.2 1 .5  .6 1.6 .5  .6 1 1  .1 1.2 .9] "integer indices" [0 1 2 0 2 3 0 3 1 1 3 2]
         Shape "bilinearmesh" "point3 P" [-1 0 -1  1 .3 -1  -1 .3 1  1 0 1])"),
                           surfaces()),
@@ -227,7 +229,8 @@ TEST(Furnace, RouletteKeepsEveryChannelRight) {
     view.lookAt = ".3 -.2 -.4  0 0 1  0 1 0";
     view.fov = 90;
     view.maxDepth = 200;
-    PackedScene scene = packScene(sceneText(view, R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [.8 .5 .1]
+    PackedScene scene =
+        packScene(sceneText(view, R"(AreaLightSource "diffuse" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [.8 .5 .1]
         ReverseOrientation Shape "sphere")"));
     using enum RouletteRule;
     for (const Roulette& rule :

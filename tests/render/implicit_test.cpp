@@ -21,7 +21,8 @@ void expectSameImage(const std::string& before, const std::string& after) {
     view.samples = 64;
     view.maxDepth = 8;
     const std::string room = R"(LightSource "infinite" "rgb L" [.3 .4 .5]
-        AttributeBegin AreaLightSource "diffuse" "rgb L" [20 18 15] Translate 1 4 -1 Rotate 90 1 0 0 Shape "disk" "float radius" .5 AttributeEnd
+        AttributeBegin AreaLightSource "diffuse" "rgb L" [20 18 15] Translate 1 4 -1 Rotate 90 1 0 0 Shape "disk" "float radius" .5
+            AttributeEnd
         Material "diffuse" "rgb reflectance" [.6 .5 .4] Shape "bilinearmesh" "point3 P" [-5 -.5 -5  5 -.5 -5  -5 -.5 5  5 -.5 5] )";
     /* The same kernels for both, in which directions along the surface, which are not the same, have no part */
     RenderSetup both;
@@ -77,8 +78,10 @@ TEST(Implicit, ARingIsItsTriangles) {
     view.width = view.height = 32;
     view.samples = 64;
     const std::string room =
-        R"(AttributeBegin AreaLightSource "diffuse" "rgb L" [20 18 15] Translate 1 4 -1 Rotate 90 1 0 0 Shape "disk" "float radius" .5 AttributeEnd
-        LightSource "infinite" "rgb L" [.05 .05 .05] Material "diffuse" Shape "bilinearmesh" "point3 P" [-5 -.5 -5  5 -.5 -5  -5 -.5 5  5 -.5 5] )";
+        R"(AttributeBegin AreaLightSource "diffuse" "rgb L" [20 18 15] Translate 1 4 -1 Rotate 90 1 0 0 Shape "disk" "float radius" .5
+            AttributeEnd
+        LightSource "infinite" "rgb L" [.05 .05 .05] Material "diffuse"
+            Shape "bilinearmesh" "point3 P" [-5 -.5 -5  5 -.5 -5  -5 -.5 5  5 -.5 5] )";
     RenderSetup both = surfaces();
     both.forced.require(Feature::SHAPE_IMPLICIT);
     const auto seen = [&](const std::string& shape) {

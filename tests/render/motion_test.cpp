@@ -35,7 +35,8 @@ TEST(Motion, TheShutterSaysWhichPart) {
 /// The same square in an instance that moves against it: it stays where it is.
 TEST(Motion, InstancesAndTheirShapesMoveTogether) {
     const std::string world = R"(LightSource "infinite" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [0 0 0]
-ObjectBegin "a" ActiveTransform EndTime Translate 8 0 0 ActiveTransform All Shape "bilinearmesh" "point3 P" [-1 -1 0  1 -1 0  -1 1 0  1 1 0] ObjectEnd
+ObjectBegin "a" ActiveTransform EndTime Translate 8 0 0 ActiveTransform All Shape "bilinearmesh" "point3 P" [-1 -1 0  1 -1 0  -1 1 0  1 1 0]
+    ObjectEnd
 AttributeBegin ActiveTransform EndTime Translate -8 0 0 ActiveTransform All Translate 0.5 0 0 ObjectInstance "a" AttributeEnd)";
     expectRadiance(render(sceneText(view(), world)), 0);
 }
@@ -61,7 +62,8 @@ TEST(Motion, AWhiteBallVanishes) {
     v.samples = 64;
     v.maxDepth = 100;
     const std::string world = R"(LightSource "infinite" "rgb L" [1 1 1] Material "diffuse" "rgb reflectance" [1 1 1]
-AttributeBegin ActiveTransform EndTime Translate 1 .2 -.5 Rotate 150 1 2 3 Scale 2 1 .5 ActiveTransform All Translate -.5 0 0 Shape "sphere" AttributeEnd)";
+AttributeBegin ActiveTransform EndTime Translate 1 .2 -.5 Rotate 150 1 2 3 Scale 2 1 .5 ActiveTransform All Translate -.5 0 0 Shape "sphere"
+    AttributeEnd)";
     expectRadiance(render(sceneText(v, world)), 1, 1e-3);
 }
 

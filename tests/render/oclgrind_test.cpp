@@ -58,7 +58,8 @@ AttributeBegin
     AreaLightSource "diffuse" "rgb L" [4 4 4] Translate 0 1.2 0 Rotate 90 1 0 0 Shape "disk" "float radius" .5
 AttributeEnd
 MakeNamedMedium "smoke" "string type" "homogeneous" "rgb sigma_a" [.1 .2 .3] "rgb sigma_s" [3 2 1]
-MakeNamedMedium "cloud" "string type" "uniformgrid" "integer nx" 2 "integer ny" 1 "integer nz" 1 "float density" [1 3] "point3 p0" [-1 -1 -1] "point3 p1" [1 1 1]
+MakeNamedMedium "cloud" "string type" "uniformgrid" "integer nx" 2 "integer ny" 1 "integer nz" 1 "float density" [1 3]
+    "point3 p0" [-1 -1 -1] "point3 p1" [1 1 1]
 AttributeBegin
     Material "interface" MediumInterface "smoke" "" Translate .8 .6 -.5 Shape "sphere" "float radius" .5
     MediumInterface "cloud" "" Translate -1 -.8 -.5 Shape "sphere" "float radius" .4
@@ -76,7 +77,8 @@ Texture "holes" "float" "checkerboard" "float uscale" 8 "float vscale" 8 "float 
 MakeNamedMaterial "paint" "string type" "diffuse" "texture reflectance" "check"
 MakeNamedMaterial "foil" "string type" "diffusetransmission"
 Material "mix" "string materials" ["paint" "foil"]
-Shape "trianglemesh" "point3 P" [-2 -2 1  2 -2 1  2 2 1  -2 2 1] "integer indices" [0 1 2 0 2 3] "point2 uv" [0 0 1 0 1 1 0 1] "texture alpha" "holes"
+Shape "trianglemesh" "point3 P" [-2 -2 1  2 -2 1  2 2 1  -2 2 1] "integer indices" [0 1 2 0 2 3] "point2 uv" [0 0 1 0 1 1 0 1]
+    "texture alpha" "holes"
     "vector3 S" [1 0 0  1 1 0  0 1 0  -1 1 0]
 Texture "waves" "float" "fbm"
 Translate 0 -1 0 Shape "plymesh" "string filename" "ground.ply" "texture displacement" "waves" "float edgelength" .7

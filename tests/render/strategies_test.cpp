@@ -31,9 +31,12 @@ void expectStrategiesAgree(const std::string& material, const std::string& lamps
 }
 
 const std::string lamps = R"(Rotate -90 1 0 0
-    AttributeBegin AreaLightSource "diffuse" "rgb L" [1 1 1] Translate 0 -2 1.4 Rotate 60 1 0 0 Shape "sphere" "float radius" .8 @ AttributeEnd
-    AttributeBegin AreaLightSource "diffuse" "rgb L" [9 9 9] Translate .3 1 2 ReverseOrientation Shape "disk" "float radius" .4 @ AttributeEnd
-    AttributeBegin AreaLightSource "diffuse" "rgb L" [2 2 2] "bool twosided" true Shape "trianglemesh" "point3 P" [-1 1 1  -1 3 1  -1.5 2 2] @ AttributeEnd)";
+    AttributeBegin AreaLightSource "diffuse" "rgb L" [1 1 1] Translate 0 -2 1.4 Rotate 60 1 0 0 Shape "sphere" "float radius" .8 @
+        AttributeEnd
+    AttributeBegin AreaLightSource "diffuse" "rgb L" [9 9 9] Translate .3 1 2 ReverseOrientation Shape "disk" "float radius" .4 @
+        AttributeEnd
+    AttributeBegin AreaLightSource "diffuse" "rgb L" [2 2 2] "bool twosided" true Shape "trianglemesh" "point3 P" [-1 1 1  -1 3 1  -1.5 2 2]
+        @ AttributeEnd)";
 
 TEST(Strategies, AgreeOnADiffuseFloor) { expectStrategiesAgree("\"diffuse\"", lamps); }
 TEST(Strategies, AgreeOnRoughMetal) { expectStrategiesAgree("\"conductor\" \"float roughness\" .3", lamps); }

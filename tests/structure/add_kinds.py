@@ -41,6 +41,12 @@ KINDS = {
     "cloud": ("haze", ["kernels/medium/cloud.clh", "host/kinds/medium/cloud.cpp"], ["include/eikonal/media.h"],
               BOX + FLOOR + 'MakeNamedMedium "m" "string type" "@" "point3 p0" [-1 0 -1] "point3 p1" [1 2 1] "float density" 2\n'
               'MediumInterface "m" ""\nMaterial "interface"\nTranslate 0 1 0\nShape "sphere" "float radius" 0.9\n'),
+    "wrinkled": ("crumpled", ["kernels/texture/wrinkled.clh", "host/kinds/texture/wrinkled.cpp"], ["include/eikonal/textures.h"],
+                 BOX + 'Texture "t" "float" "@" "integer octaves" 5\nTexture "c" "spectrum" "mix" "rgb tex1" [0.9 0.2 0.1] "texture amount" "t"\n'
+                 'Material "diffuse" "texture reflectance" "c"\n' + FLOOR),
+    "diffuse": ("chalk", ["kernels/bsdf/diffuse.clh", "host/kinds/material/diffuse.cpp"],
+                ["include/eikonal/bsdfs.h", "include/eikonal/materials.h"],
+                BOX + 'Material "@" "rgb reflectance" [0.7 0.3 0.1]\n' + FLOOR + 'Shape "sphere" "float radius" 0.7\n'),
 }
 
 
@@ -66,10 +72,15 @@ def add_kind(tree, kind, new, files, lists):
     for file in lists:
         path = tree / file
         text = path.read_text(encoding="utf-8")
-        line = re.search(rf"^    \w\({kind},.*\n", text, re.MULTILINE)[0]
+        line = re.search(rf"^    \w\({kind}[,)].*\n", text, re.MULTILINE)[0]
         # The last line of a list has no backslash: the new line goes before the one that it copies
         new_line = renamed(line, kind, new).split("/*")[0].rstrip().removesuffix("\\").rstrip() + " \\\n"
-        path.write_text(text.replace(line, new_line + line), encoding="utf-8")
+        text = text.replace(line, new_line + line)
+        # The parameters of a BSDF are a list of their own
+        parameters = re.search(rf"^#define {kind.upper()}_PARAMETERS(.*\\\n)*.*\n", text, re.MULTILINE)
+        if parameters:
+            text = text.replace(parameters[0], parameters[0] + "\n" + renamed(parameters[0], kind, new))
+        path.write_text(text, encoding="utf-8")
 
 
 def pixels(program, kernels, scene):

@@ -11,7 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 FAMILIES = ("light", "shape", "camera", "medium", "texture", "bsdf")
-LISTS = {"light": "lights.h", "shape": "shapes.h", "camera": "cameras.h", "medium": "media.h", "texture": "textures.h", "bsdf": "bsdfs.h"}
+LISTS = {"light": "lights.h", "shape": "shapes.h", "camera": "cameras.h", "medium": "media.h", "texture": "textures.h", "bsdf": "bsdfs.h", "material": "materials.h"}
 README_FILES = re.compile(r"\((kernels/[\w/.]+\.clh?|host/[\w/.]+\.(?:cpp|h)|include/[\w/.]+\.h)\)")
 # Terms that were replaced, and words that a graphics engineer would have to look up (the field's words stand in docs/glossary.md).
 WORDS_OUT = re.compile(r"\b(nobody\w*|somebody\w*|passages?|relieve[sd]?|palettes?|foci|emergence|way_out|one_wave|part_wavelengths|"
@@ -149,23 +149,23 @@ def dead_includes():
 
 # name: (what it counts, goal, limit, function)
 MEASURES = {
-    "cases": ("`case`s over kinds outside of the kinds' folders", 0, 13, cases_over_kinds),
-    "visits": ("visits of variants of kinds", 0, 2, visits_of_kinds),
-    "enumerations": ("enumerations of kinds on the host", 6, 9, enumerations_of_kinds),
+    "cases": ("`case`s over kinds outside of the kinds' folders", 0, 0, cases_over_kinds),
+    "visits": ("visits of variants of kinds", 0, 0, visits_of_kinds),
+    "enumerations": ("enumerations of kinds on the host", 6, 6, enumerations_of_kinds),
     "goniometric": ("files of the goniometric light", 2, 2, lambda: files_of("goniometric")),
-    "spherical": ("files of the spherical camera", 2, 3, lambda: [f for f in files_of("spherical") if "texture" not in f]),
+    "spherical": ("files of the spherical camera", 2, 2, lambda: [f for f in files_of("spherical") if "texture" not in f]),
     "cylinder": ("files of the cylinder", 3, 3, lambda: [f for f in files_of("cylinder") if "curve" not in f]  # a curve may be a cylinder, too
     ),
     "cloud": ("files of the cloud medium", 2, 2, lambda: files_of("cloud")),
-    "wrinkled": ("files of the wrinkled texture", 2, 4, lambda: files_of("wrinkled")),
-    "coatedconductor": ("files of the coated conductor", 3, 5, lambda: files_of("coated_?conductor")),
+    "wrinkled": ("files of the wrinkled texture", 2, 2, lambda: files_of("wrinkled")),
+    "coatedconductor": ("files of the coated conductor", 3, 3, lambda: files_of("coated_?conductor")),
     "recipe": ("lines of the longest recipe for a kind", 4, 4, longest_recipe),
-    "columns": ("lines of more than 140 columns", 0, 115, long_lines),
+    "columns": ("lines of more than 140 columns", 0, 0, long_lines),
     "words": ("words that are out", 0, 0, words_out),
     "stages": ("stages that the host finds by a string", 0, 0, stages_by_name),
-    "conditionals": ("`#if` in the files that the README names", 0, 8, conditionals_in_readme_files),
-    "readme": ("files that the README names of more than 150 lines", 0, 1, long_readme_files),
-    "includes": ("dead includes", 0, 4, dead_includes),
+    "conditionals": ("`#if` in the files that the README names", 0, 0, conditionals_in_readme_files),
+    "readme": ("files that the README names of more than 150 lines", 0, 0, long_readme_files),
+    "includes": ("dead includes", 0, 0, dead_includes),
 }
 
 

@@ -22,15 +22,18 @@ protected:
     KernelSource source(const std::string& text) const { return {{path("kernels"), path("include")}, text}; }
 };
 
-TEST_F(KernelSources, TakeInEachFileOnceWhereItIsFirstIncluded) {
+// A file without an include guard comes each time.
+TEST_F(KernelSources, TakeInEachGuardedFileOnceWhereItIsFirstIncluded) {
     write("kernels/a.cl", "first\n#include \"b.clh\"\n  #include \"eikonal/c.h\"  /* why */\nlast");
     write("kernels/b.clh", "#include \"eikonal/c.h\"\nb\n");
-    write("include/eikonal/c.h", "c\n");
+    write("include/eikonal/c.h", "c\n#ifndef C_H\n#endif\n");
+    write("kernels/d.clh", "d\n");
+    EXPECT_THAT(source("#include \"d.clh\"\n#include \"d.clh\"\n").text(), HasSubstr("d\n#line 2 \"program\"\n#line 1 \"d.clh\"\nd\n"));
     EXPECT_EQ(source("#define X 1\n#include \"a.cl\"\n").text(),
               "#line 1 \"program\"\n#define X 1\n"
               "#line 1 \"a.cl\"\nfirst\n"
               "#line 1 \"b.clh\"\n"
-              "#line 1 \"eikonal/c.h\"\nc\n"
+              "#line 1 \"eikonal/c.h\"\nc\n#ifndef C_H\n#endif\n"
               "#line 2 \"b.clh\"\nb\n"
               "#line 3 \"a.cl\"\n\nlast\n"
               "#line 3 \"program\"\n");

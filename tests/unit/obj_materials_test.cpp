@@ -135,10 +135,9 @@ TEST_F(ObjMaterials, withKeEmit) {
 TEST_F(ObjMaterials, haveImagesWithOptions) {
     writeImage("my image.ppm");
     const Scene scene = loadMaterial("Kd .5 .5 .5\nmap_Kd -s 2 3 1 -o .25 .5 -clamp on my image.ppm\n");
-    const Texture& product = textureOf(scene, materialOf(scene).inputs.at("reflectance"));
-    const auto& scale = std::get<ScaleTexture>(product.kind);
-    EXPECT_EQ(scale.scale.value.albedo(), glm::dvec3(.5));
-    const auto& map = std::get<ImagemapTexture>(textureOf(scene, scale.texture).kind);
+    const Texture& scale = textureOf(scene, materialOf(scene).inputs.at("reflectance"));
+    EXPECT_EQ(scale.operands.at(1).value.albedo(), glm::dvec3(.5));
+    const Texture& map = textureOf(scene, scale.operands.at(0));
     EXPECT_EQ(map.mapping.uScale, 2);
     EXPECT_EQ(map.mapping.vScale, 3);
     EXPECT_EQ(map.mapping.uOffset, .25);
@@ -165,7 +164,7 @@ TEST_F(ObjMaterials, haveAlphaBumpAndNormalMaps) {
     const int bump = materialOf(scene).displacement;
     ASSERT_NE(bump, none);
     // White is 2 % of the texture's side high; the texture is 1 wide here, and -bm halves it.
-    EXPECT_NEAR(std::get<ImagemapTexture>(scene.textures.at(static_cast<std::size_t>(bump)).kind).scale, .01, 1e-9);
+    EXPECT_NEAR(scene.textures.at(static_cast<std::size_t>(bump)).scale, .01, 1e-9);
     EXPECT_EQ(materialOf(scene).normalMap, none);
 
     for (const char* statement : {"map_Bump normal.ppm\n", "norm normal.ppm\n"}) {

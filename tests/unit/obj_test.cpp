@@ -26,8 +26,8 @@ double areaOf(const Mesh& mesh) {
 
 // Every spelling of the same square is the same square: two triangles, area 1, facing +z.
 TEST_F(ObjTest, readsEverySpellingOfAFace) {
-    for (const std::string faces : {"f 1 2 3 4\n", "f -4 -3 -2 -1\n", "f 1// 2// 3// 4//\n", "f 1 2 3\nf 1 3 4\n", "f 1 \\\n 2 \\\n3 4", "fo 1 2 3 4 # a square\n",
-                                     "  \tf  1\t2 3 4   \n", "g a b\ns off\nf 1 2 3 4\n"}) {
+    for (const std::string faces : {"f 1 2 3 4\n", "f -4 -3 -2 -1\n", "f 1// 2// 3// 4//\n", "f 1 2 3\nf 1 3 4\n", "f 1 \\\n 2 \\\n3 4",
+                                    "fo 1 2 3 4 # a square\n", "  \tf  1\t2 3 4   \n", "g a b\ns off\nf 1 2 3 4\n"}) {
         const Scene scene = load(square + faces);
         const Mesh& mesh = meshOf(scene);
         EXPECT_EQ(mesh.indices.size(), 6u) << faces;
@@ -154,7 +154,8 @@ TEST_F(ObjTest, refusesHugeIndices) {
 
 // Cut anywhere, a file gives a scene or an error of ours.
 TEST_F(ObjTest, survivesTruncationAnywhere) {
-    const std::string text = "mtllib none.mtl\n" + square + "vt 0 0\nvn 0 0 1\no a\ns 1\nusemtl m\nf 1/1/1 2/1/1 \\\n 3/1/1\nf -4//-1 -2//-1 -1//-1\n";
+    const std::string text =
+        "mtllib none.mtl\n" + square + "vt 0 0\nvn 0 0 1\no a\ns 1\nusemtl m\nf 1/1/1 2/1/1 \\\n 3/1/1\nf -4//-1 -2//-1 -1//-1\n";
     int scenes = 0, errors = 0;
     for (std::size_t length = 0; length <= text.size(); ++length) (errorIn(text.substr(0, length)) == "no error" ? scenes : errors)++;
     EXPECT_GT(scenes, 20);

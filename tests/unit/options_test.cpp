@@ -72,7 +72,7 @@ TEST(Options, ValuesOfEveryKindAreRead) {
     EXPECT_EQ(o.scene.fov, 35);
     EXPECT_EQ(o.scene.resolution, (std::array{640, 480}));
     EXPECT_EQ(o.scene.sampler, SamplerKind::independent);
-    EXPECT_EQ(o.scene.integrator, IntegratorKind::whitted);
+    EXPECT_EQ(o.scene.integrator, &whitted_integrator);
     EXPECT_EQ(o.scene.maxDepth, 0);
     EXPECT_EQ(o.scene.roulette, RouletteRule::throughput);
     EXPECT_EQ(o.scene.rouletteScale, 2.5);

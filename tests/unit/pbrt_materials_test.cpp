@@ -2,6 +2,7 @@
 
 #include "kinds/material_kind.h"
 #include "read/pbrt/materials.h"
+#include "kinds/texture_kind.h"
 #include "unit/pbrt_reading.h"
 
 #include <cmath>
@@ -79,7 +80,7 @@ TEST_F(PbrtMaterials, texturedHairIsAProgramOfTextures) {
     const Scene scene = world("Texture \"t\" \"float\" \"constant\" \"float value\" .5\nMaterial \"hair\" \"texture eumelanin\" \"t\"");
     const Input& absorption = scene.materials.at(0).inputs.at("sigma_a");
     ASSERT_NE(absorption.texture, none);
-    EXPECT_TRUE(std::holds_alternative<MixTexture>(scene.textures.at(static_cast<size_t>(absorption.texture)).kind));
+    EXPECT_STREQ(scene.textures.at(static_cast<size_t>(absorption.texture)).kind->name, "mix");
     EXPECT_NE(scene.materials.at(0).inputs.at("h").texture, none);
 }
 
@@ -138,9 +139,9 @@ TEST_F(PbrtMaterials, diffuseTransmissionIsScaled) {
         Material "diffusetransmission" "rgb reflectance" [.2 .4 .6] "texture transmittance" "t" "float scale" .5)");
     const Material& m = scene.materials[0];
     expectNear(m.inputs.at("reflectance").value.albedo(), {.1, .2, .3});
-    const auto& scaled = std::get<ScaleTexture>(scene.textures[m.inputs.at("transmittance").texture].kind);
-    EXPECT_EQ(scene.textures[scaled.texture.texture].name, "t");
-    EXPECT_EQ(scaled.scale.value.value(), .5);
+    const Texture& scaled = scene.textures[m.inputs.at("transmittance").texture];
+    EXPECT_EQ(scene.textures[scaled.operands.at(0).texture].name, "t");
+    EXPECT_EQ(scaled.operands.at(1).value.value(), .5);
 }
 
 TEST_F(PbrtMaterials, bumpsAndNormals) {

@@ -124,7 +124,7 @@ TEST_F(PbrtMedia, rgbGrids) {
 TEST_F(PbrtMedia, clouds) {
     const Medium m = medium("\"cloud\"");
     EXPECT_STREQ(m.kind->name, "cloud");
-    EXPECT_EQ(m.cloudDensity, 1);
+    EXPECT_EQ(m.noiseDensity, 1);
     EXPECT_EQ(m.wispiness, 1);
     EXPECT_EQ(m.frequency, 5);
     expectNear(m.p1, {1, 1, 1});

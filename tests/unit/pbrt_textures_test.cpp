@@ -1,5 +1,6 @@
 // Textures. The defaults are those of pbrt-v4's source (textures.cpp).
 
+#include "kinds/texture_kind.h"
 #include "unit/pbrt_reading.h"
 
 namespace eikonal {
@@ -13,52 +14,50 @@ protected:
         write("a.jpg", "an image");
     }
     Texture texture(const std::string& text) { return world("Texture \"t\" " + text).textures.at(0); }
-    template <class T> T kind(const std::string& text) { return std::get<T>(texture(text).kind); }
+    double operand(const std::string& text, size_t which) { return texture(text).operands.at(which).value.value(); }
     ImageFile image(const std::string& parameters) { return world("Texture \"t\" \"spectrum\" \"imagemap\" " + parameters).images.at(0); }
 };
 
 TEST_F(PbrtTextures, defaults) {
-    EXPECT_EQ(kind<ConstantTexture>("\"float\" \"constant\"").value.value.value(), 1);
-    EXPECT_EQ(kind<ScaleTexture>("\"spectrum\" \"scale\"").texture.value.value(), 1);
-    const auto mix = kind<MixTexture>("\"spectrum\" \"mix\"");
-    EXPECT_EQ(mix.a.value.value(), 0);
-    EXPECT_EQ(mix.b.value.value(), 1);
-    EXPECT_EQ(mix.amount.value.value(), .5);
-    const auto board = kind<CheckerboardTexture>("\"float\" \"checkerboard\"");
-    EXPECT_EQ(board.a.value.value(), 1);
-    EXPECT_EQ(board.b.value.value(), 0);
+    EXPECT_EQ(operand("\"float\" \"constant\"", 0), 1);
+    EXPECT_EQ(operand("\"spectrum\" \"scale\"", 0), 1);
+    EXPECT_EQ(operand("\"spectrum\" \"mix\"", 0), 0);
+    EXPECT_EQ(operand("\"spectrum\" \"mix\"", 1), 1);
+    EXPECT_EQ(operand("\"spectrum\" \"mix\"", 2), .5);
+    const Texture board = texture("\"float\" \"checkerboard\"");
+    EXPECT_EQ(board.operands.at(0).value.value(), 1);
+    EXPECT_EQ(board.operands.at(1).value.value(), 0);
     EXPECT_EQ(board.dimensions, 2);
     EXPECT_EQ(board.mapping.kind, TextureMapping::uv);
     EXPECT_EQ(board.mapping.uScale, 1);
 }
 
 TEST_F(PbrtTextures, patterns) {
-    const auto bilerp = kind<BilerpTexture>(R"("spectrum" "bilerp" "rgb v10" [.1 .2 .3] "float vscale" 2)");
-    EXPECT_EQ(bilerp.v00.value.value(), 0);
-    EXPECT_EQ(bilerp.v01.value.value(), 1);
-    expectNear(bilerp.v10.value.albedo(), {.1, .2, .3});
-    EXPECT_EQ(bilerp.v11.value.value(), 1);
+    const Texture bilerp = texture(R"("spectrum" "bilerp" "rgb v10" [.1 .2 .3] "float vscale" 2)");
+    EXPECT_EQ(bilerp.operands.at(0).value.value(), 0);
+    EXPECT_EQ(bilerp.operands.at(1).value.value(), 1);
+    expectNear(bilerp.operands.at(2).value.albedo(), {.1, .2, .3});
+    EXPECT_EQ(bilerp.operands.at(3).value.value(), 1);
     EXPECT_EQ(bilerp.mapping.vScale, 2);
-    const auto dots = kind<DotsTexture>("\"float\" \"dots\"");
-    EXPECT_EQ(dots.inside.value.value(), 0);   // the parameters are exchanged, as in pbrt-v4
-    EXPECT_EQ(dots.outside.value.value(), 1);
-    const auto mix =
-        std::get<DirectionMixTexture>(world("Rotate 90 1 0 0 Scale 2 2 2 Texture \"t\" \"float\" \"directionmix\"").textures.at(0).kind);
-    EXPECT_EQ(mix.a.value.value(), 0);
-    EXPECT_EQ(mix.b.value.value(), 1);
+    const Texture dots = texture("\"float\" \"dots\"");
+    EXPECT_EQ(dots.operands.at(0).value.value(), 0);   // the parameters are exchanged, as in pbrt-v4
+    EXPECT_EQ(dots.operands.at(1).value.value(), 1);
+    const Texture mix = world("Rotate 90 1 0 0 Scale 2 2 2 Texture \"t\" \"float\" \"directionmix\"").textures.at(0);
+    EXPECT_EQ(mix.operands.at(0).value.value(), 0);
+    EXPECT_EQ(mix.operands.at(1).value.value(), 1);
     expectNear(mix.direction, {0, 0, 1});
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"directionmix\" \"vector3 dir\" [0 0 0]"), HasSubstr("has no length"));
 }
 
 TEST_F(PbrtTextures, noise) {
-    const auto fbm = kind<NoiseTexture>("\"float\" \"fbm\"");
-    EXPECT_EQ(fbm.pattern, NoisePattern::fbm);
+    const Texture fbm = texture("\"float\" \"fbm\"");
+    EXPECT_EQ(fbm.kind->value, kind_fbm_texture);
     EXPECT_EQ(fbm.octaves, 8);
     EXPECT_EQ(fbm.roughness, .5);
-    EXPECT_EQ(kind<NoiseTexture>("\"float\" \"wrinkled\" \"integer octaves\" 3").octaves, 3);
-    EXPECT_EQ(kind<NoiseTexture>("\"float\" \"windy\"").pattern, NoisePattern::windy);
-    const auto marble = kind<NoiseTexture>("\"spectrum\" \"marble\" \"float scale\" 2");
-    EXPECT_EQ(marble.pattern, NoisePattern::marble);
+    EXPECT_EQ(texture("\"float\" \"wrinkled\" \"integer octaves\" 3").octaves, 3);
+    EXPECT_EQ(texture("\"float\" \"windy\"").kind->value, kind_windy_texture);
+    const Texture marble = texture("\"spectrum\" \"marble\" \"float scale\" 2");
+    EXPECT_EQ(marble.kind->value, kind_marble_texture);
     EXPECT_EQ(marble.scale, 2);
     EXPECT_EQ(marble.variation, .2);
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"fbm\" \"integer octaves\" 40"),
@@ -67,7 +66,8 @@ TEST_F(PbrtTextures, noise) {
 }
 
 TEST_F(PbrtTextures, imagemaps) {
-    const auto map = kind<ImagemapTexture>(R"("spectrum" "imagemap" "string filename" "a.png" "float scale" 2 "bool invert" true "float uscale" 3 "float vdelta" .5)");
+    const Texture map = texture(
+        R"("spectrum" "imagemap" "string filename" "a.png" "float scale" 2 "bool invert" true "float uscale" 3 "float vdelta" .5)");
     EXPECT_EQ(map.scale, 2);
     EXPECT_TRUE(map.invert);
     EXPECT_EQ(map.mapping.uScale, 3);
@@ -108,15 +108,15 @@ TEST_F(PbrtTextures, anImageIsKeptOnce) {
 TEST_F(PbrtTextures, mappingsFollowTheTransform) {
     const Scene scene = world(
         "Translate 1 2 3 Texture \"t\" \"float\" \"checkerboard\" \"string mapping\" \"planar\" \"vector3 v1\" [0 0 2] \"float udelta\" 4");
-    const Mapping& mapping = std::get<CheckerboardTexture>(scene.textures[0].kind).mapping;
+    const Mapping& mapping = scene.textures[0].mapping;
     EXPECT_EQ(mapping.kind, TextureMapping::planar);
     expectNear(mapping.planeU, {0, 0, 2});
     expectNear(mapping.planeV, {0, 1, 0});
     EXPECT_EQ(mapping.uOffset, 4);
     expectNear(apply(mapping.worldFromTexture, {0, 0, 0}), {1, 2, 3});
-    EXPECT_EQ(kind<CheckerboardTexture>("\"float\" \"checkerboard\" \"string mapping\" \"spherical\"").mapping.kind,
+    EXPECT_EQ(texture("\"float\" \"checkerboard\" \"string mapping\" \"spherical\"").mapping.kind,
               TextureMapping::spherical);
-    EXPECT_EQ(kind<CheckerboardTexture>("\"float\" \"checkerboard\" \"string mapping\" \"cylindrical\"").mapping.kind,
+    EXPECT_EQ(texture("\"float\" \"checkerboard\" \"string mapping\" \"cylindrical\"").mapping.kind,
               TextureMapping::cylindrical);
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"checkerboard\" \"string mapping\" \"cubic\""),
                 HasSubstr("it can be \"uv\", \"spherical\""));
@@ -128,9 +128,9 @@ TEST_F(PbrtTextures, texturesAreMadeOfTextures) {
         Texture "t" "spectrum" "constant" "rgb value" [.1 .2 .3]
         Texture "f" "float" "constant" "float value" .5
         Material "diffuse" "texture reflectance" "s")");
-    const auto& scale = std::get<ScaleTexture>(scene.textures[scene.materials[0].inputs.at("reflectance").texture].kind);
-    EXPECT_EQ(scene.textures[scale.texture.texture].name, "t");
-    EXPECT_TRUE(scene.textures[scale.scale.texture].isFloat);
+    const Texture& scale = scene.textures[scene.materials[0].inputs.at("reflectance").texture];
+    EXPECT_EQ(scene.textures[scale.operands.at(0).texture].name, "t");
+    EXPECT_TRUE(scene.textures[scale.operands.at(1).texture].isFloat);
 }
 
 TEST_F(PbrtTextures, floatAndSpectrumTexturesHaveNamesOfTheirOwn) {

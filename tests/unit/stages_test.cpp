@@ -66,7 +66,8 @@ TEST_P(StageQueues, AreTheArgumentsOfItsKernel) {
     const Names reads = namesOf(stage.reads), writes = namesOf(stage.writes);
     const std::string text = textOf(stage.name);
     std::smatch kernel;
-    const std::regex declaration(R"(#define ([A-Z_]+)\(TABLE, ARGUMENT\)((?:.*\\\n)*.*)\n(?:TRACING_)?STAGE\()" + std::string(stage.name) + R"(, \1\) \{)");
+    const std::regex declaration(R"(#define ([A-Z_]+)\(TABLE, ARGUMENT\)((?:.*\\\n)*.*)\n(?:TRACING_)?STAGE\()" + std::string(stage.name) +
+                                 R"(, \1\) \{)");
     ASSERT_TRUE(std::regex_search(text, kernel, declaration));
     EXPECT_EQ(queueArguments(kernel[2], true), writes);
     /* What is not const may be read as well, where the list says so */

@@ -195,21 +195,21 @@ TEST_F(Subsurface, TakesItsCoefficientsFromTextures) {
     EXPECT_EQ(body.kind, &subsurface_material);
     EXPECT_FALSE(body.interior);
     EXPECT_EQ(body.diffusion->length.value(), 1);
-    const auto& albedo = std::get<DiffuseAlbedoTexture>(scene.textures.at(body.diffusion->albedoTexture).kind);
-    const auto& path = std::get<FreePathTexture>(scene.textures.at(body.diffusion->pathTexture).kind);
+    const Texture& albedo = scene.textures.at(body.diffusion->albedoTexture);
+    const Texture& path = scene.textures.at(body.diffusion->pathTexture);
     EXPECT_EQ(albedo.g, .5);
     EXPECT_EQ(path.g, .5);
-    EXPECT_EQ(albedo.sigmaA.texture, path.sigmaA.texture);
-    EXPECT_EQ(std::get<ScaleTexture>(scene.textures.at(albedo.sigmaA.texture).kind).scale.value.value(), 2);
-    expectNear(albedo.sigmaS.value.albedo(), {8, 10, 12});
-    expectNear(path.sigmaS.value.albedo(), {8, 10, 12});
-    const ImageData& row = *scene.images.at(albedo.albedos).pixels;
+    EXPECT_EQ(albedo.operands.at(0).texture, path.operands.at(0).texture);
+    EXPECT_EQ(scene.textures.at(albedo.operands.at(0).texture).operands.at(1).value.value(), 2);
+    expectNear(albedo.operands.at(1).value.albedo(), {8, 10, 12});
+    expectNear(path.operands.at(1).value.albedo(), {8, 10, 12});
+    const ImageData& row = *scene.images.at(albedo.image).pixels;
     EXPECT_EQ(row.height, 1);
     EXPECT_NEAR(row.floats.at(row.floats.size() / 2), diffuseAlbedo(.75 / (1 - .5 * .25), .5, 1.4), 1e-6);   // s = 1/2
     EXPECT_THAT(warnings_, IsEmpty());
 
     const Material both = read("\"texture sigma_a\" \"t\" \"texture sigma_s\" \"t\" \"rgb reflectance\" [.3 .4 .5]");
-    EXPECT_NE(std::get<FreePathTexture>(scene.textures.at(both.diffusion->pathTexture).kind).sigmaS.texture, none);
+    EXPECT_NE(scene.textures.at(both.diffusion->pathTexture).operands.at(1).texture, none);
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"reflectance\" is ignored")));
     EXPECT_FALSE(read("\"string name\" \"Skin1\" \"texture sigma_a\" \"t\"").diffusion->isTextured());
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"checkerboard\" Material \"subsurface\" \"texture sigma_a\" \"t\""),

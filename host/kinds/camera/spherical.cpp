@@ -31,6 +31,7 @@ static std::optional<glm::dvec2> project(const PackedScene& scene, glm::dvec3 p)
 static bool wrapsAround(const camera& view) { return !view.equal_area; }
 
 const CameraTraits spherical_camera{
-    .parameters = "string mapping = equalarea", .read = read, .pack = pack, .project = project, .wrapsAround = wrapsAround};
+    .parameters = "string mapping = equalarea", .read = read, .pack = pack, .project = project, .wrapsAround = wrapsAround,
+    .version3Name = "environment"};
 
 }  // namespace eikonal

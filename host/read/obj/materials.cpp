@@ -38,7 +38,7 @@ public:
         reportUnknown();
         ObjMaterial result;
         const int surface = chooseSurface();
-        addRelief(surface);
+        addBumpOrNormalMap(surface);
         result.material = surface;
         result.alpha = opacity();
         result.areaLight = light();
@@ -193,7 +193,7 @@ private:
         return std::abs(average.x - 0.5) < 0.15 && std::abs(average.y - 0.5) < 0.15 && average.z > 0.7;
     }
 
-    void addRelief(int material) {
+    void addBumpOrNormalMap(int material) {
         if (auto normals = image("norm", ColorEncoding::linear)) setNormalMap(material, normals->second);
         for (const char* keyword : {"map_bump", "bump", "map_disp", "disp"}) {
             const auto found = image(keyword, ColorEncoding::linear);

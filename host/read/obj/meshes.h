@@ -19,7 +19,7 @@ struct ObjMesh {
 
 struct ObjMeshes {
     std::vector<ObjMesh> groups;          ///< one for each ObjGeometry::groups
-    glm::dvec3 offset{0};                 ///< to be added to all positions. Not zero for models far from the origin, whose details floats would lose
+    glm::dvec3 offset{0};  ///< to be added to all positions. Not zero for models far from the origin, whose details floats would lose
     std::size_t triangles = 0;
     std::size_t degenerate = 0;           ///< triangles skipped because they have no area or a position that is not finite
 };

@@ -1,5 +1,7 @@
 #include "read/obj/mtl_inputs.h"
 
+#include "kinds/texture_kind.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +15,7 @@ Input MtlInputs::addTexture(Texture texture) {
 }
 
 Input MtlInputs::product(const Input& a, const Input& b, bool isFloat) {
-    return addTexture({.name = {}, .isFloat = isFloat, .kind = ScaleTexture{a, b}, .where = a.where});
+    return addTexture({.kind = &kindOf(kind_scale_texture), .name = {}, .isFloat = isFloat, .where = a.where, .operands = {a, b}});
 }
 
 int MtlInputs::addImage(ImageFile image) {
@@ -44,13 +46,14 @@ std::optional<Input> MtlInputs::texture(const std::string& keyword, bool isFloat
     const auto& [options, file] = *found;
     const Mapping mapping{.uScale = options.scale.x, .vScale = options.scale.y, .uOffset = options.offset.x, .vOffset = options.offset.y};
     const auto add = [&](double scale) {
-        return addTexture(
-            {.name = file.path, .isFloat = isFloat, .kind = ImagemapTexture{addImage(file), mapping, scale}, .where = options.where});
+        return addTexture({.kind = &kindOf(kind_imagemap_texture), .name = file.path, .isFloat = isFloat, .where = options.where,
+                           .mapping = mapping, .scale = scale, .image = addImage(file)});
     };
     if (options.base == 0) return add(factor * options.gain);
     // base at 0, base + gain at 1.
     const Input low = constant(factor * options.base, keyword), high = constant(factor * (options.base + options.gain), keyword);
-    return addTexture({.name = file.path, .isFloat = isFloat, .kind = MixTexture{low, high, add(1)}, .where = options.where});
+    return addTexture({.kind = &kindOf(kind_mix_texture), .name = file.path, .isFloat = isFloat, .where = options.where,
+                       .operands = {low, high, add(1)}});
 }
 
 }  // namespace eikonal

@@ -25,7 +25,7 @@ void reject(Reading& reading, const Kind& kind, const Parameter& parameter) {
         if (rule.name == parameter.name || rule.orElse == parameter.name)
             throw SceneError(parameter.where,
                              shown + " found where " + kind.title() + " has " + acceptedDeclarations(rule, parameter.name));
-    if (const char* successor = successorOf("parameter", parameter.name)) throw Version3Error(parameter.where, shown, successor);
+    if (const auto successor = successorOf("parameter", parameter.name)) throw Version3Error(parameter.where, shown, successor->c_str());
     const std::string near = nearestWord(parameter.name, kind.parameters());
     reading.unsupported("parameter " + kind.title() + " " + parameter.name, parameter.where,
                         shown + " is ignored, since " + kind.title() + " has no such parameter" +

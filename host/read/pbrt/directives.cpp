@@ -213,7 +213,7 @@ const Directive& findDirective(const Token& token, const SourceLocation& where) 
     const std::string text(token.text.substr(0, 60));
     if (token.kind == Token::Kind::word) {
         if (const auto found = byName.find(token.text); found != byName.end()) return *found->second;
-        if (const char* successor = successorOf("directive", text)) throw Version3Error(where, "\"" + text + "\"", successor);
+        if (const auto successor = successorOf("directive", text)) throw Version3Error(where, "\"" + text + "\"", successor->c_str());
     }
     const std::string near = nearestWord(text, directiveNames());
     throw SceneError(where, "\"" + text + "\" found where a directive is expected" +

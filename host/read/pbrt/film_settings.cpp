@@ -83,15 +83,10 @@ void Settings::applyFilm(const Arguments& arguments) {
 void Settings::applyFilter(const Arguments& arguments) {
     FilterDescription& filter = reading_.scene.filter;
     filter.where = arguments.where();
-    filter.kind = static_cast<FilterKind>(arguments.kind().value);
+    filter.kind = filterKindList()[static_cast<size_t>(arguments.kind().value)];
     filter.xRadius = arguments.number("xradius");
     filter.yRadius = arguments.number("yradius");
-    if (filter.kind == FilterKind::gaussian) filter.sigma = arguments.number("sigma");
-    if (filter.kind == FilterKind::sinc) filter.tau = arguments.number("tau");
-    if (filter.kind == FilterKind::mitchell) {
-        filter.B = arguments.number("B", 1. / 3);
-        filter.C = arguments.number("C", 1. / 3);
-    }
+    if (filter.kind->read) filter.kind->read(arguments, filter);
 }
 
 void Settings::applySampler(const Arguments& arguments) {

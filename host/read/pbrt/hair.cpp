@@ -1,5 +1,7 @@
 #include "read/pbrt/hair.h"
 
+#include "eikonal/formulas.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,19 +21,19 @@ Input melanins(TextureRegistry& textures, const Arguments& arguments) {
     // Add by mixing both equally and doubling; texture colours are at most 1, so their scale is a separate number.
     const auto part = [&](const Input& concentration, const glm::dvec3& absorption) {
         const double most = std::max({absorption.x, absorption.y, absorption.z});
-        const Input color = textures.derive(ScaleTexture{concentration, {Spectrum::rgb(absorption / most)}}, where);
-        return textures.derive(ScaleTexture{color, {Spectrum::constant(2 * most)}}, where);
+        const Input color = textures.derive(kind_scale_texture, {concentration, {Spectrum::rgb(absorption / most)}}, where);
+        return textures.derive(kind_scale_texture, {color, {Spectrum::constant(2 * most)}}, where);
     };
-    return textures.derive(MixTexture{part(dark, eumelaninAbsorption), part(red, pheomelaninAbsorption), {Spectrum::constant(0.5)}}, where);
+    const Input parts[] = {part(dark, eumelaninAbsorption), part(red, pheomelaninAbsorption)};
+    return textures.derive(kind_mix_texture, {parts[0], parts[1], {Spectrum::constant(0.5)}}, where);
 }
 
 /// The absorption that gives hair a colour: Chiang et al. 2016, equation 9.
 Input absorptionOfColor(TextureRegistry& textures, const Input& color, const Input& betaN) {
-    if (color.texture != none || betaN.texture != none) return textures.derive(AbsorptionTexture{color, betaN}, color.where);
+    if (color.texture != none || betaN.texture != none) return textures.derive(kind_absorption_texture, {color, betaN}, color.where);
     const double n = std::clamp(betaN.value.value(), 0.01, 1.);
-    const double scale = 5.969 + n * (-0.215 + n * (2.532 + n * (-10.73 + n * (5.574 + n * 0.245))));
-    const glm::dvec3 c = glm::clamp(color.value.albedo(), 1e-6, 1.), root = glm::log(c) / scale;
-    return {Spectrum::rgb(root * root), none, color.where};
+    const glm::dvec3 c = color.value.albedo();
+    return {Spectrum::rgb(hair_absorption_scale(n) * glm::dvec3(squared_log(c.x), squared_log(c.y), squared_log(c.z))), none, color.where};
 }
 
 }  // namespace
@@ -56,7 +58,7 @@ void readHair(Reading& reading, TextureRegistry& textures, const Arguments& argu
 
     // Across a curve, v goes from 0 to 1 and h from -1 to 1.
     const Input left{Spectrum::constant(-1)}, right{Spectrum::constant(1)};
-    material.inputs["h"] = textures.derive(BilerpTexture{left, right, left, right, Mapping{}}, arguments.where());
+    material.inputs["h"] = textures.derive(kind_bilerp_texture, {left, right, left, right}, arguments.where());
 }
 
 }  // namespace eikonal::pbrt

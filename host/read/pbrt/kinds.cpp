@@ -133,7 +133,7 @@ KindTable::KindTable(const char* noun, const char* common, const std::vector<Row
 const Kind& KindTable::find(const std::string& name, const SourceLocation& where) const {
     for (const Kind& kind : kinds_)
         if (kind.name == name) return kind;
-    if (const char* successor = successorOf(noun_, name)) throw Version3Error(where, noun_ + " \"" + name + "\"", successor);
+    if (const auto successor = successorOf(noun_, name)) throw Version3Error(where, noun_ + " \"" + name + "\"", successor->c_str());
     std::vector<std::string> names;
     for (const Kind& kind : kinds_) names.push_back(kind.name);
     const std::string near = nearestWord(name, names);

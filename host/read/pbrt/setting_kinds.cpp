@@ -1,7 +1,11 @@
 #include "read/pbrt/setting_kinds.h"
 
 #include "kinds/camera_kind.h"
+#include "kinds/integrator_kind.h"
 #include "scene/scene.h"
+
+#include <algorithm>
+#include <initializer_list>
 
 namespace eikonal::pbrt {
 namespace {
@@ -39,16 +43,11 @@ const KindTable& filmKinds() {
 }
 
 const KindTable& filterKinds() {
-    static const KindTable table(
-        "pixel filter", "",
-        {
-            {"box", int(FilterKind::box), "float xradius = 0.5 in (0, inf); float yradius = 0.5 in (0, inf)"},
-            {"triangle", int(FilterKind::triangle), "float xradius = 2 in (0, inf); float yradius = 2 in (0, inf)"},
-            {"gaussian", int(FilterKind::gaussian),
-             "float xradius = 1.5 in (0, inf); float yradius = 1.5 in (0, inf); float sigma = 0.5 in (0, inf)"},
-            {"mitchell", int(FilterKind::mitchell), "float xradius = 2 in (0, inf); float yradius = 2 in (0, inf); float B; float C"},
-            {"sinc", int(FilterKind::sinc), "float xradius = 4 in (0, inf); float yradius = 4 in (0, inf); float tau = 3 in (0, inf)"},
-        });
+    static const KindTable table = [] {
+        std::vector<Row> rows;
+        for (const FilterKind* kind : filterKindList()) rows.push_back({kind->name, static_cast<int>(rows.size()), kind->parameters});
+        return KindTable("pixel filter", "", rows);
+    }();
     return table;
 }
 
@@ -65,29 +64,30 @@ const KindTable& samplerKinds() {
     return table;
 }
 
+/// The row of "volpath", for integrators that it stands for.
+int volpathRow() {
+    return static_cast<int>(std::ranges::find(integratorKindList(), &volpath_integrator) - integratorKindList().begin());
+}
+
 const KindTable& integratorKinds() {
-    static const KindTable table(
-        "integrator", "integer maxdepth = 5",
-        {
-            {"path", int(IntegratorKind::path), "string lightsampler; bool regularize = false"},
-            {"volpath", int(IntegratorKind::volpath), "string lightsampler; bool regularize = false"},
-            {"simplepath", int(IntegratorKind::simplePath), "bool samplelights = true; bool samplebsdf = true"},
-            {"simplevolpath", int(IntegratorKind::volpath), ""},
-            {"randomwalk", int(IntegratorKind::randomWalk), ""},
-            {"ambientocclusion", int(IntegratorKind::ambientOcclusion), "bool cossample = true; float maxdistance in (0, inf)"},
-            {"direct", int(IntegratorKind::direct), ""},
-            {"whitted", int(IntegratorKind::whitted), "integer rays = 16; integer bundle = 4; float threshold = 0.004 in [0, 1)"},
-            {"lightpath", int(IntegratorKind::volpath), "", instead},
-            {"bdpt", int(IntegratorKind::volpath),
-             "bool visualizestrategies = false; bool visualizeweights = false; bool regularize = false", instead},
-            {"mlt", int(IntegratorKind::volpath),
-             "integer bootstrapsamples = 100000; integer chains = 1000; integer mutationsperpixel = 100; float largestepprobability = 0.3;"
-             "float sigma = 0.01; bool regularize = false",
-             instead},
-            {"sppm", int(IntegratorKind::volpath), "integer photonsperiteration = -1; float radius = 1; integer seed = 0", instead},
-            {"function", int(IntegratorKind::volpath), "string function = step; string filename; bool skipbad = true; string imagefilename",
-             instead},
-        });
+    static const KindTable table = [] {
+        std::vector<Row> rows;
+        for (const IntegratorKind* kind : integratorKindList())
+            rows.push_back({kind->name, static_cast<int>(rows.size()), kind->parameters});
+        const int volpath = volpathRow();
+        for (const Row& row : std::initializer_list<Row>{
+                 {volpathAlias, volpath, ""},
+                 {"lightpath", volpath, "", instead},
+                 {"bdpt", volpath, "bool visualizestrategies = false; bool visualizeweights = false; bool regularize = false", instead},
+                 {"mlt", volpath,
+                  "integer bootstrapsamples = 100000; integer chains = 1000; integer mutationsperpixel = 100; float largestepprobability = "
+                  "0.3; float sigma = 0.01; bool regularize = false",
+                  instead},
+                 {"sppm", volpath, "integer photonsperiteration = -1; float radius = 1; integer seed = 0", instead},
+                 {"function", volpath, "string function = step; string filename; bool skipbad = true; string imagefilename", instead}})
+            rows.push_back(row);
+        return KindTable("integrator", "integer maxdepth = 5", rows);
+    }();
     return table;
 }
 

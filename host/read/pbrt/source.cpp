@@ -1,5 +1,6 @@
 #include "read/pbrt/source.h"
 
+#include "error.h"
 #include "read/formats/read_bytes.h"
 
 #include <string_view>

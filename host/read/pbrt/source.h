@@ -1,7 +1,6 @@
 #pragma once
 // Reads text files, compressed or not.
 
-#include "error.h"
 
 #include <string>
 

@@ -1,5 +1,6 @@
 #include "read/pbrt/subsurface.h"
 
+#include "kinds/texture_kind.h"
 #include "color/diffuse_albedo.h"
 #include "kinds/medium_kind.h"
 #include "read/formats/image.h"
@@ -105,10 +106,11 @@ DiffusionProfile texturedProfile(const Input& albedo, const Input& path, const D
 DiffusionProfile texturedProfile(TextureRegistry& textures, const Input& sigmaA, const Input& sigmaS, const AlbedoTable& albedos,
                                  double g) {
     const SourceLocation& where = (sigmaA.texture == none ? sigmaS : sigmaA).where;
-    const Input albedo = textures.derive(
-        DiffuseAlbedoTexture{sigmaA, sigmaS, g, textures.image({.path = {}, .pixels = albedos.row, .where = where})}, where);
-    return {Spectrum::constant(1), Spectrum::constant(1), albedo.texture,
-            textures.derive(FreePathTexture{sigmaA, sigmaS, g}, where).texture};
+    Texture albedo{.kind = &kindOf(kind_diffusealbedo_texture), .where = where, .operands = {sigmaA, sigmaS}, .g = g}, path = albedo;
+    albedo.image = textures.image({.path = {}, .pixels = albedos.row, .where = where});
+    path.kind = &kindOf(kind_freepath_texture);
+    const int albedoTexture = textures.derive(albedo).texture;
+    return {Spectrum::constant(1), Spectrum::constant(1), albedoTexture, textures.derive(path).texture};
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 // Named textures, and parameters that may be textures.
 
+#include "eikonal/textures.h"
 #include "read/pbrt/arguments.h"
 #include "read/pbrt/state.h"
 
@@ -39,7 +40,8 @@ public:
     int image(const ImageFile& file);
 
     /// Adds a spectrum texture that the reader makes.
-    Input derive(decltype(Texture::kind) kind, const SourceLocation& where);
+    Input derive(Texture texture);
+    Input derive(texture_kind kind, std::vector<Input> operands, const SourceLocation& where);
     /// The input times a factor.
     Input scaled(const Input& input, double factor);
 
@@ -56,8 +58,8 @@ private:
     };
 
     int build(const Key& key, Definition& definition);
-    decltype(Texture::kind) makeKind(const Definition& definition);
-    decltype(Texture::kind) makeImagemap(const Definition& definition);
+    /// Sets the kind and what it reads. Throws SceneError.
+    void read(const Definition& definition, Texture& texture);
     Input standIn(const Arguments& arguments);
 
     Reading& reading_;

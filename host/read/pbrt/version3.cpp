@@ -1,5 +1,7 @@
 #include "read/pbrt/version3.h"
 
+#include "kinds/camera_kind.h"
+
 namespace eikonal::pbrt {
 namespace {
 
@@ -30,7 +32,6 @@ constexpr Change changes[] = {
     {"sampler", "lowdiscrepancy", "\"paddedsobol\""},
     {"sampler", "maxmindist", "\"pmj02bn\""},
     {"integrator", "directlighting", "\"direct\""},
-    {"camera", "environment", "\"spherical\""},
     {"shape", "cone", nothing},
     {"shape", "hyperboloid", nothing},
     {"shape", "paraboloid", nothing},
@@ -52,10 +53,13 @@ constexpr Change changes[] = {
 
 }  // namespace
 
-const char* successorOf(const std::string& noun, const std::string& name) {
+std::optional<std::string> successorOf(const std::string& noun, const std::string& name) {
     for (const Change& change : changes)
         if (noun == change.noun && name == change.name) return change.successor;
-    return nullptr;
+    if (noun == "camera")
+        for (const CameraKind& kind : cameraKindList())
+            if (kind.traits.version3Name && name == kind.traits.version3Name) return '"' + std::string(kind.name) + '"';
+    return std::nullopt;
 }
 
 }  // namespace eikonal::pbrt

@@ -3,12 +3,13 @@
 
 #include "read/pbrt/problems.h"
 
+#include <optional>
 #include <string>
 
 namespace eikonal::pbrt {
 
 /// What pbrt-v4 has instead of a name that only pbrt-v3 knows, for a message. `noun` is "directive", "material", "shape", ... or
-/// "parameter". Null if pbrt-v3 has no such name, or pbrt-v4 has it, too.
-const char* successorOf(const std::string& noun, const std::string& name);
+/// "parameter". Nothing if pbrt-v3 has no such name, or pbrt-v4 has it, too.
+std::optional<std::string> successorOf(const std::string& noun, const std::string& name);
 
 }  // namespace eikonal::pbrt

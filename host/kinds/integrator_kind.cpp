@@ -1,0 +1,117 @@
+#include "kinds/integrator_kind.h"
+
+#include "eikonal/lights.h"
+#include "pack/packer.h"
+#include "read/pbrt/arguments.h"
+#include "scene/integrator.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+namespace eikonal {
+
+using pbrt::Arguments;
+
+static bool always(const IntegratorDescription&) { return true; }
+static bool never(const IntegratorDescription&) { return false; }
+
+static void readRegularize(const Arguments& arguments, IntegratorDescription& d) { d.regularize = arguments.flag("regularize"); }
+
+const IntegratorKind volpath_integrator{.name = "volpath",
+                                        .parameters = "string lightsampler; bool regularize = false",
+                                        .countsMedia = true,
+                                        .followsBsdfs = always,
+                                        .read = readRegularize};
+const IntegratorKind path_integrator{
+    .name = "path", .parameters = "string lightsampler; bool regularize = false", .followsBsdfs = always, .read = readRegularize};
+const IntegratorKind direct_integrator{.name = "direct", .followsBsdfs = always, .mostDepth = 1};
+
+/* ---- trees of rays --------------------------------------------------------------------------------------------------- */
+
+static_assert(mostTreeRays == MOST_TREE_RAYS);
+
+/// The most scattering events that the field `depth` of a ray has room for beside the number of its branch (kernels/math/dimension.clh).
+constexpr int mostTreeDepth = 0xffff;
+
+/// Throws SceneError unless the value is a power of two from 1 to mostTreeRays, or equal to `orElse`.
+static int readTreeRays(const Arguments& arguments, const std::string& name, int orElse) {
+    const int rays = arguments.integer(name);
+    if (rays != orElse && (rays < 1 || rays > mostTreeRays || !std::has_single_bit(static_cast<unsigned>(rays))))
+        throw SceneError(arguments.whereOf(name), fmt::format("\"integer {}\" is {}; it must be {}a power of two from 1 to {}", name, rays,
+                                                              orElse == 0 ? "0 or " : "", mostTreeRays));
+    return rays;
+}
+static void readWhitted(const Arguments& arguments, IntegratorDescription& d) {
+    d.rays = readTreeRays(arguments, "rays", 1);
+    d.bundle = readTreeRays(arguments, "bundle", 0);
+    d.threshold = arguments.number("threshold");
+}
+static void packWhitted(Packer& packer, const IntegratorDescription& d, const std::string& why) {
+    packer.packed.require(Feature::TREE, why);
+    settings& frame = packer.packed.frame();
+    frame.tree_splits = static_cast<uint>(std::countr_zero(static_cast<unsigned>(d.rays)));
+    frame.rough_splits = d.bundle ? static_cast<uint>(std::countr_zero(static_cast<unsigned>(d.bundle))) : NONE;
+    frame.tree_threshold = static_cast<float>(d.threshold);
+}
+const IntegratorKind whitted_integrator{.name = "whitted",
+                                        .parameters = "integer rays = 16; integer bundle = 4; float threshold = 0.004 in [0, 1)",
+                                        .splitsRays = true,
+                                        .read = readWhitted,
+                                        .pack = packWhitted,
+                                        .mostDepth = mostTreeDepth};
+
+/* ---- ambient occlusion ----------------------------------------------------------------------------------------------- */
+
+static void readAmbientOcclusion(const Arguments& arguments, IntegratorDescription& d) {
+    d.cosine = arguments.flag("cossample");
+    if (arguments.has("maxdistance")) d.maxDistance = arguments.number("maxdistance");
+    d.colorSpace = arguments.space();
+}
+static void packAmbientOcclusion(Packer& packer, const IntegratorDescription& d, const std::string& why) {
+    packer.packed.require(Feature::AMBIENT_OCCLUSION, why);
+    settings& frame = packer.packed.frame();
+    frame.ambient = packEmission(packer, Spectrum::rgb(glm::dvec3(1), d.colorSpace));
+    frame.ambient_distance =
+        d.maxDistance > 0 ? static_cast<float>(std::min(d.maxDistance * packer.space.scale, double{FAR_AWAY})) : FAR_AWAY;
+    frame.ambient_cosine = d.cosine;
+}
+const IntegratorKind ambientocclusion_integrator{.name = "ambientocclusion",
+                                                 .parameters = "bool cossample = true; float maxdistance in (0, inf)",
+                                                 .countsMaterials = false,
+                                                 .read = readAmbientOcclusion,
+                                                 .pack = packAmbientOcclusion,
+                                                 .leastDepth = 1,
+                                                 .mostDepth = 1};
+
+/* ---- paths without multiple importance sampling ---------------------------------------------------------------------- */
+
+static bool mayAimAtLights(const IntegratorDescription& d) { return d.sampleLights; }
+static bool samplesBsdfs(const IntegratorDescription& d) { return d.sampleBsdf; }
+static void readSimplePath(const Arguments& arguments, IntegratorDescription& d) {
+    d.sampleLights = arguments.flag("samplelights");
+    d.sampleBsdf = arguments.flag("samplebsdf");
+}
+static void packUniformDirections(Packer& packer, const IntegratorDescription&, const std::string& why) {
+    packer.packed.require(Feature::UNIFORM_DIRECTIONS, why);
+}
+static void packSimplePath(Packer& packer, const IntegratorDescription& d, const std::string& why) {
+    if (!d.sampleBsdf) packUniformDirections(packer, d, why);
+}
+const IntegratorKind simplepath_integrator{.name = "simplepath",
+                                           .parameters = "bool samplelights = true; bool samplebsdf = true",
+                                           .samplesLights = mayAimAtLights,
+                                           .followsBsdfs = samplesBsdfs,
+                                           .read = readSimplePath,
+                                           .pack = packSimplePath};
+const IntegratorKind randomwalk_integrator{.name = "randomwalk", .samplesLights = never, .pack = packUniformDirections};
+
+std::span<const IntegratorKind* const> integratorKindList() {
+    static const IntegratorKind* const kinds[] = {
+        &volpath_integrator,          &path_integrator,       &direct_integrator,    &whitted_integrator,
+        &ambientocclusion_integrator, &simplepath_integrator, &randomwalk_integrator};
+    return kinds;
+}
+
+}  // namespace eikonal

@@ -1,0 +1,70 @@
+// A filtered lookup in an image file.
+
+#include "kinds/texture_packing.h"
+#include "kinds/texture_reading.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+
+namespace eikonal {
+
+/// "gamma 2.2", "sRGB" or "linear", which pbrt-v4 reads for PNG files only.
+static void readEncoding(const pbrt::Arguments& arguments, ImageFile& file) {
+    const std::string encoding = arguments.text("encoding");
+    if (encoding.empty()) return;
+    std::string ending = std::filesystem::path(file.path).extension().string();
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    const bool isPng = ending == ".png";
+    if (encoding == "sRGB") {
+        if (isPng) file.encoding = ColorEncoding::srgb;
+    } else if (encoding == "linear") {
+        if (isPng) file.encoding = ColorEncoding::linear;
+    } else {
+        const double gamma = encoding.starts_with("gamma ") ? std::atof(encoding.c_str() + 6) : 0;
+        if (!(gamma > 0))
+            throw SceneError(arguments.whereOf("encoding"),
+                             "\"string encoding\" is \"" + encoding + "\"; it can be \"sRGB\", \"linear\" or \"gamma 2.2\"");
+        if (isPng) file.gamma = gamma;
+    }
+}
+
+static bool read(const pbrt::TextureReading& in, Texture& texture) {
+    const pbrt::Arguments& arguments = in.arguments;
+    if (!arguments.has("filename")) throw SceneError(arguments.where(), "texture \"imagemap\" needs a \"string filename\"");
+    const std::optional<std::string> path = arguments.file("filename");
+    if (!path) return false;
+    ImageFile file{*path};
+    file.where = arguments.whereOf("filename");
+    constexpr WrapMode wraps[] = {WrapMode::repeat, WrapMode::black, WrapMode::clamp, WrapMode::octahedral};
+    file.wrap = wraps[choose(arguments, "wrap", {"repeat", "black", "clamp", "octahedralsphere"})];
+    file.filter =
+        choose(arguments, "filter", {"point", "bilinear", "trilinear", "ewa", "EWA"}) == 0 ? FilterMode::nearest : FilterMode::bilinear;
+    readEncoding(arguments, file);
+    texture.image = in.textures.image(file);
+    readMapping(in, texture);
+    texture.scale = arguments.number("scale");
+    texture.invert = arguments.flag("invert");
+    return true;
+}
+
+static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) {
+    i.image = packImage(into.packer, t.image, t.isFloat);
+    if (into.packer.spectral && !t.isFloat) packUplift(into.packer);
+    i.value = packNumber(t.scale);
+    i.flags = (t.invert ? static_cast<uint>(texture_invert) : 0u) | (t.isFloat        ? static_cast<uint>(texture_number)
+                                                                     : into.unbounded ? static_cast<uint>(texture_unbounded)
+                                                                                      : 0u);
+    packMapping(into.packer, t.mapping, i);
+    if (t.scale < 0 || t.scale > 1 || into.packer.packed.tables.images[i.image].format == format_float) into.leavesUnit = true;
+}
+
+const TextureTraits imagemap_texture{
+    .parameters = {"file filename; string wrap = repeat; string filter = bilinear; float maxanisotropy = 8; float scale = 1; "
+                   "bool invert = false; string encoding",
+                   pbrt::mappingParameters},
+    .read = read, .pack = pack};
+
+}  // namespace eikonal

@@ -1,0 +1,20 @@
+// Turbulence: octaves of the noise's absolute value.
+
+#include "kinds/texture_packing.h"
+#include "kinds/texture_reading.h"
+
+namespace eikonal {
+
+static bool read(const pbrt::TextureReading& in, Texture& texture) {
+    readOctaves(in, texture);
+    return true;
+}
+
+static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) {
+    packOctaves(into.packer, t, i);
+    into.leavesUnit = true;
+}
+
+const TextureTraits wrinkled_texture{.types = TextureTypes::floatOnly, .parameters = {pbrt::octaveParameters}, .read = read, .pack = pack};
+
+}  // namespace eikonal

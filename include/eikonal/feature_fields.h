@@ -1,0 +1,70 @@
+/* Fields of queues that a single feature needs, and the queue that shading keeps to itself: parts of the lists in queues.h, which says what
+   the columns are. */
+#ifndef EIKONAL_FEATURE_FIELDS_H
+#define EIKONAL_FEATURE_FIELDS_H
+
+/* The light to sample at a vertex. Chosen by route_intersections, since choosing needs a loop and shading has none. */
+#define LIGHT_CHOICE_FIELDS(F, q) \
+    F(q, uint,     light,      LIGHT_TREE)   /* index in `lights` */ \
+    F(q, float,    light_pmf,  LIGHT_TREE)   /* its probability; 0: none */ \
+    F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* which map of the environment guide applies at this point */ \
+    F(q, vec3,     light_wi,   PORTALS)      /* for a light with a portal: a direction through the portal */ \
+    F(q, float,    light_density, PORTALS)   /* density of light_wi over solid angle; 0: none */ \
+    F(q, uint,     light_texel, PORTALS)     /* the texel seen along light_wi */
+
+/* Where a path is in a subsurface body. */
+#define SUBSURFACE_TRAVEL_FIELDS(F, q) \
+    F(q, uint,     within,     SUBSURFACE)   /* 1: inside a subsurface body; in a hit: bit 0 for the side of ng, bit 1 for the other */ \
+    F(q, uint,     uncounted,  SUBSURFACE)   /* scattering events inside the body; not counted against maxdepth */ \
+    F(q, uint,     around,     SUBSURFACE)   /* medium around the subsurface body entered last, or NONE */
+
+/* A line along which to look for points where a path may leave a subsurface body with a diffusion profile. Filled by route_intersections
+   for each hit on such a body, drained by trace_probes if the path enters the body there. Slot i belongs to slot i of hit. */
+#define PROBE_FIELDS(F, q) \
+    F(q, uint,     body,       ALWAYS)       /* in `profiles` */ \
+    F(q, vec3,     o,          ALWAYS) \
+    F(q, vec3,     d,          ALWAYS) \
+    F(q, float,    length,     ALWAYS) \
+    F(q, vec3,     entry,      ALWAYS)       /* where the path enters the body */ \
+    F(q, vec3,     entry_n,    ALWAYS)       /* the shading normal there */ \
+    F(q, spectrum, albedo,     BODY_TEXTURES) /* of the body there: fraction of the light that leaves again */ \
+    F(q, spectrum, profile_length, BODY_TEXTURES) /* of the body there: d of its profile */
+
+/* Where a path leaves a subsurface body. Filled by trace_probes, drained by route_intersections. Slot i belongs to slot i of ray. */
+#define EXIT_POINT_FIELDS(F, q) \
+    F(q, vec3,     p,          ALWAYS)       /* this and the next three as in hit */ \
+    F(q, float,    offset,     ALWAYS) \
+    F(q, vec3,     ng,         ALWAYS) \
+    F(q, vec3,     ns,         ALWAYS) \
+    F(q, uint,     around,     ALWAYS)       /* medium around the body, or NONE */ \
+    F(q, spectrum, weight,     ALWAYS)       /* albedo and profile over the density of the exit point */ \
+    F(q, spectrum, albedo,     BODY_TEXTURES) /* of the body */
+
+/* What the auxiliary channels of the image show, of the first surface of a path. */
+#define FIRST_SURFACE_FIELDS(F, q) \
+    F(q, spectrum, albedo,     AOVS)         /* of the first surface other than mirrors and clear glass, times the throughput before it */ \
+    F(q, vec3,     normal,     AOVS)         /* of the first surface: shading normal */ \
+    F(q, vec3,     ng,         AOVS)         /* of the first surface: geometric normal, on the same side */ \
+    F(q, vec3,     position,   AOVS)         /* of the first surface: the point hit */ \
+    F(q, vec2,     uv,         AOVS)         /* of the first surface: texture coordinates there */ \
+    F(q, vec3,     opening,    MOTION_VECTORS) /* of the first surface: where that point is at shutter open */ \
+    F(q, vec3,     closing,    MOTION_VECTORS) /* and at shutter close */ \
+    F(q, uint,     object,     AOVS)         /* of the first surface: id of its object, from 1; 0: none */ \
+    F(q, uint,     material,   AOVS)         /* of the first surface: its material, from 1; 0: none */ \
+    F(q, float,    distance,   AOVS)         /* to the first surface, scene units; FAR_AWAY: none */
+
+/* A random walk between the layers of a coated surface, seen from above: used inside shade_hits only, slot i belongs to slot i of hit. */
+#define WALK_FIELDS(F, q) \
+    F(q, uint,     state,      ALWAYS)       /* walk_goes_on, walk_left or walk_ended (kernels/bsdf/layer_walk.clh) */ \
+    F(q, uint,     key,        ALWAYS)       /* of its random numbers */ \
+    F(q, vec3,     w,          ALWAYS)       /* direction of travel, in the shading frame, as all directions here */ \
+    F(q, spectrum, beta,       ALWAYS) \
+    F(q, uint,     spread,     ALWAYS)       /* 1: scattered by anything but mirrors since it entered the coat */ \
+    F(q, float,    z,          LAYER_MEDIUM) /* height above the base */ \
+    F(q, vec3,     wi,         ALWAYS)       /* eval: direction the light comes from */ \
+    F(q, spectrum, f,          ALWAYS)       /* eval: sum found so far */ \
+    F(q, vec3,     exit_w,     ALWAYS)       /* eval: direction below the coat, sampled by refracting wi */ \
+    F(q, float,    exit_weight, ALWAYS)      /* eval: its weight */ \
+    F(q, float,    exit_pdf,   ALWAYS)       /* eval: its density */
+
+#endif
