@@ -35,7 +35,7 @@ bool walksBetweenLayers(const StageProgram& stage) {
 int wordsOf(Queue queue, const StageProgram& stage, const Features& features) {
     const QueueList blocks{Queue::pixels, Queue::film, Queue::counts};
     if (blocks.has(queue)) return 0;
-    const QueueLayout layout = itemLayout(queue, features);
+    const QueueLayout layout = itemLayout(queue == Queue::next_ray ? Queue::ray : queue, features);
     switch (queue) {
         case Queue::path: return stage.over == each_sample ? layout.words : 2 * layout.field("L").words;
         case Queue::hit: return layout.words - bsdfWords(features) + parameterWords(stage, features);
@@ -64,7 +64,7 @@ double queueCopyRate(const Context& context, Compiler& compiler, const StageShap
     constexpr unsigned words = 16;
     std::string text = "#include \"stages/stage.clh\"\n"
                        "#define COPY_QUEUE(TABLE, ARGUMENT) ARGUMENT(__global const uint *, from) ARGUMENT(__global uint *, to)\n"
-                       "STAGE(copy_queue, COPY_QUEUE) {\n    FOR_EACH_SLOT(i, count) {\n";
+                       "STAGE(copy_queue, COPY_QUEUE) {\n    FOR_EACH_SLOT_OF_GROUP(i, count) {\n";
     for (unsigned w = 0; w < words; ++w) text += fmt::format("        to[{0}ul * capacity + i] = from[{0}ul * capacity + i];\n", w);
     BuildSettings settings;
     settings.constants = {{"LOCAL_SIZE", static_cast<int>(shape.localSize)},

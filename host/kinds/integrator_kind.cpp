@@ -30,7 +30,7 @@ const IntegratorKind direct_integrator{.name = "direct", .followsBsdfs = always,
 
 /* ---- trees of rays --------------------------------------------------------------------------------------------------- */
 
-static_assert(mostTreeRays == MOST_TREE_RAYS);
+static_assert(mostTreeRays == MOST_SPLIT_RAYS);
 
 /// The most scattering events that the field `depth` of a ray has room for beside the number of its branch (kernels/math/dimension.clh).
 constexpr int mostTreeDepth = 0xffff;
@@ -49,7 +49,7 @@ static void readWhitted(const Arguments& arguments, IntegratorDescription& d) {
     d.threshold = arguments.number("threshold");
 }
 static void packWhitted(Packer& packer, const IntegratorDescription& d, const std::string& why) {
-    packer.packed.require(Feature::TREE, why);
+    packer.packed.require(Feature::RAY_SPLITTING, why);
     settings& frame = packer.packed.frame();
     frame.tree_splits = static_cast<uint>(std::countr_zero(static_cast<unsigned>(d.rays)));
     frame.rough_splits = d.bundle ? static_cast<uint>(std::countr_zero(static_cast<unsigned>(d.bundle))) : NONE;

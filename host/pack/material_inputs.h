@@ -88,12 +88,13 @@ public:
     }
     void number(uint slot, double value) { add(slot, input_number, packConstant(packer_, value), NONE); }
     void count(uint slot, const char* name) {
-        material_input i{NONE, wordOf(slot, packer_.spectral), input_count, static_cast<uint>(std::max(get(name).value.value(), 0.0)), {}};
+        const double value = std::max(get(name).value.value(), 0.0);
+        material_input i{NONE, wordOf(slot, packer_.spectral), input_integer, static_cast<uint>(value), {}};
         packer_.packed.tables.material_inputs.push_back(i);
     }
     void file(uint slot) {
         packer_.packed.tables.material_inputs.push_back(
-            {NONE, wordOf(slot, packer_.spectral), input_count, packMeasured(packer_, description_.file, description_.where), {}});
+            {NONE, wordOf(slot, packer_.spectral), input_integer, packMeasured(packer_, description_.file, description_.where), {}});
     }
     /// A roughness as a microfacet width.
     void width(uint slot, const char* name) {

@@ -3,7 +3,7 @@
 namespace eikonal {
 
 RaySplitting RaySplitting::of(const PackedScene& scene) {
-    if (!scene.features.has(Feature::TREE)) return {};
+    if (!scene.features.has(Feature::RAY_SPLITTING)) return {};
     const settings& frame = scene.frame();
     const unsigned raysPerHit = std::max(2u, frame.rough_splits == NONE ? 0 : 1u << std::min(frame.rough_splits, frame.tree_splits));
     return {frame.tree_splits, raysPerHit, std::max(raysPerHit, frame.tree_lights)};

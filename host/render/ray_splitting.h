@@ -1,5 +1,5 @@
 #pragma once
-// What trees of rays need on the host (Feature::TREE, kernels/shade/ray_splitting.clh).
+// What trees of rays need on the host (Feature::RAY_SPLITTING, kernels/shade/ray_splitting.clh).
 
 #include "device/kernel.h"
 #include "pack/tables.h"

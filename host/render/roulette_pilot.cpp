@@ -25,7 +25,7 @@ constexpr uint pilotSeed = 0x70696c6f;
 /// Whether any path is long enough to be ended by it.
 bool playsRoulette(const PackedScene& packed) {
     const Features& f = packed.features;
-    return packed.frame().max_depth > 1 && !f.has(Feature::TREE) && !f.has(Feature::AMBIENT_OCCLUSION);
+    return packed.frame().max_depth > 1 && !f.has(Feature::RAY_SPLITTING) && !f.has(Feature::AMBIENT_OCCLUSION);
 }
 
 /// How many pixels are looked at, and how many samples are in each of its sets.

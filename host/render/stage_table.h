@@ -17,9 +17,9 @@ enum class Queue : unsigned char {
 #define QUEUE_ID(q, FIELDS, ITEMS, FEATURE) q,
     QUEUES(QUEUE_ID)
 #undef QUEUE_ID
-    pixels, film, counts
+    next_ray, pixels, film, counts
 };
-constexpr size_t queueCount = static_cast<size_t>(Queue::pixels);
+constexpr size_t queueCount = static_cast<size_t>(Queue::next_ray);
 
 /// Up to eight of them, in an order.
 class QueueList {
@@ -110,6 +110,7 @@ constexpr const StageRow& rowOf(StageName stage) { return stageTable.at(static_c
 constexpr const QueueRow& rowOf(Queue queue) { return queueTable[static_cast<size_t>(queue)]; }
 /// "ray", "pixels".
 constexpr const char* nameOf(Queue queue) {
+    if (queue == Queue::next_ray) return "next_ray";
     if (queue == Queue::pixels) return "pixels";
     if (queue == Queue::film) return "film";
     return queue == Queue::counts ? "counts" : rowOf(queue).name;

@@ -24,7 +24,7 @@ struct BatchStream {
     int endX = 0, endY = 0;                       ///< no pixel from there on
     /// If set, a wave calls it after every bounce of a stream of one batch, with the rays that leave and the states of all paths. False:
     /// the rays are dropped.
-    std::function<bool(const QueueItems& rays, const QueueItems& paths)> bounced = {};
+    std::function<bool(const QueueItems& rays, const QueueItems& paths)> watch = {};
 };
 
 class Tracer {

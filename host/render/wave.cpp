@@ -22,7 +22,7 @@ void Wave::trace(const BatchStream& stream) {
         const WaveCounts counts = intersect(rays);      // ray -> intersection -> hit | scatter | miss | emission | next ray
         rays = shade(counts);                           // miss, emission -> path;  hit, scatter -> next ray, shadow;  shadow -> path
         queues_.swapRays();                             // next ray -> ray
-        if (stream.bounced && raysOf(counts) && !stream.bounced(queues_.items(Queue::ray, 0, rays), batches_.oldestPaths())) rays = 0;
+        if (!goesOn(counts, rays, stream)) rays = 0;
         batches_.finish(counts, stream);                // path -> film, see resolve
         rays = generate(rays, stream);                  // pixels -> ray, path
     }
@@ -62,6 +62,11 @@ unsigned Wave::shade(const WaveCounts& counts) {
         for (const Stage& stage : stages_.over(each_shadow)) launcher_.launch(stage, {0, segments.slots()});
     }
     return segments.slots() * splitting_.raysPerHit;
+}
+
+/// What the stream says of the rays that leave, if it watches them.
+bool Wave::goesOn(const WaveCounts& counts, unsigned rays, const BatchStream& stream) const {
+    return !stream.watch || !raysOf(counts) || stream.watch(queues_.items(Queue::ray, 0, rays), batches_.oldestPaths());
 }
 
 /// Adds the paths of the batch that is finished to its pixels: path -> film.

@@ -33,6 +33,7 @@ private:
     unsigned generate(unsigned slots, const BatchStream& stream);
     WaveCounts intersect(unsigned slots);
     unsigned shade(const WaveCounts& counts);
+    bool goesOn(const WaveCounts& counts, unsigned rays, const BatchStream& stream) const;
 
     Stages& stages_;
     StageShape shape_;

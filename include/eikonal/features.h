@@ -48,7 +48,7 @@
     F(JOINT_PAIRS,      "a sampler that spreads pairs of numbers together") \
     F(REGULARIZE,       "an integrator that regularizes") \
     F(AMBIENT_OCCLUSION, "an integrator that only looks for what is near") \
-    F(TREE,             "an integrator that follows trees of rays") \
+    F(RAY_SPLITTING,    "an integrator that follows trees of rays") \
     F(UNIFORM_DIRECTIONS, "an integrator that knows of no better directions than uniform ones") \
     F(AOVS,             "auxiliary image channels") \
     F(MOTION_VECTORS,   "the channel \"motion\", and a shape that moves")

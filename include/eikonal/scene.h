@@ -40,14 +40,14 @@ typedef struct {
     uint subsurface_exit;      /* in `materials`: the material of exit points, whose BSDF is subsurface_exit */
 } diffusion_profile;
 
-enum input_kind { input_number, input_count, input_spectrum, input_hero /* a number: its value at the path's first wavelength */ };
+enum input_kind { input_number, input_integer, input_spectrum, input_hero /* a number: its value at the path's first wavelength */ };
 
 /* One parameter of a material: a texture or a constant. */
 typedef struct {
     uint texture;        /* in `programs`; NONE: use value */
     uint slot;           /* first word that it fills among its BSDF's parameters */
     uint kind;           /* enum input_kind */
-    uint count;          /* the value of an input_count */
+    uint count;          /* the value of an input_integer */
     color value;         /* the value of other kinds; a number is its scale */
 } material_input;
 
@@ -155,7 +155,7 @@ typedef struct {
     T(settings,       frame)
 
 /* The most rays that one camera ray may split into (kernels/shade/ray_splitting.clh). */
-#define MOST_TREE_RAYS 64
+#define MOST_SPLIT_RAYS 64
 /* With ray splitting, up to this many lights are all sampled at each surface; with more, one is chosen. */
 #define MOST_TREE_LIGHTS 16
 
@@ -174,10 +174,10 @@ typedef struct {
     color ambient;         /* AMBIENT_OCCLUSION: radiance from unoccluded directions */
     float ambient_distance; /* AMBIENT_OCCLUSION: length of shadow rays, scene units */
     uint ambient_cosine;   /* 1: cosine-weighted directions; 0: uniform */
-    uint tree_splits;       /* TREE: one camera ray may become 2^tree_splits rays */
-    uint rough_splits;      /* TREE: 2^rough_splits rays leave a rough surface; NONE: none */
-    uint tree_lights;      /* TREE: lights sampled per vertex, each with pmf 1; 0: one is chosen */
-    float tree_threshold;  /* TREE: rays of less weight end */
+    uint tree_splits;       /* RAY_SPLITTING: one camera ray may become 2^tree_splits rays */
+    uint rough_splits;      /* RAY_SPLITTING: 2^rough_splits rays leave a rough surface; NONE: none */
+    uint tree_lights;      /* RAY_SPLITTING: lights sampled per vertex, each with pmf 1; 0: one is chosen */
+    float tree_threshold;  /* RAY_SPLITTING: rays of less weight end */
     uint light_count;      /* entries of `light_aliases`; 0: the light tree is used, or there is nothing to sample */
     uint first_infinite, infinite_count; /* infinite lights, last in `lights`: with LIGHT_TREE each is as probable as the whole tree */
     uint lights_in_tree;     /* number of lights in the tree */

@@ -1,10 +1,10 @@
 /* Every stage of a wave, in the order in which they run: a kernel that reads queues and writes queues.
      S(stage, (what it reads), (what it may write), what it runs over, FEATURE that makes it exist)
-   It drains the first queue that it reads. Besides queues (queues.h) there are `pixels`, blocks of the image, `film`, their sums, and
-   `counts`, how many items there are (enum wave_count). What a stage runs over is one of enum stage_items, or the next_queue whose
-   items it handles. FEATURE is one of features.h, ALWAYS, or ENVIRONMENTS: at least one infinite light (host/pack/scene_constants.h).
-   A stage called x is kernels/stages/x.cl, whose head repeats both lists (tests/unit/stages_test.cpp compares them with its arguments).
-   Its profiler row and its test are called x too. */
+   It drains the first queue that it reads. Besides queues (queues.h) there are `next_ray`, the ray queue of the next bounce, `pixels`,
+   blocks of the image, `film`, their sums, and `counts`, how many items there are (enum wave_count). What a stage runs over is one of enum
+   stage_items, or the next_queue whose items it handles. FEATURE is one of features.h, ALWAYS, or ENVIRONMENTS: at least one infinite light
+   (host/pack/scene_constants.h). A stage called x is kernels/stages/x.cl, whose head repeats both lists (tests/unit/stages_test.cpp compares
+   them with its arguments). Its profiler row and its test are called x too. */
 #ifndef EIKONAL_STAGES_H
 #define EIKONAL_STAGES_H
 #include "eikonal/batch.h"
@@ -13,19 +13,20 @@
 CONTRACT_BEGIN
 
 #define STAGES(S) \
-    S(generate_rays,          (pixels),                    (ray, path),                each_sample,    ALWAYS) \
-    S(intersect_rays,         (ray),                       (intersection),             each_ray,       ALWAYS) \
-    S(trace_probes,           (ray, probe),                (intersection, exit_point), each_ray,       DIFFUSION) \
-    S(extinguish_rays,        (intersection, ray),         (ray, intersection, path),  each_ray,       MEDIA) \
-    S(classify_intersections, (intersection, ray),         (intersection, counts),     each_ray,       ALWAYS) \
-    S(route_intersections,    (intersection, ray, counts, exit_point), (hit, scatter, miss, emission, ray, shadow, path, probe), each_ray, ALWAYS) \
-    S(shade_misses,           (miss),                      (path),                     next_miss,      ENVIRONMENTS) \
-    S(shade_emitters,         (emission),                  (path),                     next_emission,  EMITTERS) \
-    S(shade_hits,             (hit),                       (ray, shadow, path, walk),  each_bsdf,      ALWAYS) \
-    S(shade_occlusions,       (hit),                       (ray, shadow, path),        next_occlusion, AMBIENT_OCCLUSION) \
-    S(shade_scatters,         (scatter),                   (ray, shadow),              next_scatter,   MEDIA) \
-    S(test_shadows,           (shadow),                    (path),                     each_shadow,    ALWAYS) \
-    S(resolve_film,           (path),                      (film),                     each_pixel,     ALWAYS)
+    S(generate_rays,          (pixels),                    (ray, path),                     each_sample,    ALWAYS) \
+    S(intersect_rays,         (ray),                       (intersection),                  each_ray,       ALWAYS) \
+    S(trace_probes,           (ray, probe),                (intersection, exit_point),      each_ray,       DIFFUSION) \
+    S(extinguish_rays,        (intersection, ray),         (ray, intersection, path),       each_ray,       MEDIA) \
+    S(classify_intersections, (intersection, ray),         (intersection, counts),          each_ray,       ALWAYS) \
+    S(route_intersections,    (intersection, ray, counts, exit_point), \
+                              (hit, scatter, miss, emission, next_ray, shadow, path, probe), each_ray,      ALWAYS) \
+    S(shade_misses,           (miss),                      (path),                          next_miss,      ENVIRONMENTS) \
+    S(shade_emitters,         (emission),                  (path),                          next_emission,  EMITTERS) \
+    S(shade_hits,             (hit),                       (next_ray, shadow, path, walk),  each_bsdf,      ALWAYS) \
+    S(shade_occlusions,       (hit),                       (next_ray, shadow, path),        next_occlusion, AMBIENT_OCCLUSION) \
+    S(shade_scatters,         (scatter),                   (next_ray, shadow),              next_scatter,   MEDIA) \
+    S(test_shadows,           (shadow),                    (path),                          each_shadow,    ALWAYS) \
+    S(resolve_film,           (path),                      (film),                          each_pixel,     ALWAYS)
 
 /* Kernels that run before the first wave, over no queue (host/render/survey.cpp).   S(kernel, FEATURE that makes it exist) */
 #define SURVEYS(S) \

@@ -11,11 +11,11 @@
     ARGUMENT(uint, begun) ARGUMENT(uint, first_path) ARGUMENT(uint, first)
 STAGE(generate_rays, GENERATE_RAYS) {
     camera_tables tables = BIND_CAMERA;
-    FOR_EACH_SLOT(i, count) {
+    FOR_EACH_SLOT_OF_GROUP(i, count) {
         uint of_batch = begun + (uint)i;
         pixel_sample at = LOCATE_PATH(of_batch);
         camera_path p = start_path(tables, frame, at.x, at.y, at.sample, first_path + of_batch, at.in_image);
         store_ray(ray, capacity, first + i, p.ray);
-        store_path(path, path_capacity, HAS_TREE ? p.ray.path : first_path + begun + i, p.path);
+        store_path(path, path_capacity, HAS_RAY_SPLITTING ? p.ray.path : first_path + begun + i, p.path);
     }
 }

@@ -1,4 +1,4 @@
-/* ray, intersection, counts, exit_point -> hit, scatter, miss, emission, next ray, shadow, path, probe.  Builds the item for each
+/* ray, intersection, counts, exit_point -> hit, scatter, miss, emission, next_ray, shadow, path, probe.  Builds the item for each
    intersection's next stage, in that stage's dense segment. A tracing stage; each work-item reserves space once for all its slots. */
 #include "eikonal/stages.h"
 #include "stages/queue.clh"

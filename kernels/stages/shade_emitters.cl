@@ -5,7 +5,7 @@
 #define SHADE_EMITTERS(TABLE, ARGUMENT) \
     ARGUMENT(__global const uint *, emission) ARGUMENT(__global uint *, path)
 STAGE(shade_emitters, SHADE_EMITTERS) {
-    FOR_EACH_SLOT(i, count) {
+    FOR_EACH_SLOT_OF_GROUP(i, count) {
         emission_item e = load_emission(emission, capacity, i);
         spectrum L = weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light);
         add_radiance(path, path_capacity, i < count ? e.path : DISCARDED_PATH(i), L);

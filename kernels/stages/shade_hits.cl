@@ -1,5 +1,5 @@
-/* hit -> ray, shadow, walk, slot i to slot i; path.  Scatters each path at a surface: one shadow ray to one light, and one scattered ray
-   (shade/shade_hit.clh). With ray splitting the stage runs in passes: pass r makes the r-th scattered ray, in slot i + r * pass_slots, and
+/* hit -> next_ray, shadow, walk, slot i to slot i; path.  Scatters each path at a surface: one shadow ray to one light, and one scattered
+   ray (shade/shade_hit.clh). With ray splitting the stage runs in passes: pass r makes the r-th scattered ray, in slot i + r * pass_slots, and
    the shadow ray to the r-th light. Built once per BSDF (the macro BSDF), over that BSDF's segment of the hit queue. */
 #include "shade/shade_slot.clh"
 #include "stages/stage.clh"
@@ -14,8 +14,8 @@ STAGE(shade_hits, SHADE_HITS) {
     bsdf_tables bsdf_set = BIND_BSDFS;
     color_tables color_set = BIND_COLORS;
     BEGIN_WALKS
-    FOR_EACH_SLOT(at, count) {
-        size_t i = first + at, to = HAS_TREE ? i + shading_pass * pass_slots : i;
+    FOR_EACH_SLOT_OF_GROUP(at, count) {
+        size_t i = first + at, to = HAS_RAY_SPLITTING ? i + shading_pass * pass_slots : i;
         int alive = at < count;
         if (SKIPS_DEAD_SLOTS && !alive) {
             STORE_FIELD(ray, float, t_max, next_ray, capacity, to, -1.0f);

@@ -9,7 +9,7 @@
 STAGE(shade_misses, SHADE_MISSES) {
     light_tables light_set = BIND_LIGHTS;
     color_tables color_set = BIND_COLORS;
-    FOR_EACH_SLOT(i, count) {
+    FOR_EACH_SLOT_OF_GROUP(i, count) {
         miss_item m = load_miss(miss, capacity, i);
         m.guide = i < count ? m.guide : 0u;
         spectrum L = shade_miss(light_set, color_set, m);

@@ -1,5 +1,5 @@
-/* hit -> ray, shadow, slot i to slot i; path.  Ambient occlusion (Zhukov et al. 1998; pbrt-v4's "ambientocclusion"): for every surface, one
-   shadow ray of limited length towards constant ambient light; no scattered ray. Straight-line. */
+/* hit -> next_ray, shadow, slot i to slot i; path.  Ambient occlusion (Zhukov et al. 1998; pbrt-v4's "ambientocclusion"): for every
+   surface, one shadow ray of limited length towards constant ambient light; no scattered ray. Straight-line. */
 #include "shade/shade_occlusion.clh"
 #include "stages/stage.clh"
 
@@ -9,7 +9,7 @@
     ARGUMENT(__global uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(uint, first)
 STAGE(shade_occlusions, SHADE_OCCLUSIONS) {
     color_tables color_set = BIND_COLORS;
-    FOR_EACH_SLOT(at, count) {
+    FOR_EACH_SLOT_OF_GROUP(at, count) {
         size_t i = first + at;
         int alive = at < count;
         hit_item h = load_hit(hit, capacity, i);

@@ -1,5 +1,5 @@
-/* scatter -> ray, shadow, slot i to slot i.  Scatters each path at a point in a medium: one shadow ray to one light, and one scattered ray.
-   Straight-line. */
+/* scatter -> next_ray, shadow, slot i to slot i.  Scatters each path at a point in a medium: one shadow ray to one light, and one
+   scattered ray. Straight-line. */
 #include "shade/shade_scatter.clh"
 #include "stages/stage.clh"
 
@@ -10,7 +10,7 @@
 STAGE(shade_scatters, SHADE_SCATTERS) {
     light_tables light_set = BIND_LIGHTS;
     color_tables color_set = BIND_COLORS;
-    FOR_EACH_SLOT(at, count) {
+    FOR_EACH_SLOT_OF_GROUP(at, count) {
         size_t i = first + at;
         scattering out = shade_scatter(light_set, color_set, frame, load_scatter(scatter, capacity, i), at < count);
         store_ray(next_ray, capacity, i, out.ray);

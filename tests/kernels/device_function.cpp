@@ -20,7 +20,8 @@ static std::string kernelText(const FunctionText& text) {
     for (const std::string& input : text.inputs)
         source += fmt::format(" ARGUMENT(__global const {} *, {}_array)", typeOf(input), nameOf(input));
     source += fmt::format(
-        " ARGUMENT(__global {} *, results)\nSTAGE(device_function, DEVICE_FUNCTION) {{\n    FOR_EACH_SLOT(index, count) {{\n", text.type);
+        " ARGUMENT(__global {} *, results)\nSTAGE(device_function, DEVICE_FUNCTION) {{\n"
+        "    FOR_EACH_SLOT_OF_GROUP(index, count) {{\n", text.type);
     for (const std::string& input : text.inputs) source += fmt::format("        {} = {}_array[index];\n", input, nameOf(input));
     return source + fmt::format("        {} result;\n        {}\n        results[index] = result;\n    }}\n}}\n", text.type, text.body);
 }

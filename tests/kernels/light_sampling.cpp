@@ -32,7 +32,7 @@ static const DeviceFunction<LightResult>& sampler() {
         r.o = p; r.d = s.wi; r.traveled = 0.0f;
         intersection_item f = new_intersection();
         f.t = s.distance; f.u = v.x; f.v = v.y;
-        result.pdf_hit = pdf_light(l, hit_light(r, f, at));
+        result.pdf_hit = pdf_light(l, make_light_hit(r, f, at));
         light_emission emission = eval_infinite_light(tables, colors, l, p, s.wi, 0u);
         result.Le = emission.Le; result.pdf_environment = emission.pdf;)",
          .inputs = {"vec3 p", "float u", "vec2 v", "uint count"},

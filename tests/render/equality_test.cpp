@@ -83,7 +83,7 @@ Features allButMethods() {
     using enum Feature;
     Features methods;
     for (Feature f : {SPECTRAL, SPECTRAL_FILM, DISPERSION, ANISOTROPY, SHAPE_CURVE, SHAPE_IMPLICIT, FILTER, SOBOL, JOINT_PAIRS, LENS,
-                      CAMERA_MOTION, MEDIA, EQUIANGULAR, AMBIENT_OCCLUSION, TREE, UNIFORM_DIRECTIONS})
+                      CAMERA_MOTION, MEDIA, EQUIANGULAR, AMBIENT_OCCLUSION, RAY_SPLITTING, UNIFORM_DIRECTIONS})
         methods.require(f);
 #define REQUIRE(name, FEATURE) methods.require(Feature::FEATURE);
 #define REQUIRE_CAMERA(name, FEATURE, CODE) REQUIRE(name, FEATURE)

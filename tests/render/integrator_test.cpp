@@ -108,7 +108,7 @@ Material "diffuse" Shape "bilinearmesh" "point3 P" [-3 -1 -3  3 -1 -3  -3 -1 3  
 /// Whatever that requires, in a tree or not.
 RenderSetup ofCabinet(bool inTrees) {
     static const Features features = packScene(sceneText(view("\"path\""), cabinet)).features | Features().require(Feature::AOVS);
-    return with(inTrees ? features | Features().require(Feature::TREE) : features);
+    return with(inTrees ? features | Features().require(Feature::RAY_SPLITTING) : features);
 }
 RenderSetup tree() { return ofCabinet(true); }
 Rendered renderTree(const std::string& parameters, const std::string& world, int samples = 16) {

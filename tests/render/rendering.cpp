@@ -75,7 +75,7 @@ Features surfaceFeatures() {
                                 .require(SOBOL)
                                 .require(JOINT_PAIRS)
                                 .require(AMBIENT_OCCLUSION)
-                                .require(TREE)
+                                .require(RAY_SPLITTING)
                                 .require(UNIFORM_DIRECTIONS)
                                 .require(LENS)
                                 .require(FILTER)
