@@ -22,8 +22,8 @@ void Wave::trace(const BatchStream& stream) {
         const WaveCounts counts = intersect(rays);      // ray -> intersection -> hit | scatter | miss | emission | next ray
         rays = shade(counts);                           // miss, emission -> path;  hit, scatter -> next ray, shadow;  shadow -> path
         queues_.swapRays();                             // next ray -> ray
-        if (!goesOn(counts, rays, stream)) rays = 0;
-        batches_.finish(counts, stream);                // path -> film, see resolve
+        if (!goesOn(counts, rays, stream)) rays = 0;    // the roulette pilot has seen enough bounces
+        batches_.finish(counts, stream);                // batches without rays: stream.traced, which calls resolve (path -> film)
         rays = generate(rays, stream);                  // pixels -> ray, path
     }
     counter_.end();
@@ -57,6 +57,7 @@ WaveCounts Wave::intersect(unsigned slots) {
 unsigned Wave::shade(const WaveCounts& counts) {
     for (const Stage& stage : stages_.over(next_miss, next_emission)) launcher_.launch(stage, {0, counts[stage.over]});
     const Segments segments(counts, shape_.group());
+    /* One pass, or one for each ray that a hit may split into */
     for (const Bindings& pass : splitting_.passes(segments.slots(), queues_.rays())) {
         for (const Stage& stage : stages_.over(Segments::first, Segments::last)) launcher_.launch(stage, segments[stage.over], pass);
         for (const Stage& stage : stages_.over(each_shadow)) launcher_.launch(stage, {0, segments.slots()});
@@ -64,7 +65,7 @@ unsigned Wave::shade(const WaveCounts& counts) {
     return segments.slots() * splitting_.raysPerHit;
 }
 
-/// What the stream says of the rays that leave, if it watches them.
+/// Whether to trace the rays of the next bounce: the stream may watch them, and say no (BatchStream::watch).
 bool Wave::goesOn(const WaveCounts& counts, unsigned rays, const BatchStream& stream) const {
     return !stream.watch || !raysOf(counts) || stream.watch(queues_.items(Queue::ray, 0, rays), batches_.oldestPaths());
 }

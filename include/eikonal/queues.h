@@ -1,8 +1,11 @@
 /* Every queue, field by field: what a path carries from the stage that fills the queue to the stage that drains it.
-   This list is the only declaration. Both languages derive structs, slot numbers, loads and stores from it.
+   This list is the only declaration. Both languages derive structs, slot numbers, loads and stores from it. The queues walk, probe and
+   exit_point and some more lists of fields stand in feature_fields.h, since a single feature needs them.
 
    A queue is one SoA buffer of 32-bit words: word[slot * capacity + i] holds word `slot` of item i, so that
    neighbouring work-items access neighbouring words.   F(queue, type, name, FEATURE that makes it exist)
+   FEATURE is one of features.h, which kernels ask for as HAS_FEATURE. Without it, the struct of an item still has the field, so that code
+   can name it, but it is neither stored nor loaded.
 
    Spaces: everything is in scene space (docs/tour.md) unless a comment says otherwise; directions have unit length. */
 #ifndef EIKONAL_QUEUES_H
@@ -19,7 +22,7 @@
     F(q, uint,     path,       ALWAYS)       /* index of its path state */ \
     F(q, uint,     seed,       ALWAYS)       /* hash of its pixel: selects the random sequence */ \
     F(q, uint,     sample,     ALWAYS)       /* index in that sequence */ \
-    F(q, uint,     depth,      ALWAYS)       /* scattering events so far, without null interfaces. With RAY_SPLITTING see dimension.clh */ \
+    F(q, uint,     depth,      ALWAYS)       /* scattering events so far (null interfaces are none); RAY_SPLITTING: lower 16 bits */ \
     F(q, spectrum, beta,       ALWAYS)       /* throughput: contribution of the path so far over its density */ \
     F(q, float,    time,       MOTION)       /* in [0, 1], from start to end of all motion */ \
     F(q, uint,     has_nonspecular_vertex, AOVS) /* 1 once the path has met anything but mirrors and clear glass */ \
@@ -35,11 +38,11 @@
     TRAVEL_FIELDS(F, q) \
     F(q, vec3,     o,          ALWAYS)       /* origin, already offset from the surface */ \
     F(q, vec3,     d,          ALWAYS) \
-    F(q, float,    t_max,      ALWAYS)       /* < 0: dead slot; 0: goes on where its probe says */ \
+    F(q, float,    t_max,      ALWAYS)       /* < 0: dead slot; 0: enters a subsurface body, and goes on where its probe finds an exit */ \
     F(q, float,    pdf,        ALWAYS)       /* density over solid angle with which d was sampled; 0: light sampling cannot produce d */ \
     F(q, float,    traveled,   INTERFACE)    /* distance from where d was sampled to o; > 0 behind null interfaces */ \
     F(q, uint,     passed,     INTERFACE)    /* number of null interfaces passed since d was sampled */ \
-    F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* as in hit, at the point where d was sampled */ \
+    F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* which map of the environment guide applies where d was sampled */ \
     F(q, vec3,     n,          LIGHT_TREE)   /* shading normal where d was sampled, on the side of wo; zero: not on a surface */ \
     F(q, spectrum, r_l,        MEDIA)        /* rescaled path probability of light sampling (pbrt-v4's r_l), without the light's pdf */ \
     F(q, uint,     medium,     MEDIA)        /* medium at o, or NONE */ \
@@ -48,7 +51,7 @@
 /* Where a ray ends: slot i belongs to ray i. Filled by intersect_rays, refined by extinguish_rays and classify_intersections. */
 #define INTERSECTION_FIELDS(F, q) \
     F(q, float,    t,          ALWAYS)       /* distance to the end; < 0: dead slot */ \
-    F(q, uint,     element,    ALWAYS)       /* the element hit, or NONE */ \
+    F(q, uint,     element,    ALWAYS)       /* the element hit (a triangle, a patch, a sphere, ...), or NONE */ \
     F(q, uint,     instance,   INSTANCES)    /* the instance hit, or NONE */ \
     F(q, float,    u,          ALWAYS)       /* parameters of the point on the element */ \
     F(q, float,    v,          ALWAYS) \
@@ -56,8 +59,8 @@
     F(q, uint,     material,   ALWAYS)       /* of a hit, mixes resolved */ \
     F(q, uint,     emits,      EMITTERS)     /* 1: the surface emits; the intersection also goes to shade_emitters */
 
-/* A surface point to shade: filled by route_intersections, drained by shade_hits. Dense, one segment for each BSDF, which appends its own
-   parameters (bsdfs.h). */
+/* A surface point to shade: filled by route_intersections, drained by shade_hits or shade_occlusions. Dense, one segment for each BSDF,
+   which appends its own parameters (bsdfs.h). */
 #define HIT_FIELDS(F, q) \
     TRAVEL_FIELDS(F, q) \
     F(q, vec3,     p,          ALWAYS) \
@@ -129,8 +132,8 @@
     F(q, float,    importance, IMPORTANCE)   /* film response to a radiance of 1 */ \
     FIRST_SURFACE_FIELDS(F, q)               /* auxiliary channels of the image */
 
-/* Q(queue, FIELDS, where its items are, FEATURE that makes it exist: as in STAGES)
-     sparse    slot i belongs to slot i of another queue, and may be dead
+/* Q(queue, FIELDS, where its items are, FEATURE that makes it exist: as above, or ENVIRONMENTS: at least one infinite light)
+     sparse    slot i belongs to slot i of the queue that its comment names, and may be dead
      dense     side by side, as route_intersections puts them
      by_path   at the index of their path */
 #define QUEUES(Q) \

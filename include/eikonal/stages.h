@@ -1,51 +1,69 @@
 /* Every stage of a wave, in the order in which they run: a kernel that reads queues and writes queues.
      S(stage, (what it reads), (what it may write), what it runs over, FEATURE that makes it exist)
-   It drains the first queue that it reads. Besides queues (queues.h) there are `next_ray`, the ray queue of the next bounce, `pixels`,
-   blocks of the image, `film`, their sums, and `counts`, how many items there are (enum wave_count). What a stage runs over is one of enum
-   stage_items, or the next_queue whose items it handles. FEATURE is one of features.h, ALWAYS, or ENVIRONMENTS: at least one infinite light
-   (host/pack/scene_constants.h). A stage called x is kernels/stages/x.cl, whose head repeats both lists (tests/unit/stages_test.cpp compares
-   them with its arguments). Its profiler row and its test are called x too. */
+   A wave is the paths in flight; the stages take each of them one bounce further. Paths come in batches: samples of some blocks of the
+   image. A stage runs over what the fourth column says: the items of one next_queue, or one of enum stage_items. Besides queues (queues.h)
+   there are
+     next_ray   the ray queue of the next bounce
+     pixels     blocks of the image
+     film       the sums of their samples
+     counts     how many items go to each next_queue, and how many rays each batch has (enum wave_count)
+   FEATURE is one of features.h (HAS_x in kernels), ALWAYS, or ENVIRONMENTS: at least one infinite light (host/pack/scene_constants.h).
+
+   There are two kinds of stage. A straight-line stage has no loop or branch that depends on data: the compiler vectorises it over slots, so
+   it runs over whole groups of slots, dead ones included. A tracing stage loops and branches: it stops at the last item and skips dead
+   slots.
+
+   A stage called x is kernels/stages/x.cl, whose head repeats both lists (tests/unit/stages_test.cpp compares them with its arguments).
+   Its profiler row and its test are called x too. */
 #ifndef EIKONAL_STAGES_H
 #define EIKONAL_STAGES_H
 #include "eikonal/batch.h"
 #include "eikonal/bsdfs.h"
 #include "eikonal/portable.h"
-CONTRACT_BEGIN
+CONTRACT_BEGIN /* namespace eikonal, in C++ */
 
 #define STAGES(S) \
-    S(generate_rays,          (pixels),                    (ray, path),                     each_sample,    ALWAYS) \
-    S(intersect_rays,         (ray),                       (intersection),                  each_ray,       ALWAYS) \
-    S(trace_probes,           (ray, probe),                (intersection, exit_point),      each_ray,       DIFFUSION) \
-    S(extinguish_rays,        (intersection, ray),         (ray, intersection, path),       each_ray,       MEDIA) \
-    S(classify_intersections, (intersection, ray),         (intersection, counts),          each_ray,       ALWAYS) \
-    S(route_intersections,    (intersection, ray, counts, exit_point), \
-                              (hit, scatter, miss, emission, next_ray, shadow, path, probe), each_ray,      ALWAYS) \
-    S(shade_misses,           (miss),                      (path),                          next_miss,      ENVIRONMENTS) \
-    S(shade_emitters,         (emission),                  (path),                          next_emission,  EMITTERS) \
-    S(shade_hits,             (hit),                       (next_ray, shadow, path, walk),  each_bsdf,      ALWAYS) \
-    S(shade_occlusions,       (hit),                       (next_ray, shadow, path),        next_occlusion, AMBIENT_OCCLUSION) \
-    S(shade_scatters,         (scatter),                   (next_ray, shadow),              next_scatter,   MEDIA) \
-    S(test_shadows,           (shadow),                    (path),                          each_shadow,    ALWAYS) \
-    S(resolve_film,           (path),                      (film),                          each_pixel,     ALWAYS)
+    /* A camera ray for each sample */ \
+    S(generate_rays, (pixels), (ray, path), each_sample, ALWAYS) \
+    /* The nearest intersection of each ray; where paths leave subsurface bodies; absorption, scattering and emission in media */ \
+    S(intersect_rays, (ray), (intersection), each_ray, ALWAYS) \
+    S(trace_probes, (ray, probe), (intersection, exit_point), each_ray, DIFFUSION) \
+    S(extinguish_rays, (intersection, ray), (ray, intersection, path), each_ray, MEDIA) \
+    /* Choose the next queue of each intersection and count its items; then build the items */ \
+    S(classify_intersections, (intersection, ray), (intersection, counts), each_ray, ALWAYS) \
+    S(route_intersections, (intersection, ray, counts, exit_point), (hit, scatter, miss, emission, next_ray, shadow, path, probe), \
+      each_ray, ALWAYS) \
+    /* Add the light of infinite lights and of surfaces that emit */ \
+    S(shade_misses, (miss), (path), next_miss, ENVIRONMENTS) \
+    S(shade_emitters, (emission), (path), next_emission, EMITTERS) \
+    /* Scatter: one shadow ray to a light, and the next ray. `walk` is memory that shade_hits uses for itself */ \
+    S(shade_hits, (hit), (next_ray, shadow, path, walk), each_bsdf, ALWAYS) \
+    S(shade_occlusions, (hit), (next_ray, shadow, path), next_occlusion, AMBIENT_OCCLUSION) \
+    S(shade_scatters, (scatter), (next_ray, shadow), next_scatter, MEDIA) \
+    /* Add the light of shadow rays that nothing blocks */ \
+    S(test_shadows, (shadow), (path), each_shadow, ALWAYS) \
+    /* Once the paths of a batch have ended: add them to their pixels */ \
+    S(resolve_film, (path), (film), each_pixel, ALWAYS)
 
 /* Kernels that run before the first wave, over no queue (host/render/survey.cpp).   S(kernel, FEATURE that makes it exist) */
 #define SURVEYS(S) \
     S(survey_vertices,        ENVIRONMENT_GUIDE) \
     S(survey_environment,     ENVIRONMENT_GUIDE)
 
-/* Which queue an intersection goes to next. One segment of the hit queue for each, in this order. */
+/* Which queue an intersection goes to next. Those before next_miss share one range of slots: a segment for each, in this order. Slot i
+   there is a slot of hit (of scatter, of neither for a crossing), and also slot i of shadow and of next_ray. */
 #define NEXT_OF_BSDF(name, FEATURE, PARAMETERS) next_##name,
 enum next_queue {
-    next_crossing,             /* straight on: an interface between media */
+    next_crossing,            /* straight on: an interface between media. Has no shadow ray */
     next_scatter,             /* shade_scatters */
     next_occlusion,           /* shade_occlusions */
-    BSDFS(NEXT_OF_BSDF)       /* shade_hits, built for that BSDF */
+    BSDFS(NEXT_OF_BSDF)       /* next_diffuse, next_conductor, ...: shade_hits, built for that BSDF */
     next_miss,                /* shade_misses */
     next_emission,            /* shade_emitters; besides another queue */
     next_queues,
-    next_mix,                 /* a material to be resolved to one of the above; no queue */
+    next_mix,                 /* of a material that is a mix: one of the above, chosen at random. No queue */
     next_absorbed,            /* ended in a medium or a body */
-    next_none,                /* the path ends, or goes where its element says */
+    next_none,                /* before classify_intersections: not decided yet; after it: the path ends */
     next_values               /* how many values there are */
 };
 
@@ -59,7 +77,7 @@ enum stage_items {
     no_queue                   /* of a kernel of SURVEYS */
 };
 
-/* What a wave counts at each next_queue, real rays only: how many go to each queue, and how many each batch in flight has. */
+/* Indices of `counts`. At each next_queue: how many items go there. At count_of_batches + b: how many live rays batch b has. */
 enum wave_count { count_of_batches = next_queues, wave_counts = count_of_batches + MOST_BATCHES };
 
 CONTRACT_END

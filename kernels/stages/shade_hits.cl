@@ -1,6 +1,6 @@
 /* hit -> next_ray, shadow, walk, slot i to slot i; path.  Scatters each path at a surface: one shadow ray to one light, and one scattered
-   ray (shade/shade_hit.clh). With ray splitting the stage runs in passes: pass r makes the r-th scattered ray, in slot i + r * pass_slots, and
-   the shadow ray to the r-th light. Built once per BSDF (the macro BSDF), over that BSDF's segment of the hit queue. */
+   ray (shade/shade_hit.clh). With ray splitting the stage runs in passes: pass r makes the r-th scattered ray, in slot i + r * pass_slots,
+   and the shadow ray to the r-th light. Built once per BSDF (the macro BSDF), over that BSDF's segment of the hit queue. */
 #include "shade/shade_slot.clh"
 #include "stages/stage.clh"
 
@@ -13,19 +13,19 @@ STAGE(shade_hits, SHADE_HITS) {
     light_tables light_set = BIND_LIGHTS;
     bsdf_tables bsdf_set = BIND_BSDFS;
     color_tables color_set = BIND_COLORS;
-    BEGIN_WALKS
+    BEGIN_WALKS /* Layered BSDFs: all slots walk between their layers, in step */
     FOR_EACH_SLOT_OF_GROUP(at, count) {
         size_t i = first + at, to = HAS_RAY_SPLITTING ? i + shading_pass * pass_slots : i;
         int alive = at < count;
-        if (SKIPS_DEAD_SLOTS && !alive) {
+        if (SKIPS_DEAD_SLOTS && !alive) { /* where the BSDF loops; elsewhere dead slots run along */
             STORE_FIELD(ray, float, t_max, next_ray, capacity, to, -1.0f);
             STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
             continue;
         }
         hit_item h = load_hit(hit, capacity, i);
         BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
+        /* SHADE_BSDF, whose rays are stored; of layered BSDFs, the ends of the walks */
         shade_slot(light_set, color_set, frame, h, b, shading_pass, alive, next_ray, to, shadow, walk, capacity, i);
-        if (BSDF_IS_DELTA || !HAS_LIGHTS) STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
         if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.has_nonspecular_vertex)
             STORE_FIELD(path, spectrum, albedo, path, path_capacity, h.path, seen_albedo(h, ALBEDO_BSDF(b)));
     }

@@ -1,4 +1,4 @@
-/* ray, probe -> intersection, exit_point, slot i to slot i of ray.  Finds where paths leave the subsurface bodies that they entered. A
+/* ray, probe -> intersection, exit_point, slot i to slot i.  Finds where paths leave the subsurface bodies that they entered. A
    tracing stage; rays without a probe are skipped. */
 #include "trace/probe.clh"
 #include "stages/stage.clh"
