@@ -3,7 +3,6 @@
 
 #include "error.h"
 #include "color/spectrum.h"
-#include "kinds/filter_kind.h"
 
 #include <array>
 #include <optional>
@@ -38,6 +37,10 @@ struct FilmDescription {
     std::optional<SpectrumKept> spectrum;                ///< for pbrt-v4's film "spectral"
     SourceLocation where;
 };
+
+/// The shape of a pixel filter (kinds/filter_kind.h).
+struct FilterKind;
+extern const FilterKind gaussian_filter;
 
 struct FilterDescription {
     const FilterKind* kind = &gaussian_filter;

@@ -3,7 +3,6 @@
 
 #include "error.h"
 #include "color/spectrum.h"
-#include "kinds/integrator_kind.h"
 
 #include <optional>
 #include <string>
@@ -40,6 +39,10 @@ struct Roulette {
     double scale = 1;                      ///< in (1e-6, 1e6)
     int depth = 4;                         ///< scattering events before roulette begins, >= 0; pbrt-v4: 1
 };
+
+/// What an integrator computes (kinds/integrator_kind.h).
+struct IntegratorKind;
+extern const IntegratorKind volpath_integrator;
 
 struct IntegratorDescription {
     const IntegratorKind* kind = &volpath_integrator;

@@ -44,6 +44,17 @@ FORMULA REAL hair_absorption_scale(REAL n) {
     return CONSTANT(1.0) / (fit * fit);
 }
 
+/* d of the diffusion profile of a body, from its mean free path with reduced scattering and its diffuse albedo: path / (1.85 - albedo +
+   7 |albedo - 0.8|^3) (Christensen and Burley 2015, equation 5: light enters perpendicularly, no internal reflection). Internal reflection
+   keeps light inside longer: random walks behind a boundary have profiles of the same shape that are up to about eta^2 times as wide, less
+   at low albedos. stretch: max(eta^2, 1) - 1; the fit is ours (docs/subsurface.md). */
+FORMULA REAL profile_length(REAL path, REAL albedo, REAL stretch) {
+    REAL from_white = albedo > CONSTANT(0.8) ? albedo - CONSTANT(0.8) : CONSTANT(0.8) - albedo;
+    REAL share = CONSTANT(3.0) * albedo;
+    REAL wider = CONSTANT(1.0) + stretch * (share < CONSTANT(0.9) ? share : CONSTANT(0.9));
+    return path * wider / (CONSTANT(1.85) - albedo + CONSTANT(7.0) * from_white * from_white * from_white);
+}
+
 #undef FORMULA
 #undef REAL
 #undef CONSTANT

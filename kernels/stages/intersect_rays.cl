@@ -1,6 +1,5 @@
 /* ray -> intersection, slot i to slot i.  Finds the nearest hit of each ray. A tracing stage: each work-item handles the slots from
    `first_slot` to SLOTS_END, and skips dead ones. */
-#include "eikonal/stages.h"
 #include "trace/intersect_ray.clh"
 #include "stages/stage.clh"
 
@@ -15,9 +14,6 @@ TRACING_STAGE(intersect_rays, INTERSECT_RAYS) {
             STORE_FIELD(intersection, float, t, intersection, capacity, i, -1.0f);
             continue;
         }
-        intersection_item isect = intersect_ray(g, tables, load_ray(ray, capacity, i));
-        /* classify_intersections decides these */
-        isect.next_queue = next_none; isect.material = NONE; isect.emits = 0u;
-        store_intersection(intersection, capacity, i, isect);
+        store_intersection(intersection, capacity, i, intersect_ray(g, tables, load_ray(ray, capacity, i)));
     }
 }

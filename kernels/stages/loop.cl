@@ -66,7 +66,7 @@ FN void send_scatter(scene_tables scene, destinations *to, scatter_item s) {
     to->out = shade_scatter(scene.lights, scene.colors, scene.frame, s, 1);
 }
 FN void send_emission(destinations *to, emission_item e) {
-    add_radiance(to->path, to->path_capacity, e.path, weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light));
+    add_radiance(to->path, to->path_capacity, e.path, shade_emission(e));
 }
 FN scattering shade_pass(scene_tables scene, destinations *to, uint next_queue, hit_item h, uint pass) {
     return shade_any(scene.lights, to->bsdfs, scene.colors, scene.frame, to->hit, to->capacity, to->slot, next_queue, h, pass);
@@ -82,7 +82,7 @@ FN void send_hit(scene_tables scene, destinations *to, uint next_queue, uint slo
             k.found &= !h.has_nonspecular_vertex;
         }
     }
-    if (HAS_AOVS && k.found) STORE_FIELD(path, spectrum, albedo, to->path, to->path_capacity, h.path, seen_albedo(h, k.albedo));
+    if (HAS_AOVS && k.found) store_albedo(to->path, to->path_capacity, h, k.albedo);
     if (!HAS_RAY_SPLITTING) return;
     meet_light(scene, to, to->out.shadow);
     to->out.shadow.t_max = -1.0f;
@@ -120,8 +120,6 @@ TRACING_STAGE(loop, LOOP) {
             while (r.t_max >= 0.0f) {
                 /* Where the ray ends */
                 intersection_item f = intersect_ray(scene.geometry, scene.tables, r);
-                f.next_queue = next_none;
-                f.material = NONE;
                 exit_point_item exit = new_exit_point();
                 if (HAS_DIFFUSION && r.probe != NONE) {
                     traced_probe found = trace_probe(scene.geometry, scene.tables, scene.materials, scene.colors, r, to.probe);

@@ -7,7 +7,6 @@
 STAGE(shade_emitters, SHADE_EMITTERS) {
     FOR_EACH_SLOT_OF_GROUP(i, count) {
         emission_item e = load_emission(emission, capacity, i);
-        spectrum L = weigh_emission(e.beta, e.Le, e.r_u, e.r_l, e.pdf, e.pdf_light);
-        add_radiance(path, path_capacity, i < count ? e.path : DISCARDED_PATH(i), L);
+        add_radiance(path, path_capacity, i < count ? e.path : DISCARDED_PATH(i), shade_emission(e));
     }
 }

@@ -27,6 +27,6 @@ STAGE(shade_hits, SHADE_HITS) {
         /* SHADE_BSDF, whose rays are stored; of layered BSDFs, the ends of the walks */
         shade_slot(light_set, color_set, frame, h, b, shading_pass, alive, next_ray, to, shadow, walk, capacity, i);
         if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.has_nonspecular_vertex)
-            STORE_FIELD(path, spectrum, albedo, path, path_capacity, h.path, seen_albedo(h, ALBEDO_BSDF(b)));
+            store_albedo(path, path_capacity, h, ALBEDO_BSDF(b));
     }
 }

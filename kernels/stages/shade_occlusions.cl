@@ -15,6 +15,6 @@ STAGE(shade_occlusions, SHADE_OCCLUSIONS) {
         hit_item h = load_hit(hit, capacity, i);
         store_shadow(shadow, capacity, i, shade_occlusion(color_set, frame, h, alive));
         STORE_FIELD(ray, float, t_max, next_ray, capacity, i, -1.0f);
-        if (HAS_AOVS && alive) STORE_FIELD(path, spectrum, albedo, path, path_capacity, h.path, seen_albedo(h, uniform_spectrum(1.0f)));
+        if (HAS_AOVS && alive) store_albedo(path, path_capacity, h, uniform_spectrum(1.0f));
     }
 }

@@ -1,5 +1,6 @@
 #include "read/pbrt/subsurface.h"
 
+#include "eikonal/formulas.h"
 #include "kinds/texture_kind.h"
 #include "color/diffuse_albedo.h"
 #include "kinds/medium_kind.h"
@@ -60,19 +61,11 @@ template <class F> Spectrum combine(const Spectrum& a, const Spectrum& b, const 
     return spectrumOf(x);
 }
 
-/// The parameter d of the diffusion profile, from the reduced mean free path, the diffuse albedo A and the index: path / (1.85 - A + 7 |A -
-/// 0.8|^3) (Christensen and Burley 2015, equation 5: for light that enters perpendicularly, without internal reflection). Internal
-/// reflection keeps light inside longer: random walks behind a boundary have profiles of the same shape that are up to about eta^2 times as
-/// wide, less at low albedos (our fit: docs/subsurface.md).
-double profileLength(double path, double A, double eta) {
-    const double stretch = 1 + (std::max(eta * eta, 1.0) - 1) * std::min(3 * A, 0.9);
-    return path * stretch / (1.85 - A + 7 * std::pow(std::abs(A - 0.8), 3));
-}
-
 DiffusionProfile profileOf(const Spectrum& albedo, const Medium& medium, double eta) {
     const Spectrum reduced = combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return a + s * (1 - medium.g); });
+    const double stretch = std::max(eta * eta, 1.0) - 1;
     return {albedo, combine(albedo, reduced, [&](double A, double sigma) {
-                return profileLength(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), eta);
+                return profile_length(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), stretch);
             })};
 }
 
