@@ -1,4 +1,4 @@
-/* ray, intersection -> intersection, in place; counts.  Decides which queue each intersection goes to next, and counts the entries of each
+/* ray, intersection -> intersection, in place; counts.  Chooses the next queue of each intersection, and counts the entries of each
    queue: route_intersections needs the totals to place each queue's segment. Also counts the live rays of each batch in flight. A tracing
    stage; each work-item sums its counts, then does one atomic per count. */
 #include "stages/queue.clh"

@@ -17,11 +17,11 @@ FN candidate vote(uint id, uint lead, uint for_id) {
     return c;
 }
 
-/* Its square is still finite. */
+/* Distances from the mean are clamped to this; its square is finite. */
 #define MOST_DISTANCE 1e18f
 
-/* Add a luminance with a squared weight: the mean moves towards it, and the spread grows by the product of its distances from the old and
-   the new mean (West 1979). Unlike a sum of squares, this keeps precision when samples hardly differ. */
+/* Add a luminance with a squared weight. The weighted sum of squared deviations, `spread`, grows by the product of its distances from the
+   old and the new mean (West 1979). Unlike a sum of squares, this keeps precision when samples hardly differ. */
 FN film_item add_luminance(film_item f, float y, float square_weight) {
     float before = y - f.mean;
     f.square_weight += square_weight;
