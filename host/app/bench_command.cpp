@@ -1,4 +1,4 @@
-#include "app/clock.h"
+#include "clock.h"
 #include "app/commands.h"
 #include "app/efficiency.h"
 #include "render/session.h"

@@ -20,7 +20,7 @@ static int run(const Options& options) {
         case Command::bench: return benchCommand(options);
         case Command::cache: return cacheCommand(options);
         case Command::listDevices: return listDevicesCommand(options);
-        case Command::compileKernels: return compileKernelsCommand(options);
+        case Command::compileKernels: compileKernels(options.device, options.compile); return static_cast<int>(ExitCode::success);
         case Command::compare: return compareCommand(options);
     }
     return static_cast<int>(ExitCode::usage);

@@ -1,11 +1,9 @@
 #pragma once
 // The command line. Each option is declared once, in options.cpp, with its help text and its range check.
 
-#include "diagnostics.h"
 #include "image/tone_map.h"
-#include "scene/scene.h"
+#include "render/options.h"
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,70 +11,6 @@
 namespace eikonal {
 
 enum class Command { print, render, info, bench, cache, listDevices, compare, compileKernels };
-
-/// Options that override the scene file. Unset: the file's value counts.
-struct SceneOptions {
-    std::string path;
-    std::optional<int> spp;                           ///< samples per pixel, >= 1
-    std::optional<int> seed;
-    std::optional<SamplerKind> sampler;
-    std::optional<ColorMode> colorMode;
-    const IntegratorKind* integrator = nullptr;         ///< null: the scene's
-    std::optional<SubsurfaceMethod> subsurface;       ///< for all materials "subsurface"
-    std::optional<int> maxDepth;                      ///< bounces, >= 0
-    std::optional<RouletteRule> roulette;
-    std::optional<double> rouletteScale;              ///< > 0
-    std::optional<int> rouletteDepth;                 ///< bounces before Russian roulette, >= 0
-    std::optional<LightSampler> lightSampler;
-    std::optional<EnvironmentGuide> environmentGuide;
-    std::optional<std::array<int, 2>> resolution;     ///< width and height in pixels
-    std::optional<std::array<double, 4>> cropWindow;  ///< x0 x1 y0 y1, fractions of the image
-    std::optional<PixelBounds> pixelBounds;
-    std::optional<glm::dvec3> camera, lookAt, up;     ///< OBJ only, world space
-    std::optional<double> fov;                        ///< OBJ only, degrees along the shorter side, in (0, 180)
-    bool strict = false;
-};
-
-/// Where and how kernels run.
-struct DeviceOptions {
-    std::string device;                               ///< an index from --list-devices or part of a name; empty: the default device
-    int threads = 0;                                  ///< of the host and of PoCL; 0: one per core
-    bool list = false;                                ///< print the devices instead of running the command
-    bool cache = true;
-    std::string dumpFolder;                           ///< if not empty, the source of each program is written there
-    std::optional<unsigned> wavePaths, localSize, itemsPerWorkItem;
-    bool contraction = true;
-    std::string buildOptions;                         ///< for the OpenCL compiler, in addition to the default ones
-};
-
-/// Additional channels of an EXR.
-struct Aovs {
-    bool albedo = false, normal = false, geometricNormal = false, position = false, uv = false, depthSlope = false, motion = false,
-         depth = false, object = false, material = false;
-    bool variance = false, sampleCount = false;
-    bool any() const;
-    /// Whether any channel needs per-path data from the device.
-    bool ofSurfaces() const;
-};
-
-/// The names of the channels for --aov.
-struct AovName { const char* name; bool Aovs::*asked; bool isOfSurfaces = true; };
-inline constexpr AovName aovNames[] = {{"albedo", &Aovs::albedo},
-                                       {"normal", &Aovs::normal},
-                                       {"geometricNormal", &Aovs::geometricNormal},
-                                       {"position", &Aovs::position},
-                                       {"uv", &Aovs::uv},
-                                       {"depthSlope", &Aovs::depthSlope},
-                                       {"motion", &Aovs::motion},
-                                       {"depth", &Aovs::depth},
-                                       {"object", &Aovs::object},
-                                       {"material", &Aovs::material},
-                                       {"variance", &Aovs::variance, false},
-                                       {"sampleCount", &Aovs::sampleCount, false}};
-inline bool Aovs::any() const { return std::ranges::any_of(aovNames, [this](const AovName& n) { return this->*n.asked; }); }
-inline bool Aovs::ofSurfaces() const {
-    return std::ranges::any_of(aovNames, [this](const AovName& n) { return n.isOfSurfaces && this->*n.asked; });
-}
 
 struct OutputOptions {
     std::vector<std::string> files;                   ///< empty: the scene's name with .exr
@@ -87,18 +21,11 @@ struct OutputOptions {
     bool stats = false;
 };
 
-/// A worker process of render/kernel_workers.h compiles every `parts`-th stage, starting with the `part`-th, for scenes with these
-/// features. `parent`: the process whose end also ends the worker; 0: none.
-struct CompileRequest { std::string features, constants; unsigned part = 0, parts = 1; int parent = 0; };
-
-struct Options {
+struct Options : SessionOptions {
     Command command = Command::print;
     std::string text;                                 ///< what Command::print prints
     std::string commandLine;                          ///< as the user gave it
-    LogLevel log = LogLevel::warning;
     bool quiet = false;
-    SceneOptions scene;
-    DeviceOptions device;
     OutputOptions output;
     bool json = false;                                ///< info: print JSON
     std::string jsonFile;                             ///< bench: if not empty, write JSON there

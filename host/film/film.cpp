@@ -1,7 +1,7 @@
 #include "film/film.h"
 
 #include "color/luminance.h"
-#include "render/projection.h"
+#include "film/projection.h"
 
 #include <algorithm>
 #include <cmath>

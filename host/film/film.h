@@ -5,7 +5,7 @@
 #include "device/buffer.h"
 #include "device/layout.h"
 #include "image/film_image.h"
-#include "render/batch.h"
+#include "film/batch.h"
 
 #include <memory>
 

@@ -1,5 +1,6 @@
 // The camera, the film's pixels and the pixel filter.
 
+#include "kinds/filter_kind.h"
 #include "kinds/camera_kind.h"
 #include "pack/alias_table.h"
 #include "pack/motion.h"

@@ -1,5 +1,6 @@
 // What the integrator makes of a scene: which of its parts count, and the numbers that its stages read.
 
+#include "kinds/integrator_kind.h"
 #include "pack/pack.h"
 #include "pack/packer.h"
 

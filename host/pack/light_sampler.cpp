@@ -1,3 +1,4 @@
+#include "kinds/integrator_kind.h"
 #include "pack/light_sampler.h"
 
 #include "pack/alias_table.h"

@@ -1,5 +1,6 @@
 // Materials: a BSDF, and what lies in and on the surface.
 
+#include "kinds/integrator_kind.h"
 #include "kinds/light_kind.h"
 #include "kinds/material_kind.h"
 #include "pack/material_inputs.h"

@@ -2,11 +2,11 @@
 
 #include "render/kernel_workers.h"
 #include "render/scene_loading.h"
-#include "app/wait_notice.h"
+#include "wait_notice.h"
 #include "film/exposure.h"
 #include "image/formats/image_formats.h"
+#include "kinds/integrator_kind.h"
 #include "kinds/medium_kind.h"
-#include "pack/packer.h"
 #include "render/displacement.h"
 #include "render/path_loop.h"
 #include "render/roulette_pilot.h"
@@ -58,12 +58,12 @@ BuildSettings buildSettingsFor(const DeviceOptions& options) {
 
 void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& diagnostics) {
     const auto emits = [](const Medium& m) { return emissionOf(m) != MediumEmission::none; };
-    if (!countsMaterials(scene.integrator) || packed.counts.lights > 0) return;
+    if (!scene.integrator.kind->countsMaterials || packed.counts.lights > 0) return;
     if (packed.features.has(Feature::MEDIA) && std::ranges::any_of(scene.media, emits)) return;
     diagnostics.warn({}, "the scene has no light: the image will be black");
 }
 
-Session::Session(const Options& options, Diagnostics& diagnostics, bool profiling)
+Session::Session(const SessionOptions& options, Diagnostics& diagnostics, bool profiling)
     : options_(options), diagnostics_(diagnostics), profiling_(profiling) {
     times_.start = secondsSinceStart();
     prepareOpenCl(options.device);

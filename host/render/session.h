@@ -1,7 +1,7 @@
 #pragma once
 // What it takes to render a scene, made ready step by step, with the time that each step took.
 
-#include "app/options.h"
+#include "render/options.h"
 #include "pack/pack.h"
 #include "render/render.h"
 #include "render/survey.h"
@@ -52,7 +52,7 @@ void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& 
 class Session {
 public:
     /// profiling: kernels are timed.
-    Session(const Options& options, Diagnostics& diagnostics, bool profiling = false);
+    Session(const SessionOptions& options, Diagnostics& diagnostics, bool profiling = false);
     ~Session();
 
     /// Reads the scene, while the device opens. Without a device, plan() supposes a processor.
@@ -98,7 +98,7 @@ private:
     /// Moves the vertices of meshes that a texture displaces: a device looks it up.
     void displace();
 
-    const Options& options_;
+    const SessionOptions& options_;
     Diagnostics& diagnostics_;
     const bool profiling_;
     std::optional<tbb::global_control> hostThreads_;

@@ -2,7 +2,7 @@
 // What can trace samples of blocks of pixels and add them to the film: the wavefront (wave.h), or a loop for each path (path_loop.h).
 
 #include "device/layout.h"
-#include "render/batch.h"
+#include "film/batch.h"
 
 #include <functional>
 #include <optional>

@@ -1,5 +1,6 @@
 // Light from infinitely far away, all around: samples follow what the environment looks like.
 
+#include "kinds/integrator_kind.h"
 #include "kinds/light_kind.h"
 #include "light_sampling.h"
 #include "pack/pack.h"

@@ -9,7 +9,7 @@
 #include "queue_words.h"
 #include "test_device.h"
 
-#include "render/batch.h"
+#include "render/batch_tables.h"
 #include "render/device_scene.h"
 #include "render/wave_counts.h"
 #include "render/wave_queues.h"

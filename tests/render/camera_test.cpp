@@ -3,7 +3,7 @@
 #include "rendering.h"
 
 #include "pack/space.h"
-#include "render/projection.h"
+#include "film/projection.h"
 
 #include <fmt/format.h>
 #include <unistd.h>

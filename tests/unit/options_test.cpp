@@ -1,5 +1,6 @@
 // The command line as the program understands it. What it does then is tested in tests/render/cli_*_test.cpp.
 
+#include "kinds/integrator_kind.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "app/options.h"

@@ -1,6 +1,7 @@
 // Fills in the scene's film, filter and sampler from the parameters of Film, PixelFilter and Sampler directives.
 
 #include "read/pbrt/settings.h"
+#include "kinds/filter_kind.h"
 #include "color/sensor.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // Fills in the scene's integrator from the parameters of an Integrator directive.
 
+#include "kinds/integrator_kind.h"
 #include "read/pbrt/settings.h"
 
 namespace eikonal::pbrt {

@@ -1,6 +1,7 @@
 #include "read/pbrt/setting_kinds.h"
 
 #include "kinds/camera_kind.h"
+#include "kinds/filter_kind.h"
 #include "kinds/integrator_kind.h"
 #include "scene/scene.h"
 

@@ -1,4 +1,4 @@
-#include "render/projection.h"
+#include "film/projection.h"
 
 #include "kinds/camera_kind.h"
 #include "pack/space.h"

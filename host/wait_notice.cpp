@@ -1,4 +1,4 @@
-#include "app/wait_notice.h"
+#include "wait_notice.h"
 
 #include <fmt/format.h>
 

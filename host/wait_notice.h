@@ -1,7 +1,7 @@
 #pragma once
 // Tells the user when something takes longer than expected.
 
-#include "app/clock.h"
+#include "clock.h"
 
 #include <condition_variable>
 #include <mutex>

@@ -1,7 +1,6 @@
 #pragma once
 // What a wave traces: samples of blocks of pixels.
 
-#include "device/kernel.h"
 #include "pack/tables.h"
 
 #include <algorithm>
@@ -52,20 +51,6 @@ private:
     std::vector<Block> blocks_;
     unsigned mostLayers_;
     size_t at_ = 0;
-};
-
-/// A batch as kernels see it.
-class BatchTables {
-public:
-    /// Of nothing.
-    explicit BatchTables(const Context& context);
-    /// Replaces what kernels saw before, and waits for those that are to see it. endX, endY: no pixel from there on.
-    void write(const Context& context, const Batch& batch, int endX, int endY);
-    const Bindings& bindings() const { return bindings_; }
-
-private:
-    Buffer layers_, ranges_;
-    Bindings bindings_;
 };
 
 }  // namespace eikonal
