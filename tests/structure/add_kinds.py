@@ -74,7 +74,8 @@ KINDS = {
     "wrinkled": Copy(
         new="crumpled", files=["kernels/texture/wrinkled.clh", "host/kinds/texture/wrinkled.cpp"], lists=["include/eikonal/textures.h"],
         scene=BOX + 'Texture "t" "float" "@" "integer octaves" 5\n'
-        'Texture "c" "spectrum" "mix" "rgb tex1" [0.9 0.2 0.1] "texture amount" "t"\nMaterial "diffuse" "texture reflectance" "c"\n' + FLOOR),
+        'Texture "c" "spectrum" "mix" "rgb tex1" [0.9 0.2 0.1] "texture amount" "t"\n'
+        'Material "diffuse" "texture reflectance" "c"\n' + FLOOR),
     "diffuse": Copy(
         new="chalk", files=["kernels/bsdf/diffuse.clh", "host/kinds/material/diffuse.cpp"],
         lists=["include/eikonal/bsdfs.h", "include/eikonal/materials.h"],
@@ -83,8 +84,8 @@ KINDS = {
         new="lacquered_metal", files=["kernels/bsdf/coated_conductor.clh", "host/kinds/material/coated_conductor.cpp"],
         lists=["include/eikonal/bsdfs.h", "include/eikonal/materials.h"],
         scene=BOX + 'LightSource "infinite" "rgb L" [0.3 0.4 0.5]\n' + FLOOR +
-        'Material "@" "float interface.roughness" 0.2 "float conductor.roughness" 0.3 "float thickness" 0.2 "rgb albedo" [0.5 0.7 0.9]\n' + BALL +
-        'Translate 1.5 0 0\nMaterial "@"\n' + BALL),
+        'Material "@" "float interface.roughness" 0.2 "float conductor.roughness" 0.3 "float thickness" 0.2 "rgb albedo" [0.5 0.7 0.9]\n' +
+        BALL + 'Translate 1.5 0 0\nMaterial "@"\n' + BALL),
     "gaussian": Copy(
         new="bell", arrays={"host/kinds/filter_kind.cpp": "filter"},
         scene='PixelFilter "@" "float xradius" 2 "float sigma" 0.7\n' + BOX + FLOOR + BALL),
@@ -96,7 +97,8 @@ KINDS = {
 
 def write_png(path, side):
     """A square of colours that differ everywhere."""
-    rows = b"".join(b"\0" + bytes(v for x in range(side) for v in (40 + 200 * x // side, 40 + 200 * y // side, (x * y * 37) % 256)) for y in range(side))
+    rows = b"".join(b"\0" + bytes(v for x in range(side) for v in (40 + 200 * x // side, 40 + 200 * y // side, (x * y * 37) % 256))
+                    for y in range(side))
 
     def chunk(kind, data):
         return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
@@ -171,8 +173,7 @@ def add_kind(tree, kind):
         add_line(tree / file, kind, copy.new)
     for file, suffix in copy.arrays.items():
         add_entry(tree / file, kind, copy.new, suffix)
-    entries = [f"{len(copy.files)} files"] * bool(copy.files) + [f"{len(copy.lists)} lines"] * bool(copy.lists) + ["1 entry"] * bool(copy.arrays)
-    print(f"{kind} as {copy.new}: {', '.join(entries)}", flush=True)
+    print(f"{kind} as {copy.new}: {len(copy.files)} files, {len(copy.lists) + len(copy.arrays)} lines", flush=True)
 
 
 def copy_tree(tree, kinds):
@@ -253,8 +254,8 @@ def build_program(tree):
     build = tree / "build"
     environment = dict(os.environ, CCACHE_BASEDIR=str(tree), CCACHE_NOHASHDIR="1")
     generator = ["-G", "Ninja"] if shutil.which("ninja") else []
-    subprocess.run(["cmake", "-S", tree, "-B", build, *generator, "-DCMAKE_BUILD_TYPE=Release", "-DEIKONAL_TESTS=OFF", "-DEIKONAL_BENCH=OFF"],
-                   check=True, stdout=subprocess.DEVNULL, env=environment)
+    options = ["-DCMAKE_BUILD_TYPE=Release", "-DEIKONAL_TESTS=OFF", "-DEIKONAL_BENCH=OFF"]
+    subprocess.run(["cmake", "-S", tree, "-B", build, *generator, *options], check=True, stdout=subprocess.DEVNULL, env=environment)
     start, tenths, log = time.monotonic(), 0, []
     command = ["cmake", "--build", build, "--target", "eikonal", "-j", str(os.cpu_count())]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=environment) as run:

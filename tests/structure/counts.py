@@ -7,15 +7,20 @@ its count. Prints a Markdown table; with --places MEASURE also the places that i
 import argparse
 import re
 import sys
+from functools import cache
 from pathlib import Path
+
+from declarations import Macros, declared, text_of, without_comments
 
 ROOT = Path(__file__).resolve().parents[2]
 FAMILIES = ("light", "shape", "camera", "medium", "texture", "bsdf")
-LISTS = {"light": "lights.h", "shape": "shapes.h", "camera": "cameras.h", "medium": "media.h", "texture": "textures.h", "bsdf": "bsdfs.h", "material": "materials.h"}
+LISTS = ("lights.h", "shapes.h", "cameras.h", "media.h", "textures.h", "bsdfs.h", "materials.h")
 README_FILES = re.compile(r"\((kernels/[\w/.]+\.clh?|host/[\w/.]+\.(?:cpp|h)|include/[\w/.]+\.h)\)")
-# Terms that were replaced, and words that a graphics engineer would have to look up (the field's words stand in docs/glossary.md).
-WORDS_OUT = re.compile(r"\b(nobody\w*|somebody\w*|passages?|relieve[sd]?|palettes?|foci|emergence|way_out|one_wave|part_wavelengths|"
-                       r"(?<!in )flights?|hops?|hopping|traffic)\b", re.IGNORECASE)
+# Terms that were replaced, and words that a graphics engineer would have to look up (the field's words stand in docs/glossary.md). "branch"
+# for one of the rays that a ray splits into is out, too, but means branches of code nearly everywhere.
+WORDS_OUT = re.compile(r"\b(nobody\w*|somebody\w*|passages?|relieve[sd]?|palettes?(?! \()|foci|emergence|way_out|one_wave|part_wavelengths|"
+                       r"(?<!in )flights?|hops?|hopping|traffic|forks|runs? of slots|int is|paths? (that )?(is|are) blurred|(a|each|the) bundle|"
+                       r"bundles|(?-i:\w*Book))\b", re.IGNORECASE)
 
 
 def files(*folders, suffixes=(".cpp", ".h", ".cl", ".clh")):
@@ -51,18 +56,54 @@ def visits_of_kinds():
     return lines_with(pattern, source())
 
 
+def comparisons_with_kinds():
+    """Code that asks whether something is of one kind: by the kind's variable (&mix_material), its number (kind_point_light) or its queue
+    (next_hair)."""
+    bsdfs = "|".join(macros().entries("BSDFS") - {"subsurface_exit"})   # the BSDF of no material: the surface that diffusion profiles end at
+    kind = rf"(&\w+_(light|shape|camera|medium|texture|material|filter|integrator)|kind_\w+_(light|medium|texture)|" \
+           rf"camera_(?!kinds)\w+|shape_(?!kinds)\w+|next_({bsdfs}))\b"
+    pattern = re.compile(rf"[!=]= {kind}|{kind} [!=]=")
+    return lines_with(pattern, [f for f in files("host", "kernels") if not is_kinds_own(f)])
+
+
+def enumerators(file, with_lists):
+    """(name, line, enumerators) of each enumeration in a file: those that it spells out, and also the kinds of its lists."""
+    text = text_of(file)
+    for match in re.finditer(r"\benum (?:class |struct )?(\w+)[^;{(]*\{([^}]*)\}", text):
+        body = re.sub(r"^\s*#[^\n]*", "", match[2], flags=re.MULTILINE)
+        for kinds in re.findall(r"\b([A-Z_]+)\(\w+\)", body) if with_lists else []:
+            body += "," + ",".join(macros().entries(kinds))
+        names = re.findall(r"(?:^|,)\s*([A-Za-z]\w*)", re.sub(r"\b[A-Z_]+\([^)]*\)", "", body))
+        yield match[1], text.count("\n", 0, match.start()) + 1, names
+
+
+def plain(names):
+    """Enumerators without a prefix that all have, case and underscores: wrap_repeat, wrap_clamp and Repeat, Clamp are alike."""
+    first = names[0].split("_")[0] + "_" if names else ""
+    if len(names) > 1 and all(n.startswith(first) for n in names):
+        names = [n.removeprefix(first) for n in names]
+    return {n.replace("_", "").lower() for n in names}
+
+
 def enumerations_of_kinds():
-    return lines_with(re.compile(r"^\s*enum (class )?\w*([kK]ind|Pattern|KindOfPbrt)\b(?!.*;\s*$.*\()"), files("host"))
-
-
-def without_comments(text):
-    return re.sub(r"/\*.*?\*/|//[^\n]*", " ", text, flags=re.DOTALL)
+    """Enumerations on the host of kinds of something in a scene: called SomethingKind, or saying again what an enumeration or a list of the
+    contract says."""
+    contract = [plain(names) for f in files("include") for _, _, names in enumerators(f, True)]
+    contract += [plain(list(macros().entries(kinds))) for kinds in macros().definitions if kinds.isupper()]
+    found = []
+    for f in files("host"):
+        for enum, line, names in enumerators(f, False):
+            own = plain(names)
+            again = any(len(own & other) > 1 and len(own & other) >= max(len(own), len(other)) / 2 for other in contract)
+            if again or re.search(r"\w(Kind|KindOfPbrt|Pattern)$", enum):
+                found.append(f"{name(f)}:{line}: {enum}")
+    return found
 
 
 def files_of(kind):
     """The files whose code names a kind, other than the lists of families."""
     pattern = re.compile(rf"(?<![a-z]){kind}(?![a-z])", re.IGNORECASE)
-    return [name(f) for f in source() if f.name not in LISTS.values() and pattern.search(without_comments(f.read_text(encoding="utf-8")))]
+    return [name(f) for f in source() if f.name not in LISTS and pattern.search(without_comments(f.read_text(encoding="utf-8")))]
 
 
 def longest_recipe():
@@ -80,7 +121,9 @@ def long_lines():
 
 
 def words_out():
-    return lines_with(WORDS_OUT, source() + files("docs", suffixes=(".md",)) + [ROOT / "README.md"])
+    others = [ROOT / f for f in ("README.md", "CONTRIBUTING.md", "CMakeLists.txt", "dev")] + files("docs", suffixes=(".md",))
+    tests = files("tests", suffixes=(".cpp", ".h", ".cl", ".clh", ".py", ".txt"))
+    return lines_with(WORDS_OUT, source() + others + [f for f in tests if f != Path(__file__).resolve()])
 
 
 def stages_by_name():
@@ -100,58 +143,81 @@ def long_readme_files():
     return [f"{name(f)}: {n} lines" for f in readme_files() if (n := len(f.read_text(encoding="utf-8").splitlines())) > 150]
 
 
-def declared(header):
-    """Names that a header may be included for: nearly every word of it outside of comments."""
-    text = without_comments(header.read_text(encoding="utf-8"))
-    words = set(re.findall(r"\b[A-Za-z_]\w{2,}\b", re.sub(r"#include[^\n]*|#(ifndef|endif|pragma)[^\n]*", " ", text)))
-    for macro in re.findall(r"#define (\w+)_KIND", text):
-        words.add(macro)
-    common = "namespace eikonal struct class enum const constexpr static inline return void int float double bool char auto std string vector " \
-             "optional size_t include uint vec3 vec2 FN SHARED_FN __global for while else unsigned explicit operator default public private"
-    return words - set(common.split())
-
-
 def find_include(path, file):
     folders = [ROOT / "kernels", ROOT / "include"] if file.suffix in (".cl", ".clh") else [ROOT / "host", ROOT / "include", file.parent]
     return next((p for folder in folders if (p := folder / path).exists()), None)
 
 
-def names_through(header, known):
-    """Names that a header brings, those of the headers that it includes among them."""
-    if header not in known:
-        known[header] = declared(header)
-        included = re.findall(r'#include "([^"]+)"', header.read_text(encoding="utf-8"))
-        for other in filter(None, (find_include(path, header) for path in included)):
-            known[header] = known[header] | names_through(other, known)
-    return known[header]
+def included_by(file):
+    """(line, the header) of the includes of ours."""
+    for i, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1):
+        include = re.match(r'#include "([^"]+)"', line)
+        header = include and find_include(include[1], file)
+        if header:
+            yield i, header
+
+
+def gathers(file):
+    """Headers that are there to include others: those that declare nothing, and those that the files of a family of kinds include first."""
+    return not any(names_of(file)) or re.fullmatch(r"host/kinds/\w+_(packing|reading)\.h", name(file))
+
+
+@cache
+def names_of(header):
+    return declared(header, macros())
+
+
+@cache
+def macros():
+    return Macros(source())
+
+
+@cache
+def names_through(header):
+    """All names that a header brings."""
+    names = set().union(*names_of(header))
+    for _, other in included_by(header):
+        names |= names_through(other)
+    return names
+
+
+def words_of(file):
+    """(words, words behind a dot or arrow) of a file's code. An exception that a comment says is thrown counts as a word."""
+    bare = re.sub(r"^\s*#\s*include[^\n]*", " ", text_of(file), flags=re.MULTILINE)
+    words = set(re.findall(r"[A-Za-z_]\w*", bare))
+    words.update(re.findall(r"[Tt]hrows? (?:an? )?(\w+)", file.read_text(encoding="utf-8")))
+    for call, arguments in re.findall(r"\b([A-Z]\w*)\(([^()]*)\)", bare):
+        words |= macros().made_by(call, re.findall(r"[A-Za-z_]\w*", arguments), file)
+    return words, set(re.findall(r"(?:\.|->)\s*([A-Za-z_]\w{2,})", bare))
 
 
 def dead_includes():
-    """Includes of headers of ours of which the file uses no name, nor of what they include."""
-    dead, known = [], {}
+    """Includes of headers of ours that declare nothing that the file uses. What those headers include in turn does not count, but for
+    those that gather others. In kernels it counts, since macros make most of the names there."""
+    dead = []
     for f in source():
-        text = f.read_text(encoding="utf-8")
-        bare = re.sub(r"/\*.*?\*/|//[^\n]*|#include[^\n]*", " ", text, flags=re.DOTALL)
-        words = set(re.findall(r"\b[A-Za-z_]\w{2,}\b", bare))
-        if len(words) < 8:
-            continue  # a file that only gathers others
-        for i, line in enumerate(text.splitlines(), 1):
-            include = re.match(r'#include "([^"]+)"', line)
-            if not include or include[1].endswith("kinds.clh"):
-                continue
-            header = find_include(include[1], f)
-            if header is None or header.stem == f.stem:
-                continue
-            if not names_through(header, known) & words:
-                dead.append(f"{name(f)}:{i}: {include[1]}")
+        if f.suffix in (".h", ".clh") and gathers(f):
+            continue
+        words, members = words_of(f)
+        for i, header in included_by(f):
+            if header.stem == f.stem or re.search(r"template <>|#pragma (clang|OPENCL)", text_of(header)):
+                continue                # its own header; specialisations and compiler settings need no name
+            if f.is_relative_to(ROOT / "kernels"):
+                is_used = names_through(header) & words
+            else:
+                brought = [header] + [h for _, h in included_by(header)] * bool(gathers(header))
+                is_used = any(names_of(h)[0] & words or names_of(h)[1] & members for h in brought)
+            if not is_used:
+                dead.append(f"{name(f)}:{i}: {name(header)}")
     return dead
 
 
 # name: (what it counts, goal, limit, function)
 MEASURES = {
     "cases": ("`case`s over kinds outside of the kinds' folders", 0, 0, cases_over_kinds),
+    "comparisons": ("comparisons with one kind outside of the kinds' folders", 0, 12, comparisons_with_kinds),
     "visits": ("visits of variants of kinds", 0, 0, visits_of_kinds),
-    "enumerations": ("enumerations of kinds on the host", 6, 6, enumerations_of_kinds),
+    "enumerations": ("enumerations of kinds on the host", 6, 8, enumerations_of_kinds),
     "goniometric": ("files of the goniometric light", 2, 2, lambda: files_of("goniometric")),
     "spherical": ("files of the spherical camera", 2, 2, lambda: [f for f in files_of("spherical") if "texture" not in f]),
     "cylinder": ("files of the cylinder", 3, 3, lambda: [f for f in files_of("cylinder") if "curve" not in f]  # a curve may be a cylinder, too
@@ -161,11 +227,11 @@ MEASURES = {
     "coatedconductor": ("files of the coated conductor", 3, 3, lambda: files_of("coated_?conductor")),
     "recipe": ("lines of the longest recipe for a kind", 4, 4, longest_recipe),
     "columns": ("lines of more than 140 columns", 0, 0, long_lines),
-    "words": ("words that are out", 0, 0, words_out),
+    "words": ("words that are out", 0, 9, words_out),
     "stages": ("stages that the host finds by a string", 0, 0, stages_by_name),
     "conditionals": ("`#if` in the files that the README names", 0, 0, conditionals_in_readme_files),
     "readme": ("files that the README names of more than 150 lines", 0, 0, long_readme_files),
-    "includes": ("dead includes", 0, 0, dead_includes),
+    "includes": ("dead includes", 0, 29, dead_includes),
 }
 
 
