@@ -42,7 +42,7 @@ private:
     std::vector<std::optional<bool>> known_;   ///< of each texture
 };
 
-/// A metal's eta and k are left to three indices that reflect as it does (spectra/spectrum.h).
+/// A metal's eta and k are left to three indices that reflect as it does (color/spectrum.h).
 bool isMeasured(MeasuredInputs& inputs, const Material& m) {
     for (const auto& [name, input] : m.inputs)
         if (!isIndexOfMetal(m, name) && inputs.has(input)) return true;

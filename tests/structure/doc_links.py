@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Checks that the files which README.md and docs/*.md mention exist.
+"""Checks that the files which README.md, CONTRIBUTING.md, docs/*.md and the comments of the source mention exist.
 
-Checked are the target of every relative Markdown link outside code blocks, with its heading; in `backticks` and code blocks every path that
+In Markdown, checked are the target of every relative Markdown link outside code blocks, with its heading; in `backticks` and code blocks every path that
 begins with one of the repository's folders; and every bare name of a source file in `backticks`, which some folder must have. A path may
 hold {a,b} alternatives, the wildcard *, and placeholders: <name>, velvet, x.
+In comments, checked are paths from the root, paths as an #include has them, and bare names of headers and kernels.
 Prints file:line: message for each missing file, then exits with status 1.
 """
 import re
@@ -19,6 +20,10 @@ SOURCE_NAME = re.compile(r"[a-z]\w*\.(?:clh?|h|cpp|py)")
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 CODE = re.compile(r"`([^`]+)`")
 PATH = re.compile(rf"(?<![\w/.-])(?:{'|'.join(FOLDERS)})/[\w./{{}},*<>+-]*")
+
+INCLUDE_FOLDERS = ("host", "kernels", "include", "tests")
+# In a comment: a path from the root, a path to a file of source, or the name of one.
+MENTION = re.compile(rf"(?<![\w/.<-])(?:(?:{'|'.join(FOLDERS)})/[\w./{{}},*<>+-]*|[a-z]\w*(?:/[\w{{}},*<>]+)*\.(?:clh?|h|cpp|py)\b(?![\w/(]))")
 
 
 def alternatives(path):
@@ -63,11 +68,41 @@ def problems(file, source_names):
                 yield number, f"no folder has a file {code}"
 
 
+def comments(text):
+    """(line number, text) of each line of comments, strings left alone."""
+    for match in re.finditer(r'"(?:[^"\\\n]|\\.)*"|/\*.*?\*/|//[^\n]*', text, re.DOTALL):
+        if match[0].startswith("/"):
+            first = text.count("\n", 0, match.start()) + 1
+            yield from enumerate(match[0].split("\n"), first)
+
+
+def problems_of_comments(file, source_names):
+    before = (0, "")
+    for number, line in comments(file.read_text(encoding="utf-8")):
+        context = line + before[1] * (before[0] == number - 1)
+        before = (number, line)
+        if "pbrt-v4's" in context:
+            continue                     # files of pbrt
+        for match in MENTION.finditer(line):
+            path = match[0].rstrip(".,")
+            if path.endswith("kinds.clh"):
+                continue                 # made by the program: host/device/kind_files.h
+            if "/" not in path:
+                known = path in source_names or PLACEHOLDERS.sub("", "/" + path) != "/" + path
+            else:
+                known = any(exists(folder, path) for folder in [ROOT, *(ROOT / f for f in INCLUDE_FOLDERS), file.parent])
+            if not known:
+                yield number, f"there is no {path}"
+
+
 def main():
     source_names = {file.name for folder in FOLDERS for file in (ROOT / folder).rglob("*.*")}
     found = 0
-    for file in chain([ROOT / "README.md"], sorted((ROOT / "docs").glob("*.md"))):
-        for number, message in problems(file, source_names):
+    documents = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
+    sources = sorted(f for folder in ("host", "kernels", "include", "tests") for f in (ROOT / folder).rglob("*")
+                     if f.suffix in (".cpp", ".h", ".cl", ".clh"))
+    for check, file in chain(((problems, f) for f in documents), ((problems_of_comments, f) for f in sources)):
+        for number, message in check(file, source_names):
             print(f"{file.relative_to(ROOT)}:{number}: {message}")
             found += 1
     return 1 if found else 0
