@@ -1,7 +1,6 @@
 #pragma once
 // The batches whose paths a wave traces at the same time. Each has a place: tables of its own, and path states that no other has.
 
-#include "render/batch_tables.h"
 #include "render/tracer.h"
 #include "render/wave_counts.h"
 #include "render/wave_queues.h"

@@ -95,19 +95,20 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
     for (const pid_t process : processes) ::waitpid(process, nullptr, 0);
 }
 
-void compileKernels(const DeviceOptions& o, const CompileRequest& request) {
-    if (request.parent && !endWith(request.parent)) return;
-    prepareOpenCl(o);
-    const Context context(chooseDevice(o.device));
-    Compiler compiler(context, findKernelFolders(), cacheFolderFor(o));
-    const PackedScene scene = emptyScene(request);
-    const StageShape shape = shapeFor(context.device(), o);
+int compileKernelsCommand(const Options& o) {
+    if (o.compile.parent && !endWith(o.compile.parent)) return static_cast<int>(ExitCode::success);
+    prepareOpenCl(o.device);
+    const Context context(chooseDevice(o.device.device));
+    Compiler compiler(context, findKernelFolders(), cacheFolderFor(o.device));
+    const PackedScene scene = emptyScene(o.compile);
+    const StageShape shape = shapeFor(context.device(), o.device);
     const DeviceScene tables(context, scene);
     Profile profile;
-    Stages stages(compiler, scene, shape, buildSettingsFor(o), {request.part, request.parts});
+    Stages stages(compiler, scene, shape, buildSettingsFor(o.device), {o.compile.part, o.compile.parts});
     Wave wave(context, tables, scene, stages, shape, profile);
     wave.warmUp();
     stages.keep(compiler);
+    return static_cast<int>(ExitCode::success);
 }
 
 }  // namespace eikonal

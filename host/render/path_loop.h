@@ -2,7 +2,6 @@
 // The plain way: one kernel that follows each path in a loop (kernels/stages/loop.cl), over the same functions as the stages.
 // What the wavefront is tested against, and measured against.
 
-#include "render/batch_tables.h"
 #include "render/device_scene.h"
 #include "render/profile.h"
 #include "render/ray_splitting.h"

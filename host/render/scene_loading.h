@@ -1,7 +1,7 @@
 #pragma once
 // From a file and the options that replace parts of it to a scene.
 
-#include "render/options.h"
+#include "app/options.h"
 
 namespace eikonal {
 
