@@ -1,4 +1,4 @@
-#include "clock.h"
+#include "app/clock.h"
 #include "app/commands.h"
 #include "app/efficiency.h"
 #include "render/session.h"

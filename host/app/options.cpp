@@ -1,7 +1,6 @@
 #include "app/options.h"
 
 #include "image/seed_variance.h"
-#include "kinds/integrator_kind.h"
 #include "app/option_values.h"
 
 #include <CLI/CLI.hpp>
@@ -81,21 +80,11 @@ void addDevice(CLI::App* app, Options& o) {
         ->group(group);
 }
 
-const std::vector<std::pair<const char*, const IntegratorKind*>>& integratorNames() {
-    static const auto names = [] {
-        std::vector<std::pair<const char*, const IntegratorKind*>> all;
-        for (const IntegratorKind* kind : integratorKindList()) all.emplace_back(kind->name, kind);
-        all.emplace_back(volpathAlias, &volpath_integrator);
-        return all;
-    }();
+std::vector<std::pair<const char*, const IntegratorKind*>> integratorNames() {
+    std::vector<std::pair<const char*, const IntegratorKind*>> names;
+    for (const IntegratorKind* kind : integratorKindList()) names.emplace_back(kind->name, kind);
+    names.emplace_back(volpathAlias, &volpath_integrator);
     return names;
-}
-
-/// "a, b, c".
-std::string listOf(const std::vector<std::pair<const char*, const IntegratorKind*>>& names) {
-    std::string list;
-    for (const auto& [name, kind] : names) list += (list.empty() ? "" : ", ") + std::string(name);
-    return list;
 }
 
 /// `takesOne`: the command takes a single scene.
@@ -116,7 +105,7 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
           oneOf<ColorMode>({{"auto", ColorMode::automatic}, {"rgb", ColorMode::rgb}, {"spectral", ColorMode::spectral}}))
         ->group(group);
     value(app, "--integrator", s.integrator, "NAME",
-          "Light transport algorithm: " + listOf(integratorNames()),
+          "Light transport algorithm: volpath, path, direct, whitted, ambientocclusion, simplepath, simplevolpath, randomwalk",
           oneOf<const IntegratorKind*>(integratorNames()))
         ->group(group);
     value(app, "--subsurface", s.subsurface, "NAME",

@@ -1,14 +1,14 @@
 #include "app/available_memory.h"
-#include "clock.h"
+#include "app/clock.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "render/session.h"
 #include "app/statistics.h"
-#include "wait_notice.h"
+#include "app/wait_notice.h"
 #include "eikonal/film.h"
-#include "film/projection.h"
+#include "render/projection.h"
 
 #include <fmt/format.h>
 

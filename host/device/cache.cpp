@@ -67,7 +67,8 @@ static std::string fault(const fs::path& folder) {
     std::error_code error;
     const fs::space_info space = fs::space(folder, error);
     if (error || space.available >= enough) return {};
-    return fmt::format("is on a disk with {:.1f} MiB left, of {} at least", static_cast<double>(space.available) / (1 << 20), enough >> 20);
+    return fmt::format("is on a disk with {:.1f} MiB free; at least {} MiB are needed", static_cast<double>(space.available) / (1 << 20),
+                       enough >> 20);
 }
 
 CacheFolder ProgramCache::chooseFolder() {
