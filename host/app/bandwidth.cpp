@@ -21,7 +21,7 @@ int parameterWords(const StageProgram& stage, const Features& features) {
     return bsdfWords(features);
 }
 
-/// Whether the BSDF that `stage` shades takes random walks: those have a parameter that limits them.
+/// Whether the BSDF that `stage` shades uses random walks between layers; such BSDFs have a parameter max_depth.
 bool walksBetweenLayers(const StageProgram& stage) {
     bool walks = false;
 #define IS_LIMIT(q, type, name, FEATURE) walks |= std::string_view(#name) == "max_depth" && stage.over == next_##q;

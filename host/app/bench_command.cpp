@@ -1,4 +1,4 @@
-#include "app/clock.h"
+#include "clock.h"
 #include "app/commands.h"
 #include "app/efficiency.h"
 #include "render/session.h"
@@ -71,7 +71,7 @@ nlohmann::ordered_json measure(const Options& o, const Session& session, const s
                                 {"repeats", repeats.size()},
                                 {"wavePaths", session.shape().wavePaths},
                                 {"localSize", session.shape().localSize},
-                                {"run", session.shape().itemsPerWorkItem}};
+                                {"itemsPerWorkItem", session.shape().itemsPerWorkItem}};
     const SessionTimes& t = session.times();
     json["loadSeconds"] = t.load;
     json["packSeconds"] = t.pack;

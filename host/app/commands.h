@@ -14,7 +14,7 @@ int infoCommand(const Options& options);
 int benchCommand(const Options& options);
 /// Prints, warms or clears the cache of compiled kernels.
 int cacheCommand(const Options& options);
-/// Prints every OpenCL device.
+/// Prints the OpenCL devices.
 int listDevicesCommand(const Options& options);
 /// Prints the difference of two images.
 int compareCommand(const Options& options);

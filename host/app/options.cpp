@@ -1,6 +1,7 @@
 #include "app/options.h"
 
 #include "image/seed_variance.h"
+#include "kinds/integrator_kind.h"
 #include "app/option_values.h"
 
 #include <CLI/CLI.hpp>
@@ -71,7 +72,7 @@ void addDevice(CLI::App* app, Options& o) {
           "Neighbouring queue slots per work-item, a power of two; affects speed, never the image", parsePowerOfTwo)
         ->group(group);
     addListDevices(app, o)->group(group);
-    value(app, "--contraction", d.contraction, "on|off", "Whether a*b+c may be rounded once (default: on)",
+    value(app, "--contraction", d.contraction, "on|off", "Whether a*b+c may become a fused multiply-add (default: on)",
           oneOf<bool>({{"on", true}, {"off", false}}))
         ->group(group);
     app->add_option("--build-options", d.buildOptions,
@@ -80,11 +81,21 @@ void addDevice(CLI::App* app, Options& o) {
         ->group(group);
 }
 
-std::vector<std::pair<const char*, const IntegratorKind*>> integratorNames() {
-    std::vector<std::pair<const char*, const IntegratorKind*>> names;
-    for (const IntegratorKind* kind : integratorKindList()) names.emplace_back(kind->name, kind);
-    names.emplace_back(volpathAlias, &volpath_integrator);
+const std::vector<std::pair<const char*, const IntegratorKind*>>& integratorNames() {
+    static const auto names = [] {
+        std::vector<std::pair<const char*, const IntegratorKind*>> all;
+        for (const IntegratorKind* kind : integratorKindList()) all.emplace_back(kind->name, kind);
+        all.emplace_back(volpathAlias, &volpath_integrator);
+        return all;
+    }();
     return names;
+}
+
+/// "a, b, c".
+std::string listOf(const std::vector<std::pair<const char*, const IntegratorKind*>>& names) {
+    std::string list;
+    for (const auto& [name, kind] : names) list += (list.empty() ? "" : ", ") + std::string(name);
+    return list;
 }
 
 /// `takesOne`: the command takes a single scene.
@@ -105,7 +116,7 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
           oneOf<ColorMode>({{"auto", ColorMode::automatic}, {"rgb", ColorMode::rgb}, {"spectral", ColorMode::spectral}}))
         ->group(group);
     value(app, "--integrator", s.integrator, "NAME",
-          "Light transport algorithm: volpath, path, direct, whitted, ambientocclusion, simplepath, simplevolpath, randomwalk",
+          "Light transport algorithm: " + listOf(integratorNames()),
           oneOf<const IntegratorKind*>(integratorNames()))
         ->group(group);
     value(app, "--subsurface", s.subsurface, "NAME",
@@ -138,7 +149,7 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     value(app, "--pixelbounds", s.pixelBounds, "x0,x1,y0,y1", "Render a part, in pixels: x0 <= x < x1", parsePixelBounds)->group(group);
     app->add_flag("--strict", s.strict, "Features that are parsed but not rendered are errors instead of warnings")->group(group);
     const std::string objGroup = "Camera of an OBJ";
-    value(app, "--camera", s.camera, "x,y,z", "Position of the camera (default: where it sees everything)", parseVector)->group(objGroup);
+    value(app, "--camera", s.camera, "x,y,z", "Position of the camera (default: chosen to show the model)", parseVector)->group(objGroup);
     value(app, "--look-at", s.lookAt, "x,y,z", "A point at the centre of the image", parseVector)->group(objGroup);
     value(app, "--up", s.up, "x,y,z", "Up direction of the image (default: 0,1,0)", parseVector)->group(objGroup);
     value(app, "--fov", s.fov, "DEGREES", "Field of view along the shorter side", number(0, 180))->group(objGroup);

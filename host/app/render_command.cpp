@@ -1,14 +1,14 @@
 #include "app/available_memory.h"
-#include "app/clock.h"
+#include "clock.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "render/session.h"
 #include "app/statistics.h"
-#include "app/wait_notice.h"
+#include "wait_notice.h"
 #include "eikonal/film.h"
-#include "render/projection.h"
+#include "film/projection.h"
 
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film) {
 void reportShortfall(const Options& o, const Film::Samples& samples, const Film::Invalid& invalid, const RenderResult& result,
                      unsigned wanted, int endedBy, Diagnostics& diagnostics) {
     if (!result.isFinished)
-        say(o, fmt::format("{}: {} of {} samples a pixel", endedBy ? "interrupted" : "ended by --time-limit",
+        say(o, fmt::format("{}: {} of {} samples per pixel", endedBy ? "interrupted" : "ended by --time-limit",
                            samples.fewest == samples.most ? fmt::format("{}", samples.fewest)
                                                           : fmt::format("{} to {}", samples.fewest, samples.most),
                            wanted));
@@ -89,7 +89,7 @@ void writeAll(const std::vector<std::string>& files, const FilmImage& image, con
     if (!problems.empty()) throw Error(ExitCode::scene, problems);
 }
 
-/// Throws an error if the film and the output image would not fit into memory: a process killed for memory would lose the whole render.
+/// Throws an error if the film and the output image would not fit into memory, because a process killed for memory loses the whole render.
 void checkMemory(const FilmDescription& film, const PackedScene& packed, const MemoryPlan& plan) {
     const size_t needed = plan.tables + plan.queues + plan.film + plan.image, available = availableMemory();
     if (needed <= available) return;
@@ -115,7 +115,7 @@ int renderCommand(const Options& o) {
     const PackedScene& packed = session.packed();
     checkMemory(session.scene().film, packed, session.plan());
     for (const std::string& file : files) checkWritable(file, session.plan().film / 2);
-    diagnostics.info("memory to be taken: " + describe(session.plan()));
+    diagnostics.info("planned memory: " + describe(session.plan()));
     auto hash = std::async(std::launch::async, [&] { return sceneHash(packed); });
     session.prepare();
 

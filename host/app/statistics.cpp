@@ -60,12 +60,12 @@ std::string describeRun(const Session& session, const Profile& profile, const Fi
                  paths = static_cast<double>(profile.paths);
     const double seconds = std::max(renderSeconds, 1e-9);
     text += fmt::format(
-        "Work:\n  {:.3g} paths ({:.2f} M/s), {:.3g} rays ({:.2f} M/s), {:.3g} shadow rays ({:.2f} M/s), {:.2f} rays a path\n", paths,
+        "Work:\n  {:.3g} paths ({:.2f} M/s), {:.3g} rays ({:.2f} M/s), {:.3g} shadow rays ({:.2f} M/s), {:.2f} rays per path\n", paths,
         paths / seconds * 1e-6, rays, rays / seconds * 1e-6, shadowRays, shadowRays / seconds * 1e-6, rays / std::max(paths, 1.0));
     text += fmt::format("Russian roulette{}:\n  {}\n", session.isRouletteChosen() ? ", chosen for this scene" : "",
                         asOptions(session.roulette()));
     const auto [fewest, most, mean] = samples;
-    text += fmt::format("Samples a pixel:\n  {} fewest, {:.1f} mean, {} most\n", fewest, mean, most);
+    text += fmt::format("Samples per pixel:\n  {} fewest, {:.1f} mean, {} most\n", fewest, mean, most);
     if (result.error) text += fmt::format("Relative error, expected:\n  {:.4g}\n", *result.error);
     text += fmt::format("Memory: {}\n", describe(session.plan()));
     return text;

@@ -1,5 +1,6 @@
 #pragma once
-// Marks the hierarchy's tables, which many threads fill, as uninitialised. Every file that uses these tables must include this.
+// Makes vectors of the hierarchy's tables skip zero-initialisation, since threads fill them. Every file that uses these tables must
+// include this.
 
 #include "eikonal/bvh.h"
 #include "memory_pages.h"

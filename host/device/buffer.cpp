@@ -40,7 +40,7 @@ static cl_mem allocateInPages(const Context& context, size_t bytes, PageSize pag
     if (!buffer) return nullptr;
     check(clSetMemObjectDestructorCallback(
               buffer, [](cl_mem, void* owned) { delete static_cast<Pages*>(owned); }, pages.get()),
-          "taking over a buffer's memory");
+          "passing memory to a buffer");
     pages.release();
     return buffer;
 }

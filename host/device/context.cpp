@@ -9,7 +9,7 @@ namespace eikonal {
 
 template <class T> static T deviceInfo(cl_device_id id, cl_device_info what) {
     T value{};
-    check(clGetDeviceInfo(id, what, sizeof value, &value, nullptr), "asking a device about itself");
+    check(clGetDeviceInfo(id, what, sizeof value, &value, nullptr), "querying a device");
     return value;
 }
 
@@ -20,9 +20,9 @@ static std::string trimmed(std::string text) {
 
 static std::string deviceText(cl_device_id id, cl_device_info what) {
     size_t size = 0;
-    check(clGetDeviceInfo(id, what, 0, nullptr, &size), "asking a device about itself");
+    check(clGetDeviceInfo(id, what, 0, nullptr, &size), "querying a device");
     std::string text(size, '\0');
-    check(clGetDeviceInfo(id, what, size, text.data(), nullptr), "asking a device about itself");
+    check(clGetDeviceInfo(id, what, size, text.data(), nullptr), "querying a device");
     return trimmed(text);
 }
 
@@ -134,6 +134,6 @@ Context::Context(const DeviceInfo& device, bool profiling) : device_(device), pr
 }
 
 void Context::finish() const { check(clFinish(queue_), "waiting for the device"); }
-void Context::flush() const { check(clFlush(queue_), "handing commands to the device"); }
+void Context::flush() const { check(clFlush(queue_), "flushing the command queue"); }
 
 }  // namespace eikonal

@@ -10,10 +10,10 @@ Kernel::Kernel(std::shared_ptr<Program> program) : program_(std::move(program)) 
     check(status, "creating kernel " + program_->kernel);
     cl_device_id device = nullptr;   // a program here has a single device
     check(clGetProgramInfo(program_->handle, CL_PROGRAM_DEVICES, sizeof device, &device, nullptr),
-          "asking for the device of " + program_->kernel);
+          "querying the device of " + program_->kernel);
     size_t size[3] = {};
     check(clGetKernelWorkGroupInfo(handle_, device, CL_KERNEL_COMPILE_WORK_GROUP_SIZE, sizeof size, size, nullptr),
-          "asking for the size of groups of " + program_->kernel);
+          "querying the work-group size of " + program_->kernel);
     localSize_ = std::max<size_t>(size[0], 1);
     set_.resize(program_->arguments.size());
 }

@@ -1,5 +1,5 @@
 #pragma once
-// The files of a family's kinds, which no kernel has to list: `#include "light/kinds.clh"` stands for an #include for each line of LIGHTS.
+// Generates the includes of a family's kinds: `#include "light/kinds.clh"` expands to one #include per line of LIGHTS.
 
 #include <optional>
 #include <string>

@@ -31,7 +31,7 @@ static bool isPresent(const Features& features, const std::string& feature) {
     return feature == "ALWAYS" || features.has(featureNamed(feature));
 }
 
-/// Words of a type; `inRgb`: its words in RGB rendering.
+/// The number of words of a type; `inRgb`: that number in RGB rendering.
 static int wordsOf(const std::string& type, int inRgb, const Features& features) {
     return type == "spectrum" && features.has(Feature::SPECTRAL) ? CHANNELS_SPECTRAL : inRgb;
 }

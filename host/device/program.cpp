@@ -31,10 +31,10 @@ static std::vector<std::string> argumentNames(cl_program program, const std::str
     const Owned<cl_kernel, clReleaseKernel> kernel(clCreateKernel(program, kernelName.c_str(), &status));
     check(status, "creating kernel " + kernelName);
     cl_uint count = 0;
-    check(clGetKernelInfo(kernel, CL_KERNEL_NUM_ARGS, sizeof count, &count, nullptr), "asking kernel " + kernelName + " for its arguments");
+    check(clGetKernelInfo(kernel, CL_KERNEL_NUM_ARGS, sizeof count, &count, nullptr), "querying the arguments of kernel " + kernelName);
     std::vector<std::string> names;
     for (cl_uint i = 0; i < count; ++i) {
-        const std::string asking = "asking for the names of " + kernelName + "'s arguments";
+        const std::string asking = "querying the argument names of kernel " + kernelName;
         size_t size = 0;
         check(clGetKernelArgInfo(kernel, i, CL_KERNEL_ARG_NAME, 0, nullptr, &size), asking);
         std::string name(size, '\0');

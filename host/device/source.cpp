@@ -37,8 +37,8 @@ static void checkContract(const fs::path& include) {
     for (const ContractHeader& header : contractHeaders)
         if (contentOf(include / header.name) != header.text)
             throw DeviceError(
-                fmt::format("{} is not the one that this program was built with, so it cannot use the kernels that come with it. "
-                            "Build the program again, or set EIKONAL_KERNELS to the folder that holds its own kernels.",
+                fmt::format("{} is not the one that this program was built with, so the kernels next to it do not fit. "
+                            "Build the program again, or set EIKONAL_KERNELS to the folder of the kernels that it was built with.",
                             (include / header.name).string()));
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What a wave traces: samples of blocks of pixels.
+// Batches: the samples of blocks of pixels that a wave traces together.
 
 #include "pack/tables.h"
 
@@ -8,7 +8,7 @@
 
 namespace eikonal {
 
-/// Of a block of pixels, as powers of two.
+/// Log2 of the width and height of a block of pixels.
 struct BlockSize {
     int log2Width = 0, log2Height = 0;
     int width() const { return 1 << log2Width; }
@@ -16,10 +16,10 @@ struct BlockSize {
     unsigned pixels() const { return 1u << (log2Width + log2Height); }
 };
 
-/// How large blocks of at most `pixels` pixels should be to cover a rectangle with the fewest of them.
+/// The shape of blocks of at most `pixels` pixels that covers a rectangle with the fewest blocks.
 BlockSize chooseBlockSize(const PixelRect& rect, unsigned pixels);
 
-/// Samples of the pixels of a block. What of it reaches beyond the pixels that are wanted stays empty.
+/// A block of pixels and a range of their samples. Pixels outside the rendered rectangle get no samples.
 struct Block {
     int x = 0, y = 0;                 ///< upper left pixel
     unsigned firstSample = 0, samples = 1;
@@ -28,7 +28,7 @@ struct Block {
     }
 };
 
-/// Blocks of one size whose samples are traced together: a layer of the wave for each sample of a block.
+/// Blocks of one size that are traced together. Each sample of a block is a layer of paths.
 struct Batch {
     BlockSize size;
     std::vector<Block> blocks;
@@ -37,11 +37,11 @@ struct Batch {
     unsigned pixels() const { return static_cast<unsigned>(blocks.size()) << (size.log2Width + size.log2Height); }
 };
 
-/// Deals blocks out in batches of at most so many paths, and no fewer while enough are left: the samples of a block may be parted, in their
-/// order.
+/// Groups blocks into batches with as many paths as possible, at most `mostPaths`. The samples of a block may be split over consecutive
+/// batches, in order.
 class Batches {
 public:
-    /// mostPaths: at least the pixels of a block.
+    /// mostPaths must be at least the number of pixels of a block.
     Batches(BlockSize size, std::vector<Block> blocks, unsigned mostPaths);
     bool empty() const { return at_ == blocks_.size(); }
     Batch next();

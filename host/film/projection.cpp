@@ -15,7 +15,7 @@ std::optional<glm::dvec2> pixelOf(const PackedScene& scene, glm::dvec3 p) {
     return (*screen - glm::dvec2(view.screen_x, view.screen_y)) / glm::dvec2(view.step_x, view.step_y);
 }
 
-/// The way in the image from one pixel to another, the shorter one around a map of longitudes.
+/// The offset in pixels from one point of the image to another. If the image wraps around, the shorter way.
 static glm::dvec2 wayInImage(const PackedScene& scene, glm::dvec2 from, glm::dvec2 to) {
     glm::dvec2 way = to - from;
     const camera& view = scene.frame().view;
@@ -36,7 +36,7 @@ glm::dvec2 depthSlope(const PackedScene& scene, glm::dvec3 p, glm::dvec3 n) {
     const glm::dvec3 at = transformPoint(cameraFromScene, p), normal = transformNormal(cameraFromScene, n);
     if (!(glm::length(normal) > 0)) return glm::dvec2(0);
 
-    /* Two directions along the plane, and where a little step along each leads in the image */
+    /* Choose two tangent directions of the plane, and differentiate their image positions */
     constexpr double relativeStep = 1e-5;
     const glm::dvec3 aside =
         glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.5 * glm::length(normal) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
@@ -49,7 +49,7 @@ glm::dvec2 depthSlope(const PackedScene& scene, glm::dvec3 p, glm::dvec3 n) {
         way[k] = wayInImage(scene, *from, *to) / (2 * step);
     }
 
-    /* The steps that lead one pixel to the right, and one down (Cramer's rule) */
+    /* Solve for the steps of one pixel to the right and one pixel down (Cramer's rule) */
     const double determinant = way[0].x * way[1].y - way[0].y * way[1].x;
     const glm::dvec2 slope =
         glm::dvec2(way[1].y * along[0].z - way[0].y * along[1].z, way[0].x * along[1].z - way[1].x * along[0].z) / determinant;

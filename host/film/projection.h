@@ -1,5 +1,5 @@
 #pragma once
-// Where in the image a camera sees a point, and what that says of an image's channels.
+// Projects points to the image, and derives channels of the image from that.
 
 #include "image/film_image.h"
 #include "pack/tables.h"
@@ -10,21 +10,20 @@
 
 namespace eikonal {
 
-/// Pixel coordinates (x to the right, y down, from the upper left corner of the whole image) at which the camera of a scene sees a point of
-/// camera space, in focus or not; nothing if it is behind the camera. Of a realistic camera: by the ray through the middle of its stop,
-/// near the axis.
+/// Pixel coordinates (x to the right, y down, from the upper left corner of the whole image) of a point in camera space; nothing if the
+/// camera does not see it. Ignores defocus. For a realistic camera, the paraxial projection through the centre of the stop.
 std::optional<glm::dvec2> pixelOf(const PackedScene& scene, glm::dvec3 p);
 
-/// How far in the image, in pixels, a point of scene space moves that is at `opening` when the shutter opens and at `closing` when it
-/// closes, the camera's own motion included; zero where it is not seen at both times. The shorter way around a map of longitudes.
+/// The motion vector, in pixels, of a point of scene space that is at `opening` when the shutter opens and at `closing` when it closes.
+/// Includes the camera's motion. Zero if the point is not seen at both times. If the image wraps around, the shorter way.
 glm::dvec2 motionInImage(const PackedScene& scene, glm::dvec3 opening, glm::dvec3 closing);
 
-/// How much z of camera space changes from one pixel to the next, to the right and down, on the plane through p with normal n, both in
-/// scene space, in the middle of the shutter's time; without its sign. Zero where the plane is seen edge on.
+/// The absolute change of camera-space z per pixel, to the right and down, on the plane through p with normal n (scene space), in the
+/// middle of the shutter interval. Zero where the plane is seen edge on.
 glm::dvec2 depthSlope(const PackedScene& scene, glm::dvec3 p, glm::dvec3 n);
 
-/// Turns positions and normals from world space to that of the camera (x to the right, y up, looking along +z) in the middle of the
-/// shutter's time.
+/// Transforms positions and normals from world space to camera space (x to the right, y up, looking along +z) in the middle of the
+/// shutter interval.
 void toCameraSpace(FilmImage& image, const PackedScene& scene);
 
 }  // namespace eikonal

@@ -34,7 +34,7 @@ struct FilmImage {
     std::vector<glm::vec2> depthSlope; ///< change of camera-space z to the next pixel right and down, on the tangent plane; 0: no surface
     std::vector<glm::vec2> motion;     ///< motion in pixels, right and down, while the shutter is open; zero: no surface
     std::vector<float> depth;          ///< distance to the first surface, world units; infinity: no surface
-    std::vector<float> object;         ///< the one that most samples hit: 1, 2, 3 ..., shapes before instances; 0: none
+    std::vector<float> object;         ///< the object that most samples hit: 1, 2, 3 ..., shapes before instances; 0: none
     std::vector<float> material;       ///< the material that most samples hit: 1, 2, 3 ...; 0: none
     std::vector<float> variance;       ///< variance of the pixel's mean luminance
     std::vector<float> sampleCount;    ///< samples taken in the pixel

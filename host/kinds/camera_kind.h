@@ -1,5 +1,5 @@
 #pragma once
-// What the host knows of each kind of camera: one file of host/kinds/camera/ for each line of CAMERAS (include/eikonal/cameras.h).
+// The host's side of each kind of camera: one file in host/kinds/camera/ for each line of CAMERAS (include/eikonal/cameras.h).
 
 #include "eikonal/cameras.h"
 #include "feature_set.h"
@@ -16,25 +16,25 @@ struct PackedScene;
 struct Packer;
 namespace pbrt { struct CameraReading; }
 
-/// What a kind's file defines. All but `read` and `wrapsAround` must be there (tests/unit/kinds_test.cpp).
+/// What a kind's file defines. `parameters`, `pack` and `project` are required (tests/unit/kinds_test.cpp).
 struct CameraTraits {
-    /// Of `Camera "name"` in a pbrt scene: its parameters, as a row of read/pbrt/kinds.h, besides those that all cameras have.
+    /// Parameters of `Camera "name"` in a pbrt scene, as a row of read/pbrt/kinds.h, without those that all cameras share.
     const char* parameters = nullptr;
-    /// Reads them. Throws SceneError. Null: it has none.
+    /// Reads these parameters. Throws SceneError. Null: nothing to read.
     void (*read)(const pbrt::CameraReading&, CameraDescription&) = nullptr;
-    /// Fills in what the kind's kernel file reads; place, motion, shutter and thin lens are there already. May throw SceneError.
+    /// Fills in the fields that the kind's kernel file reads; transform, motion, shutter and lens are already set. May throw SceneError.
     void (*pack)(Packer&, const CameraDescription&, camera&) = nullptr;
-    /// Where the camera sees a point of camera space: in the screen space of the packed camera. Nothing: it does not see it.
+    /// Projects a point of camera space to the screen space of the packed camera. Nothing if the camera does not see it.
     std::optional<glm::dvec2> (*project)(const PackedScene&, glm::dvec3 p) = nullptr;
-    /// Whether the right edge of its image meets the left edge. Null: never.
+    /// Whether the right edge of the image continues at the left edge. Null: never.
     bool (*wrapsAround)(const camera&) = nullptr;
-    /// Whether it has a thin lens of `lensRadius`.
+    /// Whether `lensRadius` applies.
     bool hasThinLens = false;
-    /// Its name in pbrt-v3, if it had another. Null: it had not.
+    /// Its name in pbrt-v3. Null: the same name.
     const char* version3Name = nullptr;
 };
 
-/* Each kind's file defines one of them. */
+/* One for each kind, defined in the kind's file. */
 #define DECLARE_KIND(name, FEATURE, CODE) extern const CameraTraits name##_camera;
 CAMERAS(DECLARE_KIND)
 #undef DECLARE_KIND
@@ -47,7 +47,7 @@ struct CameraKind {
     const CameraTraits& traits;
 };
 
-/// All kinds, by camera_kind.
+/// All kinds, indexed by camera_kind.
 std::span<const CameraKind> cameraKindList();
 inline const CameraKind& kindOf(camera_kind kind) { return cameraKindList()[kind]; }
 inline const CameraKind& kindOf(const camera& view) { return cameraKindList()[view.kind]; }

@@ -1,5 +1,5 @@
 #pragma once
-// What kinds of cameras share when they are read and packed.
+// Shared code for reading and packing cameras.
 
 #include "kinds/camera_kind.h"
 #include "pack/packer.h"
@@ -7,12 +7,12 @@
 
 namespace eikonal {
 
-/// The screen of a perspective or orthographic camera: as wide as the image's shape makes it, the shorter side from -reach to reach.
+/// Sets the screen of a perspective or orthographic camera: the shorter side spans [-reach, reach], the aspect ratio gives the other.
 void packScreen(Packer&, const CameraDescription&, double reach, camera&);
 
 namespace pbrt {
 
-/// What there is to read a camera from.
+/// The input of a camera's `read`.
 struct CameraReading { Reading& reading; const Arguments& arguments; };
 
 }  // namespace pbrt

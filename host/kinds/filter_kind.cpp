@@ -27,7 +27,7 @@ static void readMitchell(const pbrt::Arguments& arguments, FilterDescription& f)
     f.B = arguments.number("B", 1. / 3);
     f.C = arguments.number("C", 1. / 3);
 }
-/// Mitchell and Netravali 1988; its own support is [-2, 2].
+/// Mitchell and Netravali 1988, whose filter has the support [-2, 2].
 static double evalMitchell(const FilterDescription& f, double x, double radius) {
     const double t = 2 * x / radius, B = f.B, C = f.C;
     if (t <= 1) return ((12 - 9 * B - 6 * C) * t * t * t + (-18 + 12 * B + 6 * C) * t * t + (6 - 2 * B)) / 6;
@@ -37,7 +37,7 @@ const FilterKind mitchell_filter{"mitchell", "float xradius = 2 in (0, inf); flo
                                  evalMitchell};
 
 static void readSinc(const pbrt::Arguments& arguments, FilterDescription& f) { f.tau = arguments.number("tau"); }
-/// A sinc in the window of a wider one (Lanczos).
+/// A sinc windowed by a wider sinc (Lanczos).
 static double evalSinc(const FilterDescription& f, double x, double) {
     const auto sinc = [](double t) { return std::abs(t) < 1e-5 ? 1 : std::sin(M_PI * t) / (M_PI * t); };
     return sinc(x) * sinc(x / f.tau);

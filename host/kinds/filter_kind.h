@@ -1,5 +1,5 @@
 #pragma once
-// Every kind of pixel filter. A filter is a table on the device (host/pack/camera.cpp), so its kind is known on the host alone.
+// Pixel filters. The device only gets a table of filter values (host/pack/camera.cpp), so only the host knows the kinds.
 
 #include <span>
 
@@ -11,10 +11,10 @@ namespace pbrt { class Arguments; }
 /// A `PixelFilter "name"` of a pbrt scene.
 struct FilterKind {
     const char* name;
-    const char* parameters;   ///< a row of read/pbrt/kinds.h, besides the radii, which each has
-    /// Reads what is more than the radii. Null: there is no more.
+    const char* parameters;   ///< a row of read/pbrt/kinds.h
+    /// Reads the parameters other than the radii. Null: there are none.
     void (*read)(const pbrt::Arguments&, FilterDescription&);
-    /// The value of one axis at a distance of 0 <= x < radius pixels from the centre.
+    /// The filter along one axis, at a distance of 0 <= x < radius pixels from the centre.
     double (*eval)(const FilterDescription&, double x, double radius);
 };
 

@@ -28,11 +28,11 @@ const IntegratorKind path_integrator{
     .name = "path", .parameters = "string lightsampler; bool regularize = false", .followsBsdfs = always, .read = readRegularize};
 const IntegratorKind direct_integrator{.name = "direct", .followsBsdfs = always, .mostDepth = 1};
 
-/* ---- trees of rays --------------------------------------------------------------------------------------------------- */
+/* ---- ray splitting --------------------------------------------------------------------------------------------------- */
 
 static_assert(mostTreeRays == MOST_SPLIT_RAYS);
 
-/// The most scattering events that the field `depth` of a ray has room for beside the number of its branch (kernels/math/dimension.clh).
+/// The most scattering events that fit in a ray's field `depth`, which also holds the branch number (kernels/math/dimension.clh).
 constexpr int mostTreeDepth = 0xffff;
 
 /// Throws SceneError unless the value is a power of two from 1 to mostTreeRays, or equal to `orElse`.

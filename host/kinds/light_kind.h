@@ -1,5 +1,5 @@
 #pragma once
-// What the host knows of each kind of light: one file of host/kinds/light/ for each line of LIGHTS (include/eikonal/lights.h).
+// The host's side of each kind of light: one file in host/kinds/light/ for each line of LIGHTS (include/eikonal/lights.h).
 
 #include "eikonal/lights.h"
 #include "feature_set.h"
@@ -16,32 +16,33 @@ struct PackedLight;
 struct Packer;
 namespace pbrt { struct LightReading; }
 
-/// What a kind's file defines. All but `bound` may be left out by kinds that do not need it.
+/// What a kind's file defines. AREA kinds define `packElement`, the others `pack`; AREA and POINT kinds define `bound`; a kind with a
+/// `directive` defines `read` (tests/unit/kinds_test.cpp).
 struct LightTraits {
-    /// `LightSource "directive"` of a pbrt scene, its parameters as a row of read/pbrt/kinds.h, and what reads them into a light whose
-    /// other fields are filled in. Null: no directive of its own. `read` returns false for a light to be left out, since its image is
-    /// missing, which has been noted; it throws SceneError.
+    /// `LightSource "directive"` in a pbrt scene and its parameters, a row of read/pbrt/kinds.h. Null: no directive of its own. `read`
+    /// fills in the kind's fields; the others are already set. It returns false to skip a light whose image is missing (already
+    /// reported), and throws SceneError.
     const char* directive = nullptr;
     const char* parameters = "";
     bool (*read)(const pbrt::LightReading&, Light&) = nullptr;
-    /// Whether it depends on the rotation of its space, which then must be invertible.
+    /// Whether the light's rotation matters; if so, its transform must be invertible.
     bool hasDirections = true;
 
-    /// A light without a shape, for the device. May throw SceneError.
+    /// Packs a light without a shape for the device. May throw SceneError.
     PackedLight (*pack)(Packer&, const Light&) = nullptr;
-    /// One element of a shape that emits the radiance L.
+    /// Packs one element of a shape that emits the radiance L.
     light (*packElement)(const AreaElement&, const color& L) = nullptr;
 
-    /// Bounds for the light tree, of a light that emits `power` in all and is not infinitely far away. `bounds` holds the light's point p,
-    /// its normal n as the axis, and the intensity of a flat area.
+    /// Bounds for the light tree, of a light with total `power` that is not infinitely far away. `bounds` already holds the light's point
+    /// p, its normal n as the axis, and the intensity of a flat area.
     void (*bound)(const light&, double power, LightBounds& bounds) = nullptr;
 
-    /// Whether paths that follow BSDFs find it at least as well as light samples do, so that the light sampler leaves it to them (Karlík et
-    /// al. 2019, "MIS compensation"), unless the environment guide aims at it.
+    /// Whether BSDF sampling finds it as well as light sampling does. The light sampler then skips it (Karlík et al. 2019, "MIS
+    /// compensation"), unless the environment guide samples it.
     bool isLeftToBsdfs = false;
 };
 
-/* Each kind's file defines one of them. */
+/* One for each kind, defined in the kind's file. */
 #define DECLARE_KIND(name, FEATURE, PLACE) extern const LightTraits name##_light;
 LIGHTS(DECLARE_KIND)
 #undef DECLARE_KIND
@@ -57,7 +58,7 @@ struct LightKind {
     const LightTraits& traits;
 };
 
-/// All kinds, by light_kind.
+/// All kinds, indexed by light_kind.
 std::span<const LightKind> lightKindList();
 inline const LightKind& kindOf(light_kind kind) { return lightKindList()[kind]; }
 inline const LightKind& kindOf(const light& l) { return lightKindList()[l.kind]; }

@@ -1,5 +1,5 @@
 #pragma once
-// What kinds of lights share when they are packed.
+// Shared code for packing lights.
 
 #include "kinds/light_kind.h"
 #include "pack/light_tree.h"
@@ -7,10 +7,10 @@
 
 namespace eikonal {
 
-/// A light, and its luminance times solid angle (infinite: and the scene's area), which the light sampler goes by.
+/// A light and its power for the light sampler: luminance times solid angle, for infinite lights also times the scene's area.
 struct PackedLight { light l; double power; };
 
-/// One element of a shape that emits. `sceneFromObject` takes its object space to scene space.
+/// One element of a shape that emits. `sceneFromObject` maps its object space to scene space.
 struct AreaElement {
     const SceneTables& tables;
     const Shape& description;
@@ -19,17 +19,17 @@ struct AreaElement {
     const glm::dmat4& sceneFromObject;
 };
 
-/// A light of no place and no direction. Straight-line sampling computes every kind for every light: an image of one texel is harmless,
-/// one of none is not.
+/// A light without position and direction. Straight-line kernels evaluate every kind for every light, so it has an image of one texel,
+/// which keeps texel indices valid.
 light newLight(light_kind kind, const color& L);
-/// A light at the origin of its light space, without an intensity yet.
+/// A light at the origin of its light space. The caller sets its intensity.
 light newPointLight(Packer&, const Light&, light_kind kind);
 
-/// Intensities fall with the square of the distance, which is in scene units: a factor for them.
+/// The factor of intensities: they are divided by squared distances, which are in scene units on the device.
 double intensityScale(const Packer&);
 /// In world units; 1 for an empty scene.
 double sceneRadius(const Packer&);
-/// Light space to scene space, without what stretches.
+/// The rotation from light space to scene space, without scale.
 glm::dmat3 rotationOf(const Light&);
 inline glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
 
@@ -41,24 +41,25 @@ const ImageData& sphereImage(const Packer&, const Light&);
 glm::dvec3 texelOf(const ImageData&, int x, int y);
 /// The mean of R, G and B.
 double greyOf(glm::dvec3 rgb);
-/// The number of the texel that packTexels adds next to `environment_texels`.
+/// The index that the next texel of packTexels gets in `environment_texels`.
 uint nextTexel(const Packer&);
-/// The first of an image's texels in `environment_texels`. Lights with the same image share them.
+/// Adds an image to `environment_texels` and returns the index of its first texel. Lights with the same image share texels.
 uint packLightImage(Packer&, int image, bool inGrey);
-/// Illuminance of a surface that faces +z of an image over the sphere of directions, as pbrt-v4 measures it: pbrt-v4 takes the square for
-/// the hemisphere alone, so this is half of what arrives, and a scene with an "illuminance" is twice as bright as it says.
+/// Illuminance of a surface that faces +z of an equal-area image of the sphere. Too small by a factor of 2, as in pbrt-v4, which uses the
+/// hemisphere's solid angle for the whole square; a scene with "illuminance" is therefore twice as bright as specified.
 double upwardIlluminance(const ImageData&);
 
-/// The normal on whose side a flat element emits: its geometric one, n, on the side of its vertex normals if it has any.
+/// The side on which a flat element emits: its geometric normal n, flipped to the side of the vertex normals if there are any.
 glm::dvec3 emittingNormal(const AreaElement&, glm::dvec3 n, const uint* corners, int count);
-/// What phiMax, in degrees, is of the whole circle.
+/// The fraction of the circle that phiMax (degrees) covers.
 double shareOfCircle(double phiMax);
-/// In x, on which side a round light emits: 1 where the product of its tangents points outwards in the scene as it does in object space.
+/// In x, the sign of the side on which a sphere, cylinder or disk emits: 1 if the cross product of its tangents points outwards in the
+/// scene, as it does in object space, else -1.
 vec3 sideOf(const AreaElement&);
 
-/// Bounds of what shines into all directions.
+/// Bounds of a light that emits in all directions.
 void boundAllDirections(LightBounds& bounds);
-/// The same from a point.
+/// The same for a point light.
 void boundPoint(const light& l, double power, LightBounds& bounds);
 
 }  // namespace eikonal

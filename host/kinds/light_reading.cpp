@@ -14,7 +14,7 @@ void readDirection(const Arguments& arguments, Light& light) {
     if (light.from == light.to)
         throw SceneError(
             arguments.has("to") ? arguments.whereOf("to") : arguments.whereOf("from"),
-            fmt::format("{}: \"from\" and \"to\" are the same point, ({:g}, {:g}, {:g}); the light shines from one to the other",
+            fmt::format("{}: \"from\" and \"to\" are the same point, ({:g}, {:g}, {:g}); they must differ",
                         arguments.kind().title(), light.to.x, light.to.y, light.to.z));
 }
 

@@ -1,7 +1,6 @@
 #pragma once
-// Every kind of material: one file of host/kinds/material/ for each line of MATERIALS
-// (include/eikonal/materials.h), which holds all that the host knows of it. What it
-// scatters is a BSDF of BSDFS (include/eikonal/bsdfs.h): a smooth material may have another than a rough one.
+// The host's side of each kind of material: one file in host/kinds/material/ for each line of MATERIALS (include/eikonal/materials.h).
+// A material is packed as one of the BSDFS (include/eikonal/bsdfs.h); smooth and rough variants may use different ones.
 
 #include "eikonal/materials.h"
 #include "eikonal/stages.h"
@@ -15,22 +14,22 @@ class InputWriter;
 struct Material;
 namespace pbrt { struct MaterialReading; }
 
-/// A material `Material "name"` of a pbrt scene, and its parameters as a row of read/pbrt/kinds.h. "-> name" gives a parameter another name
-/// in the scene; "-> -" leaves it out of Material::inputs.
+/// `Material "name"` in a pbrt scene, and its parameters as a row of read/pbrt/kinds.h. "-> name" renames a parameter in Material::inputs;
+/// "-> -" leaves it out.
 struct MaterialDirective { const char *name, *parameters; };
 
 /// What a kind's file defines.
 struct MaterialKind {
     std::span<const MaterialDirective> directives;
-    /// Fills in what is more than an input. Throws SceneError. Null: there is no more.
+    /// Fills in the fields that are not inputs. Throws SceneError. Null: there are none.
     void (*read)(const pbrt::MaterialReading&, Material&) = nullptr;
-    /// Writes the parameters of its BSDF, and says which it is.
+    /// Writes the parameters of its BSDF, and returns that BSDF's queue.
     next_queue (*pack)(InputWriter&) = nullptr;
-    /// The inputs that are a metal's index of refraction and its absorption, of which "reflectance" takes the place. Null: none.
+    /// The inputs for a conductor's eta and k, which "reflectance" replaces. Null: not a conductor.
     std::array<const char*, 2> metalIndices{};
 };
 
-/* Each kind's file defines one of them. */
+/* One for each kind, defined in the kind's file. */
 #define DECLARE_KIND(name) extern const MaterialKind name##_material;
 MATERIALS(DECLARE_KIND)
 #undef DECLARE_KIND

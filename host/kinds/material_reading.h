@@ -1,5 +1,5 @@
 #pragma once
-// What kinds of materials read of a pbrt scene, besides their inputs.
+// Shared code for reading materials from a pbrt scene.
 
 #include "kinds/material_kind.h"
 #include "read/pbrt/arguments.h"
@@ -8,12 +8,12 @@
 
 namespace eikonal::pbrt {
 
-/// What there is to read a material from.
+/// The input of a material's `read`.
 struct MaterialReading {
     Reading& reading;
     const Arguments& arguments;
     TextureRegistry& textures;
-    MaterialRegistry& materials;   ///< where others are found by their names
+    MaterialRegistry& materials;   ///< finds other materials by name
 };
 
 }  // namespace eikonal::pbrt

@@ -5,7 +5,7 @@
 
 namespace eikonal {
 
-/// One majorant for so many voxels along a side, and no more majorants than that.
+/// Voxels per majorant cell along each axis, and the most cells along an axis.
 constexpr int majorantVoxels = 4, mostMajorants = 64;
 
 medium newMedium(Packer& packer, const Medium& description) {

@@ -1,5 +1,5 @@
 #pragma once
-// What kinds of media share when they are packed.
+// Shared code for packing media.
 
 #include "kinds/medium_kind.h"
 #include "pack/grids.h"
@@ -7,14 +7,14 @@
 
 namespace eikonal {
 
-/// A medium with the coefficients, emission and phase function of a description, the same everywhere.
+/// A homogeneous medium with the coefficients, emission and phase function of a description.
 medium newMedium(Packer&, const Medium&);
 
-/// Heterogeneous media: lets it fill the box of corners p0 and p1 in its own space. Returns what takes the unit cube to that space.
+/// Heterogeneous media: sets the box with corners p0 and p1 in medium space. Returns the transform from the unit cube to medium space.
 glm::dmat4 packBox(const Packer&, const Medium&, glm::dvec3 p0, glm::dvec3 p1, medium& m);
 
-/// Majorants on a grid of `cells`, where bound(low, high) is that of a part of the unit cube: no extinction in it is greater than this
-/// times what multiplies the medium's majorants (bounded_x_medium).
+/// Packs majorants on a grid of `cells`. bound(low, high) bounds the extinction in a box of the unit cube, before the factor that the
+/// kernel applies to the medium's majorants (bounded_x_medium).
 template <class Bound> void packMajorants(SceneTables& tables, medium& m, glm::ivec3 cells, const Bound& bound) {
     m.majorants_x = static_cast<uint>(cells.x);
     m.majorants_y = static_cast<uint>(cells.y);
@@ -26,12 +26,12 @@ template <class Bound> void packMajorants(SceneTables& tables, medium& m, glm::i
             for (int x = 0; x < cells.x; ++x)
                 tables.majorants.push_back(bound(glm::dvec3(x, y, z) / size, glm::dvec3(x + 1, y + 1, z + 1) / size));
 }
-/// How many majorants a grid of so many voxels gets.
+/// The size of the majorant grid for a grid of so many voxels.
 glm::ivec3 majorantCells(glm::dvec3 voxels);
-/// Majorants of a medium whose `density`, a grid of so many voxels, is packed.
+/// Packs the majorants of a medium whose `density`, a grid of so many voxels, is already packed.
 void packDensityMajorants(SceneTables&, medium& m, glm::dvec3 voxels);
 
-/// Lets it emit what black bodies of its packed `temperature` do.
+/// Sets blackbody emission from the medium's packed `temperature`.
 void packBlackbodyEmission(Packer&, const Medium&, medium& m);
 
 }  // namespace eikonal

@@ -1,5 +1,5 @@
 #pragma once
-// What kinds of media read of a pbrt scene.
+// Shared code for reading media from a pbrt scene.
 
 #include "kinds/medium_kind.h"
 #include "read/pbrt/arguments.h"
@@ -10,13 +10,13 @@
 
 namespace eikonal::pbrt {
 
-/// What there is to read a medium from.
+/// The input of a medium's `read`.
 struct MediumReading {
     Reading& reading;
     const Arguments& arguments;
 };
 
-/* Parts of rows */
+/* Parts of rows (read/pbrt/kinds.h) that several kinds share */
 constexpr const char* phaseParameters = "float g = 0 clamped to [-1, 1]";
 constexpr const char* coefficientParameters = "spectrum sigma_a = 1; spectrum sigma_s = 1";
 constexpr const char* boxParameters = "point3 p0; point3 p1";
@@ -28,7 +28,7 @@ constexpr const char* temperatureParameters =
 void readCoefficients(const Arguments& arguments, Medium& medium);
 void scaleCoefficients(Medium& medium, double scale);
 
-/// Reads the corners "p0" and "p1". Throws SceneError for a flat box.
+/// Reads the corners "p0" and "p1". Throws SceneError if the box has no volume.
 void readBox(const Arguments& arguments, Medium& medium);
 
 /// The dimensions of a grid: "nx", "ny" and "nz". Throws SceneError.

@@ -1,5 +1,5 @@
 #pragma once
-// What the host knows of each kind of shape: one file of host/kinds/shape/ for each line of SHAPES (include/eikonal/shapes.h).
+// The host's side of each kind of shape: one file in host/kinds/shape/ for each line of SHAPES (include/eikonal/shapes.h).
 
 #include "eikonal/lights.h"
 #include "eikonal/shapes.h"
@@ -17,7 +17,7 @@ namespace pbrt { struct PendingShape; struct ShapeReading; }
 struct ShapeDirective {
     const char* name;
     const char* parameters;   ///< a row of read/pbrt/kinds.h
-    /// Reads the fields of the shape that its kind uses. Returns false for a shape to be left out, after a warning. Throws SceneError.
+    /// Reads the fields that the kind uses. Returns false, after a warning, if the shape is to be skipped. Throws SceneError.
     bool (*read)(const pbrt::ShapeReading&, pbrt::PendingShape&);
 };
 
@@ -25,22 +25,22 @@ struct ShapeDirective {
 struct ShapeTraits {
     std::span<const ShapeDirective> directives;
 
-    /// Meshes: corners of a face. 0 for kinds without a mesh, whose transform must be invertible.
+    /// Meshes: corners per face. 0: not a mesh; its transform must then be invertible.
     int corners = 0;
 
-    /// Bounds in the space that `m` takes its object space to.
+    /// Bounds in the space that `m` maps object space to.
     Box (*bound)(const Shape&, const glm::dmat4& m) = nullptr;
 
-    /// Adds it to the tables, and its elements to the group. Returns how many elements it has; 0: it is left out.
+    /// Adds the shape to the tables, and its elements to the group. Returns the number of elements; 0: the shape is skipped.
     size_t (*pack)(const ShapePacking&) = nullptr;
 
-    /// The kind of light that each of its elements is, if it emits, where `m` takes its object space to scene space. Null: it cannot emit,
-    /// for the reason `cannotEmit`.
+    /// The kind of light of each element, if the shape emits; `m` maps object space to scene space. Null: the shape cannot emit, and
+    /// `cannotEmit` says why.
     light_kind (*lightKindOf)(const Shape&, const glm::dmat4& m) = nullptr;
     const char* cannotEmit = nullptr;
 };
 
-/* Each kind's file defines one of them. */
+/* One for each kind, defined in the kind's file. */
 #define DECLARE_KIND(name, FEATURE, SPACE) extern const ShapeTraits name##_shape;
 SHAPES(DECLARE_KIND)
 #undef DECLARE_KIND
@@ -53,7 +53,7 @@ struct ShapeKind {
     const ShapeTraits& traits;
 };
 
-/// All kinds, by shape_kind.
+/// All kinds, indexed by shape_kind.
 std::span<const ShapeKind> shapeKindList();
 inline const ShapeKind& kindOf(shape_kind kind) { return shapeKindList()[kind]; }
 

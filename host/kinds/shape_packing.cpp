@@ -5,8 +5,8 @@
 
 namespace eikonal {
 
-/// A mesh's tangents where `m` takes them, the longest of unit length: their squares are finite then, and means of theirs stay what they
-/// are.
+/// A mesh's tangents transformed by `m` and scaled by one common factor, so that the longest has unit length. Their squares are then
+/// finite, and interpolated tangents keep their directions.
 static std::vector<glm::dvec3> tangentsInReach(const Mesh& mesh, const glm::dmat4& m) {
     std::vector<glm::dvec3> tangents;
     double longest = 0;

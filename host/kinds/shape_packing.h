@@ -1,5 +1,5 @@
 #pragma once
-// What kinds of shapes share when they are packed.
+// Shared code for packing shapes.
 
 #include "kinds/light_packing.h"
 #include "kinds/shape_kind.h"
@@ -8,30 +8,30 @@
 
 namespace eikonal {
 
-/// A shape that is being packed.
+/// The input of a shape's `pack`.
 struct ShapePacking {
     Packer& packer;
     SceneTables& tables;
     Group& group;                  ///< the hierarchy that gets its elements
     const Shape& description;
-    shape& packed;                 ///< what all kinds have is filled in; the kind adds its own
+    shape& packed;                 ///< fields that all kinds share are already set
     const glm::dmat4& m;           ///< object space to the space of the group
-    bool instanceSwaps;            ///< whether the transform of an instance in m swaps handedness
+    bool instanceSwaps;            ///< whether the instance transform in m swaps handedness
 };
 
-/// The vertices and indices of its mesh.
+/// Adds the vertices and indices of the shape's mesh to the tables.
 void addVertices(const ShapePacking&);
 
-/// Its only element, and q with the maps of its object space. `flips`: whether m flips the normal. Returns 1.
+/// Adds the shape's only element, and q with the transforms from and to object space. `flips`: whether m flips the normal. Returns 1.
 size_t addQuadric(const ShapePacking&, quadric q, bool flips);
-/// Whether m flips normals that are made in object space and transformed: only the shape's own transform can, as pbrt-v4's mirrored
-/// quadrics do.
+/// Whether m flips normals that are computed in object space. As in pbrt-v4, the shape's own transform does so if it mirrors, an
+/// instance's transform does not.
 inline bool isMirrored(const ShapePacking& in) { return swapsHandedness(in.m) != in.instanceSwaps; }
 
-/// What spheres, disks and cylinders have in common: their radius and their angle.
+/// A quadric with the radius and phiMax of a sphere, disk or cylinder.
 quadric newRound(const ShapePacking&);
 
-/// Bounds of the vertices of its mesh.
+/// Bounds of the mesh's vertices.
 Box meshBounds(const Shape&, const glm::dmat4& m);
 
 }  // namespace eikonal

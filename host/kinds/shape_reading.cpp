@@ -9,7 +9,7 @@ double phiMaxOf(const Arguments& arguments) { return std::clamp(arguments.number
 bool keepIf(bool hasArea, const ShapeReading& in) {
     if (!hasArea)
         in.reading.diagnostics.warn(in.arguments.where(),
-                                    in.arguments.kind().title() + " has no area, by its radii and ranges; it is left out");
+                                    in.arguments.kind().title() + " has zero area (radii and ranges); it is skipped");
     return hasArea;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What kinds of shapes read of a pbrt scene.
+// Shared code for reading shapes from a pbrt scene.
 
 #include "kinds/shape_kind.h"
 #include "read/pbrt/meshes.h"
@@ -7,7 +7,7 @@
 
 namespace eikonal::pbrt {
 
-/// What there is to read a shape from.
+/// The input of a shape's `read`.
 struct ShapeReading {
     Reading& reading;
     const Arguments& arguments;
@@ -17,7 +17,7 @@ struct ShapeReading {
 /// "phimax" in [0, 360].
 double phiMaxOf(const Arguments& arguments);
 
-/// Returns hasArea, after a warning that the shape is left out if it has none.
+/// Returns hasArea; if false, warns that the shape is skipped.
 bool keepIf(bool hasArea, const ShapeReading& in);
 
 }  // namespace eikonal::pbrt

@@ -1,5 +1,5 @@
 #pragma once
-// What kinds of textures share when they are packed.
+// Shared code for packing textures.
 
 #include "kinds/texture_kind.h"
 #include "pack/packer.h"
@@ -10,15 +10,15 @@ namespace eikonal {
 /// What a texture is packed into.
 struct TexturePacking {
     Packer& packer;
-    bool unbounded = false;     ///< its colours are no reflectances: they may be larger than 1, and are made spectra as such
-    bool leavesUnit = false;    ///< set by kinds: some value may lie outside of [0, 1]
+    bool unbounded = false;     ///< colours are not reflectances: they may exceed 1, and are upsampled to unbounded spectra
+    bool leavesUnit = false;    ///< set by kinds: values may lie outside [0, 1]
 };
 
-/// Lets an instruction map points to texture coordinates.
+/// Sets an instruction's mapping from points to texture coordinates.
 void packMapping(const Packer&, const Mapping&, texture_instruction& i);
-/// From scene space to the texture's own space, scaled.
+/// The transform from scene space to texture space, scaled.
 affine textureFromScene(const Packer&, const Mapping&, double scale = 1);
-/// Lets an instruction sum octaves of noise in the texture's own space.
+/// Sets an instruction's octaves of noise, evaluated in texture space.
 void packOctaves(const Packer&, const Texture&, texture_instruction& i);
 
 }  // namespace eikonal

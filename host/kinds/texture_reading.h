@@ -1,5 +1,5 @@
 #pragma once
-// What kinds of textures read of a pbrt scene.
+// Shared code for reading textures from a pbrt scene.
 
 #include "kinds/texture_kind.h"
 #include "read/pbrt/arguments.h"
@@ -11,28 +11,28 @@
 
 namespace eikonal::pbrt {
 
-/// What there is to read a texture from.
+/// The input of a texture's `read`.
 struct TextureReading {
     Reading& reading;
-    TextureRegistry& textures;   ///< where others are found by their names
+    TextureRegistry& textures;   ///< finds other textures by name
     const Arguments& arguments;
 };
 
-/* Parts of rows */
+/* Parts of rows (read/pbrt/kinds.h) that several kinds share */
 constexpr const char* mappingParameters =
     "string mapping = uv; float uscale = 1; float vscale = 1; float udelta = 0; float vdelta = 0; vector3 v1; vector3 v2";
 constexpr const char* octaveParameters = "integer octaves = 8; float roughness = 0.5";
 
-/// Reads operands from the parameters of these names, in their order.
+/// Reads operands from the parameters with these names, in this order.
 void readOperands(const TextureReading& in, std::initializer_list<const char*> names, Texture& texture);
 
 /// Reads the mapping to texture coordinates. Throws SceneError for an unknown one.
 void readMapping(const TextureReading& in, Texture& texture);
 
-/// Reads "octaves" and "roughness". Throws SceneError for more octaves than a float resolves.
+/// Reads "octaves" and "roughness". Throws SceneError if "octaves" is not in [0, MOST_OCTAVES].
 void readOctaves(const TextureReading& in, Texture& texture);
 
-/// The index in `words` of a parameter's word. Throws SceneError for other words.
+/// The index in `words` of a parameter's value. Throws SceneError for other values.
 int choose(const Arguments& arguments, const std::string& name, std::initializer_list<const char*> words);
 
 }  // namespace eikonal::pbrt

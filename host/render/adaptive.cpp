@@ -15,7 +15,7 @@ double expectedError(std::span<const BlockNoise> blocks) {
     return pixels > 0 ? sum / pixels : 0;
 }
 
-/// What it has, doubled until it is nearest to `wanted` in ratio.
+/// `samples` times the power of two that comes closest to `wanted` (by ratio), at most `most`.
 static unsigned doubled(unsigned samples, double wanted, unsigned most) {
     double n = samples;
     while (n < most && n * std::sqrt(2.0) < wanted) n *= 2;
@@ -28,8 +28,8 @@ std::vector<unsigned> planSamples(std::span<const BlockNoise> blocks, double tar
         for (BlockNoise& b : planned) b.samples = doubled(b.samples, factor * b.suspected, most);
         return planned;
     };
-    /* The least factor that is enough: the error falls as it grows */
-    double low = -60, high = 120;   // its logarithm, base 2
+    /* Bisect for the least factor that meets the target; the error falls as the factor grows */
+    double low = -60, high = 120;   // log2 of the factor
     for (int i = 0; i < 40; ++i) {
         const double middle = (low + high) / 2;
         (expectedError(plan(std::exp2(middle))) > target ? low : high) = middle;
@@ -39,7 +39,7 @@ std::vector<unsigned> planSamples(std::span<const BlockNoise> blocks, double tar
     return samples;
 }
 
-/// Of the image's average, so much is suspected of any block.
+/// Every block's estimate is at least this share of the image's mean.
 constexpr double leastShare = 0.5;
 
 void suspectNoise(std::span<BlockNoise> blocks, int across) {

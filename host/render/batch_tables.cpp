@@ -7,12 +7,12 @@ namespace eikonal {
 BatchTables::BatchTables(const Context& context) : layers_(context, 0, "layers of a wave"), ranges_(context, 0, "layers of blocks") {
     bindings_.set("batch_layers", layers_);
     bindings_.set("block_layers", ranges_);
-    /* One layer, no pixel */
+    /* A single layer with no pixels */
     bindings_.set("layer_count", 1u);
     for (const char* name : {"block_log2_width", "block_log2_height", "end_x", "end_y"}) bindings_.set(name, 0u);
 }
 
-/// Into a buffer that grows as it must.
+/// Writes `elements` into a buffer, enlarging it if necessary.
 template <class T> static void replace(const Context& context, Buffer& buffer, const std::vector<T>& elements, const char* what) {
     const size_t bytes = elements.size() * sizeof(T);
     if (buffer.size() < bytes) buffer = Buffer(context, bytes, what);

@@ -1,17 +1,17 @@
 #pragma once
-// A batch as kernels see it.
+// The tables that describe a batch to kernels.
 
 #include "device/kernel.h"
 #include "film/batch.h"
 
 namespace eikonal {
 
-/// A batch as kernels see it.
+/// The tables of one batch on the device.
 class BatchTables {
 public:
-    /// Of nothing.
+    /// An empty batch.
     explicit BatchTables(const Context& context);
-    /// Replaces what kernels saw before, and waits for those that are to see it. endX, endY: no pixel from there on.
+    /// Replaces the batch; blocks until the tables are written. endX, endY: pixels from there on are outside the image.
     void write(const Context& context, const Batch& batch, int endX, int endY);
     const Bindings& bindings() const { return bindings_; }
 

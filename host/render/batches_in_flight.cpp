@@ -13,7 +13,7 @@ Bindings BatchesInFlight::argumentsOf(const InFlight& batch) const {
     return arguments;
 }
 
-/// Takes on the next batch of the stream, if there is one and a place for it.
+/// Starts the next batch of the stream. Returns false if there is none, or no free place.
 bool BatchesInFlight::admit(const BatchStream& stream) {
     if (flying_.size() == tables_.size()) return false;
     std::optional<Batch> batch = stream.next();

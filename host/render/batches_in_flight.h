@@ -1,6 +1,7 @@
 #pragma once
-// The batches whose paths a wave traces at the same time. Each has a place: tables of its own, and path states that no other has.
+// The batches whose paths a wave traces at the same time. Each occupies a place, which has its own tables and path states.
 
+#include "render/batch_tables.h"
 #include "render/tracer.h"
 #include "render/wave_counts.h"
 #include "render/wave_queues.h"
@@ -12,24 +13,24 @@ namespace eikonal {
 
 class BatchesInFlight {
 public:
-    /// All of these outlive it.
+    /// All arguments must outlive this object.
     BatchesInFlight(const Context& context, WaveQueues& queues, const WaveSize& size, const RaySplitting& splitting);
 
     bool empty() const { return flying_.empty(); }
 
-    /// Paths that begin.
+    /// Camera paths to generate.
     struct Start {
         unsigned count;
-        Bindings arguments;   ///< of generate_rays: which paths of which batch
+        Bindings arguments;   ///< arguments of generate_rays: which paths of which batch
     };
-    /// At most `most` paths of the batch that came last, or of the next one of the stream. Nothing: the stream has no more, or all
-    /// places are taken.
+    /// Up to `most` more paths of the newest batch, or of the stream's next batch if all of its paths have begun. Nothing: the stream is
+    /// empty, or all places are taken.
     std::optional<Start> begin(unsigned most, const BatchStream& stream);
 
-    /// Hands batches back in their order: those whose paths have all begun and had no ray at this bounce.
+    /// Calls stream.traced for finished batches, oldest first: all of their paths have begun, and none had a ray at this bounce.
     void finish(const WaveCounts& counts, const BatchStream& stream);
 
-    /// Of the oldest: what resolve_film takes, and its path states.
+    /// Of the oldest batch: the arguments of resolve_film, and its path states.
     Bindings oldestArguments() const { return argumentsOf(flying_.front()); }
     QueueItems oldestPaths() const;
 
@@ -40,7 +41,7 @@ private:
     struct InFlight {
         Batch batch;
         unsigned place;
-        unsigned begun = 0;   ///< paths
+        unsigned begun = 0;   ///< paths that have begun
         bool isBegun() const { return begun == batch.paths(); }
     };
     bool admit(const BatchStream& stream);
@@ -51,8 +52,8 @@ private:
     WaveQueues& queues_;
     const WaveSize& size_;
     const RaySplitting& splitting_;
-    std::vector<BatchTables> tables_;   ///< for each place
-    std::deque<InFlight> flying_;       ///< the oldest first
+    std::vector<BatchTables> tables_;   ///< by place
+    std::deque<InFlight> flying_;       ///< oldest first
     unsigned nextPlace_ = 0;
 };
 

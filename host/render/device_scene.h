@@ -10,20 +10,20 @@
 
 namespace eikonal {
 
-/// Every table as a buffer, bound under the table's name. On a CPU large tables are where the scene has them (Buffer::sharing): it must
-/// outlive this, unchanged.
+/// Every table as a buffer, bound under the table's name. On a CPU large tables are shared with the scene (Buffer::sharing), so the scene
+/// must outlive this object unchanged.
 class DeviceScene {
 public:
     DeviceScene(const Context& context, const PackedScene& scene);
     const Bindings& bindings() const { return bindings_; }
-    /// Gives a table other elements.
+    /// Replaces a table's elements.
     template <class Elements> void replace(const Context& context, const char* table, const Elements& elements) {
         Buffer& buffer = buffers_[table];
         buffer = Buffer::of<typename Elements::value_type>(context, elements, std::string("table ") + table);
         bindings_.set(table, buffer);
     }
     size_t bytes() const { return bytes_; }
-    /// From now on kernels see `frame` in place of the scene's settings. Waits until it is there.
+    /// Replaces the scene's settings by `frame` for later launches. Blocks.
     void setFrame(const Context& context, const settings& frame);
 
 private:

@@ -17,7 +17,7 @@
 namespace eikonal {
 namespace {
 
-/// Vertices that are looked up at a time.
+/// Vertices per kernel launch.
 constexpr size_t verticesAtATime = size_t(1) << 20;
 
 template <class F> void forEachShape(Scene& scene, const F& f) {
@@ -26,7 +26,7 @@ template <class F> void forEachShape(Scene& scene, const F& f) {
         for (Shape& s : o.shapes) f(s);
 }
 
-/// A mesh on its way from what its shape says to what is rendered.
+/// A mesh while it is displaced.
 struct DisplacedMesh {
     Shape* shape;
     Mesh mesh;
@@ -40,17 +40,17 @@ Mesh splitMesh(const Shape& s) {
     const Displacement& d = *s.displacement;
     for (const std::uint32_t corner : whole.indices)
         if (!whole.normals.empty() && !isFinite(whole.normals[corner]))
-            throw SceneError(d.where, "a mesh is displaced along its normals, and one of this one's is not a finite number");
+            throw SceneError(d.where, "a mesh is displaced along its normals, but this mesh has a normal that is not finite");
     Mesh mesh = whole;
     const Split split = splitLongEdges(mesh, s.worldFromObject, d.edgeLength);
     if (split == Split::tooFine)
-        throw SceneError(d.where, fmt::format("edges of this mesh cannot be cut until all are shorter than {:g}: that far from the origin "
-                                              "of its file, no number lies between their ends",
+        throw SceneError(d.where, fmt::format("edges of this mesh cannot be split until all are shorter than {:g}: single precision cannot "
+                                              "resolve them this far from the origin",
                                               d.edgeLength));
     if (split == Split::tooMany) {
         const double possible = shortestEdgeLength(whole, s.worldFromObject);
         throw SceneError(d.where,
-                         fmt::format("edges shorter than {:g} make more than {} triangles of this mesh, which are the most{}", d.edgeLength,
+                         fmt::format("edges shorter than {:g} need more than {} triangles in this mesh, the maximum{}", d.edgeLength,
                                      mostDisplacedTriangles,
                                      possible > d.edgeLength ? fmt::format("; \"float edgelength\" {:.2g} would work", possible) : ""));
     }
@@ -67,10 +67,10 @@ public:
           scene_(context, textures),
           kernel_(compiler.build("#include \"stages/displace_vertices.cl\"\n", "displace_vertices",
                                  completeSettings(settings, textures, shape))) {}
-    /// Keeps the kernel for later starts, once it has run.
+    /// Stores the kernel in the cache. Call it after the first run.
     void keep() const { compiler_.keep(kernel_.program()); }
 
-    /// Fills in the heights by a program of the textures.
+    /// Evaluates the heights with texture program `program`.
     void run(DisplacedMesh& displaced, uint program) {
         displaced.heights.resize(displaced.mesh.positions.size());
         for (size_t first = 0; first < displaced.heights.size(); first += verticesAtATime)
@@ -116,7 +116,7 @@ void finish(DisplacedMesh& displaced) {
     displaceVertices(displaced.mesh, displaced.heights);
     for (const std::uint32_t corner : displaced.mesh.indices)
         if (!isFinite(displaced.mesh.positions[corner]))
-            throw SceneError(s.displacement->where, "this texture moves a vertex to where no finite number reaches");
+            throw SceneError(s.displacement->where, "this texture moves a vertex to a position that is not finite");
     s.mesh = std::make_shared<Mesh>(std::move(displaced.mesh));
     s.displacement.reset();
 }
@@ -139,7 +139,7 @@ void displaceMeshes(Scene& scene, const Context& context, Compiler& compiler, co
         textures.push_back(s.displacement->texture);
         if (s.mesh->uvs.empty())
             diagnostics.warn(s.displacement->where,
-                             "this mesh has no texture coordinates: the texture that displaces it is looked up at (0, 0)");
+                             "this mesh has no texture coordinates; its displacement texture is looked up at (0, 0)");
     });
 
     const auto images = loadImages(scene.images);

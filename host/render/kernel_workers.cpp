@@ -17,7 +17,7 @@
 namespace eikonal {
 namespace {
 
-/// A worker takes about as long to start as to compile one stage.
+/// Starting a worker takes about as long as compiling one stage, so each should compile at least two.
 constexpr int stagesWorthAWorker = 2, mostWorkers = 8;
 
 std::string bitsOf(const Features& features) {
@@ -33,7 +33,7 @@ Features featuresOf(const std::string& bits) {
     return features;
 }
 
-/// This program, with other arguments, saying nothing. Returns its process, or 0.
+/// Starts this program with other arguments and no output. Returns its process id, or 0 on failure.
 pid_t startSelf(const std::vector<std::string>& arguments) {
     std::vector<char*> words;
     for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
@@ -48,13 +48,13 @@ pid_t startSelf(const std::vector<std::string>& arguments) {
     return status == 0 ? process : 0;
 }
 
-/// Ends this process when that one ends, for whatever reason, since its kernels are of no use then. Returns whether it still runs.
+/// Makes this process end when `parent` ends for any reason, since its kernels are then useless. Returns whether the parent still runs.
 bool endWith(pid_t parent) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
     return ::getppid() == parent;
 }
 
-/// Tables of zeros, as long as kernels that run over nothing may read: straight-line kernels do read, and use nothing of it.
+/// Tables of zeros, long enough for launches over no items: straight-line kernels load from them, but discard the values.
 PackedScene emptyScene(const CompileRequest& request) {
     PackedScene scene;
     scene.features = featuresOf(request.features);
@@ -95,20 +95,19 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
     for (const pid_t process : processes) ::waitpid(process, nullptr, 0);
 }
 
-int compileKernelsCommand(const Options& o) {
-    if (o.compile.parent && !endWith(o.compile.parent)) return static_cast<int>(ExitCode::success);
-    prepareOpenCl(o.device);
-    const Context context(chooseDevice(o.device.device));
-    Compiler compiler(context, findKernelFolders(), cacheFolderFor(o.device));
-    const PackedScene scene = emptyScene(o.compile);
-    const StageShape shape = shapeFor(context.device(), o.device);
+void compileKernels(const DeviceOptions& o, const CompileRequest& request) {
+    if (request.parent && !endWith(request.parent)) return;
+    prepareOpenCl(o);
+    const Context context(chooseDevice(o.device));
+    Compiler compiler(context, findKernelFolders(), cacheFolderFor(o));
+    const PackedScene scene = emptyScene(request);
+    const StageShape shape = shapeFor(context.device(), o);
     const DeviceScene tables(context, scene);
     Profile profile;
-    Stages stages(compiler, scene, shape, buildSettingsFor(o.device), {o.compile.part, o.compile.parts});
+    Stages stages(compiler, scene, shape, buildSettingsFor(o), {request.part, request.parts});
     Wave wave(context, tables, scene, stages, shape, profile);
     wave.warmUp();
     stages.keep(compiler);
-    return static_cast<int>(ExitCode::success);
 }
 
 }  // namespace eikonal

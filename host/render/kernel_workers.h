@@ -1,18 +1,19 @@
 #pragma once
-// Compiling kernels on all cores. PoCL holds one lock for a whole process while it compiles, so each worker is a process of its own:
-// this program again, with the hidden command compile-kernels. What workers compile they leave in the cache of kernels, and the
-// program that renders finds it there; what a worker fails at, it compiles itself, and says what is wrong.
+// Compiles kernels on all cores. PoCL compiles under one lock per process, so each worker is a process of its own: this program with
+// the hidden command compile-kernels. Workers store their kernels in the cache, where the rendering process finds them. It compiles a
+// kernel itself if a worker failed, and then reports the error.
 
-#include "app/options.h"
-#include "render/stages.h"
+#include "render/options.h"
 
 namespace eikonal {
 
-/// Has `missing` stages of a scene compiled into the cache, by as many processes as there are cores and work for them; returns when
-/// they are done. Does nothing if that would not pay.
+struct PackedScene;
+
+/// Compiles the `missing` stages of a scene into the cache, with up to one process per core, and waits for them. Does nothing if there
+/// are too few stages to be worth it.
 void compileInWorkers(const DeviceOptions& options, const PackedScene& scene, int missing);
 
-/// What a worker does: compiles its part of the stages, launches each once, and keeps them.
-int compileKernelsCommand(const Options& options);
+/// The worker's task: compiles its part of the stages, launches each once, and stores them in the cache.
+void compileKernels(const DeviceOptions& options, const CompileRequest& request);
 
 }  // namespace eikonal

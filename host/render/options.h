@@ -1,5 +1,5 @@
 #pragma once
-// What a session is asked for: a scene with overrides, a device, and channels of the image.
+// The options of a session: a scene with overrides, a device, and channels of the image.
 
 #include "diagnostics.h"
 #include "scene/scene.h"
@@ -75,8 +75,8 @@ inline bool Aovs::ofSurfaces() const {
     return std::ranges::any_of(aovNames, [this](const AovName& n) { return n.isOfSurfaces && this->*n.asked; });
 }
 
-/// What a worker of render/kernel_workers.h compiles: every `parts`-th stage, starting with the `part`-th, for scenes with these features and constants. `parent`: the
-/// process whose end also ends the worker; 0: none.
+/// The work of a process of render/kernel_workers.h: compiles every `parts`-th stage, starting with the `part`-th, for scenes with these
+/// features and constants. `parent`: the process whose end also ends the worker; 0: none.
 struct CompileRequest { std::string features, constants; unsigned part = 0, parts = 1; int parent = 0; };
 
 /// What to render, and where.

@@ -6,7 +6,7 @@
 
 namespace eikonal {
 
-/// The text that has the functions of every BSDF that the scene has, and then the loop.
+/// The program text: the functions of every BSDF that the scene uses, then the loop.
 static std::string loopText(const Features& features) {
     std::string text, list = "#define SCENE_BSDFS(B)";
     const auto include = [&](const char* bsdf) {

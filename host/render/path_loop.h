@@ -1,7 +1,8 @@
 #pragma once
-// The plain way: one kernel that follows each path in a loop (kernels/stages/loop.cl), over the same functions as the stages.
-// What the wavefront is tested against, and measured against.
+// A megakernel that follows each path in a loop (kernels/stages/loop.cl), made of the same functions as the stages. The wavefront is
+// tested and benchmarked against it.
 
+#include "render/batch_tables.h"
 #include "render/device_scene.h"
 #include "render/profile.h"
 #include "render/ray_splitting.h"

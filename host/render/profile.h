@@ -1,5 +1,5 @@
 #pragma once
-// Where the time goes: for each stage, how often it ran, over how many slots, and how long.
+// Profile of the stages: launches, slots and device time of each.
 
 #include "device/check.h"
 
@@ -10,14 +10,14 @@
 
 namespace eikonal {
 
-/// What one stage did.
+/// Totals of one stage.
 struct StageProfile {
     std::uint64_t launches = 0;
-    std::uint64_t slots = 0;     ///< over which it ran
-    double seconds = 0;          ///< on the device
+    std::uint64_t slots = 0;     ///< slots of all launches
+    double seconds = 0;          ///< device time
 };
 
-/// Collects the events of launches. Without profiling there are none, and only launches and slots are counted.
+/// Collects the events of launches. Without profiling there are no events, so only launches and slots are counted.
 class Profile {
 public:
     /// Takes over `event`, which may be null.
@@ -27,7 +27,7 @@ public:
     void reset();
 
     const std::map<std::string, StageProfile>& stages() const { return stages_; }
-    std::uint64_t rays = 0;      ///< real ones: dead slots do not count
+    std::uint64_t rays = 0;      ///< without dead slots
     std::uint64_t shadowRays = 0;
     std::uint64_t paths = 0;
 

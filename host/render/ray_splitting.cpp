@@ -18,7 +18,7 @@ std::vector<Bindings> RaySplitting::passes(unsigned hits, const Buffer& rays) co
     for (unsigned pass = 0; pass < shadingPasses; ++pass) {
         passes[pass].set("shading_pass", pass);
         passes[pass].set("pass_slots", pass < raysPerHit ? hits : 0);
-        /* A pass that only samples a light writes rays, too: into a queue that is no longer read */
+        /* Passes beyond the last ray produce only shadow rays; the rays that they write go to a queue that is no longer read */
         if (pass >= raysPerHit) passes[pass].set("next_ray", rays);
     }
     return passes;

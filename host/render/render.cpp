@@ -10,19 +10,18 @@
 namespace eikonal {
 namespace {
 
-/// Neighbouring pixels and several of their samples travel together, for coherence: where all pixels get the same samples, a block is not
-/// smaller than this.
+/// The fewest pixels of a block in uniform passes. Neighbouring pixels are traced together for coherence.
 constexpr unsigned smallestBlock = 1024;
 
-/// Blocks of the image, and which samples they get next.
+/// A pass: blocks of the image, and the samples that they get next.
 struct Pass {
     BlockSize size;
     std::vector<Block> blocks;
-    unsigned samples = 0;       ///< that it brings to every pixel
+    unsigned samples = 0;       ///< samples that it adds to every pixel
 };
 
-/// The next samples of all pixels: as few as fill a wave at first, then about twice as many as there are already, so that the whole image
-/// is there early and waves get compact later.
+/// The next pass over all pixels: first as few samples as fill a wave, then about as many as are already done, so that a complete image
+/// exists early and later waves are coherent.
 Pass uniformPass(const PixelRect& rect, unsigned done, unsigned end, unsigned mostPaths) {
     const unsigned left = end - done;
     const unsigned long pixels = static_cast<unsigned long>(rect.width()) * static_cast<unsigned long>(rect.height());
@@ -36,7 +35,7 @@ Pass uniformPass(const PixelRect& rect, unsigned done, unsigned end, unsigned mo
     return pass;
 }
 
-/// A pass whose blocks are small enough for a wave of so many paths.
+/// A pass with the blocks split until each fits a wave of mostPaths paths.
 Pass cut(const std::vector<Block>& blocks, BlockSize size, const PixelRect& rect, unsigned mostPaths) {
     BlockSize small = size;
     while (small.pixels() > mostPaths) --(small.log2Height > small.log2Width ? small.log2Height : small.log2Width);
@@ -49,7 +48,7 @@ Pass cut(const std::vector<Block>& blocks, BlockSize size, const PixelRect& rect
     return pass;
 }
 
-/// A render that is under way.
+/// A render in progress.
 class Rendering {
 public:
     Rendering(const Context& context, Tracer& tracer, Film& film, Profile& profile, const RenderControl& control)
@@ -83,7 +82,7 @@ public:
     }
 
 private:
-    /// Traces all that `nextPass` gives, until it gives nothing.
+    /// Traces passes until `nextPass` returns nothing.
     void trace(const std::function<std::optional<Pass>()>& nextPass) {
         std::optional<Batches> batches;
         const auto next = [&]() -> std::optional<Batch> {
@@ -137,11 +136,11 @@ private:
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     Buffer blocks_;
     struct Traced { unsigned samples; unsigned long layers; };
-    std::deque<Traced> traced_;             ///< passes under way: what they bring to every pixel, and what of them is not traced yet
+    std::deque<Traced> traced_;             ///< passes in progress: the samples that they add to every pixel, and the layers still to trace
     bool stopped_ = false;
-    unsigned samples_;                      ///< that every pixel has
+    unsigned samples_;                      ///< samples that every pixel has
     double pixels_ = 0;
-    double paths_ = 0, allPaths_ = 0;       ///< traced by now, and expected to be in the end
+    double paths_ = 0, allPaths_ = 0;       ///< traced so far, and expected in total
 };
 
 }  // namespace

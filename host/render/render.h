@@ -1,5 +1,5 @@
 #pragma once
-// The scheduler: which samples of which pixels are traced when.
+// The scheduler: decides the order in which samples of pixels are traced.
 
 #include "film/film.h"
 #include "render/profile.h"
@@ -11,28 +11,28 @@
 
 namespace eikonal {
 
-/// How far a render is.
+/// Progress of a render.
 struct Progress {
-    double fraction = 0;     ///< of all samples, in [0, 1]; of those that are expected, where that is not decided yet
+    double fraction = 0;     ///< of all samples, in [0, 1]; with adaptive sampling, of the samples expected
     double seconds = 0;      ///< since rendering began
-    unsigned samples = 0;    ///< that every pixel has by now
-    double meanSamples = 0;  ///< of a pixel
+    unsigned samples = 0;    ///< samples that every pixel has
+    double meanSamples = 0;  ///< mean samples per pixel
 };
 
 struct RenderControl {
-    unsigned firstSample = 0, endSample = 1;          ///< of each pixel
-    std::optional<double> targetError;                ///< sampling is adaptive (adaptive.h), and endSample the most that a pixel gets
+    unsigned firstSample = 0, endSample = 1;          ///< sample range of each pixel
+    std::optional<double> targetError;                ///< set: sampling is adaptive (adaptive.h), and endSample is the maximum per pixel
     std::function<void(const Progress&)> progress;    ///< called after each batch of paths; may be empty
-    std::function<bool()> stop;                       ///< asked before each batch of paths: those in flight are the last then; may be empty
+    std::function<bool()> stop;                       ///< checked before each batch; true: no further batch begins; may be empty
 };
 
 struct RenderResult {
-    bool isFinished = true;             ///< not ended by RenderControl::stop
-    unsigned samples = 0;               ///< that every pixel has
-    std::optional<double> error;        ///< with a target: the expected one, if the render is finished
+    bool isFinished = true;             ///< false: ended by RenderControl::stop
+    unsigned samples = 0;               ///< samples that every pixel has
+    std::optional<double> error;        ///< adaptive sampling: the expected error, if the render is finished
 };
 
-/// Renders the film's pixels. Every pixel gets its samples in order, so stopping, tiling and wave size change no bit of those it has.
+/// Renders the film's pixels. Every pixel gets its samples in order, so stopping, tiling and wave size do not change their values.
 RenderResult render(const Context& context, Tracer& tracer, Film& film, Profile& profile, const RenderControl& control);
 
 }  // namespace eikonal

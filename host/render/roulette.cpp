@@ -12,7 +12,7 @@
 namespace eikonal {
 namespace {
 
-/// A rule has to be so much better than the default to take its place: forecasts are not sure to less than that.
+/// A rule replaces the default only if it is better by this factor, because forecasts are no more accurate.
 constexpr double leastGain = 1.02;
 
 /// The default first.
@@ -38,13 +38,13 @@ double lightOf(const std::vector<PathSegment>& path) {
     return std::accumulate(path.begin(), path.end(), 0., [](double sum, const PathSegment& s) { return sum + s.light; });
 }
 
-/// The light of each path, how much a squared error counts in each set of each pixel, and the relative variance of a set without roulette.
+/// The light of each path, the weight of a squared error in each set of each pixel, and the relative variance of a set without roulette.
 struct Sets {
     std::vector<double> lights, weights;
     double relativeVariance = 0;
 };
 
-/// Errors of a set are relative to what the others of its pixel found: relative to itself, a set with an outlier would count for little.
+/// Errors of a set are relative to the mean of the pixel's other sets. Relative to its own mean, a set with an outlier would count little.
 Sets measureSets(const RecordedPaths& recorded) {
     Sets sets;
     for (const auto& path : recorded.paths) sets.lights.push_back(lightOf(path));
@@ -66,7 +66,7 @@ Sets measureSets(const RecordedPaths& recorded) {
 
 struct Play { double addedVariance = 0, rays = 0; };
 
-/// `ahead`: the path's light.
+/// Plays a rule on one path. `ahead`: light that is still to come; initially all of the path's light.
 Play play(const Roulette& rule, const std::vector<PathSegment>& path, double ahead) {
     Play result;
     double reached = 1;

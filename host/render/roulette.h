@@ -1,5 +1,5 @@
 #pragma once
-// Which rule of Russian roulette renders a scene with the least error in a second, by paths of it that were recorded.
+// Chooses the Russian roulette rule with the best efficiency, by simulating rules on recorded paths.
 
 #include "scene/integrator.h"
 
@@ -7,34 +7,34 @@
 
 namespace eikonal {
 
-/// A path from one chance of roulette to end it to the next: the first from the camera to where it leaves the first point that scatters it.
+/// The part of a path between two roulette decisions. The first one begins at the camera and ends where the path leaves its first
+/// scattering event.
 struct PathSegment {
-    float light = 0;        ///< that it brings to the path's estimate: radiance, mean of the channels, as if no path were ended
-    float rays = 0;         ///< it took, without the camera ray
-    float throughput = 0;   ///< at its end, which roulette goes by; 0: the path ends there
+    float light = 0;        ///< contribution to the path's radiance estimate, mean of the channels, without roulette
+    float rays = 0;         ///< rays traced, without the camera ray
+    float throughput = 0;   ///< throughput at its end, on which roulette is based; 0: the path ends there
 };
 
-/// Paths without roulette: of some pixels, several sets of samples, each with the low discrepancy of a render's first ones.
+/// Paths traced without roulette: several sets of samples of some pixels. Each set has low discrepancy, like the first samples of a render.
 struct RecordedPaths {
-    size_t sets = 0, samples = 0;                  ///< of each pixel, at least 2; and of each set
-    std::vector<std::vector<PathSegment>> paths;   ///< of sample i of set k of pixel p: [(p * sets + k) * samples + i]
+    size_t sets = 0, samples = 0;                  ///< sets per pixel, at least 2; samples per set
+    std::vector<std::vector<PathSegment>> paths;   ///< [(p * sets + k) * samples + i]: sample i of set k of pixel p
 };
 
-/// What a rule is expected to do to an image.
+/// The expected error and cost of a rule.
 struct RouletteForecast {
-    double relativeVariance;   ///< mean over pixels, as of film/relative_error.h, of the mean of `samples` samples
-    double cost;               ///< rays a path
+    double relativeVariance;   ///< relative variance (image/relative_error.h) of the mean of `samples` samples, averaged over pixels
+    double cost;               ///< rays per path
 };
 
-/// Plays a rule on recorded paths. Roulette that lets a path go on with probability q that got so far with probability Q adds (1 / (Q q) -
-/// 1 / Q) A^2 to the variance of its estimate, where A is the light that is still to come; the increments of different chances are not
-/// correlated. What random numbers of low discrepancy take away from that is left out; what varies without roulette is measured between
-/// sets, where it is in.
+/// Simulates a rule on recorded paths. A decision that continues with probability q, on a path that has survived with probability Q, adds
+/// (1 / (Q q) - 1 / Q) A^2 to the variance of the estimate, where A is the light still to come; the terms of different decisions are
+/// uncorrelated. Low-discrepancy samples reduce these terms, which is neglected. The variance without roulette is measured between sets,
+/// which includes that reduction.
 RouletteForecast forecastRoulette(const RecordedPaths& recorded, const Roulette& rule);
 
-/// Of a dozen rules the one with the least product of variance and cost, if that is clearly less than the default's: after Rath et al. 2022
-/// (EARS), who find the best probability for each path in each part of the scene; here one rule is found for all. The default where nothing
-/// is to be learnt: paths without light.
+/// Returns the candidate with the least variance * cost, or the default unless that is clearly better. After Rath et al. 2022 (EARS), who
+/// optimise survival probabilities locally; this chooses one rule for the whole scene. If no path carries light, returns the default.
 Roulette chooseRoulette(const RecordedPaths& recorded);
 
 }  // namespace eikonal

@@ -12,26 +12,25 @@
 namespace eikonal {
 namespace {
 
-/// Of each pixel, one after the other in its sequence, each of low discrepancy. They complement one another, so they differ somewhat more
-/// than renders with different seeds do.
+/// Sets per pixel: consecutive parts of the pixel's sample sequence, each of low discrepancy. Because they complement one another, they
+/// differ slightly more than renders with different seeds.
 constexpr size_t pilotSets = 4;
-/// Paths are dropped after so many bounces, passed interfaces included, so that a pilot stays short: later light and later rays do not
-/// count.
+/// Pilot paths are truncated after this many bounces, null interfaces included, to keep the pilot short. Later light and rays are ignored.
 constexpr int mostBounces = 24;
 
-/// Unlike any that people give an image, so that rule and image are independent.
+/// Not a seed that a user is likely to choose, so that the rule and the image are independent.
 constexpr uint pilotSeed = 0x70696c6f;
 
-/// Whether any path is long enough to be ended by it.
+/// Whether paths can be long enough for roulette.
 bool playsRoulette(const PackedScene& packed) {
     const Features& f = packed.features;
     return packed.frame().max_depth > 1 && !f.has(Feature::RAY_SPLITTING) && !f.has(Feature::AMBIENT_OCCLUSION);
 }
 
-/// How many pixels are looked at, and how many samples are in each of its sets.
+/// Number of pilot pixels, and of samples in each of their sets.
 struct PilotSize {
     size_t pixels, samples;
-    double renderedPaths;   ///< of the whole image
+    double renderedPaths;   ///< paths of the whole render
     static PilotSize of(const PackedScene& packed) {
         constexpr double share = 0.005;
         constexpr size_t mostSamples = 64, mostPaths = 1 << 16;
@@ -39,11 +38,11 @@ struct PilotSize {
         const double renderedPaths = static_cast<double>(packed.frame().width) * packed.frame().height * packed.samples;
         return {std::min(static_cast<size_t>(renderedPaths * share), mostPaths) / (pilotSets * samples), samples, renderedPaths};
     }
-    /// Whether pilot paths tell something, and take a few hundredths of the time of the render: their launches are short.
+    /// Whether the pilot has enough pixels to be meaningful and takes only a few percent of the render time (its launches are small).
     bool isWorthwhile() const { return pixels >= 64 && renderedPaths >= 0x1p20; }
 };
 
-/// Pixels all over the image: Roberts' sequence (2018), of low discrepancy.
+/// Pixels spread over the image by Roberts' low-discrepancy sequence (2018).
 std::vector<Block> scatterPixels(const settings& frame, const PilotSize& size) {
     const auto at = [](size_t i, double step, uint extent) {
         return static_cast<int>(std::fmod(0.5 + static_cast<double>(i) * step, 1.) * extent);
@@ -65,7 +64,7 @@ template <class T> std::vector<T> readField(const Context& context, const QueueI
 
 bool hasField(const QueueItems& items, const char* name) { return items.layout.field(name).words > 0; }
 
-/// One number for each spectrum of a field, combined from its channels.
+/// Reduces each spectrum of a field to one number.
 template <class Combine>
 std::vector<float> readSpectra(const Context& context, const QueueItems& items, const char* name, Combine&& combine) {
     std::vector<float> all(items.count);
@@ -78,7 +77,7 @@ std::vector<float> readMeans(const Context& context, const QueueItems& items, co
     return readSpectra(context, items, name, [=](float sum, float x) { return sum + x / channels; });
 }
 
-/// What roulette goes by (kernels/shade/scatter.clh).
+/// The throughputs on which roulette is based (kernels/shade/scatter.clh).
 std::vector<float> readThroughputs(const Context& context, const QueueItems& rays) {
     std::vector<float> t = readSpectra(context, rays, "beta", [](float most, float x) { return std::max(most, x); });
     if (hasField(rays, "eta_scale")) std::ranges::transform(t, readField<float>(context, rays, "eta_scale"), t.begin(), std::multiplies());
@@ -87,10 +86,10 @@ std::vector<float> readThroughputs(const Context& context, const QueueItems& ray
     return t;
 }
 
-/// Watches the paths of one batch after the other.
+/// Records the paths of one batch after another.
 class Recorder {
 public:
-    /// mostLight: that a path may bring, as the film has it; 0: any.
+    /// mostLight: paths are clamped to this, as by the film's maxcomponentvalue; 0: no clamping.
     Recorder(const Context& context, float mostLight)
         : context_(context), mostLight_(mostLight > 0 ? mostLight : std::numeric_limits<float>::max()) {}
 
@@ -101,7 +100,7 @@ public:
         bounces_ = 0;
     }
 
-    /// What the bounce brought, and which paths go on. False: enough has been seen.
+    /// Records the light of a bounce and the rays that continue. Returns false after the last bounce to record.
     bool bounced(const QueueItems& rays, const QueueItems& paths) {
         std::vector<PathSegment>* recorded = &recorded_[recorded_.size() - paths.count];
         const std::vector<float> light = readMeans(context_, paths, "L");
@@ -116,7 +115,7 @@ public:
         for (size_t i = 0; i < rays.count; ++i) {
             if (end[i] < 0) continue;
             const size_t p = path[i] - paths.first;
-            /* A ray that goes straight on through an interface has not been played for */
+            /* There is no roulette decision at a null interface, where depth stays the same */
             if (depth[i] > depths_[p]) {
                 recorded[p].back().throughput = throughput[i];
                 recorded[p].push_back({});
@@ -138,7 +137,7 @@ private:
     int bounces_ = 0;
 };
 
-/// Traces blocks of single pixels, whatever room a wave has.
+/// Traces blocks of single pixels, in batches that fit the wave.
 void record(const settings& frame, std::vector<Block> blocks, Wave& wave, Recorder& recorder) {
     Batches batches(BlockSize{}, std::move(blocks), wave.mostPaths());
     while (!batches.empty()) {

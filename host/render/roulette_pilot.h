@@ -1,5 +1,5 @@
 #pragma once
-// Pilot paths: a few of a render's, traced before it begins, by which its rule of Russian roulette is chosen.
+// Pilot paths: a small sample of the render's paths, traced first to choose the rule of Russian roulette.
 
 #include "render/wave.h"
 #include "scene/integrator.h"
@@ -8,10 +8,11 @@
 
 namespace eikonal {
 
-/// Has kernels end paths by the rule that pays best in this scene (render/roulette.h), and returns it. None where the scene says by which
-/// rule, where paths are too short for one, and where the render is too short to be worth a pilot (less than 2^20 paths, or pilot paths for
-/// less than 64 pixels). Depends on the scene, its resolution and its samples, neither on its seed nor on which part of the image is
-/// rendered: estimates stay unbiased. Another device may choose another rule where two are nearly as good. `wave` renders `scene`.
+/// Chooses the most efficient rule for this scene (render/roulette.h), sets it in the scene's settings, and returns it. Returns nothing
+/// if the scene specifies a rule, if its paths are too short for roulette, or if the render is too short for a pilot (fewer than 2^20
+/// paths, or fewer than 64 pilot pixels). The choice depends on the scene, its resolution and its samples, but not on the seed or on the
+/// part of the image that is rendered, so estimates stay unbiased. Devices may choose differently between nearly equal rules. `wave`
+/// renders `scene`.
 std::optional<Roulette> pilotRoulette(const Context& context, DeviceScene& scene, const PackedScene& packed, Wave& wave);
 
 }  // namespace eikonal

@@ -9,7 +9,7 @@
 
 namespace eikonal {
 
-/// The ending that tells what a file holds: that before .gz, in lower case.
+/// The file's extension in lower case, ignoring .gz.
 static std::string kindOf(const std::string& path) {
     std::filesystem::path name = std::filesystem::path(path).filename();
     if (name.extension() == ".gz") name = name.stem();
@@ -30,14 +30,14 @@ static Scene loadObj(const SceneOptions& o, Diagnostics& diagnostics) {
 
 static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
     const char* name = o.camera ? "--camera" : o.lookAt ? "--look-at" : o.up ? "--up" : o.fov ? "--fov" : nullptr;
-    if (name) throw UsageError(fmt::format("{} is for OBJ files: the camera of a pbrt scene is in \"{}\" itself", name, o.path));
+    if (name) throw UsageError(fmt::format("{} is for OBJ files; change the camera of a pbrt scene in \"{}\" itself", name, o.path));
     Scene scene = readPbrt(o.path, diagnostics);
     if (o.resolution) {
-        /* A part that the file gives in pixels means nothing at another resolution */
+        /* The file's pixel bounds are meaningless at another resolution */
         scene.film.width = (*o.resolution)[0];
         scene.film.height = (*o.resolution)[1];
         if (scene.film.pixelBounds)
-            diagnostics.warn(scene.film.where, "\"pixelbounds\" does not count with --resolution; --cropwindow selects a part");
+            diagnostics.warn(scene.film.where, "\"pixelbounds\" is ignored because of --resolution; use --cropwindow to render a part");
         scene.film.pixelBounds.reset();
     }
     return scene;
@@ -47,7 +47,7 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     const std::string kind = kindOf(o.path);
     if (kind != ".pbrt" && kind != ".obj")
         throw SceneError(
-            {}, fmt::format("\"{}\" is no scene that can be read: its name should end in .pbrt or .obj, or either with .gz", o.path));
+            {}, fmt::format("\"{}\" is not a readable scene: its name must end in .pbrt or .obj, optionally followed by .gz", o.path));
     Scene scene = kind == ".obj" ? loadObj(o, diagnostics) : loadPbrt(o, diagnostics);
     if (o.spp) scene.sampler.pixelSamples = *o.spp;
     if (o.seed) scene.sampler.seed = *o.seed;

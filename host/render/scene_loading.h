@@ -1,12 +1,12 @@
 #pragma once
-// From a file and the options that replace parts of it to a scene.
+// Loads a scene file and applies the options that override it.
 
-#include "app/options.h"
+#include "render/options.h"
 
 namespace eikonal {
 
-/// Reads a pbrt-v4 scene or an OBJ, told apart by the file's name, and applies the options. Throws as the readers do, and a
-/// UsageError for options that do not fit the kind of file.
+/// Reads a pbrt-v4 scene or an OBJ, chosen by the file's extension, and applies the options. Throws what the readers throw, and a
+/// UsageError for options that do not apply to the kind of file.
 Scene loadScene(const SceneOptions& options, Diagnostics& diagnostics);
 
 }  // namespace eikonal

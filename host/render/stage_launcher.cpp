@@ -12,7 +12,7 @@ void StageLauncher::enqueue(const Stage& stage, SlotRange slots, const Bindings&
 }
 
 void StageLauncher::warmUp(Stages& stages, const Bindings& nothing) const {
-    const Buffer unused(context_, 1024, "what no stage has yet");
+    const Buffer unused(context_, 1024, "an unused argument");
     Bindings own = nothing;
     for (const char* name : {"shading_pass", "pass_slots", "representatives"}) own.set(name, 0u);
     for (const char* name : {"film", "survey_points", "survey_normals", "survey_weights"}) own.set(name, unused);

@@ -1,25 +1,25 @@
 #pragma once
-// Launching the stages of a wave.
+// Launches the stages of a wave.
 
 #include "render/profile.h"
 #include "render/stages.h"
 
 namespace eikonal {
 
-/// What all launches of a wave have in common.
+/// The arguments that all launches of a wave share.
 class StageLauncher {
 public:
-    /// scene, queues, counts: what these bind for every stage, read at each launch. group: slots of a group. All of them outlive this.
+    /// scene, queues, counts: bindings for every stage, read at each launch. group: slots per work-group. All must outlive this object.
     StageLauncher(const Context& context, const Bindings& scene, const Bindings& queues, const Bindings& counts, unsigned group,
                   Profile& profile)
         : context_(context), scene_(scene), queues_(queues), counts_(counts), group_(group), profile_(profile) {}
 
-    /// Enqueues the stage over these slots, unless there are none. `own`: further arguments.
+    /// Enqueues the stage over these slots; does nothing if there are none. `own`: further arguments.
     void launch(const Stage& stage, SlotRange slots, const Bindings& own = {}) const {
         if (slots.count) enqueue(stage, slots, own);
     }
-    /// Runs every stage once over nothing, so that an implementation that compiles at the first launch does it now.
-    /// nothing: as `own`, for any stage.
+    /// Runs every stage once over no slots, so that implementations that compile at the first launch do it now. `nothing`: the `own`
+    /// arguments of any stage.
     void warmUp(Stages& stages, const Bindings& nothing) const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-// The text of every stage's kernel: that of a stage over `each_bsdf` once for each BSDF.
+// The source of every stage's kernel. A stage over `each_bsdf` has one kernel per BSDF.
 
 #include "render/stage_table.h"
 
@@ -8,12 +8,12 @@
 
 namespace eikonal {
 
-/// A row of STAGES or SURVEYS as it is built.
+/// A kernel to build for a row of STAGES or SURVEYS.
 struct StageProgram {
-    const StageRow* row;         ///< its name is that of the kernel
-    uint over;                   ///< as in the row; of a BSDF: its next_queue
-    Requirement bsdf;            ///< that the scene has this BSDF
-    std::string name;            ///< for people and profiles: "shade_hits diffuse", otherwise as in the row
+    const StageRow* row;         ///< row->name is the kernel's name
+    uint over;                   ///< as in the row; for a BSDF, its next_queue
+    Requirement bsdf;            ///< the scene must have this BSDF
+    std::string name;            ///< in messages and profiles: "shade_hits diffuse", otherwise as in the row
     std::string text;
 
     bool isRequired(const Features& features, const SceneConstants& constants) const {
@@ -21,9 +21,9 @@ struct StageProgram {
     }
 };
 
-/// All of them: STAGES in their order, then SURVEYS.
+/// All programs: STAGES in their order, then SURVEYS.
 const std::vector<StageProgram>& stagePrograms();
-/// Throws std::out_of_range for a name that none has.
+/// Throws std::out_of_range for an unknown name.
 const StageProgram& stageProgram(const std::string& name);
 
 }  // namespace eikonal

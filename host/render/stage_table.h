@@ -1,5 +1,5 @@
 #pragma once
-// STAGES, SURVEYS and QUEUES (include/eikonal) as tables, for all that follow them: the wave, its queues, the bench, the tests.
+// STAGES, SURVEYS and QUEUES (include/eikonal) as tables. The wave, its queues, the bench and the tests read them.
 
 #include "eikonal/queues.h"
 #include "eikonal/stages.h"
@@ -12,7 +12,7 @@
 
 namespace eikonal {
 
-/// Every queue, in the order of QUEUES; then what else stages read and write.
+/// Every queue, in the order of QUEUES; then the other data that stages read and write.
 enum class Queue : unsigned char {
 #define QUEUE_ID(q, FIELDS, ITEMS, FEATURE) q,
     QUEUES(QUEUE_ID)
@@ -21,7 +21,7 @@ enum class Queue : unsigned char {
 };
 constexpr size_t queueCount = static_cast<size_t>(Queue::next_ray);
 
-/// Up to eight of them, in an order.
+/// An ordered list of up to eight queues.
 class QueueList {
 public:
     constexpr QueueList() = default;
@@ -35,7 +35,7 @@ private:
     size_t count_ = 0;
 };
 
-/// What a scene must have for a stage or a queue to exist: nothing, a feature, or a constant that is not 0.
+/// What a stage or queue requires of a scene to exist: nothing, a feature, or a constant that is not 0.
 class Requirement {
 public:
     constexpr Requirement() = default;
@@ -45,7 +45,7 @@ public:
         return (feature_ == Feature::count || features.has(feature_)) && (!constant_ || constants.*constant_ > 0);
     }
     constexpr bool operator==(const Requirement&) const = default;
-    /// Feature::count: none.
+    /// The required feature; Feature::count: none.
     constexpr Feature feature() const { return feature_; }
 
 private:
@@ -62,12 +62,12 @@ enum class StageName : unsigned char {
 struct StageRow {
     StageName id;
     const char* name;
-    QueueList reads, writes;    ///< of a survey: none
-    uint over;                  ///< one of next_queue or stage_items
+    QueueList reads, writes;    ///< empty for surveys
+    uint over;                  ///< a next_queue or a stage_items
     Requirement requirement;
 };
 
-/// Where the items of a queue are: see QUEUES.
+/// How items are placed in a queue: see QUEUES.
 enum class Placement : unsigned char { sparse, dense, by_path };
 
 struct QueueRow {
@@ -105,10 +105,10 @@ constexpr auto queueTable = [] {
 #undef QUEUE_ROW
 }();
 
-/// Of a stage of STAGES.
+/// The row of a stage of STAGES.
 constexpr const StageRow& rowOf(StageName stage) { return stageTable.at(static_cast<size_t>(stage)); }
 constexpr const QueueRow& rowOf(Queue queue) { return queueTable[static_cast<size_t>(queue)]; }
-/// "ray", "pixels".
+/// For example "ray" or "pixels".
 constexpr const char* nameOf(Queue queue) {
     if (queue == Queue::next_ray) return "next_ray";
     if (queue == Queue::pixels) return "pixels";

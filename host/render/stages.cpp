@@ -19,7 +19,7 @@ StageShape StageShape::forDevice(const DeviceInfo& device) {
     return shape;
 }
 
-/// What a scene requires, in the order of stagePrograms().
+/// The programs that a scene requires, in the order of stagePrograms().
 static auto requiredPrograms(const PackedScene& scene) {
     const auto isRequired = [&scene](const StageProgram& program) { return program.isRequired(scene.features, scene.constants); };
     return std::views::filter(stagePrograms(), isRequired);
@@ -34,7 +34,7 @@ BuildSettings completeSettings(BuildSettings settings, const PackedScene& scene,
     return settings;
 }
 
-/// Strides of queues are constants where waves have their usual size; others are not worth kernels of their own.
+/// Waves of the usual size get queue strides as compile-time constants. Other sizes share kernels with variable strides.
 static BuildSettings stageSettings(BuildSettings settings, const PackedScene& scene, const StageShape& shape) {
     settings = completeSettings(std::move(settings), scene, shape);
     const RaySplitting splitting = RaySplitting::of(scene);

@@ -9,8 +9,8 @@
 namespace eikonal {
 namespace {
 
-/// Where surfaces receive more than this share of an environment's light, paths find it well enough by themselves; where they receive none,
-/// there is nothing to find.
+/// If surfaces receive more than this share of an environment's light, BSDF sampling finds it well enough. If they receive none, there is
+/// nothing to guide.
 constexpr double openShare = 0.1;
 
 Bindings withCount(size_t count) {
@@ -26,7 +26,7 @@ void run(const Context& context, const DeviceScene& scene, const Stage& stage, c
 
 }  // namespace
 
-/// Has light sampling aim at constant environments: each as often as at all lamps together.
+/// Makes the light sampler choose each constant environment as often as all other lights together.
 static void sampleEnvironments(const Context& context, DeviceScene& scene, const PackedScene& packed) {
     Table<light> lights = packed.tables.lights;
     double lamps = 0;
@@ -45,7 +45,7 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
     const GuideBudget budget = GuideBudget::of(packed.frame().width, packed.frame().height, packed.samples);
     if (!budget.isEnough()) return;
 
-    /* Where paths go */
+    /* Find points that paths reach */
     std::vector<vec3> points(budget.paths * SURVEY_VERTICES), normals(budget.paths * SURVEY_VERTICES);
     const size_t bytes = points.size() * sizeof(vec3);
     const Buffer pointBuffer(context, bytes, "points of the survey"), normalBuffer(context, bytes, "normals of the survey");
@@ -56,7 +56,7 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
     pointBuffer.read(context, points.data(), bytes);
     normalBuffer.read(context, normals.data(), bytes);
 
-    /* What is seen from there */
+    /* Find the parts of the environment that are visible from them */
     const auto weigh = [&](const GuideRepresentatives& from) {
         std::vector<float> weights(from.maps * GUIDE_SIDE * GUIDE_SIDE);
         const Buffer fromPoints = Buffer::of<vec3>(context, from.points, "points of the guide"),

@@ -14,7 +14,7 @@ void Wave::warmUp() {
     launcher_.warmUp(stages_, batches_.noPaths());
 }
 
-/// The loop. `rays` is how many slots of the ray queue may hold a ray.
+/// The wavefront loop. `rays`: slots of the ray queue that may hold a ray.
 void Wave::trace(const BatchStream& stream) {
     counter_.begin();
     unsigned rays = generate(0, stream);                // pixels -> ray, path
@@ -29,7 +29,7 @@ void Wave::trace(const BatchStream& stream) {
     counter_.end();
 }
 
-/// Begins as many paths as there is room for behind `slots` slots. Returns the slots that are taken then.
+/// Begins as many paths as fit behind the first `slots` slots. Returns the number of slots in use.
 unsigned Wave::generate(unsigned slots, const BatchStream& stream) {
     for (unsigned left = size_.room(slots); left > 0;) {
         const auto paths = batches_.begin(left, stream);
@@ -42,7 +42,7 @@ unsigned Wave::generate(unsigned slots, const BatchStream& stream) {
     return slots;
 }
 
-/// Finds where each ray ends, and puts it in the queue of what comes next. Returns how many go to each.
+/// Intersects all rays and routes them to the next queues. Returns the number of items in each.
 WaveCounts Wave::intersect(unsigned slots) {
     if (!slots) return {};
     counter_.clear();
@@ -53,7 +53,7 @@ WaveCounts Wave::intersect(unsigned slots) {
     return counter_.wait();
 }
 
-/// Shades what the queues hold, and tests the shadow rays. Returns how many slots of the next ray queue may hold a ray.
+/// Shades the items of all queues, and traces the shadow rays. Returns the slots of the next ray queue that may hold a ray.
 unsigned Wave::shade(const WaveCounts& counts) {
     for (const Stage& stage : stages_.over(next_miss, next_emission)) launcher_.launch(stage, {0, counts[stage.over]});
     const Segments segments(counts, shape_.group());
@@ -65,12 +65,12 @@ unsigned Wave::shade(const WaveCounts& counts) {
     return segments.slots() * splitting_.raysPerHit;
 }
 
-/// Whether to trace the rays of the next bounce: the stream may watch them, and say no (BatchStream::watch).
+/// Whether to trace the next bounce. The stream may inspect the rays and decline (BatchStream::watch).
 bool Wave::goesOn(const WaveCounts& counts, unsigned rays, const BatchStream& stream) const {
     return !stream.watch || !raysOf(counts) || stream.watch(queues_.items(Queue::ray, 0, rays), batches_.oldestPaths());
 }
 
-/// Adds the paths of the batch that is finished to its pixels: path -> film.
+/// Adds the paths of the finished batch to its pixels: path -> film.
 void Wave::resolve(const Batch& batch, const Buffer& film) {
     Bindings arguments = batches_.oldestArguments();
     arguments.set("film", film);

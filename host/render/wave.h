@@ -1,6 +1,6 @@
 #pragma once
-// A wave: the paths that are in flight at once, and the queues that they travel through. Where paths end, new ones begin at the
-// next bounce, so that the queues stay full while there is work.
+// A wave: the paths in flight, and their queues. When paths end, new ones take their slots at the next bounce, so that the queues stay
+// full while there is work.
 
 #include "render/batches_in_flight.h"
 #include "render/device_scene.h"
@@ -14,16 +14,16 @@ namespace eikonal {
 /// Queues for a number of paths, and the stages that run over them.
 class Wave : public Tracer {
 public:
-    /// scene: what `tables` and `stages` were made of. queuePages: small ones where far fewer paths are traced than there is room for,
-    /// so that what stays empty takes up no memory. Everything but scene and shape outlives the wave.
+    /// scene: the source of `tables` and `stages`. queuePages: small pages if far fewer paths will be traced than fit, so that unused
+    /// slots take no memory. All arguments except scene and shape must outlive the wave.
     Wave(const Context& context, const DeviceScene& tables, const PackedScene& scene, Stages& stages, const StageShape& shape,
          Profile& profile, PageSize queuePages = PageSize::large);
 
-    /// Runs every kernel once over nothing, so that an implementation that compiles at the first launch does it now.
+    /// Runs every kernel once over no slots, so that implementations that compile at the first launch do it now.
     void warmUp();
 
     unsigned mostPaths() const override { return size_.paths; }
-    /// Waits only for one small read a bounce.
+    /// Waits for the device only once per bounce, for the counts.
     void trace(const BatchStream& stream) override;
     void resolve(const Batch& batch, const Buffer& film) override;
 

@@ -1,5 +1,5 @@
 #pragma once
-// How many items there are: what stages count on the device, and what it says of the queues.
+// The numbers of items in the queues, counted by stages on the device.
 
 #include "render/profile.h"
 #include "render/stages.h"
@@ -9,43 +9,43 @@
 
 namespace eikonal {
 
-/// At each next_queue: how many items go there. At count_of_batches + i: how many rays the i-th batch has.
+/// [next_queue]: items that go to that queue. [count_of_batches + i]: rays of batch i.
 using WaveCounts = std::array<cl_uint, wave_counts>;
-/// Rays of all batches.
+/// The total number of rays, over all batches.
 std::uint64_t raysOf(const WaveCounts& counts);
 
-/// Where items lie that have a slot each in the shadow queue and the next ray queue. They share one range of slots, whichever queue holds
-/// them: a segment for each next_queue before next_miss, in this order, each of whole groups.
+/// The slots of items that may produce a next ray and a shadow ray. Each next_queue before next_miss has a segment of whole groups, in this
+/// order. An item uses the same slot in its own queue, the shadow queue and the next ray queue.
 class Segments {
 public:
-    /// counts: at each next_queue. group: slots of a group.
+    /// counts: items, by next_queue. group: slots per work-group.
     Segments(std::span<const cl_uint> counts, unsigned group);
     SlotRange operator[](uint next_queue) const { return ranges_[next_queue]; }
-    /// Up to the end of the last segment.
+    /// The end of the last segment.
     unsigned slots() const { return slots_; }
-    static constexpr uint first = 0, last = next_miss - 1;   ///< next_queues that have one
+    static constexpr uint first = 0, last = next_miss - 1;   ///< next_queues that have a segment
 
 private:
     std::array<SlotRange, next_miss> ranges_;
     unsigned slots_ = 0;
 };
 
-/// The counts of a wave, on the device and on their way to the host.
+/// The counts of a wave, on the device and on the host.
 class WaveCounter {
 public:
-    /// profile: where real rays and shadow rays are added up.
+    /// profile: accumulates the numbers of rays and shadow rays.
     WaveCounter(const Context& context, Profile& profile);
     const Bindings& bindings() const { return bindings_; }
 
-    /// Forgets shadow rays that were counted before.
+    /// Ignores shadow rays counted before this call.
     void begin();
     /// Zeroes the counts of the last bounce. Enqueues.
     void clear();
-    /// The counts travel to the host while the device goes on with what is enqueued from now on.
+    /// Starts copying the counts to the host. Commands enqueued later run meanwhile.
     void startReading();
-    /// Submits what is enqueued, and waits for the counts.
+    /// Submits all enqueued commands, and waits for the counts.
     WaveCounts wait();
-    /// Waits for the shadow rays of the last bounce.
+    /// Waits for the shadow ray count of the last bounce.
     void end();
 
 private:
@@ -56,7 +56,7 @@ private:
     Buffer counts_, cursors_, shadowCount_;
     Bindings bindings_;
     WaveCounts read_{};
-    cl_uint shadowRead_ = 0, shadowRays_ = 0;   ///< now, and before: they wrap around
+    cl_uint shadowRead_ = 0, shadowRays_ = 0;   ///< the device's counter (modulo 2^32) now, and at the previous read
     Owned<cl_event, clReleaseEvent> arrived_;
 };
 

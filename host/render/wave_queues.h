@@ -1,5 +1,5 @@
 #pragma once
-// The queues of a wave: which there are, how large they are, and their memory.
+// The queues of a wave, their sizes and their memory.
 
 #include "device/layout.h"
 #include "render/ray_splitting.h"
@@ -12,48 +12,48 @@
 
 namespace eikonal {
 
-/// For how much there is room in a wave.
+/// The capacity of a wave.
 struct WaveSize {
-    unsigned paths;            ///< of the camera that begin at once, and most paths of a batch
-    unsigned batches;          ///< in flight at once
-    unsigned log2BatchStates;  ///< from the first path state of a batch to that of the next
-    unsigned slots;            ///< of the ray queue in which paths may begin
-    unsigned leastRoom;        ///< so many of them must be free, or it is not worth a launch
-    unsigned capacity;         ///< of queues: every ray, with segments that begin at multiples of a group, as often as rays may leave a hit
-    unsigned pathCapacity;     ///< path states of all batches, and a group that belongs to no path
+    unsigned paths;            ///< the most camera paths that begin at once, and that a batch has
+    unsigned batches;          ///< batches in flight
+    unsigned log2BatchStates;  ///< log2 of the path states reserved for a batch
+    unsigned slots;            ///< slots of the ray queue in which camera paths may begin
+    unsigned leastRoom;        ///< fewer free slots than this are not worth a launch
+    unsigned capacity;         ///< slots of other queues: all rays that may leave hits, with segments padded to whole groups
+    unsigned pathCapacity;     ///< path states of all batches, plus a group that belongs to no path
     WaveSize(const StageShape& shape, const RaySplitting& splitting);
 
-    /// For how many more rays there is room behind `taken` slots; 0 where it is less than leastRoom.
+    /// The room for more rays behind `taken` slots; 0 if less than leastRoom.
     unsigned room(unsigned taken) const;
-    /// Items of a queue.
+    /// Capacity of a queue, in items.
     size_t items(Placement placement) const { return placement == Placement::by_path ? pathCapacity : capacity; }
 };
 
-/// The layout of a queue, and in `hit` room for the parameters of any BSDF behind the fields.
+/// The layout of a queue. In `hit`, the parameters of any BSDF fit behind the fields.
 QueueLayout itemLayout(Queue queue, const Features& features);
 
-/// A queue of a wave. One that the scene does not require holds no items.
+/// A planned queue of a wave. Queues that the scene does not require have no items.
 struct PlannedQueue {
     Queue id;
     QueueLayout layout;
     size_t items;
     size_t bytes() const { return items * static_cast<size_t>(layout.words) * sizeof(cl_uint); }
-    /// The ray queue is there twice: while stages drain `ray`, others fill `next_ray` for the next bounce.
+    /// The ray queue is double-buffered: stages read `ray` and fill `next_ray` for the next bounce.
     size_t copies() const { return id == Queue::ray ? 2 : 1; }
 };
 std::vector<PlannedQueue> planQueues(const Features& features, const SceneConstants& constants, const WaveSize& size);
 
-/// What WaveQueues::bytes() will be, before anything is allocated.
+/// The value of WaveQueues::bytes(), before anything is allocated.
 size_t plannedWaveBytes(const PackedScene& scene, const StageShape& shape);
 
-/// The queues of planQueues on a device.
+/// The queues of planQueues(), allocated on a device.
 class WaveQueues {
 public:
     WaveQueues(const Context& context, const Features& features, const SceneConstants& constants, const WaveSize& size, PageSize pages);
 
-    /// Every queue by its name, and the capacities.
+    /// Every queue by name, and the capacities.
     const Bindings& bindings() const { return bindings_; }
-    /// What was filled for the next bounce is now the ray queue.
+    /// Swaps `ray` and `next_ray`.
     void swapRays();
     const Buffer& rays() const { return words_[static_cast<size_t>(Queue::ray)][0]; }
     Buffer& paths() { return words_[static_cast<size_t>(Queue::path)][0]; }

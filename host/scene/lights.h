@@ -18,9 +18,9 @@ struct Light {
     const LightKind* kind = nullptr;
     Spectrum spectrum = Spectrum::rgb({1, 1, 1}, ColorSpace::srgb);   ///< intensity, irradiance or radiance: spectrum * scale
     int image = none;                     ///< in Scene::images
-    glm::dvec3 from{0}, to{0, 0, 1};      ///< light space; from: where it is, or where its light comes from
-    double coneAngle = 30, coneDeltaAngle = 5;   ///< spot, degrees: where it ends, and how far inside of that it begins to fade
-    double fov = 90;                      ///< projection, degrees: what the shorter side of its image spans
+    glm::dvec3 from{0}, to{0, 0, 1};      ///< light space; from: its position; distant: light travels from `from` to `to`
+    double coneAngle = 30, coneDeltaAngle = 5;   ///< spot, degrees: edge of the cone, and width of the falloff inside it
+    double fov = 90;                      ///< projection, degrees: along the shorter side of the image
     /// Corners of a rectangle in world space, not moved by worldFromLight. From corner 0, x runs to corner 3 and y to corner 1;
     /// x cross y points out of the room.
     std::array<glm::dvec3, 4> portal{};

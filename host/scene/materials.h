@@ -22,7 +22,7 @@ constexpr std::pair<const char*, SubsurfaceMethod> subsurfaceMethodNames[] = {{"
 
 /// Normalised diffusion profile: how much light leaves a body at which distance from where it entered (kernels/shade/diffusion.clh).
 struct DiffusionProfile {
-    Spectrum albedo;    ///< share of the entering light that leaves again, in [0, 1]
+    Spectrum albedo;    ///< fraction of the entering light that leaves again, in [0, 1]
     Spectrum length;    ///< d, world units; with a texture: the mean free path of reduced scattering, or the factor of pathTexture
     int albedoTexture = none;   ///< in Scene::textures: albedo where light enters
     int pathTexture = none;     ///< in Scene::textures: mean free path where light enters

@@ -1,7 +1,7 @@
 #pragma once
 // A scene as described by its file, before it is packed for a device: the pbrt and OBJ readers produce it, and host/pack makes tables of
-// it. Plain data with indices instead of pointers; -1 means "none". Positions and lengths are in world units, angles in degrees as in the
-// file, matrices column-major (glm).
+// it. Plain data: parts refer to one another by index (`none` = -1), to their kind by pointer, and share large data (meshes, curves, grids,
+// images) by shared_ptr. Positions and lengths are in world units, angles in degrees as in the file, matrices column-major (glm).
 
 #include "scene/camera.h"
 #include "scene/film.h"

@@ -57,7 +57,7 @@ struct Texture {
     bool isFloat = false;              ///< declared "float", not "spectrum"
     SourceLocation where;
 
-    std::vector<Input> operands;       ///< what it is made of, in the order of the kind's line in TEXTURES; constant: its value
+    std::vector<Input> operands;       ///< in the order of the kind's line in TEXTURES; constant: its value
     Mapping mapping;                   ///< solid textures use its worldFromTexture alone
     double scale = 1;                  ///< imagemap: of its values; marble: of space
 

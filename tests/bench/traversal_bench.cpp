@@ -179,7 +179,7 @@ int main(int argc, char** argv) {
     nlohmann::json report{{"device", context.device().name},
                           {"robust", options.robust},
                           {"local_size", options.shape.localSize},
-                          {"run", options.shape.itemsPerWorkItem}};
+                          {"items_per_work_item", options.shape.itemsPerWorkItem}};
     for (const std::string& name : options.scenes) runScene(context, name, options, report);
     if (options.json) fmt::print("{}\n", report.dump(2));
 }

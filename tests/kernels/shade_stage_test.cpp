@@ -24,7 +24,7 @@ TEST_F(StageTest, ShadeMissesAddsTheEnvironment) {
         ASSERT_FLOAT_EQ(got.r, missed.count(i) ? L.c0 : 0);
         ASSERT_FLOAT_EQ(got.b, missed.count(i) ? L.c2 : 0);
     }
-    /* Once more with nothing: no path that somebody has is touched */
+    /* Run again over no items: no path state changes */
     bench.run("shade_misses", 0);
     const QueueWords again = bench.read("path");
     for (uint i = 0; i < paths; ++i) ASSERT_EQ(again.get<spectrum>("L", i).r, states.get<spectrum>("L", i).r);

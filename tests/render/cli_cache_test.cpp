@@ -96,7 +96,7 @@ TEST_F(TinyDisk, IsNoPlaceForTheCache) {
     const Outcome run = this->run({"render", "tiny.pbrt"}, {{"EIKONAL_CACHE_DIR", disk_}, {"TMPDIR", temporaryFiles()}});
     EXPECT_EQ(run.status, 0) << run.error;
     EXPECT_THAT(run.error, testing::ContainsRegex("warning: compiled kernels are kept in .*: " + disk_ +
-                                                  " is on a disk with 0\\.[0-9] MiB left, of 16 at least"));
+                                                  " is on a disk with 0\\.[0-9] MiB free; at least 16 MiB are needed"));
     EXPECT_TRUE(std::filesystem::is_empty(disk_));
 }
 

@@ -19,7 +19,7 @@ using testing::Not;
 TEST_F(Cli, LoadingKernelsIsNotCalledCompiling) {
     ASSERT_EQ(run({"render", "tiny.pbrt"}).status, 0);
     const Running running = start({"render", "tiny.pbrt", "--log-level", "info"});
-    EXPECT_TRUE(printed(running, "memory to be taken"));
+    EXPECT_TRUE(printed(running, "planned memory"));
     /* A machine that is busy with something else */
     for (int i = 0; i < 4; ++i) {
         ::kill(running.process, SIGSTOP);

@@ -20,7 +20,7 @@ TEST_F(Cli, TheTimeLimitLeavesAWholeImage) {
     const Outcome run =
         this->run({"render", "tiny.pbrt", "-o", "a.exr", "--spp", "100000000", "--time-limit", "0.2", "--aov", "sampleCount"});
     EXPECT_EQ(run.status, 0);
-    EXPECT_THAT(run.error, testing::ContainsRegex("ended by --time-limit: [0-9].* of 100000000 samples a pixel"));
+    EXPECT_THAT(run.error, testing::ContainsRegex("ended by --time-limit: [0-9].* of 100000000 samples per pixel"));
     const FilmFile exr = readImage(path("a.exr"));
     EXPECT_GE(exr.metadata.samples.value_or(0), 1);
     EXPECT_LT(exr.metadata.samples.value_or(0), 100000000);

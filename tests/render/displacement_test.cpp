@@ -138,10 +138,10 @@ TEST_F(Displaced, SaysWhatIsWrong) {
     write("fine.pbrt", "WorldBegin\nTexture \"height\" \"float\" \"windy\"\n" + square + "\"float edgelength\" 1e-5");
     const Outcome fine = run({"render", "fine.pbrt"});
     EXPECT_EQ(fine.status, static_cast<int>(ExitCode::scene));
-    EXPECT_THAT(fine.error, HasSubstr("fine.pbrt:3:48: edges shorter than 1e-05 make more than 33554432 triangles of this mesh, which are "
-                                      "the most; \"float edgelength\" 0.0014 would work"));
+    EXPECT_THAT(fine.error, HasSubstr("fine.pbrt:3:48: edges shorter than 1e-05 need more than 33554432 triangles in this mesh, the "
+                                      "maximum; \"float edgelength\" 0.0014 would work"));
     write("far.pbrt", constant + square);
-    EXPECT_THAT(run({"render", "far.pbrt"}).error, HasSubstr("moves a vertex to where no finite number reaches"));
+    EXPECT_THAT(run({"render", "far.pbrt"}).error, HasSubstr("moves a vertex to a position that is not finite"));
     write("bare.ply",
           "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list "
           "uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n");
@@ -149,7 +149,7 @@ TEST_F(Displaced, SaysWhatIsWrong) {
           "WorldBegin Texture \"height\" \"float\" \"windy\" Shape \"plymesh\" \"string filename\" \"bare.ply\" \"texture displacement\" "
           "\"height\"");
     EXPECT_THAT(run({"info", "bare.pbrt"}).error,
-                HasSubstr("this mesh has no texture coordinates: the texture that displaces it is looked up at (0, 0)"));
+                HasSubstr("this mesh has no texture coordinates; its displacement texture is looked up at (0, 0)"));
 }
 
 }  // namespace

@@ -63,7 +63,8 @@ TEST(Light, APaneTransmitsWhatTwoBoundariesDo) {
                    Le * T);
 }
 
-// Interfaces are no depth, but a ray that passes more than a thousand is lost: nobody would wait for one between two that touch.
+// Null interfaces do not count as bounces, but a ray that crosses more than a thousand is terminated: between two touching surfaces it
+// could cross them endlessly.
 TEST(Light, AThousandInterfacesArePassed) {
     const auto pile = [](int count) {
         std::string points, indices;

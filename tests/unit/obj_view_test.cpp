@@ -1,4 +1,4 @@
-// Where an OBJ file is seen from, and what lights it, when nobody said.
+// The default camera and the default light of an OBJ file.
 
 #include "kinds/light_kind.h"
 #include "read/obj/sky.h"

@@ -114,7 +114,7 @@ TEST_F(Pack, AFilmMayAskForWavelengths) {
     EXPECT_TRUE(pack("Shape \"sphere\"").tables.wavelengths.empty());
 }
 
-// 2^40 steps: nobody waits for them, neither to find out what is in them nor to write them down.
+// Expanded, this tower of textures has 2^40 nodes: packing must neither visit nor write each of them.
 TEST_F(Pack, TexturesOfTexturesEnd) {
     std::string tower = "Texture \"t0\" \"spectrum\" \"constant\" \"rgb value\" [.1 .8 .2]\n";
     for (int i = 1; i <= 40; ++i)

@@ -35,7 +35,7 @@ TEST_F(PbrtErrors, whatIsNotRenderedIsAnErrorIfAskedFor) {
         "\"ptex\"\nTexture \"b\" \"float\" \"ptex\"";
     EXPECT_EQ(warningsOfWorld(text).size(), 2u);
     EXPECT_THAT(errorOfWorld(text, true),
-                AllOf(HasSubstr("test.pbrt:3:1: a light that moves is not rendered yet"), HasSubstr("\ntest.pbrt:4:1: texture \"ptex\"")));
+                AllOf(HasSubstr("test.pbrt:3:1: a moving light is not rendered yet"), HasSubstr("\ntest.pbrt:4:1: texture \"ptex\"")));
 }
 
 TEST_F(PbrtErrors, allThatIsWrongIsListed) {

@@ -67,7 +67,7 @@ TEST_F(PbrtShapes, quadricsWithoutAreaAreLeftOut) {
     for (const char* text : {"\"sphere\" \"float radius\" 0", "\"sphere\" \"float zmin\" 1", "\"disk\" \"float phimax\" 0",
                              "\"disk\" \"float innerradius\" 1", "\"cylinder\" \"float zmin\" 1", "\"cylinder\" \"float radius\" 0"}) {
         EXPECT_THAT(world("Shape " + std::string(text)).shapes, IsEmpty()) << text;
-        EXPECT_THAT(warnings_, ElementsAre(HasSubstr("has no area"))) << text;
+        EXPECT_THAT(warnings_, ElementsAre(HasSubstr("has zero area"))) << text;
     }
 }
 

@@ -40,7 +40,7 @@ protected:
         set("TMPDIR", folder_.string());
         shared_ = path("eikonal-" + std::to_string(::geteuid()));
     }
-    std::string shared_;   ///< what everybody can guess
+    std::string shared_;   ///< the shared folder, whose name is predictable
 };
 
 TEST_F(CacheFolder, AmongTemporaryFilesIsForItsUserAlone) {
@@ -79,7 +79,7 @@ TEST_F(CacheFolder, IsClearedOfWhatWasNeverFinished) {
     EXPECT_EQ(kept->arguments, std::vector<std::string>{"argument"});
     EXPECT_EQ(kept->seconds, 0.5);
     write("0123456789abcdef.program.42.4711", "half of it");
-    write("a note", "somebody's");
+    write("a note", "not ours");
     EXPECT_EQ(cache.clear(), 1);
     EXPECT_FALSE(cache.load("a key"));
     EXPECT_FALSE(fs::exists(path("0123456789abcdef.program.42.4711")));

@@ -1,4 +1,4 @@
-// Parallel rays through a screen (kernels/camera/orthographic.clh).
+// Orthographic camera: parallel rays through a screen (kernels/camera/orthographic.clh).
 
 #include "kinds/camera_packing.h"
 

@@ -1,4 +1,4 @@
-// A pinhole or a thin lens in front of a screen (kernels/camera/perspective.clh).
+// Perspective camera: a pinhole or a thin lens (kernels/camera/perspective.clh).
 
 #include "kinds/camera_packing.h"
 #include <cmath>

@@ -1,4 +1,4 @@
-// A lens system in front of a film (kernels/camera/realistic.clh).
+// Realistic camera: a system of lenses in front of a film (kernels/camera/realistic.clh).
 
 #include "kinds/camera_packing.h"
 #include "pack/lens.h"
@@ -31,14 +31,13 @@ static void read(const pbrt::CameraReading& in, CameraDescription& camera) {
     in.reading.scene.images.push_back(file);
 }
 
-/// A realistic camera's lens and film.
 static void pack(Packer& packer, const CameraDescription& description, camera& view) {
     const FilmDescription& film = packer.scene.film;
     SceneTables& tables = packer.packed.tables;
     packer.packed.require(Feature::IMPORTANCE, description.where.toString());
     const LensSystem lens(description, film.diagonal);
     if (lens.stopIsTooWide())
-        packer.diagnostics.warn(description.where, "the aperture is wider than the lens's stop can be; it is as wide as that");
+        packer.diagnostics.warn(description.where, "the aperture is larger than the lens's stop; it is clamped to the stop");
     tables.lens_elements = lens.elements();
     tables.pupils = lens.pupils();
     view.element_count = static_cast<uint>(tables.lens_elements.size());
@@ -65,8 +64,8 @@ static void pack(Packer& packer, const CameraDescription& description, camera& v
 /// point x: height and slope behind each element are multiples of x (Pharr et al. 2016, section 6.4.1).
 static std::optional<glm::dvec2> project(const PackedScene& scene, glm::dvec3 p) {
     struct Ray { double height, slope, z; };
-    Ray film{1, 0, 0}, slope{0, 1, 0};   /* those of height 1 and of slope 1 at the film: all others are sums of them */
-    double across = 0;                   /* the slope at the film of the ray from height 1 through the stop's middle */
+    Ray film{1, 0, 0}, slope{0, 1, 0};   /* basis: height 1, slope 0 and height 0, slope 1 at the film */
+    double across = 0;                   /* slope at the film of the chief ray from height 1 */
     double last = 0;
     for (const lens_element& e : scene.tables.lens_elements) {
         for (Ray* r : {&film, &slope}) {

@@ -1,4 +1,4 @@
-// All directions around a point, by one of two mappings to the image (kernels/camera/spherical.clh).
+// Spherical camera: all directions around a point, by one of two mappings to the image (kernels/camera/spherical.clh).
 
 #include "kinds/camera_packing.h"
 #include "image/equal_area.h"

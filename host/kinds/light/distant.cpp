@@ -1,4 +1,4 @@
-// Parallel light (kernels/light/distant.clh).
+// Distant light: parallel rays (kernels/light/distant.clh).
 
 #include "kinds/light_packing.h"
 #include "kinds/light_reading.h"

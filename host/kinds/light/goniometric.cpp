@@ -1,5 +1,5 @@
-// A point whose intensity is I times an image over the sphere of directions, square, in the equal-area mapping
-// (kernels/light/goniometric.clh). Its +z is +y of light space; the mean of R, G and B is the image, as in pbrt-v4.
+// Goniometric light: a point light whose intensity is I times a square image in the equal-area mapping of the sphere
+// (kernels/light/goniometric.clh). As in pbrt-v4, the image's +z is +y of light space, and its values are the mean of R, G and B.
 
 #include "kinds/light_packing.h"
 #include "kinds/light_reading.h"

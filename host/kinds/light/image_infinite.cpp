@@ -1,4 +1,4 @@
-// An image over the sphere of directions, square, in the equal-area octahedral mapping of Clarberg 2008 (kernels/light/image_infinite.clh).
+// Infinite light with an image: square, in the equal-area octahedral mapping of Clarberg 2008 (kernels/light/image_infinite.clh).
 
 #include "color/luminance.h"
 #include "kinds/light_packing.h"
@@ -8,7 +8,7 @@
 
 namespace eikonal {
 
-/// Radiance of each texel, and alias tables over rows and within each row. Returns the mean luminance.
+/// Adds the texels' radiance, and alias tables that choose a row and a texel in the row. Returns the mean luminance.
 static double addTexels(Packer& packer, const ImageData& image, const Light& d) {
     const int n = image.width;
     double scale = d.scale, sum = 0;

@@ -1,4 +1,4 @@
-// A point that emits alike in all directions (kernels/light/point.clh).
+// Point light: the same intensity in all directions (kernels/light/point.clh).
 
 #include "kinds/light_packing.h"
 #include "kinds/light_reading.h"

@@ -1,5 +1,4 @@
-// An infinite light as far as it comes in through a rectangle: an image, or the same radiance from all directions
-// (kernels/light/portal_infinite.clh).
+// Infinite light seen through a rectangular portal: an image, or the same radiance from all directions (kernels/light/portal_infinite.clh).
 
 #include "image/equal_area.h"
 #include "kinds/light_packing.h"
@@ -9,7 +8,7 @@
 
 namespace eikonal {
 
-/// Interpolated; beyond an edge of the square lies another part of it.
+/// Bilinear interpolation. Beyond an edge it continues where the octahedral mapping does.
 static glm::dvec3 lookUp(const ImageData& image, glm::dvec2 square) {
     const int n = image.width;
     const auto texel = [&](int x, int y) {

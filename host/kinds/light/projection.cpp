@@ -1,4 +1,4 @@
-// A slide in front of a point, projected along +z of light space, its top at +y (kernels/light/projection.clh).
+// Projection light: a slide in front of a point light, projected along +z of light space with its top at +y (kernels/light/projection.clh).
 
 #include "color/luminance.h"
 #include "kinds/light_packing.h"

@@ -1,4 +1,4 @@
-// A point that emits into a cone with a smooth edge (kernels/light/spot.clh).
+// Spotlight: a point light with a cone that falls off smoothly at its edge (kernels/light/spot.clh).
 
 #include "kinds/light_packing.h"
 #include "kinds/light_reading.h"

@@ -1,5 +1,4 @@
-// The same radiance from all directions (kernels/light/uniform_infinite.clh); and the directive "infinite", which has an image or a portal,
-// too.
+// Uniform infinite light (kernels/light/uniform_infinite.clh). Also reads the directive "infinite" for lights with an image or a portal.
 
 #include "kinds/light_packing.h"
 #include "kinds/light_reading.h"
@@ -9,7 +8,7 @@
 
 namespace eikonal {
 
-/// The corners of a portal. Throws SceneError unless they are those of a rectangle.
+/// The corners of a portal. Throws SceneError if they do not form a rectangle.
 static std::array<glm::dvec3, 4> readPortal(const pbrt::Arguments& arguments) {
     const std::vector<glm::vec3> corners = arguments.vectors3("portal");
     if (corners.size() != 4)
@@ -21,7 +20,7 @@ static std::array<glm::dvec3, 4> readPortal(const pbrt::Arguments& arguments) {
                              glm::length(up - y) <= 1e-3 * size && std::abs(glm::dot(x, y)) <= 1e-3 * glm::length(x) * glm::length(y);
     if (!isRectangle)
         throw SceneError(arguments.whereOf("portal"),
-                         "the corners of a portal must be those of a rectangle, one after the other along its edge");
+                         "the corners of a portal must form a rectangle, in order around its edge");
     return p;
 }
 

@@ -1,4 +1,4 @@
-// A metal under a dielectric coat; the inputs of the metal begin with metal_.
+// A conductor under a dielectric coat. The conductor's inputs begin with metal_.
 
 #include "kinds/material_packing.h"
 

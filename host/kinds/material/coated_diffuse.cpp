@@ -1,4 +1,4 @@
-// Diffuse under a dielectric coat, with a medium between (Pharr et al. 2023, section 14.3).
+// A diffuse surface under a dielectric coat, with a medium in between (Pharr et al. 2023, section 14.3).
 
 #include "kinds/material_packing.h"
 

@@ -1,4 +1,4 @@
-// Glass and the like, smooth or rough.
+// A dielectric such as glass, smooth or rough.
 
 #include "kinds/material_packing.h"
 

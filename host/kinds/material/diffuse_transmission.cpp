@@ -1,4 +1,4 @@
-// Scatters light to both sides.
+// Diffuse reflection and diffuse transmission.
 
 #include "kinds/material_packing.h"
 #include "kinds/material_reading.h"

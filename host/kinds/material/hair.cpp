@@ -1,4 +1,4 @@
-// Hair (Chiang et al. 2016); h, from -1 to 1, is where across the fiber.
+// Hair (Chiang et al. 2016). h in [-1, 1] is the position across the fiber.
 
 #include "kinds/material_packing.h"
 #include "kinds/material_reading.h"

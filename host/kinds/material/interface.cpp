@@ -1,4 +1,4 @@
-// No surface: only a boundary of media.
+// Null interface: only separates media.
 
 #include "kinds/material_packing.h"
 

@@ -1,4 +1,4 @@
-// One material or the other, by `amount`, the weight of the second.
+// One of two materials, chosen at random; `amount` is the probability of the second.
 
 #include "kinds/material_packing.h"
 #include "kinds/material_reading.h"

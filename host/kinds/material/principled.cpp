@@ -1,4 +1,4 @@
-// What OBJ describes (no pbrt material); inputs base metallic eta uroughness vroughness coat coatroughness sheen.
+// The physically based material of MTL files; not in pbrt. Inputs: base metallic eta uroughness vroughness coat coatroughness sheen.
 
 #include "kinds/material_packing.h"
 

@@ -1,4 +1,4 @@
-// A dielectric boundary around a body in which light wanders: by a random walk or a diffusion profile.
+// A dielectric boundary around a scattering body, rendered by random walks or by a diffusion profile.
 
 #include "kinds/material_packing.h"
 #include "kinds/material_reading.h"

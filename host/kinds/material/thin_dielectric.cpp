@@ -1,4 +1,4 @@
-// A pane of glass.
+// A thin dielectric sheet, such as a pane of glass.
 
 #include "kinds/material_packing.h"
 

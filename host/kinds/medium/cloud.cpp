@@ -1,4 +1,4 @@
-// A cloud: fractal noise over a fog that thickens downwards (kernels/medium/cloud.clh). It does not emit.
+// Procedural cloud: fractal noise, denser towards the bottom (kernels/medium/cloud.clh). It does not emit.
 
 #include "kinds/medium_packing.h"
 #include "kinds/medium_reading.h"

@@ -1,4 +1,4 @@
-// A medium that is the same everywhere (kernels/medium/homogeneous.clh).
+// Homogeneous medium (kernels/medium/homogeneous.clh).
 
 #include "kinds/medium_packing.h"
 #include "kinds/medium_reading.h"
@@ -15,7 +15,7 @@ static void readPreset(const pbrt::MediumReading& in, const std::string& preset,
     const std::string near = nearestWord(preset, pbrt::mediumPresetNames());
     in.reading.unsupported("preset " + preset, in.arguments.whereOf("preset"),
                            "there is no preset \"" + preset + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?") +
-                               " (sigma_a and sigma_s count instead)");
+                               " (sigma_a and sigma_s are used instead)");
 }
 
 static bool read(const pbrt::MediumReading& in, Medium& medium) {

@@ -38,7 +38,7 @@ static bool read(const pbrt::MediumReading& in, Medium& medium) {
     return true;
 }
 
-/// The box of a grid's voxels in the medium's space: from the first voxel to one behind the last.
+/// The box of a grid's voxels in medium space, from the first voxel to one past the last.
 static Box boxOf(const SparseGrid& grid) {
     const glm::dmat4 mediumFromVoxel = glm::inverse(grid.voxelFromMedium);
     Box box;

@@ -17,7 +17,7 @@ static bool read(const pbrt::MediumReading& in, Medium& medium) {
         throw SceneError(arguments.whereOf("Le"), "an emitting medium must absorb: \"rgb Le\" needs \"rgb sigma_a\"");
     readBox(arguments, medium);
     medium.sigmaA = medium.sigmaS = Spectrum::constant(arguments.number("scale"));
-    /* pbrt-v4 does not divide these by the luminance of white, unlike the emission of lights */
+    /* As in pbrt-v4, and unlike the emission of lights, these are not divided by the luminance of white */
     medium.emissionScale = arguments.number("Lescale") * integrateXyz(whiteSpectrum(arguments.space())).y;
     return true;
 }
@@ -33,7 +33,7 @@ static uint packColors(Packer& packer, const std::vector<glm::vec3>& colors, con
     return first;
 }
 
-/// Majorants are those of a grid of the greatest component of sigma_t.
+/// Packs the majorants of the largest component of sigma_t.
 static void packColorMajorants(Packer& packer, const ColorGrid& grid, medium& m) {
     SceneTables& tables = packer.packed.tables;
     Grid greatest{grid.nx, grid.ny, grid.nz, std::vector<float>(size_t(grid.nx) * grid.ny * grid.nz)};
@@ -42,7 +42,7 @@ static void packColorMajorants(Packer& packer, const ColorGrid& grid, medium& m)
         const color* s = m.first_sigma_s == NONE ? nullptr : &tables.medium_colors[m.first_sigma_s + i];
         greatest.values[i] = greatestSum(packer, a, s);
     }
-    const float everywhere = m.first_sigma_a == NONE || m.first_sigma_s == NONE ? 1.f : 0.f;   // what is not given is 1
+    const float everywhere = m.first_sigma_a == NONE || m.first_sigma_s == NONE ? 1.f : 0.f;   // sigma_a or sigma_s defaults to 1
     SceneTables scratch;
     const uint packed = packGrid(scratch, greatest, voxelFromBox(grid.nx, grid.ny, grid.nz));
     packMajorants(tables, m, majorantCells({grid.nx, grid.ny, grid.nz}),

@@ -1,4 +1,4 @@
-// A mesh of bilinear patches, and what emits of one (kernels/shape/bilinear.clh, kernels/light/bilinear.clh).
+// Mesh of bilinear patches, which may emit (kernels/shape/bilinear.clh, kernels/light/bilinear.clh).
 
 #include "kinds/shape_packing.h"
 #include "kinds/shape_reading.h"
@@ -39,7 +39,7 @@ static light packLight(const AreaElement& e, const color& L) {
     light l = newLight(kind_bilinear_light, L);
     l.p = toVec3(p00); l.a = toVec3(p10 - p00); l.b = toVec3(p01 - p00); l.c = toVec3(p11 - p10 - p01 + p00);
     glm::dvec3 n = glm::cross(p10 + p11 - p00 - p01, p01 + p11 - p00 - p10);
-    /* The area by quadrature: what the sampler's probability needs */
+    /* Integrate the area numerically; the light sampler's probability needs it */
     double area = 0;
     constexpr int steps = 16;
     for (int i = 0; i < steps * steps; ++i) {
@@ -56,7 +56,7 @@ static light packLight(const AreaElement& e, const color& L) {
 
 static void boundLight(const light& l, double, LightBounds& bounds) {
     const glm::dvec3 p = toGlm(l.p), x = toGlm(l.a), y = toGlm(l.b);
-    /* Normals are linear in u and in v, so those at the corners bound them; on which side it shines is as in sample_bilinear_light */
+    /* The normals at the corners bound all normals, which are bilinear; the emitting side is that of sample_bilinear_light */
     const glm::dvec3 c = toGlm(l.c);
     for (int i = 0; i < 4; ++i) {
         const double u = i & 1, v = i >> 1;

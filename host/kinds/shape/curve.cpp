@@ -1,4 +1,4 @@
-// Curves with a width (kernels/shape/curve.clh).
+// Curves (kernels/shape/curve.clh).
 
 #include "kinds/shape_packing.h"
 #include "kinds/shape_reading.h"
@@ -23,7 +23,8 @@ static Box bound(const Shape& s, const glm::dmat4& m) {
     return box;
 }
 
-/// In the space of the hierarchy if its widths and its left and right stay what they are, else with maps, which each ray then goes through.
+/// Packs the curve in the hierarchy's space if m is a similarity without mirroring; otherwise packs it in object space with transforms,
+/// which the kernel applies to each ray.
 static size_t pack(const ShapePacking& in) {
     const Curve& description = *in.description.curve;
     SceneTables& tables = in.tables;

@@ -1,4 +1,4 @@
-// A cylinder, and the light that it is if it emits (kernels/shape/cylinder.clh, kernels/light/cylinder.clh).
+// Cylinder, which may emit (kernels/shape/cylinder.clh, kernels/light/cylinder.clh).
 
 #include "kinds/shape_packing.h"
 #include "kinds/shape_reading.h"
@@ -19,7 +19,7 @@ static bool read(const pbrt::ShapeReading& in, pbrt::PendingShape& pending) {
     return keepIf(s.radius > 0 && s.zMin < s.zMax && s.phiMax > 0, in);
 }
 
-/// A circle reaches as far along each axis as its two radii together, at right angles.
+/// Bounds both end circles. Along each axis a circle extends by the norm of its two radius vectors' components.
 static Box bound(const Shape& s, const glm::dmat4& m) {
     const glm::dvec3 reach = s.radius * glm::sqrt(glm::dvec3(m[0] * m[0] + m[1] * m[1]));
     Box box;
@@ -46,7 +46,7 @@ static light packLight(const AreaElement& e, const color& L) {
     l.p = toVec3(transformPoint(m, {0, 0, cylinder.zMin}));
     l.a = toVec3(a); l.b = toVec3(b); l.c = toVec3(c);
     l.extent = static_cast<float>(shareOfCircle(cylinder.phiMax));
-    /* The area by quadrature: what the sampler's probability needs */
+    /* Integrate the area numerically; the light sampler's probability needs it */
     double area = 0;
     constexpr int steps = 256;
     for (int i = 0; i < steps; ++i) {

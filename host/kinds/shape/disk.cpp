@@ -1,4 +1,4 @@
-// A disk, and the light that it is if it emits (kernels/shape/disk.clh, kernels/light/disk.clh).
+// Disk, which may emit (kernels/shape/disk.clh, kernels/light/disk.clh).
 
 #include "kinds/shape_packing.h"
 #include "kinds/shape_reading.h"

@@ -1,4 +1,4 @@
-// Surfaces F(x, y, z) = 0 within a box (kernels/shape/implicit.clh).
+// Implicit surface F(x, y, z) = 0 within a box (kernels/shape/implicit.clh).
 
 #include "kinds/shape_packing.h"
 #include "kinds/shape_reading.h"
@@ -23,7 +23,7 @@ static size_t pack(const ShapePacking& in) {
         {toVec3(surface.low), toVec3(surface.high), static_cast<uint>(instructions.size()), static_cast<uint>(program.size())});
     instructions.insert(instructions.end(), program.begin(), program.end());
     ++in.packer.packed.counts.implicits;
-    /* Its inside is where F is negative, mirrored or not */
+    /* The inside is where F < 0, also if the transform mirrors */
     return addQuadric(in, quadric{}, false);
 }
 
@@ -34,6 +34,6 @@ static const ShapeDirective directives[] = {
 const ShapeTraits implicit_shape{.directives = directives,
                                  .bound = bound,
                                  .pack = pack,
-                                 .cannotEmit = "an implicit surface cannot emit, since no point of it can be sampled"};
+                                 .cannotEmit = "an implicit surface cannot emit, since its points cannot be sampled"};
 
 }  // namespace eikonal

@@ -1,4 +1,4 @@
-// A sphere or a part of one, and the lights that it is if it emits (kernels/shape/sphere.clh, kernels/light/sphere.clh and ellipsoid.clh).
+// Sphere or part of one, which may emit (kernels/shape/sphere.clh, kernels/light/sphere.clh, kernels/light/ellipsoid.clh).
 
 #include "kinds/shape_packing.h"
 #include "kinds/shape_reading.h"
@@ -30,7 +30,7 @@ static size_t pack(const ShapePacking& in) {
     return addQuadric(in, q, isMirrored(in));
 }
 
-/// A whole one that is still a sphere in the scene is sampled from outside by the cone that it fills.
+/// A full sphere that is not stretched is sampled by the cone that it subtends; any other as an ellipsoid.
 static light_kind lightKindOf(const Shape& s, const glm::dmat4& m) {
     const bool isWhole = s.zMin <= -s.radius && s.zMax >= s.radius && s.phiMax >= 360;
     return isWhole && uniformScale(m) != 0 ? kind_sphere_light : kind_ellipsoid_light;
@@ -57,7 +57,7 @@ static void boundLight(const light& l, double, LightBounds& bounds) {
 
 const LightTraits sphere_light{.packElement = packLight, .bound = boundLight};
 
-/* A part of a sphere, or of an ellipsoid */
+/* Partial sphere or ellipsoid */
 
 static light packLightOfPart(const AreaElement& e, const color& L) {
     const Shape& sphere = e.description;
@@ -71,7 +71,7 @@ static light packLightOfPart(const AreaElement& e, const color& L) {
     const double low = std::clamp(sphere.zMin / sphere.radius, -1.0, 1.0), high = std::clamp(sphere.zMax / sphere.radius, -1.0, 1.0);
     l.cos_inner = static_cast<float>(low);
     l.cos_outer = static_cast<float>(high);
-    /* The area by quadrature: what the sampler's probability needs */
+    /* Integrate the area numerically; the light sampler's probability needs it */
     double area = 0;
     constexpr int steps = 64;
     for (int i = 0; i < steps * steps; ++i) {

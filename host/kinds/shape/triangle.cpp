@@ -1,4 +1,4 @@
-// A mesh of triangles, and what emits of one (kernels/shape/triangle.clh, kernels/light/triangle.clh).
+// Triangle mesh, which may emit (kernels/shape/triangle.clh, kernels/light/triangle.clh).
 
 #include "kinds/shape_packing.h"
 #include "kinds/shape_reading.h"
@@ -18,7 +18,7 @@ static bool readSubdivided(const pbrt::ShapeReading& in, pbrt::PendingShape& pen
     return true;
 }
 
-/// Its faces of four corners become bilinear patches when the file has been read (read/pbrt/shapes.cpp).
+/// Once the file is read, faces with four corners become bilinear patches (read/pbrt/shapes.cpp).
 static bool readPly(const pbrt::ShapeReading& in, pbrt::PendingShape& pending) {
     if (!in.arguments.has("filename")) throw SceneError(in.arguments.where(), "shape \"plymesh\" needs a \"string filename\"");
     const std::optional<std::string> path = in.arguments.file("filename");
@@ -32,7 +32,7 @@ static bool readPly(const pbrt::ShapeReading& in, pbrt::PendingShape& pending) {
 }
 
 static size_t pack(const ShapePacking& in) {
-    if (in.description.displacement) throw std::logic_error("a mesh is to be displaced before it is packed (render/displacement.h)");
+    if (in.description.displacement) throw std::logic_error("meshes must be displaced before they are packed (render/displacement.h)");
     const size_t count = in.description.mesh->indices.size() / 3;
     if (count == 0) return 0;
     addVertices(in);

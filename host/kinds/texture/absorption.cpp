@@ -1,4 +1,4 @@
-// Absorption of hair from its colour and azimuthal roughness; made for the material "hair".
+// Absorption of hair from its colour and azimuthal roughness. Only the material "hair" makes such textures.
 
 #include "kinds/texture_kind.h"
 

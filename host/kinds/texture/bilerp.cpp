@@ -1,4 +1,4 @@
-// Interpolation between the corners of the unit square of texture coordinates, extrapolated outside.
+// Bilinear interpolation between the corners of the unit square in (u, v), extrapolated outside.
 
 #include "kinds/texture_packing.h"
 #include "kinds/texture_reading.h"

@@ -1,4 +1,4 @@
-// Squares or cubes, alternately of one and of another texture.
+// Checkerboard of two textures, in two or three dimensions.
 
 #include "kinds/texture_packing.h"
 #include "kinds/texture_reading.h"

@@ -1,5 +1,5 @@
-// Diffuse albedo of a deep body from its coefficients per world unit, made for the material "subsurface". Its image is a row of
-// albedos for its g and eta (color/diffuse_albedo.h).
+// Diffuse albedo of a semi-infinite body from its coefficients per world unit. Only the material "subsurface" makes such textures. The
+// image is a row of albedos for the body's g and eta (color/diffuse_albedo.h).
 
 #include "kinds/texture_packing.h"
 

@@ -1,4 +1,4 @@
-// A blend by the angle between the surface and a direction: the first where its geometric normal is parallel to it.
+// A blend of two textures by the angle between the geometric normal and a direction: only the first where they are parallel.
 
 #include "kinds/texture_packing.h"
 #include "kinds/texture_reading.h"

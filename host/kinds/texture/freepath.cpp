@@ -1,4 +1,4 @@
-// Mean free path of reduced scattering from coefficients: 1 / (sigma_a + (1 - g) sigma_s). Made for the material "subsurface".
+// Transport mean free path, 1 / (sigma_a + (1 - g) sigma_s). Only the material "subsurface" makes such textures.
 
 #include "kinds/texture_packing.h"
 

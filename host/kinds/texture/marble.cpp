@@ -1,4 +1,4 @@
-// Layers of stone, displaced by noise.
+// Marble: layers of colour, displaced by noise.
 
 #include "kinds/texture_packing.h"
 #include "kinds/texture_reading.h"

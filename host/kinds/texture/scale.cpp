@@ -1,4 +1,4 @@
-// A texture times another.
+// The product of two textures.
 
 #include "kinds/texture_reading.h"
 

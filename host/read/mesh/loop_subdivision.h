@@ -7,7 +7,7 @@ namespace eikonal {
 
 /// The result of a subdivision.
 struct SubdividedMesh {
-    Mesh mesh;                 ///< on the limit surface, with its normals, which point against the right-hand rule, as in pbrt-v4
+    Mesh mesh;                 ///< on the limit surface; its normals point opposite to the right-hand rule, as in pbrt-v4
     size_t droppedFaces = 0;   ///< faces that name a vertex twice
 };
 

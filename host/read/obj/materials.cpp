@@ -18,7 +18,7 @@ namespace {
 double maximum(const glm::dvec3& c) { return std::max({c.x, c.y, c.z}); }
 double mean(const glm::dvec3& c) { return (c.x + c.y + c.z) / 3; }
 
-/// The width of GGX microfacets whose highlight matches that of a Blinn-Phong exponent: Walter et al. 2007.
+/// The GGX alpha whose highlight matches a Blinn-Phong exponent: Walter et al. 2007.
 double widthOfExponent(double exponent) { return std::sqrt(2 / (exponent + 2)); }
 
 /// The index of refraction with a reflectance of 8 % times the specular colour: the convention of Disney's "specular", which exporters

@@ -26,7 +26,7 @@ void addLight(Reading& reading, TextureRegistry& textures, const std::string& ki
     const Kind& kind = lightKinds().find(kindName, where);
     const Arguments arguments(reading, kind, where, std::move(parameters), state.attributesOf(Target::light), state.space);
     if (state.transform[0] != state.transform[1])
-        reading.unsupported("moving light", where, "a light that moves is not rendered yet; it stays where it is when the shutter opens");
+        reading.unsupported("moving light", where, "a moving light is not rendered yet; it stays where its motion starts");
     Light light;
     light.kind = &kindOf(static_cast<light_kind>(kind.value));
     const LightTraits& traits = light.kind->traits;

@@ -47,7 +47,7 @@ int MaterialRegistry::define(const std::string& name, const std::string& kindNam
     auto arguments =
         std::make_unique<Arguments>(reading_, kind, where, std::move(parameters), state.attributesOf(Target::material), state.space);
     if (kindName == "none" || kindName.empty())
-        reading_.diagnostics.warnOnce("material none", where, kind.title() + " is deprecated; \"interface\" is its name in pbrt-v4");
+        reading_.diagnostics.warnOnce("material none", where, kind.title() + " is deprecated; use \"interface\", its name in pbrt-v4");
     if (name.empty()) {
         entries_.push_back({"", std::move(arguments)});
         return static_cast<int>(entries_.size()) - 1;

@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 template <class WhereOf> SampledCurve toCurve(const std::vector<double>& numbers, const SourceLocation& where, WhereOf&& whereOf) {
     if (numbers.size() % 2)
         throw SceneError(where, fmt::format("a spectrum is pairs of a wavelength in nm and a value; {} number{}", numbers.size(),
-                                            numbers.size() == 1 ? " is no pair" : "s are not pairs"));
+                                            numbers.size() == 1 ? " is not a pair" : "s are not pairs"));
     SampledCurve curve;
     for (size_t i = 0; i < numbers.size(); i += 2) {
         if (i > 0 && !(numbers[i] > numbers[i - 2]))

@@ -60,7 +60,7 @@ void TextureRegistry::define(const std::string& name, bool isFloat, const std::s
     order_.push_back(place->first);
     if (state.transform[0] != state.transform[1])
         reading_.unsupported("moving texture", where,
-                             "a texture that moves is not rendered yet; it stays where it is when the shutter opens");
+                             "a moving texture is not rendered yet; it stays where its motion starts");
 }
 
 int TextureRegistry::find(const std::string& name, bool isFloat, const SourceLocation& where) {
@@ -137,7 +137,7 @@ int TextureRegistry::build(const Key& key, Definition& definition) {
     definition.beingBuilt = true;
     Texture texture;
     reading_.problems.guard([&] { read(definition, texture); });
-    if (!texture.kind) {   // what could not be read, which has been noted
+    if (!texture.kind) {   // it could not be read, which has been reported
         texture.kind = &kindOf(kind_constant_texture);
         texture.operands = {Input{}};
     }
