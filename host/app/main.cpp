@@ -26,7 +26,7 @@ static int run(const Options& options) {
     return static_cast<int>(ExitCode::usage);
 }
 
-/// Errors of scenes and files are lines that begin with file:line:column, so no prefix goes before them.
+/// Prints an error. Errors in scenes and files already begin with file:line:column, so they get no prefix.
 static int fail(ExitCode code, const std::string& message) {
     std::fprintf(stderr, "%s\n", printable(message).c_str());
     return static_cast<int>(code);

@@ -21,7 +21,7 @@ std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& 
 /// Whether some file can hold additional channels; warns if none can.
 static bool canHold(const char* what, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
     if (std::ranges::any_of(files, holdsChannels)) return true;
-    diagnostics.warn(film.where, fmt::format("{} are left out: {} cannot hold them; add `-o FILE.exr`", what, fmt::join(files, ", ")));
+    diagnostics.warn(film.where, fmt::format("{} are omitted: {} cannot hold them; add `-o FILE.exr`", what, fmt::join(files, ", ")));
     return false;
 }
 

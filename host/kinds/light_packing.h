@@ -33,11 +33,10 @@ double sceneRadius(const Packer&);
 glm::dmat3 rotationOf(const Light&);
 inline glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
 
-/// The image of a light.
 const ImageData& imageOf(const Packer&, const Light&);
 /// An image over the sphere of directions. Throws SceneError unless it is square.
 const ImageData& sphereImage(const Packer&, const Light&);
-/// The texel of column x and row y; nothing is negative.
+/// The texel in column x and row y, negative values clamped to 0.
 glm::dvec3 texelOf(const ImageData&, int x, int y);
 /// The mean of R, G and B.
 double greyOf(glm::dvec3 rgb);

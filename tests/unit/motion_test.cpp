@@ -108,7 +108,7 @@ TEST_F(PbrtMotion, WhatCannotBeIsNamed) {
             "ActiveTransform EndTime Scale 1 0 1\nShape \"trianglemesh\" \"point3 P\" [0 0 0 1 0 0 0 1 0] \"integer indices\" [0 1 2]"),
         HasSubstr("test.pbrt:3:1: the transform of something that moves cannot be inverted"));
     EXPECT_THAT(warningsOfWorld("AreaLightSource \"diffuse\" ActiveTransform EndTime Translate 1 0 0 Shape \"sphere\""),
-                ElementsAre(HasSubstr("a shape that moves cannot emit")));
+                ElementsAre(HasSubstr("a moving shape cannot emit")));
 }
 
 /// A scene is as large as what moves in it gets while the shutter is open.

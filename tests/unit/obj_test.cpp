@@ -112,7 +112,7 @@ TEST_F(ObjTest, keepsTheDetailOfModelsFarFromTheOrigin) {
 TEST_F(ObjTest, leavesOutTrianglesWithoutArea) {
     const Scene scene = load(square + "v .5 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 5\n");
     EXPECT_EQ(meshOf(scene).indices.size(), 3u);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("2 of 3 triangles have no area")));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("2 of 3 triangles have zero area")));
 }
 
 TEST_F(ObjTest, warnsOnceOfWhatItDoesNotRender) {

@@ -101,7 +101,7 @@ TEST_F(PbrtLights, whatCannotEmit) {
     EXPECT_EQ(world("AreaLightSource \"diffuse\" Material \"interface\" Shape \"sphere\"").shapes[0].areaLight, none);
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("cannot emit")));
     EXPECT_EQ(world("AreaLightSource \"diffuse\" ObjectBegin \"o\" Shape \"sphere\" ObjectEnd").objects[0].shapes[0].areaLight, none);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a shape of an object cannot emit")));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a shape inside an object cannot emit")));
 }
 
 TEST_F(PbrtLights, lightsWithAnImage) {

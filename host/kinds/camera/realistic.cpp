@@ -60,8 +60,8 @@ static void pack(Packer& packer, const CameraDescription& description, camera& v
     view.step_y = static_cast<float>(pixel);
 }
 
-/// The film point of a realistic camera whose light comes from p through the middle of the stop. Near the axis a ray is linear in its film
-/// point x: height and slope behind each element are multiples of x (Pharr et al. 2016, section 6.4.1).
+/// The film point at which p is seen, by the chief ray (through the centre of the stop). Paraxial: heights and slopes are linear in the
+/// film point (Pharr et al. 2016, section 6.4.1).
 static std::optional<glm::dvec2> project(const PackedScene& scene, glm::dvec3 p) {
     struct Ray { double height, slope, z; };
     Ray film{1, 0, 0}, slope{0, 1, 0};   /* basis: height 1, slope 0 and height 0, slope 1 at the film */

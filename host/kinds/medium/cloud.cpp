@@ -26,8 +26,8 @@ static medium pack(Packer& packer, const Medium& d) {
     m.wispiness = static_cast<float>(d.wispiness);
     m.frequency = static_cast<float>(d.frequency);
 
-    /* Majorants of slabs. Above y = 1/2 the density is at most (1 - y) 4.5 density |noise|, where five octaves of noise add up to < 1.01.
-     */
+    /* Compute majorants of horizontal slabs. Above y = 1/2 the density is at most (1 - y) 4.5 density |noise|, where five octaves of
+       noise add up to < 1.01 */
     packMajorants(packer.packed.tables, m, {1, 32, 1}, [&](glm::dvec3 low, glm::dvec3 high) {
         const double a = d.p0.y + low.y * m.extent.y, b = d.p0.y + high.y * m.extent.y;
         const double cloud = std::max(std::abs(1 - a), std::abs(1 - b)) * 4.5 * std::abs(d.noiseDensity) * 1.01;

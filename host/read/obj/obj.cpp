@@ -153,9 +153,9 @@ Scene readObj(const std::string& path, const ObjOptions& options, Diagnostics& d
     completeNormals(geometry);
     const ObjMeshes meshes = buildMeshes(geometry);
     if (meshes.triangles == 0)
-        throw SceneError({file, 0, 0}, "none of the faces has an area: a face needs three corners that are not on one line");
+        throw SceneError({file, 0, 0}, "all faces have zero area: a face needs three corners that are not on one line");
     if (meshes.degenerate > 0)
-        diagnostics.warn({file, 0, 0}, fmt::format("{} of {} triangles have no area and are left out", meshes.degenerate,
+        diagnostics.warn({file, 0, 0}, fmt::format("{} of {} triangles have zero area and are skipped", meshes.degenerate,
                                                    meshes.degenerate + meshes.triangles));
 
     Scene scene;

@@ -203,7 +203,7 @@ Spectrum Arguments::spectrum(const std::string& name, const Spectrum& fallback) 
             const auto& rgb = std::get<std::vector<double>>(parameter->values);
             if (std::ranges::any_of(rgb, [](double component) { return component > 1; }))
                 throw SceneError(parameter->where,
-                                 "\"" + parameter->declaration() + "\" has a component above 1: it would reflect more light than it gets");
+                                 "\"" + parameter->declaration() + "\" has a component above 1: it would reflect more than it receives");
         }
         return spectrum;
     }

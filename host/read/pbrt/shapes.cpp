@@ -59,7 +59,7 @@ void ShapeRegistry::add(const std::string& kindName, const GraphicsState& state,
     if (!traits.corners && !isInvertible(state.transform)) {
         /* A flattened mesh is still visible */
         reading_.diagnostics.warnOnce("flattened " + kind.title(), where,
-                                      kind.title() + ": its transform cannot be inverted, as with a Scale of 0; it is left out");
+                                      kind.title() + ": its transform cannot be inverted (is there a Scale of 0?); it is skipped");
         return;
     }
     pending.shape.where = where;
@@ -68,12 +68,12 @@ void ShapeRegistry::add(const std::string& kindName, const GraphicsState& state,
     pending.shape.reverseOrientation = state.reverseOrientation;
     pending.shape.areaLight = state.areaLight;
     if (openObject_ != none && state.areaLight != none) {
-        reading_.unsupported("area light in object", where, "a shape of an object cannot emit; its area light is ignored");
+        reading_.unsupported("area light in object", where, "a shape inside an object cannot emit; its area light is ignored");
         pending.shape.areaLight = none;
     }
     if (state.moves() && pending.shape.areaLight != none) {
         reading_.unsupported("moving area light", where,
-                             "a shape that moves cannot emit (nor does it in pbrt-v4); its area light is ignored");
+                             "a moving shape cannot emit, as in pbrt-v4; its area light is ignored");
         pending.shape.areaLight = none;
     }
     if (!traits.lightKindOf && state.areaLight != none) {
@@ -117,7 +117,7 @@ void ShapeRegistry::addInstance(const std::string& name, const GraphicsState& st
                                     "\"; objects cannot contain instances");
     if (!isInvertible(state.transform)) {
         reading_.diagnostics.warnOnce("flattened instance", where,
-                                      "the instance's transform cannot be inverted, as with a Scale of 0; it is left out");
+                                      "the instance's transform cannot be inverted (is there a Scale of 0?); it is skipped");
         return;
     }
     reading_.scene.instances.push_back({objectNamed(name), state.transform[0], endOfMotion(state, where), where});
