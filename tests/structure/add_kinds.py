@@ -5,8 +5,8 @@ Copies the sources to a temporary folder. For each family it copies a kind's fil
 nothing else. Then it builds that program, once for all kinds, renders a scene with the original and with the copy, and expects the same
 bits. What differs, or does not render, asks for a kind by its name somewhere outside of the kind's files. Takes some minutes.
 
---dry-run makes the copied tree and compiles nothing: it checks that each file and line was changed as intended, and that the compilers
-accept what was copied. Takes half a minute, and needs a configured build folder for the flags.
+--dry-run makes the copied tree and compiles nothing: it checks that each file and line was changed as intended, and that the compiler
+accepts what was copied of the host. Takes half a minute, and needs a configured build folder for the flags.
 """
 import argparse
 import hashlib
@@ -215,9 +215,9 @@ def check_text(tree, kind):
             yield f"{file} lost lines: {sorted(removed)}"
 
 
-def compile_flags():
+def compile_flags(file):
     """The command that compiles a file of the host, by the file's path from the root."""
-    commands = json.loads((ROOT / "build/compile_commands.json").read_text(encoding="utf-8"))
+    commands = json.loads(file.read_text(encoding="utf-8"))
     return {str(Path(c["file"]).relative_to(ROOT)): c for c in commands if Path(c["file"]).is_relative_to(ROOT)}
 
 
@@ -232,8 +232,8 @@ def check_host(tree, file, copied, flags):
     return run.stderr if run.returncode else ""
 
 
-def dry_run(tree, kinds):
-    flags, wrong = compile_flags(), 0
+def dry_run(tree, kinds, flags):
+    wrong = 0
     for kind in kinds:
         copy = KINDS[kind]
         problems = list(check_text(tree, kind))
@@ -300,6 +300,7 @@ def main():
     parser.add_argument("--folder", type=Path, help="work in this folder and keep it (default: a temporary one)")
     parser.add_argument("--kinds", nargs="+", choices=KINDS, default=list(KINDS))
     parser.add_argument("--dry-run", action="store_true", help="only check the copied text, and that it compiles")
+    parser.add_argument("--flags", type=Path, default=ROOT / "build/compile_commands.json", help="for --dry-run: how CMake compiles the host")
     options = parser.parse_args()
     folder = (options.folder or Path(tempfile.mkdtemp(prefix="eikonal-kinds-"))).resolve()
     tree = folder / "tree"
@@ -308,7 +309,7 @@ def main():
             shutil.rmtree(tree / name, ignore_errors=True)
         copy_tree(tree, options.kinds)
         if options.dry_run:
-            return dry_run(tree, options.kinds)
+            return dry_run(tree, options.kinds, compile_flags(options.flags))
         program = build_program(tree)
         write_png(folder / "directions.png", 8)
         failed = 0
