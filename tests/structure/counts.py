@@ -220,8 +220,8 @@ MEASURES = {
     "enumerations": ("enumerations of kinds on the host", 6, 8, enumerations_of_kinds),
     "goniometric": ("files of the goniometric light", 2, 2, lambda: files_of("goniometric")),
     "spherical": ("files of the spherical camera", 2, 2, lambda: [f for f in files_of("spherical") if "texture" not in f]),
-    "cylinder": ("files of the cylinder", 3, 3, lambda: [f for f in files_of("cylinder") if "curve" not in f]  # a curve may be a cylinder, too
-    ),
+    # A curve may be a cylinder, too
+    "cylinder": ("files of the cylinder", 3, 3, lambda: [f for f in files_of("(?<!curve_)cylinder") if "curve" not in f]),
     "cloud": ("files of the cloud medium", 2, 2, lambda: files_of("cloud")),
     "wrinkled": ("files of the wrinkled texture", 2, 2, lambda: files_of("wrinkled")),
     "coatedconductor": ("files of the coated conductor", 3, 3, lambda: files_of("coated_?conductor")),
