@@ -206,7 +206,8 @@ def dead_includes():
                 is_used = names_through(header) & words
             else:
                 brought = [header] + [h for _, h in included_by(header)] * bool(gathers(header))
-                is_used = any(names_of(h)[0] & words or names_of(h)[1] & members for h in brought)
+                others = set().union(*(names_of(h)[1] for _, h in included_by(f) if h not in brought))   # `.name` may be of any of them
+                is_used = any(names_of(h)[0] & words or names_of(h)[1] & members - others for h in brought)
             if not is_used:
                 dead.append(f"{name(f)}:{i}: {name(header)}")
     return dead
@@ -231,7 +232,7 @@ MEASURES = {
     "stages": ("stages that the host finds by a string", 0, 0, stages_by_name),
     "conditionals": ("`#if` in the files that the README names", 0, 0, conditionals_in_readme_files),
     "readme": ("files that the README names of more than 150 lines", 0, 0, long_readme_files),
-    "includes": ("dead includes", 0, 29, dead_includes),
+    "includes": ("dead includes", 0, 30, dead_includes),
 }
 
 
