@@ -1,4 +1,4 @@
-#include "feature_set.h"
+#include "kind_features.h"
 
 #include <algorithm>
 
@@ -33,6 +33,15 @@ static const std::vector<std::string>& reasons() {
     return list;
 }
 
+static_assert(KindFeature::count <= mostFeatures);
+size_t featureCount() { return KindFeature::count; }
+
+Features Features::everything() {
+    Features all;
+    for (size_t i = 0; i < featureCount(); ++i) all.require(static_cast<Feature>(i));
+    return all;
+}
+
 const std::string& featureName(Feature f) { return names()[static_cast<size_t>(f)]; }
 const std::string& featureReason(Feature f) { return reasons()[static_cast<size_t>(f)]; }
 
@@ -43,7 +52,8 @@ bool isGeneral(Feature f) {
 }
 
 Feature featureNamed(const std::string& name) {
-    return static_cast<Feature>(std::find(names().begin(), names().end(), name) - names().begin());
+    const auto found = std::find(names().begin(), names().end(), name);
+    return found == names().end() ? Feature::none : static_cast<Feature>(found - names().begin());
 }
 
 }  // namespace eikonal

@@ -1,5 +1,6 @@
 #pragma once
-// The features that a scene requires, as a bit set; the host's side of include/eikonal/features.h.
+// The features that a scene requires, as a bit set; the host's side of include/eikonal/features.h. A change of a list of kinds does
+// not change this file.
 
 #include "eikonal/features.h"
 
@@ -9,16 +10,17 @@
 
 namespace eikonal {
 
-enum class Feature {
+/// One of GENERAL_FEATURES, or the feature of a kind, whose names are in kind_features.h. Numbered through.
+enum class Feature : unsigned char {
 #define GENERAL(NAME, why) NAME,
-#define KIND_FEATURE(NAME, kind) NAME,
-    GENERAL_FEATURES(GENERAL) KIND_FEATURES
+    GENERAL_FEATURES(GENERAL)
 #undef GENERAL
-#undef KIND_FEATURE
-    count
+    none = 255
 };
 
-constexpr size_t featureCount = static_cast<size_t>(Feature::count);
+/// How many there are; those of kinds come last.
+size_t featureCount();
+constexpr size_t mostFeatures = 192;
 
 /// A set of features. Kernels see each as HAS_<name>, 0 or 1.
 class Features {
@@ -33,10 +35,10 @@ public:
     /// All features of spectral rendering whose wavelengths are sampled where the eye is sensitive.
     static Features allSpectral() { return everything().without(Feature::SPECTRAL_FILM); }
     /// All features: allSpectral() with evenly sampled wavelengths.
-    static Features everything() { Features f; f.bits_.set(); return f; }
+    static Features everything();
 
 private:
-    std::bitset<featureCount> bits_;
+    std::bitset<mostFeatures> bits_;
 };
 
 /// The name X in HAS_X.
@@ -45,7 +47,7 @@ const std::string& featureName(Feature f);
 const std::string& featureReason(Feature f);
 /// Whether it is one of GENERAL_FEATURES, rather than for a kind of shape, BSDF, light ...
 bool isGeneral(Feature f);
-/// The feature called `name`, or Feature::count.
+/// The feature called `name`, or Feature::none.
 Feature featureNamed(const std::string& name);
 
 }  // namespace eikonal

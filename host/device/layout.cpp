@@ -1,5 +1,6 @@
 #include "device/layout.h"
 
+#include "kind_features.h"
 #include "eikonal/bsdfs.h"
 #include "eikonal/film.h"
 #include "eikonal/queues.h"
@@ -55,7 +56,7 @@ QueueLayout filmLayout(const Features& features, uint buckets) {
 
 int bsdfWords(const Features& features) {
     std::vector<QueueLayout> layouts;
-#define ADD_BSDF(name, FEATURE, PARAMETERS) if (features.has(Feature::FEATURE)) ADD_LAYOUT(name, PARAMETERS)
+#define ADD_BSDF(name, FEATURE, PARAMETERS) if (features.has(KindFeature::FEATURE)) ADD_LAYOUT(name, PARAMETERS)
     BSDFS(ADD_BSDF)
 #undef ADD_BSDF
     int most = 0;

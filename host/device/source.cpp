@@ -137,7 +137,7 @@ void KernelSource::noteWords() {
 
 std::string KernelSource::options(const Features& features, const Constants& constants) const {
     std::string options;
-    for (size_t i = 0; i < featureCount; ++i) {
+    for (size_t i = 0; i < featureCount(); ++i) {
         const Feature feature = static_cast<Feature>(i);
         const std::string& name = featureName(feature);
         /* Queue fields name their feature without HAS_ */

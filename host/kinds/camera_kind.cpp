@@ -1,10 +1,11 @@
 #include "kinds/camera_kind.h"
 
+#include "kind_features.h"
 namespace eikonal {
 
 std::span<const CameraKind> cameraKindList() {
     static const CameraKind entries[] = {
-#define ADD_ENTRY(name, FEATURE, CODE) {#name, camera_##name, Feature::FEATURE, name##_camera},
+#define ADD_ENTRY(name, FEATURE, CODE) {#name, camera_##name, KindFeature::FEATURE, name##_camera},
         CAMERAS(ADD_ENTRY)
 #undef ADD_ENTRY
     };

@@ -1,6 +1,7 @@
 #pragma once
 // The host's side of each kind of camera: one file in host/kinds/camera/ for each line of CAMERAS (include/eikonal/cameras.h).
 
+#include "eikonal/camera.h"
 #include "eikonal/cameras.h"
 #include "feature_set.h"
 #include "scene/camera.h"

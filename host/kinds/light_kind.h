@@ -1,6 +1,7 @@
 #pragma once
 // The host's side of each kind of light: one file in host/kinds/light/ for each line of LIGHTS (include/eikonal/lights.h).
 
+#include "eikonal/light.h"
 #include "eikonal/lights.h"
 #include "feature_set.h"
 

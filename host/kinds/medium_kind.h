@@ -2,6 +2,7 @@
 // The host's side of each kind of medium: one file in host/kinds/medium/ for each line of MEDIA_KINDS (include/eikonal/media.h).
 
 #include "eikonal/media.h"
+#include "eikonal/medium.h"
 #include "feature_set.h"
 
 #include <span>

@@ -1,10 +1,11 @@
 #include "kinds/shape_kind.h"
 
+#include "kind_features.h"
 namespace eikonal {
 
 std::span<const ShapeKind> shapeKindList() {
     static const ShapeKind entries[] = {
-#define ADD_ENTRY(name, FEATURE, SPACE) {#name, shape_##name, Feature::FEATURE, name##_shape},
+#define ADD_ENTRY(name, FEATURE, SPACE) {#name, shape_##name, KindFeature::FEATURE, name##_shape},
         SHAPES(ADD_ENTRY)
 #undef ADD_ENTRY
     };

@@ -1,6 +1,7 @@
 #pragma once
 // The host's side of each kind of texture: one file in host/kinds/texture/ for each line of TEXTURES (include/eikonal/textures.h).
 
+#include "eikonal/texture.h"
 #include "eikonal/textures.h"
 #include "feature_set.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // Choosing one of many by weight in constant time, as kernels/light/alias.clh does.
 
-#include "eikonal/lights.h"
+#include "eikonal/light.h"
 #include "memory_pages.h"
 
 #include <span>

@@ -1,8 +1,8 @@
 #pragma once
-// The environment guide (include/eikonal/lights.h): for each place in the scene, from which directions an environment that is the same
+// The environment guide (include/eikonal/light.h): for each place in the scene, from which directions an environment that is the same
 // everywhere can be seen.
 
-#include "eikonal/lights.h"
+#include "eikonal/light.h"
 #include "pack/tables.h"
 
 #include <functional>

@@ -1,5 +1,5 @@
 #pragma once
-// Grids of numbers as the device reads them: bricks (include/eikonal/media.h), and bounds on what interpolation gives.
+// Grids of numbers as the device reads them: bricks (include/eikonal/medium.h), and bounds on what interpolation gives.
 
 #include "pack/space.h"
 #include "pack/tables.h"

@@ -1,7 +1,7 @@
 #pragma once
 // From an expression to the program that kernels/shape/implicit_program.clh runs.
 
-#include "eikonal/shapes.h"
+#include "eikonal/shape.h"
 #include "read/formats/expression.h"
 
 #include <vector>

@@ -2,7 +2,7 @@
 // The lens of a realistic camera: rays through its elements, in double precision, to focus it and to find its exit pupil
 // (Kolb et al. 1995; Pharr et al. 2016, section 6.4). The film lies at z = 0 and looks along +z; metres.
 
-#include "eikonal/cameras.h"
+#include "eikonal/camera.h"
 #include "memory_pages.h"
 #include "scene/scene.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 // The light tree (kernels/light/tree.clh): Conty Estevez and Kulla 2018, "Importance sampling of many lights with adaptive tree splitting".
 
-#include "eikonal/lights.h"
+#include "eikonal/light.h"
 #include "memory_pages.h"
 #include "pack/space.h"
 

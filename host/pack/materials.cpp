@@ -1,5 +1,6 @@
 // Materials: a BSDF, and what lies in and on the surface.
 
+#include "kind_features.h"
 #include "kinds/integrator_kind.h"
 #include "kinds/light_kind.h"
 #include "kinds/material_kind.h"
@@ -17,7 +18,7 @@ static constexpr material blank{next_none, 0, 0, NONE, NONE, NONE, NONE, NONE, N
 
 /// Which features the BSDF of a queue brings.
 static void requireBsdf(Packer& packer, next_queue h, const std::string& why) {
-#define REQUIRE_BSDF(name, FEATURE, PARAMETERS) if (h == next_##name) packer.packed.require(Feature::FEATURE, why);
+#define REQUIRE_BSDF(name, FEATURE, PARAMETERS) if (h == next_##name) packer.packed.require(KindFeature::FEATURE, why);
     BSDFS(REQUIRE_BSDF)
 #undef REQUIRE_BSDF
     if (transmits(h)) packer.packed.require(Feature::TRANSMISSION, why);
@@ -44,7 +45,7 @@ static uint packProfile(Packer& packer, InputWriter& in, const Material& descrip
     SceneTables& tables = packer.packed.tables;
     const auto [place, isNew] = packer.profiles.try_emplace(description.diffusion.get(), static_cast<uint>(tables.profiles.size()));
     if (!isNew) return place->second;
-    for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, Feature::BSDF_SUBSURFACE_EXIT})
+    for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, KindFeature::BSDF_SUBSURFACE_EXIT})
         packer.packed.require(feature, in.why());
     const DiffusionProfile& profile = profileIn(packer, description);
     const color albedo = packReflectance(packer, profile.albedo);

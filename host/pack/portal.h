@@ -1,7 +1,7 @@
 #pragma once
 // The image of an infinite light as it is seen through a portal (kernels/light/portal_infinite.clh).
 
-#include "eikonal/lights.h"
+#include "eikonal/light.h"
 
 #include <glm/glm.hpp>
 

@@ -1,5 +1,6 @@
 // Textures as programs, and the images that they read.
 
+#include "kind_features.h"
 #include "color/luminance.h"
 #include "kinds/texture_packing.h"
 #include "pack/colors.h"
@@ -57,7 +58,7 @@ public:
 
     void input(const Input& in) {
         if (in.texture != none) { texture(in.texture); return; }
-        texture_instruction i = instruction(kind_constant_texture, Feature::TEXTURE_CONSTANT, in.where);
+        texture_instruction i = instruction(kind_constant_texture, KindFeature::TEXTURE_CONSTANT, in.where);
         const bool isNumber = isFloat_ || in.value.isConstant();
         i.value = isNumber     ? packConstant(packer_, in.value.value())
                   : into_.unbounded ? packCoefficient(packer_, in.value)
@@ -87,15 +88,15 @@ public:
     void allowUnbounded() { into_.unbounded = true; }
 
     void use(TextureUse use) {
-        if (use == TextureUse::reflectance && into_.leavesUnit) apply(instruction(kind_clamp_texture, Feature::TEXTURE_CLAMP, {}), 1);
+        if (use == TextureUse::reflectance && into_.leavesUnit) apply(instruction(kind_clamp_texture, KindFeature::TEXTURE_CLAMP, {}), 1);
         if (use == TextureUse::roughness || use == TextureUse::regularRoughness)
-            apply(instruction(kind_sqrt_texture, Feature::TEXTURE_SQRT, {}), 1);
+            apply(instruction(kind_sqrt_texture, KindFeature::TEXTURE_SQRT, {}), 1);
         if (use == TextureUse::regularWidth || use == TextureUse::regularRoughness)
-            apply(instruction(kind_regular_texture, Feature::TEXTURE_REGULAR, {}), 1);
-        if (use == TextureUse::metal) apply(instruction(kind_metal_texture, Feature::TEXTURE_METAL, {}), 1);
+            apply(instruction(kind_regular_texture, KindFeature::TEXTURE_REGULAR, {}), 1);
+        if (use == TextureUse::metal) apply(instruction(kind_metal_texture, KindFeature::TEXTURE_METAL, {}), 1);
         if (use == TextureUse::displacement && packer_.space.scale != 1) {
             input({Spectrum::constant(packer_.space.scale)});
-            apply(instruction(kind_scale_texture, Feature::TEXTURE_SCALE, {}), 2);
+            apply(instruction(kind_scale_texture, KindFeature::TEXTURE_SCALE, {}), 2);
         }
     }
 

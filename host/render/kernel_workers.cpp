@@ -22,13 +22,13 @@ constexpr int stagesWorthAWorker = 2, mostWorkers = 8;
 
 std::string bitsOf(const Features& features) {
     std::string bits;
-    for (size_t i = 0; i < featureCount; ++i) bits += features.has(static_cast<Feature>(i)) ? '1' : '0';
+    for (size_t i = 0; i < featureCount(); ++i) bits += features.has(static_cast<Feature>(i)) ? '1' : '0';
     return bits;
 }
 
 Features featuresOf(const std::string& bits) {
     Features features;
-    for (size_t i = 0; i < std::min(bits.size(), featureCount); ++i)
+    for (size_t i = 0; i < std::min(bits.size(), featureCount()); ++i)
         if (bits[i] == '1') features.require(static_cast<Feature>(i));
     return features;
 }

@@ -1,5 +1,6 @@
 #include "render/path_loop.h"
 
+#include "kind_features.h"
 #include "render/wave_queues.h"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@ static std::string loopText(const Features& features) {
         list += fmt::format(" B({})", bsdf);
     };
 #define INCLUDE_BSDF(bsdf, FEATURE, PARAMETERS) \
-    if (features.has(Feature::FEATURE)) include(#bsdf);
+    if (features.has(KindFeature::FEATURE)) include(#bsdf);
     BSDFS(INCLUDE_BSDF)
 #undef INCLUDE_BSDF
     return text + list + "\n#include \"stages/loop.cl\"\n";

@@ -1,5 +1,6 @@
 #include "render/stage_programs.h"
 
+#include "kind_features.h"
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -16,7 +17,7 @@ void addPrograms(std::vector<StageProgram>& programs, const StageRow& row) {
         programs.push_back({&row, next_queue, feature, fmt::format("{} {}", row.name, bsdf),
                             fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"stages/{1}.cl\"\n", bsdf, row.name)});
     };
-#define ADD_BSDF(bsdf, FEATURE, PARAMETERS) add(#bsdf, next_##bsdf, Feature::FEATURE);
+#define ADD_BSDF(bsdf, FEATURE, PARAMETERS) add(#bsdf, next_##bsdf, KindFeature::FEATURE);
     BSDFS(ADD_BSDF)
 #undef ADD_BSDF
 }

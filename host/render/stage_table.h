@@ -42,14 +42,14 @@ public:
     constexpr Requirement(Feature feature) : feature_(feature) {}
     constexpr Requirement(int SceneConstants::*constant) : constant_(constant) {}
     bool isMet(const Features& features, const SceneConstants& constants) const {
-        return (feature_ == Feature::count || features.has(feature_)) && (!constant_ || constants.*constant_ > 0);
+        return (feature_ == Feature::none || features.has(feature_)) && (!constant_ || constants.*constant_ > 0);
     }
     constexpr bool operator==(const Requirement&) const = default;
-    /// The required feature; Feature::count: none.
+    /// The required feature; Feature::none: none.
     constexpr Feature feature() const { return feature_; }
 
 private:
-    Feature feature_ = Feature::count;
+    Feature feature_ = Feature::none;
     int SceneConstants::*constant_ = nullptr;
 };
 

@@ -5,7 +5,6 @@
      LOOPS      with loops, which keep the compiler from vectorising generate_rays in scenes with this camera */
 #ifndef EIKONAL_CAMERAS_H
 #define EIKONAL_CAMERAS_H
-#include "eikonal/motion.h"
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
 
@@ -17,48 +16,6 @@ CONTRACT_BEGIN
 
 #define CAMERA_KIND(name, FEATURE, CODE) camera_##name,
 enum camera_kind { CAMERAS(CAMERA_KIND) camera_kinds };
-
-/* Number of film intervals with their own exit-pupil bounds; they divide the distance from the film's centre to its corner. */
-#define PUPIL_INTERVALS 64
-
-/* One interface of a realistic lens, in the order of rays from the film. The film is at z = 0, +z points to the scene; metres. */
-typedef struct {
-    float z;                       /* z of its vertex */
-    float radius;                  /* of curvature, for rays from the scene: > 0 is convex; 0: the aperture stop */
-    float aperture;                /* half its diameter */
-    float eta;                     /* index on the scene side over index on the film side */
-} lens_element;
-
-/* The exit pupil seen from the film points of one interval, for points on the positive x axis: a rectangle on the plane of the rear lens
-   element. Empty if low_x > high_x. Metres. */
-typedef struct { float low_x, low_y, high_x, high_y; } pupil_bounds;
-
-/* A film plane in front of the eye. Screen x points right and y up; camera space looks along +z. Screen space by kind:
-     perspective   the plane z = 1        orthographic   the plane z = 0        spherical   the unit square of its mapping, y down
-     realistic     the film itself, whose image is upside down and mirrored, metres */
-typedef struct {
-    uint kind;                     /* enum camera_kind */
-    affine scene_from_camera;      /* of a moving camera: at the start of all motion */
-    motion moving;                 /* scene from camera; only with CAMERA_MOTION */
-    shutter times;
-    float screen_x, screen_y;      /* screen coordinates of the upper left corner of pixel (0, 0) */
-    float step_x, step_y;          /* screen distance between neighbouring pixels; step_y < 0 */
-    float lens_radius;             /* camera space; 0: pinhole */
-    float focal_distance;          /* along z, camera space */
-    uint equal_area;               /* spherical: 1: equal-area mapping (Clarberg 2008), 0: equirectangular mapping */
-    uint element_count;            /* realistic: in `lens_elements`, from film to scene */
-    float rear_z;                  /* realistic: vertex of the rear element, metres */
-    float film_radius;             /* realistic: half the film's diagonal, metres */
-    uint aperture_width, aperture_height; /* realistic: size of the image in `aperture_texels`; 0: a round stop */
-    uint medium;                   /* medium around the camera, or NONE */
-} camera;
-
-/* A separable reconstruction filter, importance-sampled from a piecewise-constant density: FILTER_CELLS cells per axis as an alias table
-   (in `filter_aliases`: x, then y), and the filter's value over that density. */
-#define FILTER_CELLS 64
-typedef struct {
-    float radius_x, radius_y;      /* pixels */
-} filter;
 
 CONTRACT_END
 #endif

@@ -1,35 +1,30 @@
-/* Everything that a scene may require. On the device a feature X is the macro HAS_X, 0 or 1, and code tests `if (HAS_X)`;
-   on the host it is a bit of `Features` (host/feature_set.h). A kernel's program is built with only those features that its
-   source mentions, so scenes can share binaries.   F(NAME, what requires it) */
+/* What a scene may require besides kinds, whose features are in kind_features.h. On the device a feature X is the macro HAS_X, 0 or 1, and
+   code tests `if (HAS_X)`; on the host it is a bit of `Features` (host/feature_set.h). A kernel's program is built with only those features
+   that its source mentions, so scenes can share binaries.   F(NAME, what requires it) */
 #ifndef EIKONAL_FEATURES_H
 #define EIKONAL_FEATURES_H
-#include "eikonal/bsdfs.h"
-#include "eikonal/cameras.h"
-#include "eikonal/lights.h"
-#include "eikonal/media.h"
-#include "eikonal/shapes.h"
-#include "eikonal/textures.h"
 
 #define GENERAL_FEATURES(F) \
     F(SPECTRAL,         "rendering at wavelengths instead of in RGB") \
     F(SPECTRAL_FILM,    "a film that keeps a spectrum of each pixel") \
     F(DISPERSION,       "an index of refraction that depends on the wavelength") \
     F(MEDIA,            "a participating medium") \
-    F(SUBSURFACE,       "a body that light enters, wanders in and leaves") \
-    F(DIFFUSION,        "such a body, whose light leaves by a diffusion profile") \
-    F(BODY_TEXTURES,    "such a body, of which a texture says what is inside") \
-    F(EQUIANGULAR,             "a light that is a point, and a homogeneous medium that scatters") \
+    F(SUBSURFACE,       "subsurface scattering") \
+    F(DIFFUSION,        "a subsurface body with a diffusion profile") \
+    F(BODY_TEXTURES,    "a subsurface body with textured coefficients") \
+    F(EQUIANGULAR,      "a point light and a homogeneous medium that scatters") \
     F(INTERFACE,        "a surface of material \"interface\"") \
     F(INSTANCES,        "object instances") \
+    F(STRIPS,           "a curve, which rays hit on a strip: light is sampled from a width away") \
     F(ALPHA,            "shapes cut out by an alpha texture") \
     F(MIX,              "a mix of materials") \
     F(LAYERS,           "a coat over a base") \
-    F(LAYER_MEDIUM,     "a coat with something between it and its base") \
+    F(LAYER_MEDIUM,     "a coat with a medium between it and its base") \
     F(TEXTURED,         "a material parameter that varies over its surface") \
     F(TRANSMISSION,     "a material that transmits") \
-    F(ANISOTROPY,       "a material whose look depends on the direction along the surface") \
-    F(TANGENTS,         "a mesh that says which way its tangents run") \
-    F(GRAIN,            "a measured surface that was measured from all around") \
+    F(ANISOTROPY,       "an anisotropic material") \
+    F(TANGENTS,         "a mesh with tangents") \
+    F(GRAIN,            "an anisotropic measured material") \
     F(BUMP,             "a displacement texture") \
     F(NORMAL_MAP,       "a normal map") \
     F(EMITTERS,         "a surface that emits") \
@@ -47,22 +42,10 @@
     F(SOBOL,            "a low-discrepancy sampler") \
     F(JOINT_PAIRS,      "a sampler that spreads pairs of numbers together") \
     F(REGULARIZE,       "an integrator that regularizes") \
-    F(AMBIENT_OCCLUSION, "an integrator that only looks for what is near") \
-    F(RAY_SPLITTING,    "an integrator that follows trees of rays") \
-    F(UNIFORM_DIRECTIONS, "an integrator that knows of no better directions than uniform ones") \
+    F(AMBIENT_OCCLUSION, "integrator \"ambientocclusion\"") \
+    F(RAY_SPLITTING,    "an integrator that splits rays") \
+    F(UNIFORM_DIRECTIONS, "an integrator that samples directions uniformly") \
     F(AOVS,             "auxiliary image channels") \
     F(MOTION_VECTORS,   "the channel \"motion\", and a shape that moves")
-
-/* Calls F(FEATURE, name of the kind) for every kind in each list. */
-#define FEATURE_OF_BSDF(name, FEATURE, PARAMETERS) KIND_FEATURE(FEATURE, #name)
-#define FEATURE_OF_TEXTURE(name, FEATURE, OPERANDS) KIND_FEATURE(FEATURE, #name)
-#define FEATURE_OF_CAMERA(name, FEATURE, CODE) KIND_FEATURE(FEATURE, #name)
-#define FEATURE_OF_SHAPE(name, FEATURE, SPACE) KIND_FEATURE(FEATURE, #name)
-#define FEATURE_OF_LIGHT(name, FEATURE, PLACE) KIND_FEATURE(FEATURE, #name)
-#define FEATURE_OF_MEDIUM(name, FEATURE, VARIATION) KIND_FEATURE(FEATURE, #name)
-/* Before use: #define KIND_FEATURE(FEATURE, text) ... */
-#define KIND_FEATURES \
-    BSDFS(FEATURE_OF_BSDF) SHAPES(FEATURE_OF_SHAPE) LIGHTS(FEATURE_OF_LIGHT) MEDIA_KINDS(FEATURE_OF_MEDIUM) \
-    TEXTURES(FEATURE_OF_TEXTURE) TEXTURE_OPERATIONS(FEATURE_OF_TEXTURE) CAMERAS(FEATURE_OF_CAMERA)
 
 #endif

@@ -1,20 +1,18 @@
 /* Every queue, field by field: what a path carries from the stage that fills the queue to the stage that drains it.
    This list is the only declaration. Both languages derive structs, slot numbers, loads and stores from it. The queues walk, probe and
-   exit_point and some more lists of fields stand in feature_fields.h, since a single feature needs them.
+   exit_point and some more lists of fields, which single features need, are in feature_fields.h.
 
    A queue is one SoA buffer of 32-bit words: word[slot * capacity + i] holds word `slot` of item i, so that
    neighbouring work-items access neighbouring words.   F(queue, type, name, FEATURE that makes it exist)
-   FEATURE is one of features.h, which kernels ask for as HAS_FEATURE. Without it, the struct of an item still has the field, so that code
-   can name it, but it is neither stored nor loaded.
+   FEATURE is one of features.h, HAS_FEATURE in kernels. Without it, an item's struct still has the field, but it is neither stored nor
+   loaded.
 
    Spaces: everything is in scene space (docs/tour.md) unless a comment says otherwise; directions have unit length. */
 #ifndef EIKONAL_QUEUES_H
 #define EIKONAL_QUEUES_H
 #include "eikonal/feature_fields.h"
 #include "eikonal/portable.h"
-
 #define HAS_ALWAYS 1
-/* A field that either of two features needs */
 #define HAS_MEDIA_OR_LIGHT_PATTERN (HAS_MEDIA || HAS_LIGHT_PATTERN)
 
 /* What a path carries from bounce to bounce, in every queue that continues it. */

@@ -3,14 +3,14 @@
 #ifndef EIKONAL_SCENE_H
 #define EIKONAL_SCENE_H
 #include "eikonal/bvh.h"
-#include "eikonal/cameras.h"
-#include "eikonal/lights.h"
+#include "eikonal/camera.h"
+#include "eikonal/light.h"
 #include "eikonal/measured.h"
-#include "eikonal/media.h"
+#include "eikonal/medium.h"
 #include "eikonal/motion.h"
 #include "eikonal/portable.h"
-#include "eikonal/shapes.h"
-#include "eikonal/textures.h"
+#include "eikonal/shape.h"
+#include "eikonal/texture.h"
 CONTRACT_BEGIN
 
 /* A material: a BSDF and the sources of its parameters. */

@@ -1,3 +1,4 @@
+#include "kind_features.h"
 #include "tracers.h"
 
 #include "device/layout.h"
@@ -10,7 +11,7 @@
 namespace eikonal {
 
 DeviceTracer::DeviceTracer(const Context& context, const BenchMesh& mesh, const TracerShape& shape) : context_(context), shape_(shape) {
-    features_.require(Feature::SHAPE_TRIANGLE);
+    features_.require(KindFeature::SHAPE_TRIANGLE);
     const TriangleRange triangles{mesh.positions.data(), mesh.indices.data(), mesh.triangles(), 0};
     const auto start = std::chrono::steady_clock::now();
     root_ = buildBvh(tables_, {&triangles, 1}, {}, {.world = true});

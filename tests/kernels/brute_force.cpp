@@ -1,5 +1,6 @@
 #include "brute_force.h"
 
+#include "eikonal/shapes.h"
 #include "leaf_triangles.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 // Implicit surfaces against double precision: bounds hold, no root is missed, and points lie where F is zero.
 
+#include "kind_features.h"
 #include "device_function.h"
 #include "pack/pack.h"
 #include "random_inputs.h"
@@ -49,7 +50,7 @@ std::vector<Answer> ask(const PackedScene& scene, const std::vector<vec3>& o, co
                                                   .declarations = "typedef struct { float t; vec3 p, error, ng; float value_low, "
                                                                   "value_high, slope_low, slope_high; uint undefined, broken; } answer;",
                                                   .tables = "GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE)",
-                                                  .features = Features().require(Feature::SHAPE_IMPLICIT)});
+                                                  .features = Features().require(KindFeature::SHAPE_IMPLICIT)});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, o, d, size);
 }

@@ -1,6 +1,7 @@
 #pragma once
 // What a light's sample says arrives at a point, and what paths would say that meet the same place by themselves.
 
+#include "eikonal/lights.h"
 #include "device_function.h"
 
 #include <glm/glm.hpp>

@@ -1,6 +1,7 @@
 // The stages that shade and the one that tests shadows, alone: queue in, queue out. Empty, with one item, and full;
 // no word of an item that is alive may be the poison of a forgotten field.
 
+#include "kind_features.h"
 #include "stage_fixture.h"
 
 #include <cmath>
@@ -83,7 +84,7 @@ TEST_F(StageTest, ShadeHitsAnswersSlotBySlot) {
             }
         }
     };
-#define SHADE(bsdf, FEATURE, PARAMETERS) shade(#bsdf, next_##bsdf, Feature::FEATURE);
+#define SHADE(bsdf, FEATURE, PARAMETERS) shade(#bsdf, next_##bsdf, KindFeature::FEATURE);
     BSDFS(SHADE)
 #undef SHADE
     EXPECT_GT(rays, 100u);

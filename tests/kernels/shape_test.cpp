@@ -1,6 +1,7 @@
 // Every shape of the list SHAPES, at points that rays meet: the point is on the ray, its frame is that of the surface around it, and
 // rays that leave it do not meet it again.
 
+#include "kind_features.h"
 #include "device_function.h"
 #include "pack/pack.h"
 #include "random_inputs.h"
@@ -20,7 +21,7 @@ const std::string kindNames[] = {SHAPES(SHAPE_NAME)};
 Features shapeFeatures() {
     Features features;
     features.require(Feature::INSTANCES).require(Feature::TANGENTS);
-#define REQUIRE_SHAPE(name, FEATURE, SPACE) features.require(Feature::FEATURE);
+#define REQUIRE_SHAPE(name, FEATURE, SPACE) features.require(KindFeature::FEATURE);
     SHAPES(REQUIRE_SHAPE)
 #undef REQUIRE_SHAPE
     return features;

@@ -1,6 +1,7 @@
 #pragma once
 // Textures made by hand, and their values on the device.
 
+#include "eikonal/textures.h"
 #include "device_function.h"
 #include "pack/colors.h"
 

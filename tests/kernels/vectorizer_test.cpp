@@ -3,6 +3,7 @@
 // operation belongs to the loop over the last few slots, and has a twin of eight lanes. (Remarks alone do not do: a loop that calls
 // nothing of PoCL's library is widened by the front end, which makes none.)
 
+#include "kind_features.h"
 #include "measured_file.h"
 #include "stage.h"
 
@@ -120,7 +121,7 @@ TEST(VectorizerChild, DISABLED_BuildsOneStage) {
         }
         PackedScene scene = packText(c.head + "Sampler \"sobol\"\nWorldBegin\n" + c.world, c.color);
         /* A hit queue with room for its parameters */
-        if (c.stage == "shade_hits principled") scene.require(Feature::BSDF_PRINCIPLED, "the test");
+        if (c.stage == "shade_hits principled") scene.require(KindFeature::BSDF_PRINCIPLED, "the test");
         StageBench bench(scene, 64, false);
         for (const char* queue : {"hit", "miss", "emission"}) bench.clear(queue, 0);
         bench.run(c.stage, 1);

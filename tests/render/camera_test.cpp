@@ -2,6 +2,7 @@
 
 #include "rendering.h"
 
+#include "kind_features.h"
 #include "pack/space.h"
 #include "film/projection.h"
 
@@ -31,10 +32,10 @@ std::string throughCamera(const std::string& camera, int x, int y, const std::st
 RenderSetup everyCamera() {
     using enum Feature;
     RenderSetup setup;
-    setup.forced.require(CAMERA_PERSPECTIVE)
-        .require(CAMERA_ORTHOGRAPHIC)
-        .require(CAMERA_SPHERICAL)
-        .require(CAMERA_REALISTIC)
+    setup.forced.require(KindFeature::CAMERA_PERSPECTIVE)
+        .require(KindFeature::CAMERA_ORTHOGRAPHIC)
+        .require(KindFeature::CAMERA_SPHERICAL)
+        .require(KindFeature::CAMERA_REALISTIC)
         .require(IMPORTANCE)
         .require(LENS)
         .require(SOBOL)

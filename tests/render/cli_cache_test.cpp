@@ -57,7 +57,7 @@ TEST_F(Cli, NoDamageToTheCacheEndsTheProgram) {
 }
 
 TEST_F(Cli, AWorkerCompilesEveryKernelThatASceneNeeds) {
-    std::string bits(featureCount, '0');
+    std::string bits(featureCount(), '0');
     const auto info = nlohmann::json::parse(run({"info", "tiny.pbrt", "--json"}).out);
     for (const auto& feature : info.at("features"))
         bits.at(static_cast<size_t>(featureNamed(feature.at("name")))) = '1';

@@ -1,5 +1,6 @@
 // What must not change a bit of the image: how the work is cut and laid over the device, and what kernels could do besides.
 
+#include "kind_features.h"
 #include "rendering.h"
 #include "run_program.h"
 
@@ -82,17 +83,17 @@ AttributeBegin AreaLightSource "diffuse" "rgb L" [20 20 20] Material "diffuse" M
 Features allButMethods() {
     using enum Feature;
     Features methods;
-    for (Feature f : {SPECTRAL, SPECTRAL_FILM, DISPERSION, ANISOTROPY, SHAPE_CURVE, SHAPE_IMPLICIT, FILTER, SOBOL, JOINT_PAIRS, LENS,
-                      CAMERA_MOTION, MEDIA, EQUIANGULAR, AMBIENT_OCCLUSION, RAY_SPLITTING, UNIFORM_DIRECTIONS})
+    for (Feature f : {SPECTRAL, SPECTRAL_FILM, DISPERSION, ANISOTROPY, STRIPS, KindFeature::SHAPE_CURVE, KindFeature::SHAPE_IMPLICIT,
+                      FILTER, SOBOL, JOINT_PAIRS, LENS, CAMERA_MOTION, MEDIA, EQUIANGULAR, AMBIENT_OCCLUSION, RAY_SPLITTING, UNIFORM_DIRECTIONS})
         methods.require(f);
-#define REQUIRE(name, FEATURE) methods.require(Feature::FEATURE);
+#define REQUIRE(name, FEATURE) methods.require(KindFeature::FEATURE);
 #define REQUIRE_CAMERA(name, FEATURE, CODE) REQUIRE(name, FEATURE)
     CAMERAS(REQUIRE_CAMERA)
 #undef REQUIRE_CAMERA
 #undef REQUIRE
     for (const MediumKind& e : mediumKindList()) methods.require(e.feature);
     Features features;
-    for (size_t i = 0; i < featureCount; ++i)
+    for (size_t i = 0; i < featureCount(); ++i)
         if (!methods.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));
     return features;
 }

@@ -1,5 +1,6 @@
 // A sphere that is given by a formula is a sphere: whatever is done to it, the image is that of the quadric.
 
+#include "kind_features.h"
 #include "rendering.h"
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ void expectSameImage(const std::string& before, const std::string& after) {
         Material "diffuse" "rgb reflectance" [.6 .5 .4] Shape "bilinearmesh" "point3 P" [-5 -.5 -5  5 -.5 -5  -5 -.5 5  5 -.5 5] )";
     /* The same kernels for both, in which directions along the surface, which are not the same, have no part */
     RenderSetup both;
-    both.forced.require(Feature::SHAPE_SPHERE).require(Feature::SHAPE_IMPLICIT).require(Feature::INSTANCES);
+    both.forced.require(KindFeature::SHAPE_SPHERE).require(KindFeature::SHAPE_IMPLICIT).require(Feature::INSTANCES);
     const Rendered a = render(sceneText(view, room + before + quadric + after), both),
                    b = render(sceneText(view, room + before + formula + after), both);
     EXPECT_EQ(a.invalid.count + b.invalid.count, 0u);
@@ -83,7 +84,7 @@ TEST(Implicit, ARingIsItsTriangles) {
         LightSource "infinite" "rgb L" [.05 .05 .05] Material "diffuse"
             Shape "bilinearmesh" "point3 P" [-5 -.5 -5  5 -.5 -5  -5 -.5 5  5 -.5 5] )";
     RenderSetup both = surfaces();
-    both.forced.require(Feature::SHAPE_IMPLICIT);
+    both.forced.require(KindFeature::SHAPE_IMPLICIT);
     const auto seen = [&](const std::string& shape) {
         return render(
             sceneText(view, room + "ObjectBegin \"ring\" Material \"conductor\" \"float roughness\" .3 Rotate 70 1 0 0 Scale 1 .8 -1.2 " +

@@ -1,5 +1,6 @@
 #include "rendering.h"
 
+#include "kind_features.h"
 #include "device/cache.h"
 #include "kinds/medium_kind.h"
 #include "pack/environment_guide.h"
@@ -64,8 +65,9 @@ static Features mediumKindFeatures() {
 Features surfaceFeatures() {
     using enum Feature;
     const Features others = mediumKindFeatures()
-                                .require(SHAPE_CURVE)
-                                .require(SHAPE_IMPLICIT)
+                                .require(KindFeature::SHAPE_CURVE)
+                                .require(STRIPS)
+                                .require(KindFeature::SHAPE_IMPLICIT)
                                 .require(SPECTRAL)
                                 .require(SPECTRAL_FILM)
                                 .require(DISPERSION)
@@ -81,20 +83,20 @@ Features surfaceFeatures() {
                                 .require(FILTER)
                                 .require(BUMP)
                                 .require(NORMAL_MAP)
-                                .require(CAMERA_ORTHOGRAPHIC)
-                                .require(CAMERA_SPHERICAL)
-                                .require(CAMERA_REALISTIC)
+                                .require(KindFeature::CAMERA_ORTHOGRAPHIC)
+                                .require(KindFeature::CAMERA_SPHERICAL)
+                                .require(KindFeature::CAMERA_REALISTIC)
                                 .require(APERTURE)
                                 .require(CAMERA_MOTION)
                                 .require(MOTION)
-                                .require(LIGHT_IMAGE_INFINITE)
-                                .require(TEXTURE_IMAGEMAP)
-                                .require(TEXTURE_FBM)
-                                .require(TEXTURE_WRINKLED)
-                                .require(TEXTURE_WINDY)
-                                .require(TEXTURE_MARBLE);
+                                .require(KindFeature::LIGHT_IMAGE_INFINITE)
+                                .require(KindFeature::TEXTURE_IMAGEMAP)
+                                .require(KindFeature::TEXTURE_FBM)
+                                .require(KindFeature::TEXTURE_WRINKLED)
+                                .require(KindFeature::TEXTURE_WINDY)
+                                .require(KindFeature::TEXTURE_MARBLE);
     Features features;
-    for (size_t i = 0; i < featureCount; ++i)
+    for (size_t i = 0; i < featureCount(); ++i)
         if (!others.has(static_cast<Feature>(i))) features.require(static_cast<Feature>(i));
     return features;
 }

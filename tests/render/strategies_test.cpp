@@ -8,7 +8,7 @@ namespace eikonal {
 namespace {
 
 // Direct light on a rough metal and a diffuse floor under a large and a small lamp, by both strategies weighted against each other, by BSDF
-// sampling alone (the light sampler never picks a light: `pmf` 0 in its table, include/eikonal/lights.h), and by light sampling alone
+// sampling alone (the light sampler never picks a light: `pmf` 0 in its table, include/eikonal/light.h), and by light sampling alone
 // (lamps with an alpha of 0 cannot be hit, but shine, as in pbrt-v4). All have the same expectation.
 void expectStrategiesAgree(const std::string& material, const std::string& lamps) {
     View view = atTheOrigin(1);

@@ -1,5 +1,7 @@
 // What the device's tables hold of a scene.
 
+#include "kind_features.h"
+#include "kinds/integrator_kind.h"
 #include "render/session.h"
 #include "pack/pack.h"
 
@@ -52,10 +54,11 @@ TEST_F(Pack, CoefficientsOfBodiesMayBeTextures) {
         EXPECT_EQ(tables.instructions[program.first].value.c0, 3);
         EXPECT_EQ(tables.instructions[program.first + 1].value.c2, 6);
     }
-    EXPECT_TRUE(textured.features.has(Feature::TEXTURE_DIFFUSEALBEDO));
-    EXPECT_TRUE(textured.features.has(Feature::TEXTURE_FREEPATH));
+    EXPECT_TRUE(textured.features.has(KindFeature::TEXTURE_DIFFUSEALBEDO));
+    EXPECT_TRUE(textured.features.has(KindFeature::TEXTURE_FREEPATH));
     const PackedScene plain = pack("Material \"subsurface\" \"rgb sigma_a\" [3 2 .5] \"rgb sigma_s\" [4 5 6]\nShape \"sphere\"");
-    for (const Feature feature : {Feature::TEXTURE_DIFFUSEALBEDO, Feature::TEXTURE_FREEPATH, Feature::BODY_TEXTURES, Feature::TEXTURED})
+    for (const Feature feature :
+         {KindFeature::TEXTURE_DIFFUSEALBEDO, KindFeature::TEXTURE_FREEPATH, Feature::BODY_TEXTURES, Feature::TEXTURED})
         EXPECT_FALSE(plain.features.has(feature));
 }
 
@@ -221,7 +224,7 @@ TEST_F(Pack, DarknessIsSaid) {
 
 // What asks for a feature has a place and a name, or is said in words.
 TEST_F(Pack, MaterialsAreNamedAsPeopleKnowThem) {
-    const auto whyDiffuse = [&](const std::string& text) { return pack(text).reasons.at(Feature::BSDF_DIFFUSE); };
+    const auto whyDiffuse = [&](const std::string& text) { return pack(text).reasons.at(KindFeature::BSDF_DIFFUSE); };
     EXPECT_EQ(whyDiffuse("Shape \"sphere\""), "the material of shapes without one");
     EXPECT_EQ(whyDiffuse("Material \"diffuse\" Shape \"sphere\""), "test.pbrt:2:1: a material");
     EXPECT_EQ(whyDiffuse("MakeNamedMaterial \"m\" \"string type\" \"diffuse\" NamedMaterial \"m\" Shape \"sphere\""),
@@ -347,7 +350,7 @@ TEST_F(Pack, AmbientOcclusionNeedsNoMaterialsAndNoLights) {
                                              "AreaLightSource \"diffuse\" Material \"conductor\" Shape \"sphere\""), diagnostics);
     EXPECT_TRUE(scene.tables.lights.empty() && scene.tables.material_inputs.empty());
     EXPECT_EQ(scene.constants.environments, 0);
-    for (const Feature f : {Feature::LIGHTS, Feature::EMITTERS, Feature::BSDF_CONDUCTOR, Feature::LIGHT_POINT})
+    for (const Feature f : {Feature::LIGHTS, Feature::EMITTERS, KindFeature::BSDF_CONDUCTOR, KindFeature::LIGHT_POINT})
         EXPECT_FALSE(scene.features.has(f)) << featureName(f);
 }
 

@@ -1,6 +1,8 @@
 // Cameras, films, filters, samplers and integrators. The defaults are those of pbrt-v4's source (cameras.cpp, film.cpp,
 // filters.cpp, samplers.cpp, cpu/integrators.cpp).
 
+#include "kinds/integrator_kind.h"
+#include "kinds/filter_kind.h"
 #include "kinds/camera_kind.h"
 #include "unit/pbrt_reading.h"
 

@@ -28,6 +28,7 @@ static Box bound(const Shape& s, const glm::dmat4& m) {
 static size_t pack(const ShapePacking& in) {
     const Curve& description = *in.description.curve;
     SceneTables& tables = in.tables;
+    in.packer.packed.require(Feature::STRIPS, in.description.where.toString());
     if (in.description.reverseOrientation != isMirrored(in)) in.packed.flags |= shape_reversed;
     in.packed.first_index = static_cast<uint>(tables.curve_segments.size());
     in.packed.splits = curveSplits(description);

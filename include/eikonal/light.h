@@ -1,0 +1,90 @@
+/* A light as kernels see it, and the tables that light samples use. Its kinds: lights.h. */
+#ifndef EIKONAL_LIGHT_H
+#define EIKONAL_LIGHT_H
+#include "eikonal/portable.h"
+CONTRACT_BEGIN
+
+/* One light, whatever its kind: a straight-line kernel reads the same words for all. Which are meaningful:
+     point        p, L (intensity)
+     spot         p, n (axis), cos_inner, cos_outer, L (intensity on the axis)
+     distant      n (towards the light), L (irradiance on a surface that faces it)
+     triangle     p, a, b (edges from p), n, inverse_area, L
+     bilinear     p, a, b, c (point(u, v) = p + u a + v b + u v c), n (of a flat one), L
+     sphere       p (centre), radius, inverse_area, n.x (1: emits outwards, -1: inwards), L
+     ellipsoid    p (centre), a, b, c (half axes), extent, cos_inner, cos_outer (the part of the axis c, in [-1, 1]), n.x (the side that
+                  emits: 1 that of dp/dphi x dp/dz, or -1), inverse_area (of all of it), L; a part of a sphere is one, too
+     disk         p (centre), a, b (radii: point = p + x a + y b), radius (of its hole, 1: all of it), extent, n, inverse_area, L
+     cylinder     p (centre of the end at z_min), a, b (radii), c (axis: point = p + cos a + sin b + v c), extent, n.x (the side that
+                  emits: 1 that of dp/dphi x c, or -1), inverse_area (of all of it), L
+     goniometric  p, a, b, n (rows of image-from-scene), first_texel, resolution, L (intensity where the image is 1)
+     projection   p, a, b, n (rows of image-from-scene: the slide fills |x / z| <= 1, |y / z| <= 1), first_texel, resolution,
+                   rows, L (intensity)
+     uniform_infinite   L
+     image_infinite     a, b, n (rows of light-from-scene), first_texel, first_alias, resolution, L (scale)
+     portal_infinite    p, c (opposite corners), a, b, n (its sides and the normal that points out), first_texel, first_sum,
+                   resolution, L (scale)
+   Areas emit on the side of n, on both with `two_sided`. */
+#define LIGHT_FIELDS(F) \
+    F(uint,     kind)         /* enum light_kind */ \
+    F(uint,     two_sided)    /* 0 or 1 */ \
+    F(uint,     element)      /* area of varying radiance (an image, alpha): its element; otherwise NONE. L is the mean, without alpha */ \
+    F(uint,     invisible)    /* 1: an area that no ray hits, since its alpha is 0: only light sampling finds it */ \
+    F(float,    pmf)          /* probability of being sampled, or that of the tree that it is in; 0: only BSDF sampling finds it */ \
+    F(float,    inverse_area) \
+    F(float,    extent)       /* ellipsoid, disk, cylinder: how much of the circle there is, in (0, 1] */ \
+    F(vec3,     p) \
+    F(vec3,     a) \
+    F(vec3,     b) \
+    F(vec3,     c) \
+    F(vec3,     n) \
+    F(float,    radius) \
+    F(float,    cos_inner) \
+    F(float,    cos_outer) \
+    F(color,    L) \
+    F(uint,     first_texel)  /* in `environment_texels`: resolution^2 texels */ \
+    F(uint,     first_alias)  /* in `environment_aliases`: one entry a row, then the entries of each row */ \
+    F(uint,     resolution)   /* texels on a side of the square; 1 for other kinds, which straight-line code looks up as well */ \
+    F(uint,     rows)         /* projection: texels in a column, of `resolution` columns; 1 for other kinds */ \
+    F(uint,     first_sum)    /* portal: in `portal_sums`: (resolution + 1)^2 of them */ \
+    F(uint,     leaf)         /* in the light tree: node * LIGHT_TREE_WIDTH + child; NONE: not in it */
+
+#define LIGHT_MEMBER(type, name) type name;
+typedef struct { LIGHT_FIELDS(LIGHT_MEMBER) } light;
+
+/* An entry of an alias table (Vose 1991): keep this one with probability `keep`, else take `other`. */
+typedef struct {
+    float keep;
+    uint other;
+    float pmf;           /* of this entry, to evaluate its density */
+} alias_entry;
+
+/* The environment guide: maps of how much light a surface receives from each direction, from an environment that is the same in all
+   directions, as far as the scene lets it through. Space is cut into GUIDE_INTERVALS^3 cells along the axes; each cell has GUIDE_FACES
+   maps: for surfaces whose normal is nearest to +x, -x, +y, -y, +z, -z, and for points that look into all directions. A map is a square of
+   GUIDE_SIDE^2 bins in the equal-area mapping, kept as alias tables: one entry a row, then the entries of each row. The map of a place that
+   sees nothing has density 0 everywhere. */
+#define GUIDE_INTERVALS 16
+#define GUIDE_FACES 7
+#define GUIDE_ALL_DIRECTIONS 6
+#define GUIDE_SIDE 8
+#define GUIDE_MAP_ENTRIES (GUIDE_SIDE + GUIDE_SIDE * GUIDE_SIDE)
+/* What it is learnt from: so many vertices of each path of the survey. */
+#define SURVEY_VERTICES 4
+
+/* A node of the light tree: what bounds the lights under each of its eight children, as in a `bvh_node` side by side.
+   Conty Estevez and Kulla 2018, "Importance sampling of many lights with adaptive tree splitting". */
+#define LIGHT_TREE_WIDTH 8
+typedef struct {
+    float x[LIGHT_TREE_WIDTH], y[LIGHT_TREE_WIDTH], z[LIGHT_TREE_WIDTH], radius[LIGHT_TREE_WIDTH];  /* a sphere around them */
+    float axis_x[LIGHT_TREE_WIDTH], axis_y[LIGHT_TREE_WIDTH], axis_z[LIGHT_TREE_WIDTH];             /* a cone of their normals ... */
+    float cos_normals[LIGHT_TREE_WIDTH];     /* ... and cosine of its angle */
+    float cos_emission[LIGHT_TREE_WIDTH];    /* in [0, 1): how far from its normal any of them emits */
+    float intensity[LIGHT_TREE_WIDTH];       /* sum of luminous intensities along the normals; 0: no child */
+    uint two_sided[LIGHT_TREE_WIDTH];        /* ~0: some emit on both sides; else 0 */
+    uint child[LIGHT_TREE_WIDTH];            /* a node, or with LIGHT_BIT a light */
+    uint parent;                             /* node * LIGHT_TREE_WIDTH + child; NONE: this is the root, node 0 */
+} light_node;
+#define LIGHT_BIT 0x80000000u
+
+CONTRACT_END
+#endif
