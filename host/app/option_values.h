@@ -1,7 +1,9 @@
 #pragma once
 // Parsers for option values. Each throws a UsageError that names the option, the text found, and what would have worked.
 
-#include "app/options.h"
+#include "error.h"
+#include "render/options.h"
+#include "scene/film.h"
 
 namespace eikonal {
 

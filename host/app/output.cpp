@@ -1,5 +1,7 @@
 #include "app/output.h"
 
+#include "image/image_file.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,7 +1,9 @@
 #pragma once
 // Which files and channels a render writes.
 
-#include "image/image_file.h"
+#include "error.h"
+#include "image/film_image.h"
+#include "scene/scene.h"
 #include "app/options.h"
 
 namespace eikonal {

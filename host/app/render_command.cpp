@@ -1,3 +1,5 @@
+#include "render/render.h"
+#include "image/image_file.h"
 #include "app/available_memory.h"
 #include "clock.h"
 #include "app/commands.h"

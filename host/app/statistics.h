@@ -1,6 +1,8 @@
 #pragma once
 // Statistics of a render, as text.
 
+#include "film/film.h"
+#include "render/render.h"
 #include "render/session.h"
 
 namespace eikonal {

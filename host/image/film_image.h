@@ -1,7 +1,7 @@
 #pragma once
 // A rendered image in memory, and what is known about how it was made.
 
-#include "scene/scene.h"
+#include "scene/film.h"
 
 #include <glm/glm.hpp>
 

@@ -1,6 +1,7 @@
 #pragma once
 // The host's side of each kind of shape: one file in host/kinds/shape/ for each line of SHAPES (include/eikonal/shapes.h).
 
+#include "scene/shapes.h"
 #include "eikonal/lights.h"
 #include "eikonal/shapes.h"
 #include "feature_set.h"

@@ -1,6 +1,7 @@
 #pragma once
 // Curves as the device sees them: segments, cut into parts that are short and straight enough.
 
+#include "scene/shapes.h"
 #include "eikonal/shape.h"
 #include "pack/space.h"
 

@@ -4,7 +4,8 @@
 
 #include "eikonal/camera.h"
 #include "memory_pages.h"
-#include "scene/scene.h"
+#include "error.h"
+#include "scene/camera.h"
 
 #include <glm/glm.hpp>
 

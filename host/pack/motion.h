@@ -1,6 +1,7 @@
 #pragma once
 // Things that move: between two transforms, interpolated as include/eikonal/motion.h says.
 
+#include "scene/scene.h"
 #include "eikonal/motion.h"
 #include "pack/space.h"
 

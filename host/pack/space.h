@@ -4,7 +4,6 @@
 // large give the same bits.
 
 #include "eikonal/portable.h"
-#include "scene/scene.h"
 
 #include <glm/glm.hpp>
 

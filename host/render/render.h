@@ -3,7 +3,7 @@
 
 #include "film/film.h"
 #include "render/profile.h"
-#include "render/stages.h"
+#include "device/context.h"
 #include "render/tracer.h"
 
 #include <functional>

@@ -1,5 +1,8 @@
 #include "render/session.h"
 
+#include "render/render.h"
+#include "render/survey.h"
+#include "pack/pack.h"
 #include "render/kernel_workers.h"
 #include "render/scene_loading.h"
 #include "wait_notice.h"

@@ -1,10 +1,14 @@
 #pragma once
 // What it takes to render a scene, made ready step by step, with the time that each step took.
 
+#include "film/film.h"
 #include "render/options.h"
-#include "pack/pack.h"
-#include "render/render.h"
-#include "render/survey.h"
+#include "pack/tables.h"
+#include "device/context.h"
+#include "render/device_scene.h"
+#include "render/profile.h"
+#include "render/stages.h"
+#include "scene/scene.h"
 #include "render/wave.h"
 
 #include <tbb/global_control.h>

@@ -2,7 +2,7 @@
 // The film of a scene, and its sampler.
 
 #include "error.h"
-#include "color/spectrum.h"
+#include "color/observer.h"
 
 #include <array>
 #include <optional>

@@ -2,7 +2,7 @@
 // Light transport settings: docs/integrators.md describes what each integrator computes.
 
 #include "error.h"
-#include "color/spectrum.h"
+#include "color/observer.h"
 
 #include <optional>
 #include <string>

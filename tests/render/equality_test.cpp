@@ -84,7 +84,8 @@ Features allButMethods() {
     using enum Feature;
     Features methods;
     for (Feature f : {SPECTRAL, SPECTRAL_FILM, DISPERSION, ANISOTROPY, STRIPS, KindFeature::SHAPE_CURVE, KindFeature::SHAPE_IMPLICIT,
-                      FILTER, SOBOL, JOINT_PAIRS, LENS, CAMERA_MOTION, MEDIA, EQUIANGULAR, AMBIENT_OCCLUSION, RAY_SPLITTING, UNIFORM_DIRECTIONS})
+                      FILTER, SOBOL, JOINT_PAIRS, LENS, CAMERA_MOTION, MEDIA, EQUIANGULAR, AMBIENT_OCCLUSION, RAY_SPLITTING,
+                      UNIFORM_DIRECTIONS})
         methods.require(f);
 #define REQUIRE(name, FEATURE) methods.require(KindFeature::FEATURE);
 #define REQUIRE_CAMERA(name, FEATURE, CODE) REQUIRE(name, FEATURE)

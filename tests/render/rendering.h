@@ -4,6 +4,7 @@
 #include "image/film_image.h"
 #include "pack/pack.h"
 #include "render/render.h"
+#include "render/stages.h"
 
 #include <gtest/gtest.h>
 

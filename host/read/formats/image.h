@@ -1,7 +1,8 @@
 #pragma once
 // Decodes image files for textures and environments.
 
-#include "scene/scene.h"
+#include "error.h"
+#include "scene/textures.h"
 
 #include <cstddef>
 #include <cstdint>

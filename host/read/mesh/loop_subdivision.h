@@ -1,7 +1,7 @@
 #pragma once
 // Subdivision surfaces of triangles (Loop 1987, "Smooth Subdivision Surfaces Based on Triangles"), as in pbrt-v4.
 
-#include "scene/scene.h"
+#include "scene/shapes.h"
 
 namespace eikonal {
 

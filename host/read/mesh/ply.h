@@ -1,7 +1,8 @@
 #pragma once
 // Reads meshes from PLY files.
 
-#include "scene/scene.h"
+#include "error.h"
+#include "scene/shapes.h"
 
 #include <cstddef>
 #include <memory>

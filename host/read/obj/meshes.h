@@ -2,7 +2,7 @@
 // Builds meshes from the groups of an OBJ file.
 
 #include "read/obj/geometry.h"
-#include "scene/scene.h"
+#include "scene/shapes.h"
 
 #include <cstddef>
 #include <memory>

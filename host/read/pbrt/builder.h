@@ -1,7 +1,10 @@
 #pragma once
 // Builds a scene from directives: keeps the graphics state, and passes descriptions to the registries.
 
-#include "read/pbrt/lights.h"
+#include "diagnostics.h"
+#include "error.h"
+#include "read/pbrt/parameters.h"
+#include "scene/scene.h"
 #include "read/pbrt/materials.h"
 #include "read/pbrt/media.h"
 #include "read/pbrt/reading.h"

@@ -1,5 +1,6 @@
 #include "read/pbrt/directives.h"
 
+#include "read/pbrt/lights.h"
 #include "read/pbrt/parser.h"
 #include "read/pbrt/version3.h"
 

@@ -1,5 +1,6 @@
 #include "read/pbrt/kinds.h"
 
+#include "read/pbrt/problems.h"
 #include "read/pbrt/version3.h"
 
 #include <algorithm>

@@ -1,7 +1,8 @@
 #pragma once
 // Reads lens files: text with comments after "#", and four numbers per element, from the scene to the film.
 
-#include "scene/scene.h"
+#include "error.h"
+#include "scene/camera.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,10 @@
 #pragma once
 // Reads lights and area lights.
 
-#include "read/pbrt/arguments.h"
+#include "error.h"
+#include "read/pbrt/kinds.h"
+#include "read/pbrt/parameters.h"
+#include "read/pbrt/reading.h"
 #include "read/pbrt/state.h"
 #include "read/pbrt/textures.h"
 

@@ -1,7 +1,11 @@
 #pragma once
 // The named media of a scene.
 
-#include "read/pbrt/arguments.h"
+#include "error.h"
+#include "read/pbrt/kinds.h"
+#include "read/pbrt/parameters.h"
+#include "read/pbrt/reading.h"
+#include "scene/basics.h"
 #include "read/pbrt/state.h"
 
 #include <map>

@@ -1,9 +1,9 @@
 #include "read/pbrt/setting_kinds.h"
 
+#include "scene/film.h"
 #include "kinds/camera_kind.h"
 #include "kinds/filter_kind.h"
 #include "kinds/integrator_kind.h"
-#include "scene/scene.h"
 
 #include <algorithm>
 #include <initializer_list>

@@ -1,7 +1,12 @@
 #pragma once
 // Shapes, objects and instances.
 
-#include "read/pbrt/arguments.h"
+#include "error.h"
+#include "read/pbrt/kinds.h"
+#include "read/pbrt/parameters.h"
+#include "read/pbrt/reading.h"
+#include "scene/basics.h"
+#include "scene/shapes.h"
 #include "read/pbrt/materials.h"
 #include "read/pbrt/media.h"
 #include "read/pbrt/meshes.h"

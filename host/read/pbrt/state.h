@@ -2,7 +2,8 @@
 // The graphics state, which AttributeBegin saves and AttributeEnd restores.
 
 #include "read/pbrt/parameters.h"
-#include "scene/scene.h"
+#include "color/observer.h"
+#include "scene/basics.h"
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,6 @@
 #pragma once
 // Distinguishes pbrt-v3 from pbrt-v4. The languages look alike, but differ too much to read both.
 
-#include "read/pbrt/problems.h"
 
 #include <optional>
 #include <string>
