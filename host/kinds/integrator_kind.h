@@ -7,7 +7,7 @@
 namespace eikonal {
 
 struct IntegratorDescription;
-struct Packer;
+struct IntegratorPacking;
 namespace pbrt { class Arguments; }
 
 /// An `Integrator "name"` of a pbrt scene, also for --integrator. docs/integrators.md describes what each computes.
@@ -26,13 +26,16 @@ struct IntegratorKind {
     /// Reads the kind's parameters. Null: there are none.
     void (*read)(const pbrt::Arguments&, IntegratorDescription&) = nullptr;
     /// Fills in the kind's settings and requires its features, with `why` as the reason. Null: it has neither.
-    void (*pack)(Packer&, const IntegratorDescription&, const std::string& why) = nullptr;
+    void (*pack)(const IntegratorPacking&, const IntegratorDescription&, const std::string& why) = nullptr;
     int leastDepth = 0, mostDepth = 0x7fffffff;   ///< "maxdepth" is clamped to this range
 };
 
 extern const IntegratorKind volpath_integrator, path_integrator, direct_integrator, whitted_integrator, ambientocclusion_integrator,
     simplepath_integrator, randomwalk_integrator;
 std::span<const IntegratorKind* const> integratorKindList();
+/// IntegratorKind::samplesLights and followsBsdfs of an integrator.
+bool samplesLights(const IntegratorDescription&);
+bool followsBsdfs(const IntegratorDescription&);
 /// Another name for "volpath" in scene files.
 constexpr const char* volpathAlias = "simplevolpath";
 

@@ -122,7 +122,7 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     if (aovs.motion && packed_.features.has(Feature::MOTION)) packed_.require(Feature::MOTION_VECTORS, "--aov, or a film \"gbuffer\"");
     times_.pack = time.seconds();
     /* What the scene requires is known: kernels get ready while its hierarchies are built */
-    auto built = std::async(std::launch::async, [&] { packing.hierarchies.build(packed_, diagnostics_); });
+    auto built = std::async(std::launch::async, [&] { packing.hierarchies.build(packed_.tables, packed_.counts, diagnostics_); });
     if (context_) buildKernels();
     built.get();
     times_.build = packed_.counts.buildSeconds;

@@ -2,7 +2,7 @@
 // a new test. Directions as in kernels/bsdf/bsdf.clh.
 
 #include "bsdf_probe.h"
-#include "pack/packer.h"
+#include "pack/materials.h"
 #include "statistics.h"
 
 #include <gtest/gtest.h>

@@ -22,7 +22,7 @@ static next_queue pack(InputWriter& in) {
     in.number(slot_hair::beta_m, "beta_m");
     in.number(slot_hair::beta_n, "beta_n");
     in.number(slot_hair::scale_tilt, "alpha");
-    in.packer().packed.require(Feature::ANISOTROPY, in.why());
+    in.require(Feature::ANISOTROPY);
     return next_hair;
 }
 

@@ -27,8 +27,8 @@ static Box bound(const Shape& s, const glm::dmat4& m) {
 /// which the kernel applies to each ray.
 static size_t pack(const ShapePacking& in) {
     const Curve& description = *in.description.curve;
-    SceneTables& tables = in.tables;
-    in.packer.packed.require(Feature::STRIPS, in.description.where.toString());
+    GeometryTables& tables = in.tables;
+    in.context.require(Feature::STRIPS, in.description.where.toString());
     if (in.description.reverseOrientation != isMirrored(in)) in.packed.flags |= shape_reversed;
     in.packed.first_index = static_cast<uint>(tables.curve_segments.size());
     in.packed.splits = curveSplits(description);
@@ -51,7 +51,7 @@ static size_t pack(const ShapePacking& in) {
             addBox(in.group, scale > 0 ? box : transformed(box, in.m), element);
         }
     }
-    in.packer.packed.counts.curves += description.segments.size();
+    in.counts.curves += description.segments.size();
     return element - in.packed.first_element;
 }
 
