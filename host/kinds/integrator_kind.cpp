@@ -1,6 +1,7 @@
 #include "kinds/integrator_kind.h"
 
 #include "eikonal/lights.h"
+#include "eikonal/stages.h"
 #include "pack/integrator.h"
 #include "read/pbrt/arguments.h"
 #include "scene/integrator.h"
@@ -82,7 +83,7 @@ static void packAmbientOcclusion(const IntegratorPacking& in, const IntegratorDe
 }
 const IntegratorKind ambientocclusion_integrator{.name = "ambientocclusion",
                                                  .parameters = "bool cossample = true; float maxdistance in (0, inf)",
-                                                 .countsMaterials = false,
+                                                 .surfaceQueue = next_occlusion,
                                                  .read = readAmbientOcclusion,
                                                  .pack = packAmbientOcclusion,
                                                  .leastDepth = 1,

@@ -1,6 +1,7 @@
 #pragma once
 // Integrators: which parts of a scene each one uses, what it reads from the scene file, and its settings for the stages.
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -16,7 +17,9 @@ struct IntegratorKind {
     const char* parameters = "";          ///< a row of read/pbrt/kinds.h, without "maxdepth"
 
     bool countsMedia = false;
-    bool countsMaterials = true;          ///< whether it uses materials and lights
+    /// The queue of all surfaces (enum next_queue of stages.h). Nothing: the queues of their BSDFs; then lights count, too.
+    std::optional<unsigned> surfaceQueue{};
+    bool countsMaterials() const { return !surfaceQueue; }   ///< and lights
     bool splitsRays = false;              ///< several rays may leave a hit
     /// Whether it samples lights; otherwise paths only find the lights that they hit. Null: always.
     bool (*samplesLights)(const IntegratorDescription&) = nullptr;

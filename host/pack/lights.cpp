@@ -12,7 +12,7 @@
 namespace eikonal {
 
 void LightPacker::pack() {
-    if (!context_.scene.integrator.kind->countsMaterials) return;
+    if (!context_.scene.integrator.kind->countsMaterials()) return;
     LightImages images;
     const LightPacking in{context_, tables_, colors_, images};
     size_t firstInfinite = 0;  // lights from this one on are infinitely far away

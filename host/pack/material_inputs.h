@@ -38,6 +38,9 @@ public:
     /// An index of refraction, which may be another for each wavelength. 0 counts as 1, as in pbrt-v4.
     void index(uint slot, const char* name);
     bool disperses() const { return disperses_; }
+    /// Light passes through the surface, so both sides are lit: the BSDF scatters light to the other side, or refracts it.
+    void transmit() { transmits_ = true; }
+    bool transmits() const { return transmits_; }
     /// The k of a metal with eta = 1 that has this reflectance.
     void metal(uint slot, const char* name);
     void number(uint slot, const char* name);
@@ -66,7 +69,7 @@ private:
     const MaterialPacking& in_;
     const Material& description_;
     bool regularize_;
-    bool disperses_ = false;
+    bool disperses_ = false, transmits_ = false;
 };
 
 }  // namespace eikonal

@@ -6,16 +6,11 @@
 
 namespace eikonal {
 
-bool transmits(next_queue h) {
-    return h == next_dielectric || h == next_specular_dielectric || h == next_diffuse_transmission || h == next_hair;
-}
-
 /// Which features the BSDF of a queue brings.
 void MaterialPacker::requireBsdf(next_queue h, const std::string& why) const {
 #define REQUIRE_BSDF(name, FEATURE, PARAMETERS) if (h == next_##name) in_.context.require(KindFeature::FEATURE, why);
     BSDFS(REQUIRE_BSDF)
 #undef REQUIRE_BSDF
-    if (transmits(h)) in_.context.require(Feature::TRANSMISSION, why);
     if (h == next_crossing) in_.context.require(Feature::INTERFACE, why);
     if (h == next_mix) in_.context.require(Feature::MIX, why);
 }
@@ -24,16 +19,17 @@ void MaterialPacker::requireBsdf(next_queue h, const std::string& why) const {
 void MaterialPacker::pack(const Material& description, PackedMaterial& m, bool regularize) {
     const IntegratorKind& integrator = *in_.context.scene.integrator.kind;
     const bool isSurface = description.kind != &interface_material && description.kind != &mix_material;
-    if (isSurface && !integrator.countsMaterials) { m.next_queue = next_occlusion; return; }
+    if (isSurface && !integrator.countsMaterials()) { m.next_queue = *integrator.surfaceQueue; return; }
     if (description.kind == &subsurface_material && integrator.splitsRays) return pack(coatOver(description), m, regularize);
     InputWriter inputs(in_, description, regularize);
     m.first_input = static_cast<uint>(in_.tables.material_inputs.size());
     const next_queue h = description.kind->pack(inputs);
     m.next_queue = h;
-    m.transmits = transmits(h) ? 1 : 0;
+    m.transmits = inputs.transmits() ? 1 : 0;
     m.disperses = inputs.disperses() ? 1 : 0;
     m.input_count = static_cast<uint>(in_.tables.material_inputs.size()) - m.first_input;
     requireBsdf(h, inputs.why());
+    if (inputs.transmits()) inputs.require(Feature::TRANSMISSION);
     if (description.kind == &subsurface_material) packInside(inputs, description, m);
     if (description.displacement != none) {
         inputs.require(Feature::BUMP);
@@ -73,7 +69,7 @@ uint MaterialPacker::material(int index) {
     }
     m.regular = here;
     const IntegratorDescription& integrator = in_.context.scene.integrator;
-    if (integrator.regularize && m.next_queue != next_occlusion && description.inputs.count("uroughness")) {
+    if (integrator.regularize && m.next_queue != integrator.kind->surfaceQueue && description.inputs.count("uroughness")) {
         in_.context.require(Feature::REGULARIZE, integrator.where.toString());
         m.regular = static_cast<uint>(materials.size());
         PackedMaterial rougher = blankMaterial;

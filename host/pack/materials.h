@@ -14,9 +14,6 @@ namespace eikonal {
 /// A material that has nothing yet.
 constexpr material blankMaterial{next_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0, 0};
 
-/// Whether a surface with this BSDF scatters light from behind it, or lets it through with another index of refraction.
-bool transmits(next_queue h);
-
 /// Packs the materials that something uses: nothing runs that the scene does not ask for.
 class MaterialPacker {
 public:

@@ -11,7 +11,7 @@ void packShape(const GeometryPacking& in, Group& group, const Shape& s, const gl
     GeometryTables& tables = in.tables;
     const uint materialIndex = in.materials.material(s.material);
     const bool isInterface = in.materials.tables().materials[materialIndex].next_queue == next_crossing;
-    const bool emits = s.areaLight != none && !inObject && context.scene.integrator.kind->countsMaterials;
+    const bool emits = s.areaLight != none && !inObject && context.scene.integrator.kind->countsMaterials();
     if (s.areaLight != none && inObject)
         context.diagnostics.unsupported("area light in object", s.where, "area lights in instanced objects do not emit (as in pbrt-v4)");
     if (isInterface && !emits && !context.hasMedia) return;

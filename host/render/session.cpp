@@ -58,7 +58,7 @@ BuildSettings buildSettingsFor(const DeviceOptions& options) {
 
 void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& diagnostics) {
     const auto emits = [](const Medium& m) { return emissionOf(m) != MediumEmission::none; };
-    if (!scene.integrator.kind->countsMaterials || packed.counts.lights > 0) return;
+    if (!scene.integrator.kind->countsMaterials() || packed.counts.lights > 0) return;
     if (packed.features.has(Feature::MEDIA) && std::ranges::any_of(scene.media, emits)) return;
     diagnostics.warn({}, "the scene has no light: the image will be black");
 }

@@ -16,6 +16,7 @@ static const MaterialDirective directives[] = {
 static void read(const pbrt::MaterialReading& in, Material& material) { pbrt::readHair(in.reading, in.textures, in.arguments, material); }
 
 static next_queue pack(InputWriter& in) {
+    in.transmit();
     in.coefficient(slot_hair::sigma_a, "sigma_a");
     in.number(slot_hair::h, "h");
     in.number(slot_hair::eta, "eta");
