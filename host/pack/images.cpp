@@ -33,13 +33,10 @@ uint TexturePacker::image(int index, bool asFloat) {
     im.width = static_cast<uint>(data.width);
     im.height = static_cast<uint>(data.height);
     im.channels = static_cast<uint>(data.channels);
-    im.format = data.format == TexelFormat::srgb8 ? format_srgb8 : data.format == TexelFormat::linear8 ? format_linear8 : format_float;
-    im.wrap = file.wrap == WrapMode::repeat  ? wrap_repeat
-              : file.wrap == WrapMode::black ? wrap_black
-              : file.wrap == WrapMode::clamp ? wrap_clamp
-                                             : wrap_octahedral;
-    im.filter = file.filter == FilterMode::nearest ? filter_nearest : filter_bilinear;
-    if (data.format == TexelFormat::float32) {
+    im.format = data.format;
+    im.wrap = file.wrap;
+    im.filter = file.filter;
+    if (data.format == format_float) {
         im.first = static_cast<uint>(tables_.float_texels.size());
         tables_.float_texels.insert(tables_.float_texels.end(), data.floats.begin(), data.floats.end());
     } else im.first = packBytes(tables_.byte_texels, data.bytes);

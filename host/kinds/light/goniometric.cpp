@@ -12,7 +12,7 @@ namespace eikonal {
 static bool read(const pbrt::LightReading& in, Light& light) {
     light.spectrum = in.arguments.spectrum("I", whiteOf(in.arguments));
     if (const double power = powerOf(in.arguments); power > 0) light.power = power;
-    return readImage(in, WrapMode::octahedral, light);
+    return readImage(in, wrap_octahedral, light);
 }
 
 static PackedLight pack(const LightPacking& in, const Light& d) {

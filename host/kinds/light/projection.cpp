@@ -13,7 +13,7 @@ namespace eikonal {
 static bool read(const pbrt::LightReading& in, Light& light) {
     light.fov = in.arguments.number("fov");
     if (const double power = powerOf(in.arguments); power > 0) light.power = power;
-    return readImage(in, WrapMode::clamp, light);
+    return readImage(in, wrap_clamp, light);
 }
 
 static PackedLight pack(const LightPacking& in, const Light& d) {

@@ -30,7 +30,7 @@ static bool read(const pbrt::LightReading& in, Light& light) {
     const bool hasImage = arguments.has("filename");
     if (hasImage && arguments.has("L"))
         throw SceneError(arguments.whereOf("L"), "light \"infinite\" has either \"L\" or \"filename\", not both");
-    if (hasImage && !readImage(in, WrapMode::octahedral, light)) return false;
+    if (hasImage && !readImage(in, wrap_octahedral, light)) return false;
     light.spectrum = arguments.spectrum("L", whiteOf(arguments));
     if (hasImage) light.kind = &kindOf(kind_image_infinite_light);
     if (arguments.has("portal")) {

@@ -43,7 +43,7 @@ static size_t pack(const ShapePacking& in) {
     const uint parts = 1u << in.packed.splits;
     uint element = in.packed.first_element;
     for (const CurveSegment& segment : description.segments) {
-        const curve c = packSegment(segment, description.kind, scale > 0 ? in.m : glm::dmat4(1), scale > 0 ? scale : 1);
+        const curve c = packSegment(segment, description.type, scale > 0 ? in.m : glm::dmat4(1), scale > 0 ? scale : 1);
         tables.curve_segments.push_back(c);
         for (uint part = 0; part < parts; ++part, ++element) {
             if (c.width[0] <= 0 && c.width[1] <= 0) continue;

@@ -38,10 +38,9 @@ static bool read(const pbrt::TextureReading& in, Texture& texture) {
     if (!path) return false;
     ImageFile file{*path};
     file.where = arguments.whereOf("filename");
-    constexpr WrapMode wraps[] = {WrapMode::repeat, WrapMode::black, WrapMode::clamp, WrapMode::octahedral};
+    constexpr image_wrap wraps[] = {wrap_repeat, wrap_black, wrap_clamp, wrap_octahedral};
     file.wrap = wraps[choose(arguments, "wrap", {"repeat", "black", "clamp", "octahedralsphere"})];
-    file.filter =
-        choose(arguments, "filter", {"point", "bilinear", "trilinear", "ewa", "EWA"}) == 0 ? FilterMode::nearest : FilterMode::bilinear;
+    file.filter = choose(arguments, "filter", {"point", "bilinear", "trilinear", "ewa", "EWA"}) == 0 ? filter_nearest : filter_bilinear;
     readEncoding(arguments, file);
     texture.image = in.textures.image(file);
     readMapping(in, texture);
