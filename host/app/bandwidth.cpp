@@ -1,6 +1,6 @@
 #include "app/bandwidth.h"
 
-#include "pack/material_inputs.h"
+#include "pack/material_slots.h"
 #include "render/profile.h"
 #include "render/wave_queues.h"
 

@@ -6,8 +6,8 @@
 
 namespace eikonal {
 
-/// Scale of a pixel's spectrum: the photometric integral of light that is 1 at every wavelength. packEmission divides lights by it, and
-/// this multiplies again, as pbrt-v4 does.
+/// Scale of a pixel's spectrum: the photometric integral of light that is 1 at every wavelength. ColorPacker::emission divides lights by
+/// it, and this multiplies again, as pbrt-v4 does.
 static double photometricIntegralOfOne() {
     DenseCurve one;
     one.fill(1);

@@ -33,7 +33,7 @@ glm::dvec2 squareFromDirection(glm::dvec3 d) {
 }
 
 ImageData equalAreaImage(int resolution, int samples, const std::function<glm::dvec3(glm::dvec3)>& radiance) {
-    ImageData image{.width = resolution, .height = resolution, .channels = 3, .format = TexelFormat::float32};
+    ImageData image{.width = resolution, .height = resolution, .channels = 3, .format = format_float};
     image.floats.resize(std::size_t(3) * resolution * resolution);
     tbb::parallel_for(0, resolution, [&](int y) {
         for (int x = 0; x < resolution; ++x) {

@@ -14,7 +14,7 @@
 namespace eikonal {
 
 struct PackedScene;
-struct Packer;
+struct CameraPacking;
 namespace pbrt { struct CameraReading; }
 
 /// What a kind's file defines. `parameters`, `pack` and `project` are required (tests/unit/kinds_test.cpp).
@@ -24,7 +24,7 @@ struct CameraTraits {
     /// Reads these parameters. Throws SceneError. Null: nothing to read.
     void (*read)(const pbrt::CameraReading&, CameraDescription&) = nullptr;
     /// Fills in the fields that the kind's kernel file reads; transform, motion, shutter and lens are already set. May throw SceneError.
-    void (*pack)(Packer&, const CameraDescription&, camera&) = nullptr;
+    void (*pack)(const CameraPacking&, const CameraDescription&, camera&) = nullptr;
     /// Projects a point of camera space to the screen space of the packed camera. Nothing if the camera does not see it.
     std::optional<glm::dvec2> (*project)(const PackedScene&, glm::dvec3 p) = nullptr;
     /// Whether the right edge of the image continues at the left edge. Null: never.

@@ -2,8 +2,8 @@
 
 namespace eikonal {
 
-void packScreen(Packer& packer, const CameraDescription& description, double reach, camera& view) {
-    const FilmDescription& film = packer.scene.film;
+void packScreen(const PackContext& context, const CameraDescription& description, double reach, camera& view) {
+    const FilmDescription& film = context.scene.film;
     const double aspect = description.frameAspectRatio.value_or(static_cast<double>(film.width) / film.height);
     std::array<double, 4> window =
         aspect > 1 ? std::array<double, 4>{-aspect, aspect, -1, 1} : std::array<double, 4>{-1, 1, -1 / aspect, 1 / aspect};

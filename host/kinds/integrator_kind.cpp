@@ -1,7 +1,8 @@
 #include "kinds/integrator_kind.h"
 
 #include "eikonal/lights.h"
-#include "pack/packer.h"
+#include "eikonal/stages.h"
+#include "pack/integrator.h"
 #include "read/pbrt/arguments.h"
 #include "scene/integrator.h"
 
@@ -13,6 +14,9 @@
 namespace eikonal {
 
 using pbrt::Arguments;
+
+bool samplesLights(const IntegratorDescription& d) { return !d.kind->samplesLights || d.kind->samplesLights(d); }
+bool followsBsdfs(const IntegratorDescription& d) { return d.kind->followsBsdfs && d.kind->followsBsdfs(d); }
 
 static bool always(const IntegratorDescription&) { return true; }
 static bool never(const IntegratorDescription&) { return false; }
@@ -48,9 +52,9 @@ static void readWhitted(const Arguments& arguments, IntegratorDescription& d) {
     d.bundle = readTreeRays(arguments, "bundle", 0);
     d.threshold = arguments.number("threshold");
 }
-static void packWhitted(Packer& packer, const IntegratorDescription& d, const std::string& why) {
-    packer.packed.require(Feature::RAY_SPLITTING, why);
-    settings& frame = packer.packed.frame();
+static void packWhitted(const IntegratorPacking& in, const IntegratorDescription& d, const std::string& why) {
+    in.context.require(Feature::RAY_SPLITTING, why);
+    settings& frame = in.frame;
     frame.tree_splits = static_cast<uint>(std::countr_zero(static_cast<unsigned>(d.rays)));
     frame.rough_splits = d.bundle ? static_cast<uint>(std::countr_zero(static_cast<unsigned>(d.bundle))) : NONE;
     frame.tree_threshold = static_cast<float>(d.threshold);
@@ -69,17 +73,17 @@ static void readAmbientOcclusion(const Arguments& arguments, IntegratorDescripti
     if (arguments.has("maxdistance")) d.maxDistance = arguments.number("maxdistance");
     d.colorSpace = arguments.space();
 }
-static void packAmbientOcclusion(Packer& packer, const IntegratorDescription& d, const std::string& why) {
-    packer.packed.require(Feature::AMBIENT_OCCLUSION, why);
-    settings& frame = packer.packed.frame();
-    frame.ambient = packEmission(packer, Spectrum::rgb(glm::dvec3(1), d.colorSpace));
+static void packAmbientOcclusion(const IntegratorPacking& in, const IntegratorDescription& d, const std::string& why) {
+    in.context.require(Feature::AMBIENT_OCCLUSION, why);
+    settings& frame = in.frame;
+    frame.ambient = in.colors.emission(Spectrum::rgb(glm::dvec3(1), d.colorSpace));
     frame.ambient_distance =
-        d.maxDistance > 0 ? static_cast<float>(std::min(d.maxDistance * packer.space.scale, double{FAR_AWAY})) : FAR_AWAY;
+        d.maxDistance > 0 ? static_cast<float>(std::min(d.maxDistance * in.context.space.scale, double{FAR_AWAY})) : FAR_AWAY;
     frame.ambient_cosine = d.cosine;
 }
 const IntegratorKind ambientocclusion_integrator{.name = "ambientocclusion",
                                                  .parameters = "bool cossample = true; float maxdistance in (0, inf)",
-                                                 .countsMaterials = false,
+                                                 .surfaceQueue = next_occlusion,
                                                  .read = readAmbientOcclusion,
                                                  .pack = packAmbientOcclusion,
                                                  .leastDepth = 1,
@@ -93,11 +97,11 @@ static void readSimplePath(const Arguments& arguments, IntegratorDescription& d)
     d.sampleLights = arguments.flag("samplelights");
     d.sampleBsdf = arguments.flag("samplebsdf");
 }
-static void packUniformDirections(Packer& packer, const IntegratorDescription&, const std::string& why) {
-    packer.packed.require(Feature::UNIFORM_DIRECTIONS, why);
+static void packUniformDirections(const IntegratorPacking& in, const IntegratorDescription&, const std::string& why) {
+    in.context.require(Feature::UNIFORM_DIRECTIONS, why);
 }
-static void packSimplePath(Packer& packer, const IntegratorDescription& d, const std::string& why) {
-    if (!d.sampleBsdf) packUniformDirections(packer, d, why);
+static void packSimplePath(const IntegratorPacking& in, const IntegratorDescription& d, const std::string& why) {
+    if (!d.sampleBsdf) packUniformDirections(in, d, why);
 }
 const IntegratorKind simplepath_integrator{.name = "simplepath",
                                            .parameters = "bool samplelights = true; bool samplebsdf = true",

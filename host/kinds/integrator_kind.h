@@ -1,13 +1,14 @@
 #pragma once
 // Integrators: which parts of a scene each one uses, what it reads from the scene file, and its settings for the stages.
 
+#include <optional>
 #include <span>
 #include <string>
 
 namespace eikonal {
 
 struct IntegratorDescription;
-struct Packer;
+struct IntegratorPacking;
 namespace pbrt { class Arguments; }
 
 /// An `Integrator "name"` of a pbrt scene, also for --integrator. docs/integrators.md describes what each computes.
@@ -16,7 +17,9 @@ struct IntegratorKind {
     const char* parameters = "";          ///< a row of read/pbrt/kinds.h, without "maxdepth"
 
     bool countsMedia = false;
-    bool countsMaterials = true;          ///< whether it uses materials and lights
+    /// The queue of all surfaces (enum next_queue of stages.h). Nothing: the queues of their BSDFs; then lights count, too.
+    std::optional<unsigned> surfaceQueue{};
+    bool countsMaterials() const { return !surfaceQueue; }   ///< and lights
     bool splitsRays = false;              ///< several rays may leave a hit
     /// Whether it samples lights; otherwise paths only find the lights that they hit. Null: always.
     bool (*samplesLights)(const IntegratorDescription&) = nullptr;
@@ -26,13 +29,16 @@ struct IntegratorKind {
     /// Reads the kind's parameters. Null: there are none.
     void (*read)(const pbrt::Arguments&, IntegratorDescription&) = nullptr;
     /// Fills in the kind's settings and requires its features, with `why` as the reason. Null: it has neither.
-    void (*pack)(Packer&, const IntegratorDescription&, const std::string& why) = nullptr;
+    void (*pack)(const IntegratorPacking&, const IntegratorDescription&, const std::string& why) = nullptr;
     int leastDepth = 0, mostDepth = 0x7fffffff;   ///< "maxdepth" is clamped to this range
 };
 
 extern const IntegratorKind volpath_integrator, path_integrator, direct_integrator, whitted_integrator, ambientocclusion_integrator,
     simplepath_integrator, randomwalk_integrator;
 std::span<const IntegratorKind* const> integratorKindList();
+/// IntegratorKind::samplesLights and followsBsdfs of an integrator.
+bool samplesLights(const IntegratorDescription&);
+bool followsBsdfs(const IntegratorDescription&);
 /// Another name for "volpath" in scene files.
 constexpr const char* volpathAlias = "simplevolpath";
 

@@ -13,8 +13,8 @@ namespace eikonal {
 struct AreaElement;
 struct Light;
 struct LightBounds;
+struct LightPacking;
 struct PackedLight;
-struct Packer;
 namespace pbrt { struct LightReading; }
 
 /// What a kind's file defines. AREA kinds define `packElement`, the others `pack`; AREA and POINT kinds define `bound`; a kind with a
@@ -30,7 +30,7 @@ struct LightTraits {
     bool hasDirections = true;
 
     /// Packs a light without a shape for the device. May throw SceneError.
-    PackedLight (*pack)(Packer&, const Light&) = nullptr;
+    PackedLight (*pack)(const LightPacking&, const Light&) = nullptr;
     /// Packs one element of a shape that emits the radiance L.
     light (*packElement)(const AreaElement&, const color& L) = nullptr;
 

@@ -20,15 +20,17 @@ light newLight(light_kind kind, const color& L) {
     return l;
 }
 
-light newPointLight(Packer& packer, const Light& d, light_kind kind) {
-    light l = newLight(kind, packWhite(packer));
-    l.p = toVec3(transformPoint(packer.space.sceneFromWorld() * d.worldFromLight, glm::dvec3(0)));
+light newPointLight(const LightPacking& in, const Light& d, light_kind kind) {
+    light l = newLight(kind, in.colors.white());
+    l.p = toVec3(transformPoint(in.context.space.sceneFromWorld() * d.worldFromLight, glm::dvec3(0)));
     return l;
 }
 
-double intensityScale(const Packer& packer) { return packer.space.scale * packer.space.scale; }
+double intensityScale(const PackContext& context) { return context.space.scale * context.space.scale; }
 
-double sceneRadius(const Packer& packer) { return packer.bounds.empty() ? 1 : std::max(packer.bounds.radius() * packer.space.scale, 1e-6); }
+double sceneRadius(const PackContext& context) {
+    return context.bounds.empty() ? 1 : std::max(context.bounds.radius() * context.space.scale, 1e-6);
+}
 
 glm::dmat3 rotationOf(const Light& d) {
     const glm::dmat3 m(d.worldFromLight);
@@ -37,10 +39,10 @@ glm::dmat3 rotationOf(const Light& d) {
 
 double greyOf(glm::dvec3 rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 
-const ImageData& imageOf(const Packer& packer, const Light& d) { return *packer.images[static_cast<size_t>(d.image)]; }
+const ImageData& imageOf(const PackContext& context, const Light& d) { return context.imageData(d.image); }
 
-const ImageData& sphereImage(const Packer& packer, const Light& d) {
-    const ImageData& image = imageOf(packer, d);
+const ImageData& sphereImage(const PackContext& context, const Light& d) {
+    const ImageData& image = imageOf(context, d);
     if (image.width != image.height)
         throw SceneError(
             d.where,
@@ -54,8 +56,11 @@ glm::dvec3 texelOf(const ImageData& image, int x, int y) {
     return {channel(0), channel(1), channel(2)};
 }
 
-uint nextTexel(const Packer& packer) {
-    return static_cast<uint>(packer.packed.tables.environment_texels.size() / (packer.spectral ? TEXEL_WORDS_SPECTRAL : TEXEL_WORDS_RGB));
+uint packTexels(const LightPacking& in, const std::vector<glm::vec3>& texels) {
+    Table<float>& table = in.tables.environment_texels;
+    const uint first = static_cast<uint>(table.size() / (in.context.spectral ? TEXEL_WORDS_SPECTRAL : TEXEL_WORDS_RGB));
+    in.colors.appendTexels(table, texels);
+    return first;
 }
 
 double upwardIlluminance(const ImageData& image) {
@@ -69,15 +74,14 @@ double upwardIlluminance(const ImageData& image) {
     return std::max(sum * 2 * M_PI / (static_cast<double>(n) * n), 1e-30);
 }
 
-uint packLightImage(Packer& packer, int index, bool inGrey) {
-    const auto [found, isNew] = packer.lightTexels.try_emplace({index, inGrey}, nextTexel(packer));
+uint packLightImage(const LightPacking& in, int index, bool inGrey) {
+    const auto [found, isNew] = in.images.try_emplace({index, inGrey}, 0);
     if (!isNew) return found->second;
-    const ImageData& image = *packer.images[static_cast<size_t>(index)];
+    const ImageData& image = in.context.imageData(index);
     std::vector<glm::vec3> texels;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) texels.emplace_back(inGrey ? glm::dvec3(greyOf(texelOf(image, x, y))) : texelOf(image, x, y));
-    packTexels(packer, texels);
-    return found->second;
+    return found->second = packTexels(in, texels);
 }
 
 glm::dvec3 emittingNormal(const AreaElement& e, glm::dvec3 n, const uint* corners, int count) {

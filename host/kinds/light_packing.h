@@ -3,16 +3,30 @@
 
 #include "kinds/light_kind.h"
 #include "pack/light_tree.h"
-#include "pack/packer.h"
+#include "pack/colors.h"
+
+#include <map>
+#include <utility>
 
 namespace eikonal {
+
+/// (image of the scene, in grey?) -> its first texel in `environment_texels`
+using LightImages = std::map<std::pair<int, bool>, uint>;
+
+/// What kinds of lights write.
+struct LightPacking {
+    const PackContext& context;
+    LightTables& tables;
+    ColorPacker& colors;
+    LightImages& images;
+};
 
 /// A light and its power for the light sampler: luminance times solid angle, for infinite lights also times the scene's area.
 struct PackedLight { light l; double power; };
 
 /// One element of a shape that emits. `sceneFromObject` maps its object space to scene space.
 struct AreaElement {
-    const SceneTables& tables;
+    const GeometryTables& tables;
     const Shape& description;
     const shape& packed;
     size_t element;
@@ -23,27 +37,27 @@ struct AreaElement {
 /// which keeps texel indices valid.
 light newLight(light_kind kind, const color& L);
 /// A light at the origin of its light space. The caller sets its intensity.
-light newPointLight(Packer&, const Light&, light_kind kind);
+light newPointLight(const LightPacking&, const Light&, light_kind kind);
 
 /// The factor of intensities: they are divided by squared distances, which are in scene units on the device.
-double intensityScale(const Packer&);
+double intensityScale(const PackContext&);
 /// In world units; 1 for an empty scene.
-double sceneRadius(const Packer&);
+double sceneRadius(const PackContext&);
 /// The rotation from light space to scene space, without scale.
 glm::dmat3 rotationOf(const Light&);
 inline glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
 
-const ImageData& imageOf(const Packer&, const Light&);
+const ImageData& imageOf(const PackContext&, const Light&);
 /// An image over the sphere of directions. Throws SceneError unless it is square.
-const ImageData& sphereImage(const Packer&, const Light&);
+const ImageData& sphereImage(const PackContext&, const Light&);
 /// The texel in column x and row y, negative values clamped to 0.
 glm::dvec3 texelOf(const ImageData&, int x, int y);
 /// The mean of R, G and B.
 double greyOf(glm::dvec3 rgb);
-/// The index that the next texel of packTexels gets in `environment_texels`.
-uint nextTexel(const Packer&);
+/// Adds texels to `environment_texels` and returns the index of the first.
+uint packTexels(const LightPacking&, const std::vector<glm::vec3>&);
 /// Adds an image to `environment_texels` and returns the index of its first texel. Lights with the same image share texels.
-uint packLightImage(Packer&, int image, bool inGrey);
+uint packLightImage(const LightPacking&, int image, bool inGrey);
 /// Illuminance of a surface that faces +z of an equal-area image of the sphere. Too small by a factor of 2, as in pbrt-v4, which uses the
 /// hemisphere's solid angle for the whole square; a scene with "illuminance" is therefore twice as bright as specified.
 double upwardIlluminance(const ImageData&);

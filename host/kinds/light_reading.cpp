@@ -18,7 +18,7 @@ void readDirection(const Arguments& arguments, Light& light) {
                         arguments.kind().title(), light.to.x, light.to.y, light.to.z));
 }
 
-bool readImage(const LightReading& in, WrapMode wrap, Light& light) {
+bool readImage(const LightReading& in, image_wrap wrap, Light& light) {
     const Arguments& arguments = in.arguments;
     if (!arguments.has("filename")) throw SceneError(arguments.where(), arguments.kind().title() + " needs an image: \"string filename\"");
     const std::optional<std::string> path = arguments.file("filename");

@@ -25,6 +25,6 @@ double powerOf(const Arguments& arguments);
 void readDirection(const Arguments& arguments, Light& light);
 
 /// Reads the image of a light that needs one. Returns false if the file is missing (already reported); throws SceneError if none is named.
-bool readImage(const LightReading& in, WrapMode wrap, Light& light);
+bool readImage(const LightReading& in, image_wrap wrap, Light& light);
 
 }  // namespace eikonal::pbrt

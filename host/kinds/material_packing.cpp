@@ -6,7 +6,7 @@ void packMetal(InputWriter& in, uint etaSlot, uint kSlot, const char* eta, const
     if (in.has("reflectance")) {
         in.constant(etaSlot, 1);
         in.metal(kSlot, "reflectance");
-    } else if (in.packer().spectral || in.get(eta).texture != none || in.get(k).texture != none) {
+    } else if (in.isSpectral() || in.get(eta).texture != none || in.get(k).texture != none) {
         in.coefficient(etaSlot, eta);
         in.coefficient(kSlot, k);
     } else {

@@ -3,6 +3,7 @@
 
 #include "kinds/material_kind.h"
 #include "pack/material_inputs.h"
+#include "pack/material_slots.h"
 
 namespace eikonal {
 

@@ -10,7 +10,7 @@
 namespace eikonal {
 
 struct Medium;
-struct Packer;
+struct MediumPacking;
 namespace pbrt { struct MediumReading; }
 
 /// How a medium's emission is given.
@@ -25,7 +25,7 @@ struct MediumTraits {
     bool (*read)(const pbrt::MediumReading&, Medium&) = nullptr;
 
     /// Packs the medium and its tables for the device; if HETEROGENEOUS, also its box and its majorants.
-    medium (*pack)(Packer&, const Medium&) = nullptr;
+    medium (*pack)(const MediumPacking&, const Medium&) = nullptr;
 
     /// How this medium emits. Null: never.
     MediumEmission (*emission)(const Medium&) = nullptr;

@@ -8,22 +8,22 @@ namespace eikonal {
 /// Voxels per majorant cell along each axis, and the most cells along an axis.
 constexpr int majorantVoxels = 4, mostMajorants = 64;
 
-medium newMedium(Packer& packer, const Medium& description) {
+medium newMedium(const MediumPacking& in, const Medium& description) {
     medium m{};
     m.kind = description.kind->value;
-    m.sigma_a = packCoefficient(packer, description.sigmaA, 1 / packer.space.scale);
-    m.sigma_s = packCoefficient(packer, description.sigmaS, 1 / packer.space.scale);
-    m.Le = packEmission(packer, description.Le);
+    m.sigma_a = in.colors.coefficient(description.sigmaA, 1 / in.context.space.scale);
+    m.sigma_s = in.colors.coefficient(description.sigmaS, 1 / in.context.space.scale);
+    m.Le = in.colors.emission(description.Le);
     m.g = static_cast<float>(std::clamp(description.g, -0.99, 0.99));
     m.density = m.temperature = m.Le_scale = m.first_sigma_a = m.first_sigma_s = m.first_Le = m.first_majorant = NONE;
     return m;
 }
 
-glm::dmat4 packBox(const Packer& packer, const Medium& description, glm::dvec3 p0, glm::dvec3 p1, medium& m) {
+glm::dmat4 packBox(const PackContext& context, const Medium& description, glm::dvec3 p0, glm::dvec3 p1, medium& m) {
     glm::dmat4 mediumFromBox(1);
     for (int axis = 0; axis < 3; ++axis) mediumFromBox[axis][axis] = p1[axis] - p0[axis];
     mediumFromBox[3] = glm::dvec4(p0, 1);
-    m.box_from_scene = toAffine(glm::inverse(description.worldFromMedium * mediumFromBox) * packer.space.worldFromScene());
+    m.box_from_scene = toAffine(glm::inverse(description.worldFromMedium * mediumFromBox) * context.space.worldFromScene());
     return mediumFromBox;
 }
 
@@ -31,11 +31,11 @@ glm::ivec3 majorantCells(glm::dvec3 voxels) {
     return glm::ivec3(glm::clamp(glm::ceil(voxels / double(majorantVoxels)), glm::dvec3(1), glm::dvec3(mostMajorants)));
 }
 
-void packDensityMajorants(SceneTables& tables, medium& m, glm::dvec3 voxels) {
+void packDensityMajorants(MediumTables& tables, medium& m, glm::dvec3 voxels) {
     packMajorants(tables, m, majorantCells(voxels), [&](glm::dvec3 low, glm::dvec3 high) { return boundOn(tables, m.density, low, high); });
 }
 
-static void packBlackbodyColors(SceneTables& tables) {
+static void packBlackbodyColors(MediumTables& tables) {
     if (!tables.blackbodies.empty()) return;
     for (int i = 0; i <= BLACKBODY_STEPS; ++i) {
         const double kelvin = BLACKBODY_COLDEST * std::pow(double(BLACKBODY_HOTTEST) / BLACKBODY_COLDEST, double(i) / BLACKBODY_STEPS);
@@ -45,11 +45,11 @@ static void packBlackbodyColors(SceneTables& tables) {
     }
 }
 
-void packBlackbodyEmission(Packer& packer, const Medium& description, medium& m) {
-    packBlackbodyColors(packer.packed.tables);
+void packBlackbodyEmission(const MediumPacking& in, const Medium& description, medium& m) {
+    packBlackbodyColors(in.tables);
     m.temperature_offset = static_cast<float>(description.temperatureOffset);
     m.temperature_scale = static_cast<float>(description.temperatureScale);
-    m.Le = packConstant(packer, description.emissionScale);
+    m.Le = in.colors.constant(description.emissionScale);
 }
 
 }  // namespace eikonal

@@ -3,19 +3,26 @@
 
 #include "kinds/medium_kind.h"
 #include "pack/grids.h"
-#include "pack/packer.h"
+#include "pack/colors.h"
 
 namespace eikonal {
 
+/// What kinds of media write.
+struct MediumPacking {
+    const PackContext& context;
+    MediumTables& tables;
+    ColorPacker& colors;
+};
+
 /// A homogeneous medium with the coefficients, emission and phase function of a description.
-medium newMedium(Packer&, const Medium&);
+medium newMedium(const MediumPacking&, const Medium&);
 
 /// Heterogeneous media: sets the box with corners p0 and p1 in medium space. Returns the transform from the unit cube to medium space.
-glm::dmat4 packBox(const Packer&, const Medium&, glm::dvec3 p0, glm::dvec3 p1, medium& m);
+glm::dmat4 packBox(const PackContext&, const Medium&, glm::dvec3 p0, glm::dvec3 p1, medium& m);
 
 /// Packs majorants on a grid of `cells`. bound(low, high) bounds the extinction in a box of the unit cube, before the factor that the
 /// kernel applies to the medium's majorants (bounded_x_medium).
-template <class Bound> void packMajorants(SceneTables& tables, medium& m, glm::ivec3 cells, const Bound& bound) {
+template <class Bound> void packMajorants(MediumTables& tables, medium& m, glm::ivec3 cells, const Bound& bound) {
     m.majorants_x = static_cast<uint>(cells.x);
     m.majorants_y = static_cast<uint>(cells.y);
     m.majorants_z = static_cast<uint>(cells.z);
@@ -29,9 +36,9 @@ template <class Bound> void packMajorants(SceneTables& tables, medium& m, glm::i
 /// The size of the majorant grid for a grid of so many voxels.
 glm::ivec3 majorantCells(glm::dvec3 voxels);
 /// Packs the majorants of a medium whose `density`, a grid of so many voxels, is already packed.
-void packDensityMajorants(SceneTables&, medium& m, glm::dvec3 voxels);
+void packDensityMajorants(MediumTables&, medium& m, glm::dvec3 voxels);
 
 /// Sets blackbody emission from the medium's packed `temperature`.
-void packBlackbodyEmission(Packer&, const Medium&, medium& m);
+void packBlackbodyEmission(const MediumPacking&, const Medium&, medium& m);
 
 }  // namespace eikonal

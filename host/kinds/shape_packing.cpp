@@ -19,7 +19,7 @@ static std::vector<glm::dvec3> tangentsInReach(const Mesh& mesh, const glm::dmat
 }
 
 void addVertices(const ShapePacking& in) {
-    const auto& [packer, tables, group, s, packed, m, instanceSwaps] = in;
+    const auto& [context, tables, counts, group, s, packed, m, instanceSwaps] = in;
     const Mesh& mesh = *s.mesh;
     packed.first_vertex = static_cast<uint>(tables.positions.size());
     packed.first_index = static_cast<uint>(tables.indices.size());
@@ -34,7 +34,7 @@ void addVertices(const ShapePacking& in) {
     if (!mesh.tangents.empty()) {
         packed.first_tangent = static_cast<uint>(tables.tangents.size());
         for (const glm::dvec3& t : tangentsInReach(mesh, m)) tables.tangents.push_back(toVec3(t));
-        packer.packed.require(Feature::TANGENTS, s.where.toString());
+        context.require(Feature::TANGENTS, s.where.toString());
     }
     if (!mesh.uvs.empty()) {
         packed.first_uv = static_cast<uint>(tables.uvs.size());
@@ -53,7 +53,7 @@ size_t addQuadric(const ShapePacking& in, quadric q, bool flips) {
 }
 
 quadric newRound(const ShapePacking& in) {
-    ++in.packer.packed.counts.quadrics;
+    ++in.counts.quadrics;
     quadric q{};
     q.radius = static_cast<float>(in.description.radius);
     q.phi_max = static_cast<float>(glm::radians(std::clamp(in.description.phiMax, 0.0, 360.0)));

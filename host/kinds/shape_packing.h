@@ -3,15 +3,16 @@
 
 #include "kinds/light_packing.h"
 #include "kinds/shape_kind.h"
+#include "pack/context.h"
 #include "pack/group.h"
-#include "pack/packer.h"
 
 namespace eikonal {
 
 /// The input of a shape's `pack`.
 struct ShapePacking {
-    Packer& packer;
-    SceneTables& tables;
+    const PackContext& context;
+    GeometryTables& tables;
+    SceneCounts& counts;
     Group& group;                  ///< the hierarchy that gets its elements
     const Shape& description;
     shape& packed;                 ///< fields that all kinds share are already set

@@ -4,35 +4,38 @@ namespace eikonal {
 
 static float f(double x) { return static_cast<float>(x); }
 
-void packMapping(const Packer& packer, const Mapping& m, texture_instruction& i) {
+void packMapping(const PackContext& context, const Mapping& m, texture_instruction& i) {
+    i.mapping = m.kind;
     switch (m.kind) {
-        case TextureMapping::uv:
-            i.mapping = mapping_uv;
+        case mapping_uv:
             i.texture_from_scene.xx = f(m.uScale); i.texture_from_scene.xw = f(m.uOffset);
             i.texture_from_scene.yy = f(m.vScale); i.texture_from_scene.yw = f(m.vOffset);
             return;
-        case TextureMapping::spherical: i.mapping = mapping_spherical; i.texture_from_scene = textureFromScene(packer, m); return;
-        case TextureMapping::cylindrical: i.mapping = mapping_cylindrical; i.texture_from_scene = textureFromScene(packer, m); return;
-        case TextureMapping::planar: {
+        case mapping_spherical:
+        case mapping_cylindrical:
+        case mapping_point:
+            i.texture_from_scene = textureFromScene(context, m);
+            return;
+        case mapping_planar: {
             glm::dmat4 plane(1);
             for (int axis = 0; axis < 3; ++axis) { plane[axis][0] = m.planeU[axis]; plane[axis][1] = m.planeV[axis]; }
-            plane[3][0] = m.uOffset; plane[3][1] = m.vOffset;
-            i.mapping = mapping_planar;
-            i.texture_from_scene = toAffine(plane * glm::inverse(m.worldFromTexture) * packer.space.worldFromScene());
+            plane[3][0] = m.uOffset;
+            plane[3][1] = m.vOffset;
+            i.texture_from_scene = toAffine(plane * glm::inverse(m.worldFromTexture) * context.space.worldFromScene());
             return;
         }
     }
 }
 
-affine textureFromScene(const Packer& packer, const Mapping& m, double scale) {
-    return toAffine(glm::dmat4(glm::dmat3(scale)) * glm::inverse(m.worldFromTexture) * packer.space.worldFromScene());
+affine textureFromScene(const PackContext& context, const Mapping& m, double scale) {
+    return toAffine(glm::dmat4(glm::dmat3(scale)) * glm::inverse(m.worldFromTexture) * context.space.worldFromScene());
 }
 
-void packOctaves(const Packer& packer, const Texture& t, texture_instruction& i) {
+void packOctaves(const PackContext& context, const Texture& t, texture_instruction& i) {
     i.octaves = static_cast<uint>(t.octaves);
     i.roughness = f(t.roughness);
     i.variation = f(t.variation);
-    i.texture_from_scene = textureFromScene(packer, t.mapping, t.scale);
+    i.texture_from_scene = textureFromScene(context, t.mapping, t.scale);
 }
 
 }  // namespace eikonal

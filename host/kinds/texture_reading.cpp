@@ -18,16 +18,15 @@ int choose(const Arguments& arguments, const std::string& name, std::initializer
 }
 
 void readMapping(const TextureReading& in, Texture& texture) {
-    constexpr TextureMapping mappings[] = {TextureMapping::uv, TextureMapping::spherical, TextureMapping::cylindrical,
-                                           TextureMapping::planar};
+    constexpr texture_mapping mappings[] = {mapping_uv, mapping_spherical, mapping_cylindrical, mapping_planar};
     const Arguments& arguments = in.arguments;
     Mapping& mapping = texture.mapping;
     mapping.kind = mappings[choose(arguments, "mapping", {"uv", "spherical", "cylindrical", "planar"})];
-    if (mapping.kind == TextureMapping::uv) {
+    if (mapping.kind == mapping_uv) {
         mapping.uScale = arguments.number("uscale");
         mapping.vScale = arguments.number("vscale");
     }
-    if (mapping.kind == TextureMapping::uv || mapping.kind == TextureMapping::planar) {
+    if (mapping.kind == mapping_uv || mapping.kind == mapping_planar) {
         mapping.uOffset = arguments.number("udelta");
         mapping.vOffset = arguments.number("vdelta");
     }

@@ -1,7 +1,7 @@
 // Lights with a shape: one for each element of a shape that emits.
 
-#include "kinds/light_packing.h"
 #include "kinds/shape_kind.h"
+#include "pack/lights.h"
 
 #include <cmath>
 
@@ -12,20 +12,18 @@ static double areaPower(const light& l, double luminance) {
     return l.pmf > 0 ? M_PI * luminance / l.inverse_area * (l.two_sided ? 2 : 1) : 0;
 }
 
-void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dmat4& m, size_t elements) {
-    const AreaLight& description = packer.scene.areaLights[static_cast<size_t>(s.areaLight)];
-    Table<light>& lights = packer.packed.tables.lights;
-    packed.first_light = static_cast<uint>(lights.size());
+void LightPacker::addShape(const Shape& s, shape& packed, const GeometryTables& geometry, const glm::dmat4& m, size_t elements) {
+    const AreaLight& description = context_.scene.areaLights[static_cast<size_t>(s.areaLight)];
+    packed.first_light = static_cast<uint>(tables_.lights.size());
     const bool isUnseen = s.alpha.texture == none && s.alpha.value.value() <= 0;
     if (isUnseen) packed.flags |= shape_is_unseen;
-    if (description.image != none) packed.emission = packEmissionImage(packer, description);
+    if (description.image != none) packed.emission = textures_.emissionImage(description);
     const bool hasPattern = packed.emission != NONE || (packed.alpha != NONE && !isUnseen);
-    const double scale = description.scale * (description.image != none ? meanLuminance(packer, description.image) : 1);
-    const color L = packEmission(packer, description.L, scale);
-    const SceneTables& tables = packer.packed.tables;
+    const double scale = description.scale * (description.image != none ? textures_.meanLuminance(description.image) : 1);
+    const color L = colors_.emission(description.L, scale);
     const LightKind& kind = kindOf(s.kind->traits.lightKindOf(s, m));
     for (size_t e = 0; e < elements; ++e) {
-        light l = kind.traits.packElement({tables, s, packed, e, m}, L);
+        light l = kind.traits.packElement({geometry, s, packed, e, m}, L);
         l.two_sided = description.twoSided ? 1 : 0;
         /* Cut out altogether, it shines unseen (as in pbrt-v4) */
         l.invisible = isUnseen;
@@ -33,17 +31,17 @@ void packAreaLight(Packer& packer, const Shape& s, shape& packed, const glm::dma
         /* A power in watts is that of the whole shape without its holes, through each of its elements alike (pbrt-v4) */
         double factor = scale;
         if (description.power && l.inverse_area > 0) {
-            const double area = 1 / (l.inverse_area * packer.space.scale * packer.space.scale);
+            const double area = 1 / (l.inverse_area * context_.space.scale * context_.space.scale);
             factor = description.scale * *description.power / (M_PI * area * (description.twoSided ? 2 : 1));
-            l.L = packEmission(packer, description.L, factor);
+            l.L = colors_.emission(description.L, factor);
         }
-        packer.areaPowers.push_back(areaPower(l, luminanceOf(description.L, factor)));
-        lights.push_back(l);
+        powers_.push_back(areaPower(l, luminanceOf(description.L, factor)));
+        tables_.lights.push_back(l);
     }
     const std::string why = description.where.toString() + ": area light";
-    packer.packed.require(Feature::EMITTERS, why);
-    if (hasPattern) packer.packed.require(Feature::LIGHT_PATTERN, why);
-    packer.packed.require(kind.feature, why);
+    context_.require(Feature::EMITTERS, why);
+    if (hasPattern) context_.require(Feature::LIGHT_PATTERN, why);
+    context_.require(kind.feature, why);
 }
 
 }  // namespace eikonal

@@ -1,17 +1,15 @@
-// The camera, the film's pixels and the pixel filter.
+#include "pack/camera.h"
 
-#include "kinds/filter_kind.h"
 #include "kinds/camera_kind.h"
+#include "kinds/filter_kind.h"
 #include "pack/alias_table.h"
 #include "pack/motion.h"
-#include "pack/packer.h"
 
 #include <cmath>
 
 namespace eikonal {
 
-/// pbrt-v4's rules: --pixelbounds and cropwindow select pixels of the whole image.
-static PixelRect renderedPixels(const FilmDescription& film, Diagnostics& diagnostics) {
+PixelRect renderedPixels(const FilmDescription& film, Diagnostics& diagnostics) {
     PixelRect rect{0, 0, film.width, film.height};
     if (film.cropWindow) {
         const auto& c = *film.cropWindow;
@@ -28,38 +26,33 @@ static PixelRect renderedPixels(const FilmDescription& film, Diagnostics& diagno
     return clipped;
 }
 
-static void packView(Packer& packer) {
-    const CameraDescription& description = packer.scene.camera;
-    const FilmDescription& film = packer.scene.film;
-    settings& frame = packer.packed.frame();
-    frame.width = static_cast<uint>(film.width);
-    frame.height = static_cast<uint>(film.height);
+/// The camera in world space, as it moves.
+static Motion motionOf(const CameraDescription& description) {
+    return {description.worldFromCamera, description.worldFromCameraAtEnd.value_or(description.worldFromCamera)};
+}
 
-    camera& view = frame.view;
+void packCamera(const CameraPacking& in, camera& view) {
+    const PackContext& context = in.context;
+    const CameraDescription& description = context.scene.camera;
     const CameraKind& kind = kindOf(description);
     view.kind = kind.value;
-    packer.packed.require(kind.feature, description.where.toString());
-    kind.traits.pack(packer, description, view);
+    context.require(kind.feature, description.where.toString());
+    kind.traits.pack(in, description, view);
 
-    view.scene_from_camera = toAffine(packer.space.sceneFromWorld() * description.worldFromCamera);
-    view.times = shutterOf(packer.scene);
-    const Motion way(description.worldFromCamera, description.worldFromCameraAtEnd.value_or(description.worldFromCamera));
-    const TimeSpan seen = timesSeen(packer.scene);
-    const auto cameraFromScene = [&](double time) { return glm::inverse(packer.space.sceneFromWorld() * way.at(time)); };
-    packer.packed.cameraFromScene = {cameraFromScene(seen.from), cameraFromScene((seen.from + seen.to) / 2), cameraFromScene(seen.to)};
+    view.scene_from_camera = toAffine(context.space.sceneFromWorld() * description.worldFromCamera);
+    view.times = shutterOf(context.scene);
     if (description.worldFromCameraAtEnd) {
-        packer.packed.require(Feature::CAMERA_MOTION, description.where.toString());
-        view.moving = way.pack(packer.space, {});
+        context.require(Feature::CAMERA_MOTION, description.where.toString());
+        view.moving = motionOf(description).pack(context.space, {});
     }
     view.lens_radius = static_cast<float>(description.lensRadius);
     view.focal_distance = static_cast<float>(description.focalDistance);
     view.medium = description.medium == none ? NONE : static_cast<uint>(description.medium);
-    if (description.lensRadius > 0 && kind.traits.hasThinLens) packer.packed.require(Feature::LENS, description.where.toString());
+    if (description.lensRadius > 0 && kind.traits.hasThinLens) context.require(Feature::LENS, description.where.toString());
 }
 
 /// One axis as an alias table over cells of |f|; what is left of value over density is the sign.
-static void packFilterAxis(Packer& packer, double radius) {
-    const FilterDescription& filter = packer.scene.filter;
+static void packFilterAxis(CameraTables& tables, const FilterDescription& filter, double radius) {
     std::vector<double> weights;
     for (int i = 0; i < FILTER_CELLS; ++i) {
         /* The mean of a few points stands for the cell */
@@ -68,25 +61,26 @@ static void packFilterAxis(Packer& packer, double radius) {
         for (int k = 0; k < points; ++k)
             mean += filter.kind->eval(filter, std::abs(((i + (k + 0.5) / points) * 2 / FILTER_CELLS - 1) * radius), radius) / points;
         weights.push_back(std::abs(mean));
-        packer.packed.tables.filter_values.push_back(mean < 0 ? -1.0f : 1.0f);
+        tables.filter_values.push_back(mean < 0 ? -1.0f : 1.0f);
     }
     const auto aliases = makeAliasTable(weights);
-    packer.packed.tables.filter_aliases.insert(packer.packed.tables.filter_aliases.end(), aliases.begin(), aliases.end());
+    tables.filter_aliases.insert(tables.filter_aliases.end(), aliases.begin(), aliases.end());
 }
 
-static void packFilter(Packer& packer) {
-    const FilterDescription& description = packer.scene.filter;
-    packer.packed.frame().pixel_filter = {static_cast<float>(description.xRadius), static_cast<float>(description.yRadius)};
+void packFilter(const CameraPacking& in, filter& packed) {
+    const FilterDescription& description = in.context.scene.filter;
+    packed = {static_cast<float>(description.xRadius), static_cast<float>(description.yRadius)};
     if (description.kind == &box_filter && description.xRadius == 0.5 && description.yRadius == 0.5) return;
-    packer.packed.require(Feature::FILTER, description.where.toString());
-    packFilterAxis(packer, description.xRadius);
-    packFilterAxis(packer, description.yRadius);
+    in.context.require(Feature::FILTER, description.where.toString());
+    packFilterAxis(in.tables, description, description.xRadius);
+    packFilterAxis(in.tables, description, description.yRadius);
 }
 
-void packCamera(Packer& packer) {
-    packer.packed.pixels = renderedPixels(packer.scene.film, packer.diagnostics);
-    packView(packer);
-    packFilter(packer);
+std::array<glm::dmat4, 3> cameraFromScene(const PackContext& context) {
+    const Motion way = motionOf(context.scene.camera);
+    const TimeSpan seen = timesSeen(context.scene);
+    const auto at = [&](double time) { return glm::inverse(context.space.sceneFromWorld() * way.at(time)); };
+    return {at(seen.from), at((seen.from + seen.to) / 2), at(seen.to)};
 }
 
 }  // namespace eikonal

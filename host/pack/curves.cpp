@@ -23,12 +23,12 @@ uint curveSplits(const Curve& curve) {
     return static_cast<uint>(splits);
 }
 
-curve packSegment(const CurveSegment& segment, CurveKind kind, const glm::dmat4& m, double scale) {
+curve packSegment(const CurveSegment& segment, curve_type type, const glm::dmat4& m, double scale) {
     curve c{};
     for (size_t i = 0; i < 4; ++i) c.p[i] = toVec3(transformPoint(m, segment.points[i]));
     for (size_t i = 0; i < 2; ++i) c.width[i] = static_cast<float>(segment.width[i] * scale);
-    c.type = kind == CurveKind::flat ? curve_flat : kind == CurveKind::cylinder ? curve_cylinder : curve_ribbon;
-    if (kind != CurveKind::ribbon) return c;
+    c.type = type;
+    if (type != curve_ribbon) return c;
     const std::array<glm::dvec3, 2> n{transformNormal(m, segment.normals[0]), transformNormal(m, segment.normals[1])};
     for (size_t i = 0; i < 2; ++i) c.n[i] = toVec3(n[i]);
     /* Between opposite normals there is no way that is shorter than others */

@@ -12,7 +12,7 @@ namespace eikonal {
 uint curveSplits(const Curve& curve);
 
 /// A segment in the space that `m`, which keeps angles and handedness, takes its object space to; `scale` is that of m.
-curve packSegment(const CurveSegment& segment, CurveKind kind, const glm::dmat4& m, double scale);
+curve packSegment(const CurveSegment& segment, curve_type type, const glm::dmat4& m, double scale);
 
 /// Bounds of one of the 2^splits parts, in the space of its control points.
 Box boundsOfPart(const curve& c, uint part, uint splits);

@@ -74,13 +74,13 @@ std::vector<double> blend(std::span<const double> seen, std::span<const double> 
     return weights;
 }
 
-void writeMap(SceneTables& tables, size_t map, std::span<const double> weights) {
+void writeMap(LightTables& tables, size_t map, std::span<const double> weights) {
     std::ranges::copy(makeAliasSquare(weights, side), tables.guide_aliases.begin() + static_cast<long>(map * GUIDE_MAP_ENTRIES));
 }
 
 /// Where nothing is seen, no direction has a density: light samples would be shadow rays for nothing, and what the survey missed paths find
 /// by themselves.
-void writeDarkMap(SceneTables& tables, size_t map) {
+void writeDarkMap(LightTables& tables, size_t map) {
     std::fill_n(tables.guide_aliases.begin() + static_cast<long>(map * GUIDE_MAP_ENTRIES), GUIDE_MAP_ENTRIES, alias_entry{1, 0, 0});
 }
 
@@ -189,7 +189,7 @@ std::vector<std::vector<double>> shareWithNeighbors(const std::vector<Group>& gr
 
 }  // namespace
 
-void packUnlearnedGuide(SceneTables& tables) {
+void packUnlearnedGuide(LightTables& tables) {
     tables.guide_edges.assign(3 * intervals, FAR_AWAY);
     tables.guide_maps.resize(cells * GUIDE_FACES);
     for (size_t i = 0; i < tables.guide_maps.size(); ++i) tables.guide_maps[i] = static_cast<uint>(i / cells);
@@ -204,7 +204,7 @@ GuideBudget GuideBudget::of(uint width, uint height, int samples) {
     return {static_cast<size_t>(std::min(all / 64, 0x1p16)), static_cast<size_t>(std::min(all * 0.4, 0x1p23))};
 }
 
-double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<const vec3> normals, const GuideOptions& options,
+double learnGuide(LightTables& tables, std::span<const vec3> points, std::span<const vec3> normals, const GuideOptions& options,
                   const WeighMaps& weigh) {
     packUnlearnedGuide(tables);
     if (std::ranges::none_of(normals, isPoint)) return 1;

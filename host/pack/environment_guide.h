@@ -31,7 +31,7 @@ using WeighMaps = std::function<std::vector<float>(const GuideRepresentatives&)>
 
 /// Fills the tables guide_edges, guide_maps and guide_aliases as far as they are known without a look at the scene: all of the environment
 /// is seen from everywhere. Maps 0 to GUIDE_FACES - 1.
-void packUnlearnedGuide(SceneTables& tables);
+void packUnlearnedGuide(LightTables& tables);
 
 /// How a guide is learnt.
 struct GuideOptions {
@@ -44,7 +44,7 @@ struct GuideOptions {
 /// each axis has as many points in each interval; the faces of cells with the most points get maps of their own. Where learning ends early,
 /// the guide stays unlearned. The same points give the same tables. Returns the share of the light of an environment without a scene that
 /// reaches the points, in [0, 1].
-double learnGuide(SceneTables& tables, std::span<const vec3> points, std::span<const vec3> normals, const GuideOptions& options,
+double learnGuide(LightTables& tables, std::span<const vec3> points, std::span<const vec3> normals, const GuideOptions& options,
                   const WeighMaps& weigh);
 
 }  // namespace eikonal

@@ -1,8 +1,6 @@
-// Shapes, objects and instances, and what each hierarchy over them is to hold.
+#include "pack/geometry.h"
 
 #include "kinds/shape_kind.h"
-#include "pack/hierarchies.h"
-#include "pack/shapes.h"
 
 #include <algorithm>
 #include <array>
@@ -12,18 +10,18 @@ namespace eikonal {
 
 class GeometryPacker {
 public:
-    explicit GeometryPacker(Packer& packer) : packer_(packer) {}
+    explicit GeometryPacker(const GeometryPacking& in) : in_(in) {}
 
     Hierarchies pack() {
-        const Scene& scene = packer_.scene;
+        const Scene& scene = in_.context.scene;
         countUses();
         reserveTables();
         Group& world = result_.world;
-        world.space = packer_.space;
+        world.space = in_.context.space;
         result_.seen = timesSeen(scene);
         for (size_t i = 0; i < scene.shapes.size(); ++i)
             if (!scene.shapes[i].worldFromObjectAtEnd)
-                packShape(packer_, world, scene.shapes[i], scene.shapes[i].worldFromObject, false, false, static_cast<uint>(i + 1));
+                packShape(in_, world, scene.shapes[i], scene.shapes[i].worldFromObject, false, false, static_cast<uint>(i + 1));
         addMovingShapes();
         groupOfObject_.assign(scene.objects.size(), noGroup);
         movingInObject_.resize(scene.objects.size());
@@ -37,8 +35,8 @@ private:
     static constexpr size_t noGroup = ~size_t(0);
 
     void countUses() {
-        uses_.assign(packer_.scene.objects.size(), 0);
-        for (const Instance& i : packer_.scene.instances) uses_[static_cast<size_t>(i.object)] += i.worldFromObjectAtEnd ? 2 : 1;
+        uses_.assign(in_.context.scene.objects.size(), 0);
+        for (const Instance& i : in_.context.scene.instances) uses_[static_cast<size_t>(i.object)] += i.worldFromObjectAtEnd ? 2 : 1;
     }
 
     /// Tables that grow would be copied, and be there twice while they are.
@@ -54,10 +52,11 @@ private:
             indices += mesh->indices.size();
             elements += mesh->indices.size() / static_cast<size_t>(s.kind->traits.corners);
         };
-        for (const Shape& s : packer_.scene.shapes) count(s);
+        for (const Shape& s : in_.context.scene.shapes) count(s);
         for (size_t i = 0; i < uses_.size(); ++i)
-            if (uses_[i]) for (const Shape& s : packer_.scene.objects[i].shapes) count(s);
-        SceneTables& tables = packer_.packed.tables;
+            if (uses_[i])
+                for (const Shape& s : in_.context.scene.objects[i].shapes) count(s);
+        GeometryTables& tables = in_.tables;
         tables.positions.reserve(positions);
         tables.normals.reserve(normals);
         tables.tangents.reserve(tangents);
@@ -73,14 +72,14 @@ private:
         for (const Member& m : members) box.grow(m.shape->kind->traits.bound(*m.shape, m.groupFromObject));
         Group group;
         group.space = spaceOf(box);
-        for (const Member& m : members) packShape(packer_, group, *m.shape, m.groupFromObject, true, false, m.id);
+        for (const Member& m : members) packShape(in_, group, *m.shape, m.groupFromObject, true, false, m.id);
         result_.groups.push_back(std::move(group));
         return result_.groups.size() - 1;
     }
 
     /// Shapes that move alike become one group.
     void addMovingShapes() {
-        const auto& shapes = packer_.scene.shapes;
+        const auto& shapes = in_.context.scene.shapes;
         std::map<std::array<double, 32>, std::vector<Member>> alike;
         for (size_t i = 0; i < shapes.size(); ++i) {
             const Shape& s = shapes[i];
@@ -102,7 +101,7 @@ private:
     /// for each shape that moves in it.
     void addObject(size_t index) {
         std::vector<Member> still;
-        for (const Shape& s : packer_.scene.objects[index].shapes) {
+        for (const Shape& s : in_.context.scene.objects[index].shapes) {
             if (s.worldFromObjectAtEnd) { if (uses_[index]) movingInObject_[index].push_back({&s, addGroup({{&s, glm::dmat4(1), 0}})}); }
             else still.push_back({&s, s.worldFromObject, 0});
         }
@@ -115,27 +114,27 @@ private:
         for (const auto& [shape, group] : movingInObject_[object])
             place(group, {inWorld, {shape->worldFromObject, shape->worldFromObjectAtEnd}}, id, i.where);
         if (groupOfObject_[object] != noGroup) { place(groupOfObject_[object], {inWorld}, id, i.where); return; }
-        for (const Shape& s : packer_.scene.objects[object].shapes)
+        for (const Shape& s : in_.context.scene.objects[object].shapes)
             if (!s.worldFromObjectAtEnd)
-                packShape(packer_, world, s, i.worldFromObject * s.worldFromObject, true, swapsHandedness(i.worldFromObject), id);
+                packShape(in_, world, s, i.worldFromObject * s.worldFromObject, true, swapsHandedness(i.worldFromObject), id);
     }
 
     /// Notes what a group in the world requires.
     void place(size_t group, std::vector<Place> places, uint id, const SourceLocation& where) {
         if (result_.groups[group].isEmpty()) return;
-        packer_.packed.require(Feature::INSTANCES, where.toString());
+        in_.context.require(Feature::INSTANCES, where.toString());
         if (std::any_of(places.begin(), places.end(), [](const Place& p) { return p.end.has_value(); }))
-            packer_.packed.require(Feature::MOTION, where.toString());
+            in_.context.require(Feature::MOTION, where.toString());
         result_.placed.push_back({group, std::move(places), id});
     }
 
-    Packer& packer_;
+    const GeometryPacking& in_;
     Hierarchies result_;
     std::vector<int> uses_;                 ///< of each object; a use that moves counts twice, so that it is never part of the world
     std::vector<size_t> groupOfObject_;
     std::vector<std::vector<std::pair<const Shape*, size_t>>> movingInObject_;   ///< and their groups
 };
 
-Hierarchies packGeometry(Packer& packer) { return GeometryPacker(packer).pack(); }
+Hierarchies packGeometry(const GeometryPacking& in) { return GeometryPacker(in).pack(); }
 
 }  // namespace eikonal

@@ -45,7 +45,7 @@ Brick brickOf(const SparseGrid& grid, glm::ivec3 first) {
 
 /// Bricks for the cells from voxel `first` to voxel `last`, of which those around are 0.
 template <class Voxels>
-uint pack(SceneTables& tables, const Voxels& voxels, glm::ivec3 first, glm::ivec3 last, const glm::dmat4& voxelFromBox) {
+uint pack(MediumTables& tables, const Voxels& voxels, glm::ivec3 first, glm::ivec3 last, const glm::dmat4& voxelFromBox) {
     const glm::ivec3 bricks = (last - first) / BRICK_CELLS + 1;
     if (double(bricks.x) * bricks.y * bricks.z + static_cast<double>(tables.bricks.size()) > double(NONE))
         throw std::length_error("there are more bricks of grids than can be counted");
@@ -75,10 +75,10 @@ uint pack(SceneTables& tables, const Voxels& voxels, glm::ivec3 first, glm::ivec
 
 }  // namespace
 
-uint packGrid(SceneTables& tables, const Grid& grid, const glm::dmat4& voxelFromBox) {
+uint packGrid(MediumTables& tables, const Grid& grid, const glm::dmat4& voxelFromBox) {
     return pack(tables, grid, glm::ivec3(-1), glm::ivec3(grid.nx, grid.ny, grid.nz) - 1, voxelFromBox);
 }
-uint packGrid(SceneTables& tables, const SparseGrid& grid, const glm::dmat4& voxelFromBox) {
+uint packGrid(MediumTables& tables, const SparseGrid& grid, const glm::dmat4& voxelFromBox) {
     return pack(tables, grid, (grid.low - 1) >> 3 << 3, grid.high, voxelFromBox);
 }
 
@@ -92,7 +92,7 @@ glm::dmat4 voxelFromBox(int nx, int ny, int nz) {
     return m;
 }
 
-float boundOn(const SceneTables& tables, uint index, glm::dvec3 low, glm::dvec3 high) {
+float boundOn(const MediumTables& tables, uint index, glm::dvec3 low, glm::dvec3 high) {
     /* The cells that touch that part: of a turned grid, those of the box around it. A little more, for what single precision rounds */
     const grid& g = tables.grids[index];
     Box cells;

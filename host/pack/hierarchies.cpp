@@ -8,8 +8,8 @@ namespace {
 
 class HierarchyBuilder {
 public:
-    HierarchyBuilder(const Hierarchies& from, PackedScene& scene, Diagnostics& diagnostics)
-        : from_(from), world_(from.world), tables_(scene.tables), counts_(scene.counts), diagnostics_(diagnostics) {}
+    HierarchyBuilder(const Hierarchies& from, GeometryTables& tables, SceneCounts& counts, Diagnostics& diagnostics)
+        : from_(from), world_(from.world), tables_(tables), counts_(counts), diagnostics_(diagnostics) {}
 
     /// The world's hierarchy holds the boxes of the objects' hierarchies, so those come first.
     void build() {
@@ -69,13 +69,15 @@ private:
 
     const Hierarchies& from_;
     Group world_;          ///< with the boxes of what is placed in it
-    SceneTables& tables_;
+    GeometryTables& tables_;
     SceneCounts& counts_;
     Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
-void Hierarchies::build(PackedScene& scene, Diagnostics& diagnostics) const { HierarchyBuilder(*this, scene, diagnostics).build(); }
+void Hierarchies::build(GeometryTables& tables, SceneCounts& counts, Diagnostics& diagnostics) const {
+    HierarchyBuilder(*this, tables, counts, diagnostics).build();
+}
 
 }  // namespace eikonal

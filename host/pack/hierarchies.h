@@ -29,8 +29,8 @@ struct Hierarchies {
     TimeSpan seen{};   ///< when the camera looks
 
     /// Builds them into the tables `nodes`, `triangle_lines`, `leaf_elements`, `instances` and `motions`, and counts what that took.
-    /// Nothing else of the scene changes.
-    void build(PackedScene& scene, Diagnostics& diagnostics) const;
+    /// No other table changes.
+    void build(GeometryTables& tables, SceneCounts& counts, Diagnostics& diagnostics) const;
 };
 
 }  // namespace eikonal

@@ -1,7 +1,7 @@
 #pragma once
 // How the light is chosen that a point is lit by: an alias table, or a tree.
 
-#include "pack/packer.h"
+#include "pack/context.h"
 
 #include <vector>
 
@@ -9,6 +9,6 @@ namespace eikonal {
 
 /// The probability of each light of `lights`, of which powers[i] is what light i emits in all, and those from firstInfinite on are
 /// infinitely far away; and the table or tree to choose them by, unless there is nothing to sample.
-void packLightSampler(Packer&, std::vector<double> powers, size_t firstInfinite);
+void packLightSampler(const PackContext&, LightTables&, settings& frame, std::vector<double> powers, size_t firstInfinite);
 
 }  // namespace eikonal

@@ -1,72 +1,62 @@
 // Lights without a shape; then the light sampler.
 
-#include "kinds/light_packing.h"
+#include "pack/lights.h"
+
+#include "kinds/integrator_kind.h"
 #include "pack/alias_table.h"
 #include "pack/environment_guide.h"
 #include "pack/light_sampler.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace eikonal {
 
-class LightPacker {
-public:
-    explicit LightPacker(Packer& packer) : packer_(packer), tables_(packer.packed.tables) {}
-
-    void pack() {
-        if (!countsMaterials(packer_.scene.integrator)) return;
-        powers_ = packer_.areaPowers;
-        for (const bool infinite : {false, true}) {
-            firstInfinite_ = tables_.lights.size();
-            for (const Light& description : packer_.scene.lights)
-                if (isInfinite(*description.kind) == infinite) add(description);
-        }
-        packLightSampler(packer_, std::move(powers_), firstInfinite_);
-        packGuide();
+void LightPacker::pack() {
+    if (!context_.scene.integrator.kind->countsMaterials()) return;
+    LightImages images;
+    const LightPacking in{context_, tables_, colors_, images};
+    size_t firstInfinite = 0;  // lights from this one on are infinitely far away
+    for (const bool infinite : {false, true}) {
+        firstInfinite = tables_.lights.size();
+        for (const Light& description : context_.scene.lights)
+            if (isInfinite(*description.kind) == infinite) add(in, description);
     }
+    packLightSampler(context_, tables_, frame_, std::move(powers_), firstInfinite);
+    packGuide();
+}
 
-private:
-    bool isLeftToBsdfs(const LightKind& e) const { return e.traits.isLeftToBsdfs && followsBsdfs(packer_.scene.integrator); }
+bool LightPacker::isLeftToBsdfs(const LightKind& kind) const {
+    return kind.traits.isLeftToBsdfs && followsBsdfs(context_.scene.integrator);
+}
 
-    /// Whether the light sampler chooses it as a light that is infinitely far away.
-    bool isInfinite(const LightKind& e) const {
-        return (e.place == LightPlace::DISTANT || e.place == LightPlace::INFINITE) && !isLeftToBsdfs(e);
-    }
+/// Whether the light sampler chooses it as a light that is infinitely far away.
+bool LightPacker::isInfinite(const LightKind& kind) const {
+    return (kind.place == LightPlace::DISTANT || kind.place == LightPlace::INFINITE) && !isLeftToBsdfs(kind);
+}
 
-    void add(const Light& description) {
-        const LightKind& entry = *description.kind;
-        const PackedLight packed = entry.traits.pack(packer_, description);
-        packer_.packed.require(entry.feature, description.where.toString());
-        if (entry.place == LightPlace::INFINITE) tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
-        tables_.lights.push_back(packed.l);
-        powers_.push_back(isLeftToBsdfs(entry) ? 0 : packed.power);
-    }
+void LightPacker::add(const LightPacking& in, const Light& description) {
+    const LightKind& kind = *description.kind;
+    const PackedLight packed = kind.traits.pack(in, description);
+    context_.require(kind.feature, description.where.toString());
+    if (kind.place == LightPlace::INFINITE) tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
+    tables_.lights.push_back(packed.l);
+    powers_.push_back(isLeftToBsdfs(kind) ? 0 : packed.power);
+}
 
-    /// Makes room for an environment guide, where one may pay.
-    void packGuide() {
-        const IntegratorDescription& integrator = packer_.scene.integrator;
-        const settings& frame = packer_.packed.frame();
-        const auto isGuided = [](const light& l) { return kindOf(l).traits.isLeftToBsdfs; };
-        if (!followsBsdfs(integrator) || !samplesLights(integrator) || packer_.packed.features.has(Feature::LIGHT_TREE) ||
-            std::ranges::none_of(tables_.lights, isGuided))
-            return;
-        if (integrator.environmentGuide == EnvironmentGuide::never) return;
-        packer_.packed.isAlwaysGuided = integrator.environmentGuide == EnvironmentGuide::always;
-        if (!GuideBudget::of(frame.width, frame.height, packer_.scene.sampler.pixelSamples).isEnough()) return;
-        packer_.packed.require(Feature::ENVIRONMENT_GUIDE,
-                               "an infinite light that is the same everywhere, and enough samples to learn where it is seen");
-        packer_.packed.require(Feature::LIGHTS, "the same");
-        packUnlearnedGuide(tables_);
-        if (tables_.light_aliases.empty()) tables_.light_aliases = makeAliasTable(std::vector<double>(tables_.lights.size(), 0.0));
-    }
-
-    Packer& packer_;
-    SceneTables& tables_;
-    std::vector<double> powers_;
-    size_t firstInfinite_ = 0;   ///< lights from this one on are infinitely far away
-};
-
-void packLights(Packer& packer) { LightPacker(packer).pack(); }
+/// Makes room for an environment guide, where one may pay.
+void LightPacker::packGuide() {
+    const IntegratorDescription& integrator = context_.scene.integrator;
+    const auto isGuided = [](const light& l) { return kindOf(l).traits.isLeftToBsdfs; };
+    if (!followsBsdfs(integrator) || !samplesLights(integrator) || context_.has(Feature::LIGHT_TREE) ||
+        std::ranges::none_of(tables_.lights, isGuided))
+        return;
+    if (integrator.environmentGuide == EnvironmentGuide::never) return;
+    if (!GuideBudget::of(frame_.width, frame_.height, context_.scene.sampler.pixelSamples).isEnough()) return;
+    context_.require(Feature::ENVIRONMENT_GUIDE,
+                     "an infinite light that is the same everywhere, and enough samples to learn where it is seen");
+    context_.require(Feature::LIGHTS, "the same");
+    packUnlearnedGuide(tables_);
+    if (tables_.light_aliases.empty()) tables_.light_aliases = makeAliasTable(std::vector<double>(tables_.lights.size(), 0.0));
+}
 
 }  // namespace eikonal

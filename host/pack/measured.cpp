@@ -1,6 +1,6 @@
 // Measured BSDFs as the device reads them: densities with their integrals, and spectra as colors.
 
-#include "pack/packer.h"
+#include "pack/measured.h"
 
 #include "read/formats/measured_bsdf.h"
 #include "read/formats/read_bytes.h"
@@ -90,10 +90,7 @@ private:
 void raise(int& most, size_t count) { most = std::max(most, searchSteps(count)); }
 
 /// What kernels that look this file up are built with.
-void noteSizes(PackedScene& scene, const MeasuredBsdf& bsdf, const std::string& why) {
-    if (bsdf.phi.size() > 1) scene.require(Feature::GRAIN, why);
-    SceneConstants& constants = scene.constants;
-    constants.measuredFiles = static_cast<int>(scene.tables.measured_files.size());
+void noteSizes(SceneConstants& constants, const MeasuredBsdf& bsdf) {
     raise(constants.measuredAngleSteps, std::max(bsdf.phi.size(), bsdf.theta.size()));
     raise(constants.measuredFacetSteps, std::max(bsdf.visible.width, bsdf.visible.height));
     raise(constants.measuredBrightnessSteps, std::max(bsdf.brightness.width, bsdf.brightness.height));
@@ -101,9 +98,9 @@ void noteSizes(PackedScene& scene, const MeasuredBsdf& bsdf, const std::string& 
 
 }  // namespace
 
-uint packMeasured(Packer& packer, const std::string& path, const SourceLocation& where) {
-    if (packer.spectral) packUplift(packer);
-    const auto [found, isNew] = packer.measuredFiles.try_emplace(path, NONE);
+uint MeasuredPacker::file(const std::string& path, const SourceLocation& where) {
+    if (context_.spectral) colors_.addUplift();
+    const auto [found, isNew] = files_.try_emplace(path, NONE);
     if (!isNew) return found->second;
     std::shared_ptr<const MeasuredBsdf> bsdf;
     try {
@@ -111,8 +108,7 @@ uint packMeasured(Packer& packer, const std::string& path, const SourceLocation&
     } catch (const ReadProblem& problem) {
         throw SceneError(where, "\"" + path + "\" " + problem.what());
     }
-    SceneTables& tables = packer.packed.tables;
-    Writer writer(tables.measured_values);
+    Writer writer(tables_.measured_values);
     measured m{};
     m.phi_count = static_cast<uint>(bsdf->phi.size());
     m.theta_count = static_cast<uint>(bsdf->theta.size());
@@ -124,9 +120,11 @@ uint packMeasured(Packer& packer, const std::string& path, const SourceLocation&
     m.visible = writer.warp(bsdf->visible);
     m.brightness = writer.warp(bsdf->brightness);
     m.color = writer.color(*bsdf);
-    tables.measured_files.push_back(m);
-    noteSizes(packer.packed, *bsdf, "measured BSDF \"" + path + "\"");
-    return found->second = static_cast<uint>(tables.measured_files.size() - 1);
+    tables_.measured_files.push_back(m);
+    if (bsdf->phi.size() > 1) context_.require(Feature::GRAIN, "measured BSDF \"" + path + "\"");
+    constants_.measuredFiles = static_cast<int>(tables_.measured_files.size());
+    noteSizes(constants_, *bsdf);
+    return found->second = static_cast<uint>(tables_.measured_files.size() - 1);
 }
 
 }  // namespace eikonal

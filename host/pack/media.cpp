@@ -1,53 +1,51 @@
-// Participating media, in the scene and inside of bodies; the point lights that ways through them are sampled towards.
+#include "pack/media.h"
 
 #include "kinds/light_kind.h"
-#include "kinds/medium_kind.h"
-#include "pack/packer.h"
+#include "kinds/medium_packing.h"
 
 #include <algorithm>
 #include <span>
 
 namespace eikonal {
 
-void packMedia(Packer& packer) {
-    if (!packer.hasMedia) return;
-    for (const Medium& description : packer.scene.media) {
+void MediumPacker::pack() {
+    if (!context_.hasMedia) return;
+    for (const Medium& description : context_.scene.media) {
         const std::string what = description.where.toString() + ": medium \"" + description.name + "\"";
-        packer.packed.require(description.kind->feature, what);
-        packer.packed.require(Feature::MEDIA, what);
-        packer.packed.tables.media.push_back(description.kind->traits.pack(packer, description));
+        context_.require(description.kind->feature, what);
+        context_.require(Feature::MEDIA, what);
+        tables_.media.push_back(description.kind->traits.pack({context_, tables_, colors_}, description));
     }
 }
 
-uint packInterior(Packer& packer, const std::shared_ptr<const Medium>& interior, const std::string& why) {
-    Table<medium>& media = packer.packed.tables.media;
-    const auto [place, isNew] = packer.interiors.try_emplace(interior.get(), static_cast<uint>(media.size()));
+uint MediumPacker::interior(const std::shared_ptr<const Medium>& interior, const std::string& why) {
+    Table<medium>& media = tables_.media;
+    const auto [place, isNew] = interiors_.try_emplace(interior.get(), static_cast<uint>(media.size()));
     if (isNew) {
-        for (Feature feature : {Feature::SUBSURFACE, Feature::MEDIA, interior->kind->feature}) packer.packed.require(feature, why);
-        media.push_back(interior->kind->traits.pack(packer, *interior));
+        for (Feature feature : {Feature::SUBSURFACE, Feature::MEDIA, interior->kind->feature}) context_.require(feature, why);
+        media.push_back(interior->kind->traits.pack({context_, tables_, colors_}, *interior));
     }
     return place->second;
 }
 
-void packEquiangularLights(Packer& packer) {
-    SceneTables& tables = packer.packed.tables;
+void MediumPacker::packEquiangularLights(const Table<light>& lights) {
     std::vector<std::pair<float, vec3>> points;
-    for (const light& l : tables.lights)
-        if (kindOf(l).place == LightPlace::POINT) points.emplace_back(greatestSum(packer, &l.L, nullptr), l.p);
+    for (const light& l : lights)
+        if (kindOf(l).place == LightPlace::POINT) points.emplace_back(colors_.greatestSum(&l.L, nullptr), l.p);
     std::ranges::stable_sort(points, [](const auto& a, const auto& b) { return a.first > b.first; });
     points.resize(std::min(points.size(), size_t{MOST_EQUIANGULAR_LIGHTS}));
     float sum = 0;
     for (const auto& [intensity, p] : points) sum += intensity;
     if (!(sum > 0)) return;
     /* The media of the scene come first; what fills a body is lit through its surface */
-    const size_t open = packer.hasMedia ? packer.scene.media.size() : 0;
-    for (medium& m : std::span(tables.media).first(open)) {
-        if (kindOf(m).variation != MediumVariation::HOMOGENEOUS || greatestSum(packer, &m.sigma_s, nullptr) <= 0) continue;
+    const size_t open = context_.hasMedia ? context_.scene.media.size() : 0;
+    for (medium& m : std::span(tables_.media).first(open)) {
+        if (kindOf(m).variation != MediumVariation::HOMOGENEOUS || colors_.greatestSum(&m.sigma_s, nullptr) <= 0) continue;
         m.equiangular_lights = static_cast<uint>(points.size());
-        packer.packed.require(Feature::EQUIANGULAR, "the scene has a light that is a point, and a medium that scatters");
+        context_.require(Feature::EQUIANGULAR, "the scene has a light that is a point, and a medium that scatters");
     }
-    if (!packer.packed.features.has(Feature::EQUIANGULAR)) return;
-    for (const auto& [intensity, p] : points) tables.point_lights.push_back({p, intensity / sum});
+    if (!context_.has(Feature::EQUIANGULAR)) return;
+    for (const auto& [intensity, p] : points) tables_.point_lights.push_back({p, intensity / sum});
 }
 
 }  // namespace eikonal

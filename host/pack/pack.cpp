@@ -1,12 +1,15 @@
 #include "pack/pack.h"
 
+#include "kinds/integrator_kind.h"
 #include "kinds/shape_kind.h"
+#include "pack/camera.h"
 #include "pack/color_mode.h"
+#include "pack/geometry.h"
+#include "pack/integrator.h"
 #include "pack/motion.h"
-#include "pack/packer.h"
+#include "pack/sampler.h"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 
 namespace eikonal {
@@ -47,61 +50,84 @@ static Box worldBounds(const Scene& scene) {
 
 PackedTextures packTextures(const Scene& scene, std::span<const int> textures, Diagnostics& diagnostics) {
     PackedTextures result;
-    Packer packer{scene, diagnostics, result.scene, {}, {}};
-    packer.images = loadImages(scene.images);
+    const PackContext context{.scene = scene, .diagnostics = diagnostics, .required = result.scene, .images = loadImages(scene.images)};
     result.scene.tables.frame.emplace_back();
-    for (const int texture : textures) result.programs.push_back(packTexture(packer, texture));
+    ColorPacker colors(context, result.scene.tables);
+    TexturePacker packer(context, result.scene.tables, colors);
+    for (const int texture : textures) result.programs.push_back(packer.texture(texture));
     return result;
+}
+
+/// Whether to render at wavelengths; requires it then.
+static bool packColorMode(const Scene& scene, RequiredFeatures& required) {
+    const std::string need = scene.colorMode == ColorMode::automatic ? needOfWavelengths(scene) : "--color";
+    const bool spectral = scene.colorMode != ColorMode::rgb && !need.empty();
+    if (spectral) required.require(Feature::SPECTRAL, need);
+    else if (scene.film.spectrum)
+        throw SceneError(scene.film.where,
+                         "film \"spectral\" keeps light wavelength by wavelength, and --color rgb has no wavelengths; --color spectral and "
+                         "--color auto have them");
+    return spectral;
+}
+
+/// Each part with the tables that it writes, and the parts that it uses.
+static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
+    SceneTables& tables = packed.tables;
+    settings& frame = packed.frame();
+    ColorPacker colors(context, tables);
+    TexturePacker textures(context, tables, colors);
+    MeasuredPacker measured(context, tables, packed.constants, colors);
+    MediumPacker media(context, tables, colors);
+    MaterialPacker materials({context, tables, colors, textures, measured}, media);
+    LightPacker lights(context, tables, frame, colors, textures);
+
+    if (context.spectral) {
+        colors.packSensor(frame);
+        colors.packFilmSpectrum(frame);
+    }
+    packIntegrator({context, frame, colors}, !context.hasMedia && mediaAreUsed(context.scene));
+    packSampler(context, frame);
+    packCamera({context, tables}, frame.view);
+    packFilter({context, tables}, frame.pixel_filter);
+    media.pack();
+    Hierarchies hierarchies = packGeometry({context, tables, packed.counts, textures, materials, lights});
+    lights.pack();
+    media.packEquiangularLights(tables.lights);
+    return hierarchies;
 }
 
 Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     const auto start = std::chrono::steady_clock::now();
     Packing result;
     PackedScene& packed = result.scene;
-    Packer packer{scene, diagnostics, packed, {}, worldBounds(scene)};
-    packer.space = spaceOf(packer.bounds);
-    const bool wouldUseMedia = mediaAreUsed(scene);
-    packer.hasMedia = wouldUseMedia && countsMedia(scene.integrator);
-    packer.images = loadImages(scene.images);
-    packed.worldScale = 1 / packer.space.scale;
-    packed.worldCenter = packer.space.center;
-
+    const Box bounds = worldBounds(scene);
+    const PackContext context{.scene = scene,
+                              .diagnostics = diagnostics,
+                              .required = packed,
+                              .space = spaceOf(bounds),
+                              .bounds = bounds,
+                              .hasMedia = scene.integrator.kind->countsMedia && mediaAreUsed(scene),
+                              .spectral = packColorMode(scene, packed),
+                              .images = loadImages(scene.images)};
+    packed.worldScale = 1 / context.space.scale;
+    packed.worldCenter = context.space.center;
+    packed.pixels = renderedPixels(scene.film, diagnostics);
+    packed.cameraFromScene = cameraFromScene(context);
+    packed.samples = scene.sampler.pixelSamples;
+    packed.roulette = scene.integrator.roulette;
+    packed.isAlwaysGuided = scene.integrator.environmentGuide == EnvironmentGuide::always;
     packed.tables.frame.emplace_back();
-    const std::string need = scene.colorMode == ColorMode::automatic ? needOfWavelengths(scene) : "--color";
-    packer.spectral = scene.colorMode != ColorMode::rgb && !need.empty();
-    if (packer.spectral) {
-        packed.require(Feature::SPECTRAL, need);
-        packSensor(packer);
-        packSpectrumKept(packer);
-    } else if (scene.film.spectrum)
-        throw SceneError(scene.film.where,
-                         "film \"spectral\" keeps light wavelength by wavelength, and --color rgb has no wavelengths; --color spectral and "
-                         "--color auto have them");
-    packIntegrator(packer, wouldUseMedia && !packer.hasMedia);
-    packCamera(packer);
-    packMedia(packer);
-    packMaterials(packer);
-    result.hierarchies = packGeometry(packer);
-    packLights(packer);
-    packEquiangularLights(packer);
+    packed.frame().width = static_cast<uint>(scene.film.width);
+    packed.frame().height = static_cast<uint>(scene.film.height);
+    result.hierarchies = packParts(context, packed);
 
     settings& frame = packed.frame();
-    frame.seed = static_cast<uint>(scene.sampler.seed);
-    if (scene.sampler.kind == SamplerKind::zsobol) {
-        /* The indices of a tile's samples fit in 32 bits */
-        frame.sequence_sample_bits = static_cast<uint>(std::bit_width(static_cast<uint>(std::max(scene.sampler.pixelSamples, 1)) - 1));
-        frame.sequence_tile_bits = std::min(8u, (32 - frame.sequence_sample_bits) / 2);
-    }
     frame.light_count = static_cast<uint>(packed.tables.light_aliases.size());
     frame.world_scale = static_cast<float>(packed.worldScale);
     /* At wavelengths, samples are what the film makes of light; in RGB they are light, which is exposed in the end */
     frame.max_component_value =
-        static_cast<float>(scene.film.maxComponentValue / (packer.spectral ? 1 : scene.film.exposureTime * scene.film.iso / 100));
+        static_cast<float>(scene.film.maxComponentValue / (context.spectral ? 1 : scene.film.exposureTime * scene.film.iso / 100));
     packed.constants.environments = static_cast<int>(packed.tables.environments.size());
-    packed.samples = scene.sampler.pixelSamples;
-    if (scene.sampler.kind != SamplerKind::independent) packed.require(Feature::SOBOL, scene.sampler.where.toString());
-    if (scene.sampler.kind == SamplerKind::sobol || scene.sampler.kind == SamplerKind::zsobol)
-        packed.require(Feature::JOINT_PAIRS, scene.sampler.where.toString());
 
     SceneCounts& counts = packed.counts;
     counts.objects = scene.objects.size();
@@ -117,7 +143,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
 
 PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     Packing packing = packTables(scene, diagnostics);
-    packing.hierarchies.build(packing.scene, diagnostics);
+    packing.hierarchies.build(packing.scene.tables, packing.scene.counts, diagnostics);
     return std::move(packing.scene);
 }
 

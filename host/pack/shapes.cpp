@@ -1,18 +1,20 @@
-#include "pack/shapes.h"
+#include "pack/geometry.h"
 
+#include "kinds/integrator_kind.h"
 #include "kinds/shape_packing.h"
 
 namespace eikonal {
 
-void packShape(Packer& packer, Group& group, const Shape& s, const glm::dmat4& worldFromObject, bool inObject, bool instanceSwaps,
-               uint id) {
-    SceneTables& tables = packer.packed.tables;
-    const uint materialIndex = packedMaterial(packer, s.material);
-    const bool isInterface = tables.materials[materialIndex].next_queue == next_crossing;
-    const bool emits = s.areaLight != none && !inObject && countsMaterials(packer.scene.integrator);
+void packShape(const GeometryPacking& in, Group& group, const Shape& s, const glm::dmat4& worldFromObject, bool inObject,
+               bool instanceSwaps, uint id) {
+    const PackContext& context = in.context;
+    GeometryTables& tables = in.tables;
+    const uint materialIndex = in.materials.material(s.material);
+    const bool isInterface = in.materials.tables().materials[materialIndex].next_queue == next_crossing;
+    const bool emits = s.areaLight != none && !inObject && context.scene.integrator.kind->countsMaterials();
     if (s.areaLight != none && inObject)
-        packer.diagnostics.unsupported("area light in object", s.where, "area lights in instanced objects do not emit (as in pbrt-v4)");
-    if (isInterface && !emits && !packer.hasMedia) return;
+        context.diagnostics.unsupported("area light in object", s.where, "area lights in instanced objects do not emit (as in pbrt-v4)");
+    if (isInterface && !emits && !context.hasMedia) return;
 
     shape packed{};
     packed.kind = s.kind->value;
@@ -23,21 +25,21 @@ void packShape(Packer& packer, Group& group, const Shape& s, const glm::dmat4& w
         NONE;
     packed.inside = packed.outside = NONE;
     if (isInterface) packed.flags |= shape_is_interface;
-    if (packer.hasMedia && s.interface) {
+    if (context.hasMedia && s.interface) {
         packed.flags |= shape_has_interface;
         packed.inside = s.interface->inside == none ? NONE : static_cast<uint>(s.interface->inside);
         packed.outside = s.interface->outside == none ? NONE : static_cast<uint>(s.interface->outside);
     }
     if (s.alpha.texture != none || s.alpha.value.value() < 1) {
-        packer.packed.require(Feature::ALPHA, s.where.toString());
-        packed.alpha = packInput(packer, s.alpha);
+        context.require(Feature::ALPHA, s.where.toString());
+        packed.alpha = in.textures.input(s.alpha);
     }
     const glm::dmat4 groupFromObject = group.space.sceneFromWorld() * worldFromObject;
-    const size_t elements = s.kind->traits.pack({packer, tables, group, s, packed, groupFromObject, instanceSwaps});
+    const size_t elements = s.kind->traits.pack({context, tables, in.counts, group, s, packed, groupFromObject, instanceSwaps});
     if (elements == 0) return;
-    packer.packed.require(s.kind->feature, s.where.toString());
+    context.require(s.kind->feature, s.where.toString());
     tables.element_shapes.insert(tables.element_shapes.end(), elements, static_cast<uint>(tables.shapes.size()));
-    if (emits) packAreaLight(packer, s, packed, groupFromObject, elements);
+    if (emits) in.lights.addShape(s, packed, tables, groupFromObject, elements);
     tables.shapes.push_back(packed);
 }
 

@@ -17,11 +17,21 @@
 
 namespace eikonal {
 
-/// A table of elements for each of SCENE_TABLES, of its name.
-struct SceneTables {
+// Groups of the tables of include/eikonal/scene.h, by the part of packing that writes them.
 #define TABLE_VECTOR(type, name) Table<type> name;
-    SCENE_TABLES(TABLE_VECTOR)
+struct GeometryTables { GEOMETRY_TABLES(TABLE_VECTOR) VERTEX_TABLES(TABLE_VECTOR) };
+struct TextureTables { PROGRAM_TABLES(TABLE_VECTOR) };
+struct MaterialTables { MATERIAL_TABLES(TABLE_VECTOR) };
+struct LightTables { LIGHT_TABLES(TABLE_VECTOR) };
+struct BsdfTables { BSDF_TABLES(TABLE_VECTOR) };
+struct MediumTables { MEDIUM_TABLES(TABLE_VECTOR) };
+struct ColorTables { COLOR_TABLES(TABLE_VECTOR) };
+struct CameraTables { CAMERA_TABLES(TABLE_VECTOR) };
 #undef TABLE_VECTOR
+
+/// A table of elements for each of SCENE_TABLES, of its name.
+struct SceneTables : GeometryTables, TextureTables, MaterialTables, LightTables, BsdfTables, MediumTables, ColorTables, CameraTables {
+    Table<settings> frame;
 
     /// Bytes of all tables.
     size_t bytes() const {
@@ -48,11 +58,21 @@ struct SceneCounts {
     int bvhDepth = 0;
 };
 
-/// A packed scene.
-struct PackedScene {
-    SceneTables tables;
+/// The features that a scene requires.
+struct RequiredFeatures {
     Features features;
     std::map<Feature, std::string> reasons;  ///< the first thing that asked for each feature: "scene.pbrt:12:1: material \"glass\""
+
+    /// Notes that `why` asks for a feature.
+    void require(Feature feature, const std::string& why) {
+        features.require(feature);
+        reasons.emplace(feature, why);
+    }
+};
+
+/// A packed scene.
+struct PackedScene : RequiredFeatures {
+    SceneTables tables;
     SceneConstants constants;
     PixelRect pixels;                        ///< what is to be rendered of width x height (settings)
     int samples = 16;                        ///< for each pixel
@@ -66,11 +86,6 @@ struct PackedScene {
 
     const settings& frame() const { return tables.frame.front(); }
     settings& frame() { return tables.frame.front(); }
-    /// Notes that `why` asks for a feature.
-    void require(Feature feature, const std::string& why) {
-        features.require(feature);
-        reasons.emplace(feature, why);
-    }
 };
 
 }  // namespace eikonal

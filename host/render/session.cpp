@@ -61,7 +61,7 @@ BuildSettings buildSettingsFor(const DeviceOptions& options) {
 
 void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& diagnostics) {
     const auto emits = [](const Medium& m) { return emissionOf(m) != MediumEmission::none; };
-    if (!scene.integrator.kind->countsMaterials || packed.counts.lights > 0) return;
+    if (!scene.integrator.kind->countsMaterials() || packed.counts.lights > 0) return;
     if (packed.features.has(Feature::MEDIA) && std::ranges::any_of(scene.media, emits)) return;
     diagnostics.warn({}, "the scene has no light: the image will be black");
 }
@@ -125,7 +125,7 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     if (aovs.motion && packed_.features.has(Feature::MOTION)) packed_.require(Feature::MOTION_VECTORS, "--aov, or a film \"gbuffer\"");
     times_.pack = time.seconds();
     /* What the scene requires is known: kernels get ready while its hierarchies are built */
-    auto built = std::async(std::launch::async, [&] { packing.hierarchies.build(packed_, diagnostics_); });
+    auto built = std::async(std::launch::async, [&] { packing.hierarchies.build(packed_.tables, packed_.counts, diagnostics_); });
     if (context_) buildKernels();
     built.get();
     times_.build = packed_.counts.buildSeconds;

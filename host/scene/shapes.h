@@ -1,6 +1,7 @@
 #pragma once
 // Shapes of a scene, and objects that group them.
 
+#include "eikonal/shape.h"
 #include "error.h"
 #include "scene/basics.h"
 #include "scene/textures.h"
@@ -26,7 +27,6 @@ struct Mesh {
     std::vector<std::uint32_t> indices;
 };
 
-enum class CurveKind { flat, cylinder, ribbon };
 /// A cubic Bezier curve. Its width and, for ribbons, its normal are interpolated between the two ends.
 struct CurveSegment {
     std::array<glm::vec3, 4> points;
@@ -34,7 +34,7 @@ struct CurveSegment {
     std::array<glm::vec3, 2> normals;   ///< ribbons: not zero, not necessarily of unit length
 };
 struct Curve {
-    CurveKind kind = CurveKind::flat;
+    curve_type type = curve_flat;
     std::vector<CurveSegment> segments;
     int splitDepth = 3;                 ///< a segment becomes 2^splitDepth elements, or more if it bends strongly
 };

@@ -1,6 +1,7 @@
 #pragma once
 // Images and textures of a scene.
 
+#include "eikonal/texture.h"
 #include "error.h"
 #include "scene/basics.h"
 #include "color/spectrum.h"
@@ -15,16 +16,14 @@ struct ImageData;     // read/formats/image.h
 struct TextureKind;   // kinds/texture_kind.h
 
 enum class ColorEncoding { automatic, srgb, linear };  ///< automatic: sRGB for integer files, linear for others
-enum class WrapMode { repeat, black, clamp, octahedral };
-enum class FilterMode { nearest, bilinear };
 
 /// An image file of the scene. It is loaded when the scene is packed; the reader only checks that it exists.
 struct ImageFile {
     std::string path;      ///< a path that can be opened from the working directory
     ColorEncoding encoding = ColorEncoding::automatic;
     double gamma = 0;      ///< > 0: decode with this power instead
-    WrapMode wrap = WrapMode::repeat;
-    FilterMode filter = FilterMode::bilinear;
+    image_wrap wrap = wrap_repeat;
+    image_filter filter = filter_bilinear;
     std::shared_ptr<const ImageData> pixels;  ///< made by the program; null: read `path`
     SourceLocation where;
     bool operator==(const ImageFile& other) const {
@@ -40,11 +39,9 @@ struct Input {
     SourceLocation where;  ///< where it was given; without a file: a default
 };
 
-enum class TextureMapping { uv, spherical, cylindrical, planar };
-
 /// Maps surface points to texture coordinates.
 struct Mapping {
-    TextureMapping kind = TextureMapping::uv;
+    texture_mapping kind = mapping_uv;
     double uScale = 1, vScale = 1, uOffset = 0, vOffset = 0;  ///< uv, planar: applied last
     glm::dvec3 planeU{1, 0, 0}, planeV{0, 1, 0};              ///< planar: "v1", "v2"
     Transform worldFromTexture{1};                            ///< spherical, cylindrical, planar

@@ -67,17 +67,23 @@ typedef struct {
     T(uint,           indices)               /* vertices of each element of a mesh */ \
     T(vec3,           positions)
 
-/* Read by texture evaluation. */
-#define TEXTURE_TABLES(T) \
+/* The attributes of the vertices of meshes. */
+#define VERTEX_TABLES(T) \
+    T(vec3,           normals) \
+    T(vec2,           uvs) \
+    T(vec3,           tangents)
+
+/* Textures and images. */
+#define PROGRAM_TABLES(T) \
     T(texture_program,     programs) \
     T(texture_instruction, instructions) \
     T(image,               images) \
     T(uint,                byte_texels)      /* texels of 8-bit images, four per word */ \
     T(float,               float_texels)     /* texels of floating-point images */ \
-    T(float,               srgb_levels)      /* linear value of each of the 256 levels of an 8-bit sRGB channel, if any image needs it */ \
-    T(vec3,                normals) \
-    T(vec2,                uvs) \
-    T(vec3,                tangents)
+    T(float,               srgb_levels)      /* linear value of each of the 256 levels of an 8-bit sRGB channel, if any image needs it */
+
+/* Read by texture evaluation. */
+#define TEXTURE_TABLES(T) PROGRAM_TABLES(T) VERTEX_TABLES(T)
 
 /* Read by routing, besides geometry and textures. */
 #define MATERIAL_TABLES(T) \

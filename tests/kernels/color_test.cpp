@@ -1,7 +1,7 @@
 // Colours at wavelengths: what the device reads from tables is the spectrum that the scene gave, and the film makes its colour of it again.
 
 #include "device_function.h"
-#include "pack/packer.h"
+#include "pack/colors.h"
 #include "random_inputs.h"
 #include "color/uplift_table.h"
 #include "stage.h"
@@ -20,11 +20,11 @@ struct Colors {
     Scene scene;
     Diagnostics diagnostics{LogLevel::silent};
     PackedScene packed;
-    Packer packer{scene, diagnostics, packed, {}, {}};
+    PackContext context{.scene = scene, .diagnostics = diagnostics, .required = packed, .spectral = true};
+    ColorPacker packer{context, packed.tables};
     Colors() {
         packed.tables.frame.emplace_back();
-        packer.spectral = true;
-        packSensor(packer);
+        packer.packSensor(packed.frame());
     }
 };
 
@@ -49,9 +49,8 @@ TEST(Color, IsTheSpectrumThatTheSceneGave) {
     const DenseCurve k = copper.dense(), glow = lamp.dense(), density = fog.dense();
     const double luminance = integrateXyz(glow).y;
     const SmoothReflectance paint = upliftReflectance({.8, .3, .05}, ColorSpace::srgb);
-    const std::vector<color> colors{packCoefficient(tables.packer, copper), packEmission(tables.packer, lamp, 2),
-                                    packCoefficient(tables.packer, fog, .5), packReflectance(tables.packer, wall),
-                                    packReflectance(tables.packer, grey)};
+    const std::vector<color> colors{tables.packer.coefficient(copper), tables.packer.emission(lamp, 2), tables.packer.coefficient(fog, .5),
+                                    tables.packer.reflectance(wall), tables.packer.reflectance(grey)};
     for (float lambda : {360.f, 411.f, 500.f, 555.f, 640.f, 830.f}) {
         const int i = static_cast<int>(lambda) - shortestWavelength;
         const double expected[] = {k[i], glow[i] / luminance * 7 * 2, density[i] * .5, paint(lambda), .4};
@@ -64,7 +63,7 @@ TEST(Color, IsTheSpectrumThatTheSceneGave) {
 /// An image's texel is looked up in the same table as the host's.
 TEST(Color, OfATexelIsThatOfTheTable) {
     Colors tables;
-    packUplift(tables.packer);
+    tables.packer.addUplift();
     static const DeviceFunction<Four> function({.include = "shade/color.clh",
                                                 .type = "spectrum",
                                                 .body = R"(
@@ -113,10 +112,10 @@ TEST(Color, ComesBackFromItsWavelengths) {
                                                 .features = Features::allSpectral()});
     const uint light = tables.packed.frame().sensor_curves, surface = tables.packed.frame().albedo_curves;
     struct Case { color c; uint from; glm::dvec3 expected; };
-    const Case cases[] = {{packEmission(tables.packer, Spectrum::rgb({1, 1, 1})), light, {1, 1, 1}},
-                          {packEmission(tables.packer, Spectrum::rgb({3, .5, 8})), light, {3, .5, 8}},
-                          {packReflectance(tables.packer, Spectrum::rgb({.7, .1, .2})), surface, {.7, .1, .2}},
-                          {packEmission(tables.packer, Spectrum::blackbody(4000)), light, Spectrum::blackbody(4000).illuminant()}};
+    const Case cases[] = {{tables.packer.emission(Spectrum::rgb({1, 1, 1})), light, {1, 1, 1}},
+                          {tables.packer.emission(Spectrum::rgb({3, .5, 8})), light, {3, .5, 8}},
+                          {tables.packer.reflectance(Spectrum::rgb({.7, .1, .2})), surface, {.7, .1, .2}},
+                          {tables.packer.emission(Spectrum::blackbody(4000)), light, Spectrum::blackbody(4000).illuminant()}};
     constexpr uint samples = 8192;
     const DeviceScene onDevice(testContext(), tables.packed);
     std::vector<uint> numbers(samples);
@@ -161,7 +160,7 @@ TEST(Color, WavelengthsOfAFilmAreEven) {
         for (uint i = 0; i < samples; ++i) numbers[i] = i;
         Colors tables;
         tables.scene.film.spectrum = SpectrumKept{16, c.first, c.last};
-        packSpectrumKept(tables.packer);
+        tables.packer.packFilmSpectrum(tables.packed.frame());
         const DeviceScene onDevice(testContext(), tables.packed);
         constexpr int buckets = 31;
         double count[buckets] = {}, widthWithin = 0, widthBefore = 0, widthAfter = 0, firstBelow = 0;

@@ -3,7 +3,7 @@
 #include "kinds/light_kind.h"
 #include "device_function.h"
 #include "pack/pack.h"
-#include "pack/packer.h"
+#include "read/formats/image.h"
 #include "random_inputs.h"
 #include "image/equal_area.h"
 #include "statistics.h"

@@ -1,5 +1,7 @@
 #include "texture_values.h"
 
+#include "pack/textures.h"
+
 #include <cmath>
 
 namespace eikonal {

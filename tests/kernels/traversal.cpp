@@ -125,7 +125,7 @@ static Shape randomCylinder(Random& random) {
 /// Two segments, of any type, wider at one end; of every second the transform keeps angles.
 static Shape randomCurve(Random& random) {
     auto curve = std::make_shared<Curve>();
-    curve->kind = std::array{CurveKind::flat, CurveKind::cylinder, CurveKind::ribbon}[random.below(3)];
+    curve->type = std::array{curve_flat, curve_cylinder, curve_ribbon}[random.below(3)];
     curve->splitDepth = static_cast<int>(random.below(5));
     glm::vec3 p = toGlm(random.box(1)), step = 0.3f * toGlm(random.direction()), n = toGlm(random.direction());
     double width = random.logBetween(0.01f, 0.2f);

@@ -66,25 +66,25 @@ const std::vector<std::string> rgb{"R", "G", "B"}, rgba{"R", "G", "B", "A"};
 TEST_F(Image, eightBitFilesStayEightBit) {
     for (const char* name : {"a.png", "a.tga", "a.bmp", "a.tif"}) {
         const std::string file = save(name, 2, 2, rgb, TypeDesc::UINT8, colors_);
-        EXPECT_EQ(load(file).format, TexelFormat::srgb8) << name;
+        EXPECT_EQ(load(file).format, format_srgb8) << name;
         EXPECT_EQ(load(file).bytes.size(), 12u);
         expectColors(load(file), srgbGrey, 1e-6);
-        EXPECT_EQ(load(file, ColorEncoding::linear).format, TexelFormat::linear8) << name;
+        EXPECT_EQ(load(file, ColorEncoding::linear).format, format_linear8) << name;
         expectColors(load(file, ColorEncoding::linear), 128 / 255., 1e-6);
-        EXPECT_EQ(load(file, ColorEncoding::automatic, 2.2).format, TexelFormat::float32) << name;
+        EXPECT_EQ(load(file, ColorEncoding::automatic, 2.2).format, format_float) << name;
         expectColors(load(file, ColorEncoding::automatic, 2.2), std::pow(128 / 255., 2.2), 1e-6);
     }
 }
 
 TEST_F(Image, jpegIsReadAsSrgb) {
     const ImageData image = load(save("a.jpg", 8, 8, rgb, TypeDesc::UINT8, std::vector<float>(3 * 64, 128 / 255.f)));
-    EXPECT_EQ(image.format, TexelFormat::srgb8);
+    EXPECT_EQ(image.format, format_srgb8);
     EXPECT_NEAR(image.at(3, 3, 1), srgbGrey, 0.01);
 }
 
 TEST_F(Image, sixteenBitFilesAreDecodedToFloats) {
     const std::string file = save("a.png", 2, 2, rgb, TypeDesc::UINT16, colors_);
-    EXPECT_EQ(load(file).format, TexelFormat::float32);
+    EXPECT_EQ(load(file).format, format_float);
     expectColors(load(file), srgbGrey, 2e-5);
     expectColors(load(file, ColorEncoding::linear), 128 / 255., 1e-5);
 }
@@ -93,7 +93,7 @@ TEST_F(Image, floatsAreLinearWhateverTheEncoding) {
     for (const auto& [name, type, tolerance] :
          {std::tuple{"a.exr", TypeDesc::FLOAT, 0.}, {"half.exr", TypeDesc::HALF, 1e-3}, {"a.hdr", TypeDesc::FLOAT, 1e-2}}) {
         const std::string file = save(name, 2, 2, rgb, type, colors_);
-        EXPECT_EQ(load(file).format, TexelFormat::float32) << name;
+        EXPECT_EQ(load(file).format, format_float) << name;
         expectColors(load(file), 128 / 255.f, tolerance);
         expectColors(load(file, ColorEncoding::srgb), 128 / 255.f, tolerance);
     }
@@ -150,11 +150,11 @@ TEST_F(Image, aFloatTextureReadsAlphaOrGreyOrTheMean) {
     EXPECT_EQ(alpha.bytes, std::vector<std::uint8_t>{51});
 
     const ImageData grey = scalarImage(load(save("grey.png", 1, 1, rgb, TypeDesc::UINT8, {.2f, .2f, .2f})));
-    EXPECT_EQ(grey.format, TexelFormat::srgb8);
+    EXPECT_EQ(grey.format, format_srgb8);
     EXPECT_EQ(grey.bytes, std::vector<std::uint8_t>{51});
 
     const ImageData mean = scalarImage(load(save("rgb.png", 1, 1, rgb, TypeDesc::UINT8, {1, 128 / 255.f, 0})));
-    EXPECT_EQ(mean.format, TexelFormat::float32);
+    EXPECT_EQ(mean.format, format_float);
     EXPECT_NEAR(mean.at(0, 0, 0), (1 + srgbGrey) / 3, 1e-6);
     EXPECT_NEAR(scalarImage(load(save("rgb.exr", 1, 1, rgb, TypeDesc::FLOAT, {1, 2, 6}))).at(0, 0, 0), 3, 1e-6);
 }

@@ -107,7 +107,7 @@ TEST(Kinds, OfIntegratorsReadWhatTheyHave) {
         EXPECT_EQ(kind->read != nullptr, *kind->parameters != '\0') << kind->name;
         EXPECT_LE(kind->leastDepth, kind->mostDepth) << kind->name;
         EXPECT_GE(kind->leastDepth, 0) << kind->name;
-        EXPECT_TRUE(kind->countsMaterials || !kind->countsMedia) << kind->name << " needs lights for its media";
+        EXPECT_TRUE(kind->countsMaterials() || !kind->countsMedia) << kind->name << " needs lights for its media";
     }
 }
 

@@ -144,7 +144,7 @@ TEST_F(ObjMaterials, haveImagesWithOptions) {
     EXPECT_EQ(map.mapping.vOffset, .5);
     const ImageFile& image = scene.images.at(static_cast<std::size_t>(map.image));
     EXPECT_EQ(image.path, path("my image.ppm"));
-    EXPECT_EQ(image.wrap, WrapMode::clamp);
+    EXPECT_EQ(image.wrap, wrap_clamp);
     EXPECT_EQ(image.encoding, ColorEncoding::automatic);
     EXPECT_THAT(warnings_, IsEmpty());
 }

@@ -23,7 +23,7 @@ const std::string seven = "\"point3 P\" [0 0 0  1 3 0  2 -1 1  4 0 2  5 5 1  3 2
 
 TEST_F(PbrtCurves, defaults) {
     const Curve c = curve("\"point3 P\" [0 0 0  1 0 0  2 0 0  3 0 0]");
-    EXPECT_EQ(c.kind, CurveKind::flat);
+    EXPECT_EQ(c.type, curve_flat);
     EXPECT_EQ(c.splitDepth, 3);
     ASSERT_EQ(c.segments.size(), 1u);
     EXPECT_EQ(c.segments[0].width, (std::array{1., 1.}));
@@ -64,7 +64,7 @@ TEST_F(PbrtCurves, splines) {
 
 TEST_F(PbrtCurves, widthsAndNormalsGoFromEndToEnd) {
     const Curve c = curve(seven + "\"string type\" \"ribbon\" \"normal N\" [0 0 1  0 1 0  1 0 0] \"float width\" 3 \"float width1\" 1");
-    EXPECT_EQ(c.kind, CurveKind::ribbon);
+    EXPECT_EQ(c.type, curve_ribbon);
     EXPECT_EQ(c.segments[0].width, (std::array{3., 2.}));
     EXPECT_EQ(c.segments[1].width, (std::array{2., 1.}));
     EXPECT_EQ(c.segments[1].normals, (std::array{glm::vec3(0, 1, 0), glm::vec3(1, 0, 0)}));
@@ -83,7 +83,7 @@ TEST_F(PbrtCurves, errors) {
 }
 
 TEST_F(PbrtCurves, whatMakesNoSenseIsNamed) {
-    EXPECT_EQ(curve(seven + "\"string type\" \"tube\"").kind, CurveKind::cylinder);
+    EXPECT_EQ(curve(seven + "\"string type\" \"tube\"").type, curve_cylinder);
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("there is no curve of type \"tube\"")));
     curve(seven + "\"normal N\" [0 0 1  0 1 0  1 0 0]");
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("only curves of type \"ribbon\" have normals")));

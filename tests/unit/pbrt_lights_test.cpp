@@ -54,7 +54,7 @@ TEST_F(PbrtLights, infiniteLights) {
     const Scene scene =
         world("Rotate 90 1 0 0 LightSource \"infinite\" \"string filename\" \"sky.exr\" \"float scale\" 3 \"float illuminance\" 10");
     const Light& sky = scene.lights.at(0);
-    EXPECT_EQ(scene.images[sky.image].wrap, WrapMode::octahedral);
+    EXPECT_EQ(scene.images[sky.image].wrap, wrap_octahedral);
     EXPECT_EQ(sky.scale, 3);
     EXPECT_EQ(sky.illuminance, 10);
     expectNear(apply(sky.worldFromLight, {0, 1, 0}), {0, 0, 1});
@@ -73,7 +73,7 @@ TEST_F(PbrtLights, areaLights) {
     write("lamp.png", "an image");
     const Scene lamp = world("AreaLightSource \"diffuse\" \"string filename\" \"lamp.png\" \"float scale\" 3 Shape \"sphere\"");
     EXPECT_EQ(lamp.areaLights.at(0).image, 0);
-    EXPECT_EQ(lamp.images.at(0).wrap, WrapMode::clamp);
+    EXPECT_EQ(lamp.images.at(0).wrap, wrap_clamp);
     EXPECT_TRUE(warnings_.empty());
     const AreaLight l = area("\"rgb L\" [1 2 3] \"float scale\" 2 \"bool twosided\" true");
     expectNear(l.L.illuminant(), {1, 2, 3});

@@ -28,7 +28,7 @@ TEST_F(PbrtTextures, defaults) {
     EXPECT_EQ(board.operands.at(0).value.value(), 1);
     EXPECT_EQ(board.operands.at(1).value.value(), 0);
     EXPECT_EQ(board.dimensions, 2);
-    EXPECT_EQ(board.mapping.kind, TextureMapping::uv);
+    EXPECT_EQ(board.mapping.kind, mapping_uv);
     EXPECT_EQ(board.mapping.uScale, 1);
 }
 
@@ -77,12 +77,12 @@ TEST_F(PbrtTextures, imagemaps) {
     const ImageFile file = image("\"string filename\" \"a.png\"");
     EXPECT_EQ(file.path, path("a.png"));
     EXPECT_EQ(file.encoding, ColorEncoding::automatic);
-    EXPECT_EQ(file.wrap, WrapMode::repeat);
-    EXPECT_EQ(file.filter, FilterMode::bilinear);
+    EXPECT_EQ(file.wrap, wrap_repeat);
+    EXPECT_EQ(file.filter, filter_bilinear);
     EXPECT_EQ(image("\"string filename\" \"a.png\" \"string wrap\" \"octahedralsphere\" \"string filter\" \"point\"").wrap,
-              WrapMode::octahedral);
-    EXPECT_EQ(image("\"string filename\" \"a.png\" \"string filter\" \"point\"").filter, FilterMode::nearest);
-    EXPECT_EQ(image("\"string filename\" \"a.png\" \"string filter\" \"ewa\"").filter, FilterMode::bilinear);
+              wrap_octahedral);
+    EXPECT_EQ(image("\"string filename\" \"a.png\" \"string filter\" \"point\"").filter, filter_nearest);
+    EXPECT_EQ(image("\"string filename\" \"a.png\" \"string filter\" \"ewa\"").filter, filter_bilinear);
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"imagemap\" \"string filename\" \"a.png\" \"string wrap\" \"mirror\""),
                 HasSubstr("it can be \"repeat\", \"black\", \"clamp\", \"octahedralsphere\""));
 }
@@ -109,15 +109,13 @@ TEST_F(PbrtTextures, mappingsFollowTheTransform) {
     const Scene scene = world(
         "Translate 1 2 3 Texture \"t\" \"float\" \"checkerboard\" \"string mapping\" \"planar\" \"vector3 v1\" [0 0 2] \"float udelta\" 4");
     const Mapping& mapping = scene.textures[0].mapping;
-    EXPECT_EQ(mapping.kind, TextureMapping::planar);
+    EXPECT_EQ(mapping.kind, mapping_planar);
     expectNear(mapping.planeU, {0, 0, 2});
     expectNear(mapping.planeV, {0, 1, 0});
     EXPECT_EQ(mapping.uOffset, 4);
     expectNear(apply(mapping.worldFromTexture, {0, 0, 0}), {1, 2, 3});
-    EXPECT_EQ(texture("\"float\" \"checkerboard\" \"string mapping\" \"spherical\"").mapping.kind,
-              TextureMapping::spherical);
-    EXPECT_EQ(texture("\"float\" \"checkerboard\" \"string mapping\" \"cylindrical\"").mapping.kind,
-              TextureMapping::cylindrical);
+    EXPECT_EQ(texture("\"float\" \"checkerboard\" \"string mapping\" \"spherical\"").mapping.kind, mapping_spherical);
+    EXPECT_EQ(texture("\"float\" \"checkerboard\" \"string mapping\" \"cylindrical\"").mapping.kind, mapping_cylindrical);
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"checkerboard\" \"string mapping\" \"cubic\""),
                 HasSubstr("it can be \"uv\", \"spherical\""));
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"checkerboard\" \"integer dimension\" 4"), HasSubstr("it can be 2 or 3"));

@@ -4,7 +4,9 @@
 
 namespace eikonal {
 
-static void pack(Packer& packer, const CameraDescription& description, camera& view) { packScreen(packer, description, 1, view); }
+static void pack(const CameraPacking& in, const CameraDescription& description, camera& view) {
+    packScreen(in.context, description, 1, view);
+}
 
 static std::optional<glm::dvec2> project(const PackedScene&, glm::dvec3 p) { return p.z > 0 ? std::optional(glm::dvec2(p)) : std::nullopt; }
 

@@ -7,8 +7,8 @@ namespace eikonal {
 
 static void read(const pbrt::CameraReading& in, CameraDescription& camera) { camera.fov = in.arguments.number("fov"); }
 
-static void pack(Packer& packer, const CameraDescription& description, camera& view) {
-    packScreen(packer, description, std::tan(glm::radians(description.fov) / 2), view);
+static void pack(const CameraPacking& in, const CameraDescription& description, camera& view) {
+    packScreen(in.context, description, std::tan(glm::radians(description.fov) / 2), view);
 }
 
 static std::optional<glm::dvec2> project(const PackedScene&, glm::dvec3 p) {

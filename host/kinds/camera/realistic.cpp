@@ -31,13 +31,13 @@ static void read(const pbrt::CameraReading& in, CameraDescription& camera) {
     in.reading.scene.images.push_back(file);
 }
 
-static void pack(Packer& packer, const CameraDescription& description, camera& view) {
-    const FilmDescription& film = packer.scene.film;
-    SceneTables& tables = packer.packed.tables;
-    packer.packed.require(Feature::IMPORTANCE, description.where.toString());
+static void pack(const CameraPacking& in, const CameraDescription& description, camera& view) {
+    const FilmDescription& film = in.context.scene.film;
+    CameraTables& tables = in.tables;
+    in.context.require(Feature::IMPORTANCE, description.where.toString());
     const LensSystem lens(description, film.diagonal);
     if (lens.stopIsTooWide())
-        packer.diagnostics.warn(description.where, "the aperture is larger than the lens's stop; it is clamped to the stop");
+        in.context.diagnostics.warn(description.where, "the aperture is larger than the lens's stop; it is clamped to the stop");
     tables.lens_elements = lens.elements();
     tables.pupils = lens.pupils();
     view.element_count = static_cast<uint>(tables.lens_elements.size());
@@ -46,8 +46,8 @@ static void pack(Packer& packer, const CameraDescription& description, camera& v
 
     const bool hasImage = description.aperture == ApertureShape::image;
     const ApertureTexels aperture =
-        apertureTexels(description.aperture, hasImage ? packer.images[static_cast<size_t>(description.apertureImage)].get() : nullptr);
-    if (!aperture.values.empty()) packer.packed.require(Feature::APERTURE, description.where.toString());
+        apertureTexels(description.aperture, hasImage ? &in.context.imageData(description.apertureImage) : nullptr);
+    if (!aperture.values.empty()) in.context.require(Feature::APERTURE, description.where.toString());
     tables.aperture_texels = aperture.values;
     view.aperture_width = static_cast<uint>(aperture.width);
     view.aperture_height = static_cast<uint>(aperture.height);

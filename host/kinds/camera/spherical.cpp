@@ -15,9 +15,9 @@ static void read(const pbrt::CameraReading& in, CameraDescription& camera) {
     camera.equalArea = mapping == "equalarea";
 }
 
-static void pack(Packer& packer, const CameraDescription& description, camera& view) {
-    view.step_x = 1 / static_cast<float>(packer.scene.film.width);
-    view.step_y = 1 / static_cast<float>(packer.scene.film.height);
+static void pack(const CameraPacking& in, const CameraDescription& description, camera& view) {
+    view.step_x = 1 / static_cast<float>(in.context.scene.film.width);
+    view.step_y = 1 / static_cast<float>(in.context.scene.film.height);
     view.equal_area = description.equalArea;
 }
 

@@ -14,10 +14,10 @@ static bool read(const pbrt::LightReading& in, Light& light) {
     return true;
 }
 
-static PackedLight pack(Packer& packer, const Light& d) {
-    light l = newLight(kind_distant_light, packEmission(packer, d.spectrum, d.scale));
+static PackedLight pack(const LightPacking& in, const Light& d) {
+    light l = newLight(kind_distant_light, in.colors.emission(d.spectrum, d.scale));
     l.n = toVec3(glm::normalize(transformVector(d.worldFromLight, d.from - d.to)));
-    return {l, M_PI * sceneRadius(packer) * sceneRadius(packer) * luminanceOf(d.spectrum, d.scale)};
+    return {l, M_PI * sceneRadius(in.context) * sceneRadius(in.context) * luminanceOf(d.spectrum, d.scale)};
 }
 
 const LightTraits distant_light{

@@ -12,19 +12,19 @@ namespace eikonal {
 static bool read(const pbrt::LightReading& in, Light& light) {
     light.spectrum = in.arguments.spectrum("I", whiteOf(in.arguments));
     if (const double power = powerOf(in.arguments); power > 0) light.power = power;
-    return readImage(in, WrapMode::octahedral, light);
+    return readImage(in, wrap_octahedral, light);
 }
 
-static PackedLight pack(Packer& packer, const Light& d) {
-    const ImageData& image = sphereImage(packer, d);
-    light l = newPointLight(packer, d, kind_goniometric_light);
-    l.first_texel = packLightImage(packer, d.image, true);
+static PackedLight pack(const LightPacking& in, const Light& d) {
+    const ImageData& image = sphereImage(in.context, d);
+    light l = newPointLight(in, d, kind_goniometric_light);
+    l.first_texel = packLightImage(in, d.image, true);
     double mean = 0;
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x) mean += greyOf(texelOf(image, x, y)) / (static_cast<double>(image.width) * image.height);
     const double watts = d.power ? *d.power / std::max(4 * M_PI * mean, 1e-30) : 1;
-    const double factor = d.scale * watts * intensityScale(packer);
-    l.L = packEmission(packer, d.spectrum, factor);
+    const double factor = d.scale * watts * intensityScale(in.context);
+    l.L = in.colors.emission(d.spectrum, factor);
     const glm::dmat3 m = rotationOf(d);
     l.a = toVec3(m[0]); l.b = toVec3(m[2]); l.n = toVec3(m[1]);
     l.resolution = static_cast<uint>(image.width);

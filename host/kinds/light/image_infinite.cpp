@@ -8,8 +8,8 @@
 
 namespace eikonal {
 
-/// Adds the texels' radiance, and alias tables that choose a row and a texel in the row. Returns the mean luminance.
-static double addTexels(Packer& packer, const ImageData& image, const Light& d) {
+/// Adds the texels' radiance to a light, and alias tables that choose a row and a texel in the row. Returns the mean luminance.
+static double addTexels(const LightPacking& in, const ImageData& image, const Light& d, light& l) {
     const int n = image.width;
     double scale = d.scale, sum = 0;
     std::vector<glm::vec3> texels;
@@ -22,23 +22,22 @@ static double addTexels(Packer& packer, const ImageData& image, const Light& d) 
         weights.push_back((t.r + t.g + t.b) / 3);
         sum += luminance(t);
     }
-    SceneTables& tables = packer.packed.tables;
     const Table<alias_entry> aliases = makeAliasSquare(weights, static_cast<size_t>(n));
-    tables.environment_aliases.insert(tables.environment_aliases.end(), aliases.begin(), aliases.end());
-    packTexels(packer, texels);
+    Table<alias_entry>& table = in.tables.environment_aliases;
+    l.first_alias = static_cast<uint>(table.size());
+    table.insert(table.end(), aliases.begin(), aliases.end());
+    l.first_texel = packTexels(in, texels);
     return sum / (static_cast<double>(n) * n);
 }
 
-static PackedLight pack(Packer& packer, const Light& d) {
-    const ImageData& image = sphereImage(packer, d);
-    light l = newLight(kind_image_infinite_light, packWhite(packer));
+static PackedLight pack(const LightPacking& in, const Light& d) {
+    const ImageData& image = sphereImage(in.context, d);
+    light l = newLight(kind_image_infinite_light, in.colors.white());
     l.resolution = static_cast<uint>(image.width);
-    l.first_texel = nextTexel(packer);
-    l.first_alias = static_cast<uint>(packer.packed.tables.environment_aliases.size());
     const glm::dmat3 m = rotationOf(d);
     l.a = toVec3(m[0]); l.b = toVec3(m[1]); l.n = toVec3(m[2]);
-    const double mean = addTexels(packer, image, d);
-    return {l, 4 * M_PI * M_PI * sceneRadius(packer) * sceneRadius(packer) * mean};
+    const double mean = addTexels(in, image, d, l);
+    return {l, 4 * M_PI * M_PI * sceneRadius(in.context) * sceneRadius(in.context) * mean};
 }
 
 const LightTraits image_infinite_light{.pack = pack};

@@ -14,10 +14,10 @@ static bool read(const pbrt::LightReading& in, Light& light) {
     return true;
 }
 
-static PackedLight pack(Packer& packer, const Light& d) {
-    const double factor = d.scale * intensityScale(packer);
-    light l = newLight(kind_point_light, packEmission(packer, d.spectrum, factor));
-    l.p = toVec3(transformPoint(packer.space.sceneFromWorld() * d.worldFromLight, d.from));
+static PackedLight pack(const LightPacking& in, const Light& d) {
+    const double factor = d.scale * intensityScale(in.context);
+    light l = newLight(kind_point_light, in.colors.emission(d.spectrum, factor));
+    l.p = toVec3(transformPoint(in.context.space.sceneFromWorld() * d.worldFromLight, d.from));
     return {l, 4 * M_PI * luminanceOf(d.spectrum, factor)};
 }
 

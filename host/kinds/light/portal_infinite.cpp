@@ -21,8 +21,8 @@ static glm::dvec3 lookUp(const ImageData& image, glm::dvec2 square) {
     return glm::mix(glm::mix(texel(x, y), texel(x + 1, y), s - x), glm::mix(texel(x, y + 1), texel(x + 1, y + 1), s - x), t - y);
 }
 
-static PackedLight pack(Packer& packer, const Light& d) {
-    const ImageData* image = d.image == none ? nullptr : &sphereImage(packer, d);
+static PackedLight pack(const LightPacking& in, const Light& d) {
+    const ImageData* image = d.image == none ? nullptr : &sphereImage(in.context, d);
     const glm::dvec3 x = glm::normalize(d.portal[3] - d.portal[0]), y = glm::normalize(d.portal[1] - d.portal[0]), n = glm::cross(x, y);
     const glm::dmat3 lightFromPortal = glm::transpose(rotationOf(d)) * glm::dmat3(x, y, n);
     const auto radianceFrom = [&](glm::dvec3 w) {
@@ -30,19 +30,17 @@ static PackedLight pack(Packer& packer, const Light& d) {
     };
     const PortalImage portal = makePortalImage(image ? image->width : 1, radianceFrom);
     const double scale = d.scale * (image && d.illuminance ? *d.illuminance / upwardIlluminance(*image) : 1);
-    light l = newLight(kind_portal_infinite_light, image ? packWhite(packer, scale) : packEmission(packer, d.spectrum, scale));
+    light l = newLight(kind_portal_infinite_light, image ? in.colors.white(scale) : in.colors.emission(d.spectrum, scale));
     l.a = toVec3(x); l.b = toVec3(y); l.n = toVec3(n);
-    l.p = toVec3(transformPoint(packer.space.sceneFromWorld(), d.portal[0]));
-    l.c = toVec3(transformPoint(packer.space.sceneFromWorld(), d.portal[2]));
-    SceneTables& tables = packer.packed.tables;
+    l.p = toVec3(transformPoint(in.context.space.sceneFromWorld(), d.portal[0]));
+    l.c = toVec3(transformPoint(in.context.space.sceneFromWorld(), d.portal[2]));
     l.resolution = static_cast<uint>(portal.resolution);
-    l.first_texel = nextTexel(packer);
-    l.first_sum = static_cast<uint>(tables.portal_sums.size());
-    packTexels(packer, {portal.texels.begin(), portal.texels.end()});
-    tables.portal_sums.insert(tables.portal_sums.end(), portal.sums.begin(), portal.sums.end());
-    packer.packed.require(Feature::PORTALS, d.where.toString());
+    l.first_texel = packTexels(in, {portal.texels.begin(), portal.texels.end()});
+    l.first_sum = static_cast<uint>(in.tables.portal_sums.size());
+    in.tables.portal_sums.insert(in.tables.portal_sums.end(), portal.sums.begin(), portal.sums.end());
+    in.context.require(Feature::PORTALS, d.where.toString());
     const double area =
-        glm::length(d.portal[3] - d.portal[0]) * glm::length(d.portal[1] - d.portal[0]) * packer.space.scale * packer.space.scale;
+        glm::length(d.portal[3] - d.portal[0]) * glm::length(d.portal[1] - d.portal[0]) * in.context.space.scale * in.context.space.scale;
     return {l, area * portal.fluence * (image ? scale : luminanceOf(d.spectrum, scale))};
 }
 

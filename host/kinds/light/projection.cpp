@@ -13,13 +13,13 @@ namespace eikonal {
 static bool read(const pbrt::LightReading& in, Light& light) {
     light.fov = in.arguments.number("fov");
     if (const double power = powerOf(in.arguments); power > 0) light.power = power;
-    return readImage(in, WrapMode::clamp, light);
+    return readImage(in, wrap_clamp, light);
 }
 
-static PackedLight pack(Packer& packer, const Light& d) {
-    const ImageData& image = imageOf(packer, d);
-    light l = newPointLight(packer, d, kind_projection_light);
-    l.first_texel = packLightImage(packer, d.image, false);
+static PackedLight pack(const LightPacking& in, const Light& d) {
+    const ImageData& image = imageOf(in.context, d);
+    light l = newPointLight(in, d, kind_projection_light);
+    l.first_texel = packLightImage(in, d.image, false);
     const double opposite = std::tan(glm::radians(d.fov) / 2), shorter = std::min(image.width, image.height);
     const double halfWidth = opposite * image.width / shorter, halfHeight = opposite * image.height / shorter;   // of the slide, at z = 1
     double flux = 0;   // luminance times solid angle
@@ -29,8 +29,9 @@ static PackedLight pack(Packer& packer, const Light& d) {
             flux += luminance(texelOf(image, x, y)) * std::pow(1 + u * u + v * v, -1.5);
         }
     flux *= 4 * halfWidth * halfHeight / (static_cast<double>(image.width) * image.height);
-    const double watts = d.power ? *d.power / std::max(flux, 1e-30) : 1, I = d.scale * watts * packer.space.scale * packer.space.scale;
-    l.L = packWhite(packer, I);
+    const double watts = d.power ? *d.power / std::max(flux, 1e-30) : 1,
+                 I = d.scale * watts * in.context.space.scale * in.context.space.scale;
+    l.L = in.colors.white(I);
     const glm::dmat3 m = rotationOf(d);
     l.a = toVec3(m[0] / halfWidth); l.b = toVec3(-m[1] / halfHeight); l.n = toVec3(m[2]);
     l.resolution = static_cast<uint>(image.width);

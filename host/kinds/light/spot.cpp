@@ -31,12 +31,12 @@ static bool read(const pbrt::LightReading& in, Light& light) {
     return true;
 }
 
-static PackedLight pack(Packer& packer, const Light& d) {
+static PackedLight pack(const LightPacking& in, const Light& d) {
     const double outer = std::cos(glm::radians(d.coneAngle)), inner = std::cos(glm::radians(d.coneAngle - d.coneDeltaAngle));
     const double solidAngle = 2 * M_PI * ((1 - inner) + (inner - outer) / 2);
-    const double factor = d.scale * intensityScale(packer);
-    light l = newLight(kind_spot_light, packEmission(packer, d.spectrum, factor));
-    l.p = toVec3(transformPoint(packer.space.sceneFromWorld() * d.worldFromLight, d.from));
+    const double factor = d.scale * intensityScale(in.context);
+    light l = newLight(kind_spot_light, in.colors.emission(d.spectrum, factor));
+    l.p = toVec3(transformPoint(in.context.space.sceneFromWorld() * d.worldFromLight, d.from));
     l.n = toVec3(glm::normalize(transformVector(d.worldFromLight, d.to - d.from)));
     l.cos_inner = static_cast<float>(inner);
     l.cos_outer = static_cast<float>(outer);

@@ -30,7 +30,7 @@ static bool read(const pbrt::LightReading& in, Light& light) {
     const bool hasImage = arguments.has("filename");
     if (hasImage && arguments.has("L"))
         throw SceneError(arguments.whereOf("L"), "light \"infinite\" has either \"L\" or \"filename\", not both");
-    if (hasImage && !readImage(in, WrapMode::octahedral, light)) return false;
+    if (hasImage && !readImage(in, wrap_octahedral, light)) return false;
     light.spectrum = arguments.spectrum("L", whiteOf(arguments));
     if (hasImage) light.kind = &kindOf(kind_image_infinite_light);
     if (arguments.has("portal")) {
@@ -42,9 +42,9 @@ static bool read(const pbrt::LightReading& in, Light& light) {
     return true;
 }
 
-static PackedLight pack(Packer& packer, const Light& d) {
-    const double power = 4 * M_PI * M_PI * sceneRadius(packer) * sceneRadius(packer) * luminanceOf(d.spectrum, d.scale);
-    return {newLight(kind_uniform_infinite_light, packEmission(packer, d.spectrum, d.scale)), power};
+static PackedLight pack(const LightPacking& in, const Light& d) {
+    const double power = 4 * M_PI * M_PI * sceneRadius(in.context) * sceneRadius(in.context) * luminanceOf(d.spectrum, d.scale);
+    return {newLight(kind_uniform_infinite_light, in.colors.emission(d.spectrum, d.scale)), power};
 }
 
 const LightTraits uniform_infinite_light{.directive = "infinite",

@@ -15,6 +15,7 @@ static void read(const pbrt::MaterialReading& in, Material& material) {
 }
 
 static next_queue pack(InputWriter& in) {
+    in.transmit();
     in.spectrum(slot_diffuse_transmission::reflectance, "reflectance");
     in.spectrum(slot_diffuse_transmission::transmittance, "transmittance");
     return next_diffuse_transmission;

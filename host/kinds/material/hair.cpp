@@ -16,13 +16,14 @@ static const MaterialDirective directives[] = {
 static void read(const pbrt::MaterialReading& in, Material& material) { pbrt::readHair(in.reading, in.textures, in.arguments, material); }
 
 static next_queue pack(InputWriter& in) {
+    in.transmit();
     in.coefficient(slot_hair::sigma_a, "sigma_a");
     in.number(slot_hair::h, "h");
     in.number(slot_hair::eta, "eta");
     in.number(slot_hair::beta_m, "beta_m");
     in.number(slot_hair::beta_n, "beta_n");
     in.number(slot_hair::scale_tilt, "alpha");
-    in.packer().packed.require(Feature::ANISOTROPY, in.why());
+    in.require(Feature::ANISOTROPY);
     return next_hair;
 }
 

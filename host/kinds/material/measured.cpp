@@ -20,7 +20,7 @@ static void read(const pbrt::MaterialReading& in, Material& material) {
 
 static next_queue pack(InputWriter& in) {
     in.file(slot_measured::file);
-    in.packer().packed.require(Feature::ANISOTROPY, in.why());
+    in.require(Feature::ANISOTROPY);
     return next_measured;
 }
 

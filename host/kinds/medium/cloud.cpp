@@ -17,9 +17,9 @@ static bool read(const pbrt::MediumReading& in, Medium& medium) {
     return true;
 }
 
-static medium pack(Packer& packer, const Medium& d) {
-    medium m = newMedium(packer, d);
-    packBox(packer, d, d.p0, d.p1, m);
+static medium pack(const MediumPacking& in, const Medium& d) {
+    medium m = newMedium(in, d);
+    packBox(in.context, d, d.p0, d.p1, m);
     m.low = toVec3(d.p0);
     m.extent = toVec3(d.p1 - d.p0);
     m.noise_density = static_cast<float>(d.noiseDensity);
@@ -28,7 +28,7 @@ static medium pack(Packer& packer, const Medium& d) {
 
     /* Compute majorants of horizontal slabs. Above y = 1/2 the density is at most (1 - y) 4.5 density |noise|, where five octaves of
        noise add up to < 1.01 */
-    packMajorants(packer.packed.tables, m, {1, 32, 1}, [&](glm::dvec3 low, glm::dvec3 high) {
+    packMajorants(in.tables, m, {1, 32, 1}, [&](glm::dvec3 low, glm::dvec3 high) {
         const double a = d.p0.y + low.y * m.extent.y, b = d.p0.y + high.y * m.extent.y;
         const double cloud = std::max(std::abs(1 - a), std::abs(1 - b)) * 4.5 * std::abs(d.noiseDensity) * 1.01;
         const double mist = 2 * std::max(0.5 - std::min(a, b), 0.);

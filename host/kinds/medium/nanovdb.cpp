@@ -48,18 +48,18 @@ static Box boxOf(const SparseGrid& grid) {
     return box;
 }
 
-static medium pack(Packer& packer, const Medium& d) {
-    SceneTables& tables = packer.packed.tables;
+static medium pack(const MediumPacking& in, const Medium& d) {
+    MediumTables& tables = in.tables;
     const SparseGrid &density = *d.sparseDensity, *temperature = d.sparseTemperature.get();
-    medium m = newMedium(packer, d);
+    medium m = newMedium(in, d);
     Box box = boxOf(density);
     if (temperature) box.grow(boxOf(*temperature));
-    const glm::dmat4 mediumFromBox = packBox(packer, d, box.low, box.high, m), voxelFromBox = density.voxelFromMedium * mediumFromBox;
+    const glm::dmat4 mediumFromBox = packBox(in.context, d, box.low, box.high, m), voxelFromBox = density.voxelFromMedium * mediumFromBox;
 
     m.density = packGrid(tables, density, voxelFromBox);
     if (temperature) {
         m.temperature = packGrid(tables, *temperature, temperature->voxelFromMedium * mediumFromBox);
-        packBlackbodyEmission(packer, d, m);
+        packBlackbodyEmission(in, d, m);
     }
     packDensityMajorants(tables, m, {glm::length(voxelFromBox[0]), glm::length(voxelFromBox[1]), glm::length(voxelFromBox[2])});
     return m;

@@ -22,45 +22,45 @@ static bool read(const pbrt::MediumReading& in, Medium& medium) {
     return true;
 }
 
-static uint packColors(Packer& packer, const std::vector<glm::vec3>& colors, const ColorGrid& grid, bool emitted) {
-    Table<color>& table = packer.packed.tables.medium_colors;
+static uint packColors(const MediumPacking& in, const std::vector<glm::vec3>& colors, const ColorGrid& grid, bool emitted) {
+    Table<color>& table = in.tables.medium_colors;
     if (colors.empty()) return NONE;
     const uint first = static_cast<uint>(table.size());
     for (const glm::vec3& rgb : colors) {
         const Spectrum spectrum = Spectrum::rgb(rgb, grid.space);
-        table.push_back(emitted ? packEmission(packer, spectrum) : packCoefficient(packer, spectrum));
+        table.push_back(emitted ? in.colors.emission(spectrum) : in.colors.coefficient(spectrum));
     }
     return first;
 }
 
 /// Packs the majorants of the largest component of sigma_t.
-static void packColorMajorants(Packer& packer, const ColorGrid& grid, medium& m) {
-    SceneTables& tables = packer.packed.tables;
+static void packColorMajorants(const MediumPacking& in, const ColorGrid& grid, medium& m) {
+    MediumTables& tables = in.tables;
     Grid greatest{grid.nx, grid.ny, grid.nz, std::vector<float>(size_t(grid.nx) * grid.ny * grid.nz)};
     for (size_t i = 0; i < greatest.values.size(); ++i) {
         const color* a = m.first_sigma_a == NONE ? nullptr : &tables.medium_colors[m.first_sigma_a + i];
         const color* s = m.first_sigma_s == NONE ? nullptr : &tables.medium_colors[m.first_sigma_s + i];
-        greatest.values[i] = greatestSum(packer, a, s);
+        greatest.values[i] = in.colors.greatestSum(a, s);
     }
     const float everywhere = m.first_sigma_a == NONE || m.first_sigma_s == NONE ? 1.f : 0.f;   // sigma_a or sigma_s defaults to 1
-    SceneTables scratch;
+    MediumTables scratch;
     const uint packed = packGrid(scratch, greatest, voxelFromBox(grid.nx, grid.ny, grid.nz));
     packMajorants(tables, m, majorantCells({grid.nx, grid.ny, grid.nz}),
                   [&](glm::dvec3 low, glm::dvec3 high) { return everywhere + boundOn(scratch, packed, low, high); });
 }
 
-static medium pack(Packer& packer, const Medium& d) {
+static medium pack(const MediumPacking& in, const Medium& d) {
     const ColorGrid& grid = d.colors;
-    medium m = newMedium(packer, d);
-    packBox(packer, d, d.p0, d.p1, m);
+    medium m = newMedium(in, d);
+    packBox(in.context, d, d.p0, d.p1, m);
     m.nx = static_cast<uint>(grid.nx);
     m.ny = static_cast<uint>(grid.ny);
     m.nz = static_cast<uint>(grid.nz);
-    m.first_sigma_a = packColors(packer, grid.sigmaA, grid, false);
-    m.first_sigma_s = packColors(packer, grid.sigmaS, grid, false);
-    m.first_Le = packColors(packer, grid.Le, grid, true);
-    if (m.first_Le != NONE) m.Le = packConstant(packer, d.emissionScale);
-    packColorMajorants(packer, grid, m);
+    m.first_sigma_a = packColors(in, grid.sigmaA, grid, false);
+    m.first_sigma_s = packColors(in, grid.sigmaS, grid, false);
+    m.first_Le = packColors(in, grid.Le, grid, true);
+    if (m.first_Le != NONE) m.Le = in.colors.constant(d.emissionScale);
+    packColorMajorants(in, grid, m);
     return m;
 }
 

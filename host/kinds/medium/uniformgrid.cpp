@@ -23,16 +23,16 @@ static bool read(const pbrt::MediumReading& in, Medium& medium) {
     return true;
 }
 
-static medium pack(Packer& packer, const Medium& d) {
-    SceneTables& tables = packer.packed.tables;
-    medium m = newMedium(packer, d);
-    packBox(packer, d, d.p0, d.p1, m);
+static medium pack(const MediumPacking& in, const Medium& d) {
+    MediumTables& tables = in.tables;
+    medium m = newMedium(in, d);
+    packBox(in.context, d, d.p0, d.p1, m);
     const glm::dmat4 voxelsFromBox = voxelFromBox(d.density.nx, d.density.ny, d.density.nz);
     m.density = packGrid(tables, d.density, voxelsFromBox);
     if (!d.LeScale.values.empty()) m.Le_scale = packGrid(tables, d.LeScale, voxelFromBox(d.LeScale.nx, d.LeScale.ny, d.LeScale.nz));
     if (!d.temperature.values.empty()) {
         m.temperature = packGrid(tables, d.temperature, voxelsFromBox);
-        packBlackbodyEmission(packer, d, m);
+        packBlackbodyEmission(in, d, m);
     }
     packDensityMajorants(tables, m, {d.density.nx, d.density.ny, d.density.nz});
     return m;

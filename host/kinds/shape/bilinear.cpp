@@ -26,7 +26,7 @@ static size_t pack(const ShapePacking& in) {
             box.grow(toGlm(in.tables.positions[in.packed.first_vertex + mesh.indices[4 * i + static_cast<size_t>(c)]]));
         addBox(in.group, box, in.packed.first_element + static_cast<uint>(i));
     }
-    in.packer.packed.counts.patches += count;
+    in.counts.patches += count;
     return count;
 }
 

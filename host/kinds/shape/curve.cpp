@@ -27,8 +27,8 @@ static Box bound(const Shape& s, const glm::dmat4& m) {
 /// which the kernel applies to each ray.
 static size_t pack(const ShapePacking& in) {
     const Curve& description = *in.description.curve;
-    SceneTables& tables = in.tables;
-    in.packer.packed.require(Feature::STRIPS, in.description.where.toString());
+    GeometryTables& tables = in.tables;
+    in.context.require(Feature::STRIPS, in.description.where.toString());
     if (in.description.reverseOrientation != isMirrored(in)) in.packed.flags |= shape_reversed;
     in.packed.first_index = static_cast<uint>(tables.curve_segments.size());
     in.packed.splits = curveSplits(description);
@@ -43,7 +43,7 @@ static size_t pack(const ShapePacking& in) {
     const uint parts = 1u << in.packed.splits;
     uint element = in.packed.first_element;
     for (const CurveSegment& segment : description.segments) {
-        const curve c = packSegment(segment, description.kind, scale > 0 ? in.m : glm::dmat4(1), scale > 0 ? scale : 1);
+        const curve c = packSegment(segment, description.type, scale > 0 ? in.m : glm::dmat4(1), scale > 0 ? scale : 1);
         tables.curve_segments.push_back(c);
         for (uint part = 0; part < parts; ++part, ++element) {
             if (c.width[0] <= 0 && c.width[1] <= 0) continue;
@@ -51,7 +51,7 @@ static size_t pack(const ShapePacking& in) {
             addBox(in.group, scale > 0 ? box : transformed(box, in.m), element);
         }
     }
-    in.packer.packed.counts.curves += description.segments.size();
+    in.counts.curves += description.segments.size();
     return element - in.packed.first_element;
 }
 

@@ -22,7 +22,7 @@ static size_t pack(const ShapePacking& in) {
     in.tables.implicits.push_back(
         {toVec3(surface.low), toVec3(surface.high), static_cast<uint>(instructions.size()), static_cast<uint>(program.size())});
     instructions.insert(instructions.end(), program.begin(), program.end());
-    ++in.packer.packed.counts.implicits;
+    ++in.counts.implicits;
     /* The inside is where F < 0, also if the transform mirrors */
     return addQuadric(in, quadric{}, false);
 }

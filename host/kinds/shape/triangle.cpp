@@ -37,7 +37,7 @@ static size_t pack(const ShapePacking& in) {
     if (count == 0) return 0;
     addVertices(in);
     in.group.triangles.push_back({in.packed.first_vertex, in.packed.first_index, count, in.packed.first_element});
-    in.packer.packed.counts.triangles += count;
+    in.counts.triangles += count;
     return count;
 }
 

@@ -6,7 +6,7 @@
 namespace eikonal {
 
 static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) {
-    i.image = packImage(into.packer, t.image, false);
+    i.image = into.textures.image(t.image, false);
     i.value = packNumber(t.g);
 }
 

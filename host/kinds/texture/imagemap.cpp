@@ -38,10 +38,9 @@ static bool read(const pbrt::TextureReading& in, Texture& texture) {
     if (!path) return false;
     ImageFile file{*path};
     file.where = arguments.whereOf("filename");
-    constexpr WrapMode wraps[] = {WrapMode::repeat, WrapMode::black, WrapMode::clamp, WrapMode::octahedral};
+    constexpr image_wrap wraps[] = {wrap_repeat, wrap_black, wrap_clamp, wrap_octahedral};
     file.wrap = wraps[choose(arguments, "wrap", {"repeat", "black", "clamp", "octahedralsphere"})];
-    file.filter =
-        choose(arguments, "filter", {"point", "bilinear", "trilinear", "ewa", "EWA"}) == 0 ? FilterMode::nearest : FilterMode::bilinear;
+    file.filter = choose(arguments, "filter", {"point", "bilinear", "trilinear", "ewa", "EWA"}) == 0 ? filter_nearest : filter_bilinear;
     readEncoding(arguments, file);
     texture.image = in.textures.image(file);
     readMapping(in, texture);
@@ -51,14 +50,14 @@ static bool read(const pbrt::TextureReading& in, Texture& texture) {
 }
 
 static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) {
-    i.image = packImage(into.packer, t.image, t.isFloat);
-    if (into.packer.spectral && !t.isFloat) packUplift(into.packer);
+    i.image = into.textures.image(t.image, t.isFloat);
+    if (into.context.spectral && !t.isFloat) into.colors.addUplift();
     i.value = packNumber(t.scale);
     i.flags = (t.invert ? static_cast<uint>(texture_invert) : 0u) | (t.isFloat        ? static_cast<uint>(texture_number)
                                                                      : into.unbounded ? static_cast<uint>(texture_unbounded)
                                                                                       : 0u);
-    packMapping(into.packer, t.mapping, i);
-    if (t.scale < 0 || t.scale > 1 || into.packer.packed.tables.images[i.image].format == format_float) into.leavesUnit = true;
+    packMapping(into.context, t.mapping, i);
+    if (t.scale < 0 || t.scale > 1 || into.textures.tables().images[i.image].format == format_float) into.leavesUnit = true;
 }
 
 const TextureTraits imagemap_texture{

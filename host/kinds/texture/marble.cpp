@@ -13,8 +13,8 @@ static bool read(const pbrt::TextureReading& in, Texture& texture) {
 }
 
 static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) {
-    packOctaves(into.packer, t, i);
-    if (into.packer.spectral) packUplift(into.packer);
+    packOctaves(into.context, t, i);
+    if (into.context.spectral) into.colors.addUplift();
 }
 
 const TextureTraits marble_texture{

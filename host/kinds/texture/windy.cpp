@@ -5,7 +5,7 @@
 namespace eikonal {
 
 static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) {
-    packOctaves(into.packer, t, i);
+    packOctaves(into.context, t, i);
     into.leavesUnit = true;
 }
 

@@ -156,7 +156,7 @@ ImageData read(const ImageFile& file) {
     const bool isInteger = !header.isFloatingPoint;
     const bool isLinear = file.encoding == ColorEncoding::linear;
     if (header.isBytes && file.gamma <= 0) {
-        image.format = isLinear ? TexelFormat::linear8 : TexelFormat::srgb8;
+        image.format = isLinear ? format_linear8 : format_srgb8;
         image.bytes = readPicked<std::uint8_t>(*input, picked);
         if (image.channels == 4 && isOpaque<std::uint8_t>(image.bytes, 255)) { dropChannel3(image.bytes); image.channels = 3; }
         return image;
@@ -176,8 +176,8 @@ ImageData read(const ImageFile& file) {
 
 float ImageData::at(int x, int y, int channel) const {
     const std::size_t i = (static_cast<std::size_t>(y) * width + x) * channels + channel;
-    if (format == TexelFormat::float32) return floats[i];
-    return format == TexelFormat::srgb8 ? linearFromSrgbByte()[bytes[i]] : bytes[i] / 255.f;
+    if (format == format_float) return floats[i];
+    return format == format_srgb8 ? linearFromSrgbByte()[bytes[i]] : bytes[i] / 255.f;
 }
 
 std::shared_ptr<const ImageData> loadImage(const ImageFile& file) {
@@ -215,7 +215,7 @@ ImageData scalarImage(const ImageData& image) {
         for (std::size_t i = 0; i < image.bytes.size(); i += 3) result.bytes.push_back(image.bytes[i]);
         return result;
     }
-    result.format = TexelFormat::float32;
+    result.format = format_float;
     result.floats.resize(pixels);
     for (int y = 0; y < image.height; ++y)
         for (int x = 0; x < image.width; ++x)

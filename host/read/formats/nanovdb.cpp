@@ -1,9 +1,9 @@
-#include "read/formats/nanovdb.h"
-
 /* Files may use either compression */
 #define NANOVDB_USE_ZIP
 #define NANOVDB_USE_BLOSC
-#include <nanovdb/util/IO.h>
+#include <nanovdb/util/IO.h>  // before the contract headers, whose NONE is a macro
+
+#include "read/formats/nanovdb.h"
 
 #include <fmt/format.h>
 

@@ -35,7 +35,7 @@ std::optional<std::pair<MtlTexture, ImageFile>> MtlInputs::image(const std::stri
     if (path.empty()) return {};
     usesUvs_ = true;
     ImageFile file{.path = path, .encoding = encoding};
-    file.wrap = texture->clamp ? WrapMode::clamp : WrapMode::repeat;
+    file.wrap = texture->clamp ? wrap_clamp : wrap_repeat;
     file.where = texture->where;
     return std::pair{std::move(*texture), std::move(file)};
 }

@@ -43,7 +43,7 @@ void addSky(Scene& scene, glm::dvec3 up, glm::dvec3 towardsViewer) {
         x = glm::cross(z, std::abs(z.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
     x = glm::normalize(x);
 
-    ImageFile image{.path = "sky", .wrap = WrapMode::octahedral};
+    ImageFile image{.path = "sky", .wrap = wrap_octahedral};
     image.pixels = std::make_shared<ImageData>(equalAreaImage(512, 3, skyRadiance));
     scene.images.push_back(std::move(image));
     Light light;

@@ -18,14 +18,14 @@ Points bezierOfSpline(const glm::vec3* p, int degree) {
     return {glm::mix(glm::mix(p[0], p[1], 2.f / 3), b, .5f), b, c, glm::mix(c, glm::mix(p[2], p[3], 1.f / 3), .5f)};
 }
 
-CurveKind kindOf(Reading& reading, const Arguments& arguments) {
+curve_type typeOf(Reading& reading, const Arguments& arguments) {
     const std::string type = arguments.text("type");
-    if (type == "flat") return CurveKind::flat;
-    if (type == "ribbon") return CurveKind::ribbon;
+    if (type == "flat") return curve_flat;
+    if (type == "ribbon") return curve_ribbon;
     if (type != "cylinder")
         reading.diagnostics.warn(arguments.whereOf("type"), "there is no curve of type \"" + type +
                                                                 "\" (types are flat, cylinder, ribbon); \"cylinder\" is used instead");
-    return CurveKind::cylinder;
+    return curve_cylinder;
 }
 
 /// The number of segments of the control points. Throws SceneError if they do not fit.
@@ -58,13 +58,13 @@ std::shared_ptr<Curve> readCurve(Reading& reading, const Arguments& arguments) {
     const size_t count = countSegments(arguments, points.size(), basis, degree);
 
     auto curve = std::make_shared<Curve>();
-    curve->kind = kindOf(reading, arguments);
+    curve->type = typeOf(reading, arguments);
     curve->splitDepth = arguments.integer("splitdepth");
     std::vector<glm::vec3> normals = arguments.vectors3("N");
-    if (curve->kind == CurveKind::ribbon && normals.size() != count + 1)
+    if (curve->type == curve_ribbon && normals.size() != count + 1)
         throw SceneError(arguments.whereOf("N"), title + " of type \"ribbon\" needs \"normal N\" at both ends of each segment: " +
                                                      std::to_string(count + 1) + " normals, not " + std::to_string(normals.size()));
-    if (curve->kind != CurveKind::ribbon && !normals.empty())
+    if (curve->type != curve_ribbon && !normals.empty())
         reading.diagnostics.warn(arguments.whereOf("N"), "only curves of type \"ribbon\" have normals; \"normal N\" is ignored");
     normals.resize(count + 1);
 

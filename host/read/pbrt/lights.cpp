@@ -48,7 +48,7 @@ int addAreaLight(Reading& reading, TextureRegistry& textures, const std::string&
     AreaLight light;
     if (const std::optional<std::string> path = arguments.file("filename")) {
         ImageFile file{*path};
-        file.wrap = WrapMode::clamp;
+        file.wrap = wrap_clamp;
         file.where = arguments.whereOf("filename");
         light.image = textures.image(file);
     }

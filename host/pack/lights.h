@@ -1,0 +1,35 @@
+#pragma once
+// Lights, and how the one is chosen that a point is lit by.
+
+#include "kinds/light_packing.h"
+#include "pack/textures.h"
+
+#include <vector>
+
+namespace eikonal {
+
+class LightPacker {
+public:
+    LightPacker(const PackContext& context, LightTables& tables, settings& frame, ColorPacker& colors, TexturePacker& textures)
+        : context_(context), tables_(tables), frame_(frame), colors_(colors), textures_(textures) {}
+
+    /// The lights of a shape that emits, one for each of its elements; sets its first_light. `m` takes its object space to scene space.
+    void addShape(const Shape&, shape& packed, const GeometryTables&, const glm::dmat4& m, size_t elements);
+    /// Lights without a shape, which come after the others; then the light sampler.
+    void pack();
+
+private:
+    bool isLeftToBsdfs(const LightKind&) const;
+    bool isInfinite(const LightKind&) const;
+    void add(const LightPacking& in, const Light& description);
+    void packGuide();
+
+    const PackContext& context_;
+    LightTables& tables_;
+    settings& frame_;
+    ColorPacker& colors_;
+    TexturePacker& textures_;
+    std::vector<double> powers_;  ///< of `lights`, for the light sampler
+};
+
+}  // namespace eikonal

@@ -1,0 +1,22 @@
+#pragma once
+// Where each parameter of a BSDF has its words.
+
+#include "eikonal/bsdfs.h"
+
+namespace eikonal {
+
+// Slots of every BSDF's parameters, from the lists: slot_diffuse::reflectance. A slot is its number of words in RGB rendering, and, above
+// that, how many spectra come before it, each of which is longer in spectral rendering.
+constexpr uint spectrumBefore = 256;
+#define STEP_uint 1
+#define STEP_float 1
+#define STEP_spectrum (CHANNELS_RGB + spectrumBefore)
+#define PARAMETER_SLOT(q, type, name, FEATURE) name, name##_last = name + STEP_##type - 1,
+constexpr uint wordOf(uint slot, bool spectral) {
+    return slot % spectrumBefore + (spectral ? (CHANNELS_SPECTRAL - CHANNELS_RGB) * (slot / spectrumBefore) : 0);
+}
+#define PARAMETER_SLOTS(bsdf, FEATURE, PARAMETERS) \
+    namespace slot_##bsdf { enum : uint { PARAMETERS(PARAMETER_SLOT, bsdf) words }; }
+BSDFS(PARAMETER_SLOTS)
+
+}  // namespace eikonal

@@ -1,0 +1,45 @@
+#pragma once
+// Materials: BSDF inputs, interior, bump and normal maps.
+
+#include "eikonal/stages.h"
+#include "pack/material_inputs.h"
+#include "pack/media.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace eikonal {
+
+/// A material that has nothing yet.
+constexpr material blankMaterial{next_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0, 0};
+
+/// Packs the materials that something uses: nothing runs that the scene does not ask for.
+class MaterialPacker {
+public:
+    MaterialPacker(const MaterialPacking& in, MediumPacker& media)
+        : in_(in), media_(media), indices_(in.context.scene.materials.size(), NONE) {}
+
+    /// The index in `materials` of a material of the scene; none: of pbrt's default.
+    uint material(int index);
+
+    const MaterialTables& tables() const { return in_.tables; }
+
+private:
+    using PackedMaterial = eikonal::material;
+    void pack(const Material& description, PackedMaterial& m, bool regularize = false);
+    void packInside(InputWriter& inputs, const Material& description, PackedMaterial& m);
+    uint profile(InputWriter& inputs, const Material& description);
+    const DiffusionProfile& profileOf(const Material& body) const;
+    Material coatOver(const Material& body) const;
+    void warnOfPoints() const;
+    void requireBsdf(next_queue h, const std::string& why) const;
+
+    const MaterialPacking in_;
+    MediumPacker& media_;
+    std::vector<uint> indices_;                         ///< scene materials -> `materials`
+    std::map<const DiffusionProfile*, uint> profiles_;  ///< -> `profiles`
+    uint default_ = NONE;
+};
+
+}  // namespace eikonal

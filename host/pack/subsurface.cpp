@@ -1,0 +1,88 @@
+// Material "subsurface": the medium or the diffusion profile inside of a body.
+
+#include "kind_features.h"
+#include "kinds/light_kind.h"
+#include "kinds/material_kind.h"
+#include "pack/material_slots.h"
+#include "pack/materials.h"
+
+#include "color/diffuse_albedo.h"
+
+#include <algorithm>
+
+namespace eikonal {
+
+/// Smooth dielectrics block next-event estimation; lights without a size behind them are never found.
+void MaterialPacker::warnOfPoints() const {
+    for (const Light& l : in_.context.scene.lights)
+        if (const LightPlace place = l.kind->place; place == LightPlace::POINT || place == LightPlace::DISTANT)
+            in_.context.diagnostics.warnOnce("lights without a size", l.where,
+                                             "light from a point or of one direction does not get below the smooth surface of material "
+                                             "\"subsurface\"; with a \"roughness\" it does");
+}
+
+const DiffusionProfile& MaterialPacker::profileOf(const Material& body) const {
+    return in_.context.spectral && body.diffusion->atWavelengths ? *body.diffusion->atWavelengths : *body.diffusion;
+}
+
+/// How light spreads below a surface, and the material of the points where it leaves.
+uint MaterialPacker::profile(InputWriter& inputs, const Material& description) {
+    MaterialTables& tables = in_.tables;
+    const auto [place, isNew] = profiles_.try_emplace(description.diffusion.get(), static_cast<uint>(tables.profiles.size()));
+    if (!isNew) return place->second;
+    for (Feature feature : {Feature::SUBSURFACE, Feature::DIFFUSION, KindFeature::BSDF_SUBSURFACE_EXIT}) inputs.require(feature);
+    const DiffusionProfile& profile = profileOf(description);
+    const color albedo = in_.colors.reflectance(profile.albedo);
+    PackedMaterial surface = blankMaterial;
+    surface.next_queue = next_subsurface_exit;
+    surface.first_input = static_cast<uint>(tables.material_inputs.size());
+    const double eta = inputs.get("eta").value.value();
+    inputs.color(slot_subsurface_exit::albedo, albedo);
+    inputs.number(slot_subsurface_exit::eta, eta);
+    inputs.number(slot_subsurface_exit::passing, boundaryTransmittance(eta));
+    surface.input_count = static_cast<uint>(tables.material_inputs.size()) - surface.first_input;
+    const auto textureOf = [&](int texture, TextureUse use) {
+        if (texture == none) return NONE;
+        for (Feature feature : {Feature::TEXTURED, Feature::BODY_TEXTURES}) inputs.require(feature);
+        return in_.textures.texture(texture, use);
+    };
+    tables.profiles.push_back({albedo, in_.colors.coefficient(profile.length, in_.context.space.scale),
+                               textureOf(profile.albedoTexture, TextureUse::reflectance),
+                               textureOf(profile.pathTexture, TextureUse::coefficient), static_cast<float>(std::max(eta * eta - 1, 0.0)),
+                               static_cast<uint>(tables.materials.size())});
+    tables.materials.push_back(surface);
+    return place->second;
+}
+
+/// What stands in for a body that light enters where trees of rays are followed, which branch at surfaces only.
+Material MaterialPacker::coatOver(const Material& body) const {
+    in_.context.diagnostics.unsupported(
+        "subsurface in trees", body.where,
+        "integrator \"whitted\" follows no light inside of bodies of material \"subsurface\"; a coated diffuse "
+        "surface of the same albedo stands in for it");
+    Material coat = body;
+    coat.kind = &coated_diffuse_material;
+    const DiffusionProfile& profile = profileOf(body);
+    coat.inputs["reflectance"] = {profile.albedo, profile.albedoTexture, body.where};
+    for (const auto& [name, value] : {std::pair("thickness", 0.01), std::pair("g", 0.0), std::pair("albedo", 0.0),
+                                      std::pair("maxdepth", 10.0), std::pair("nsamples", 1.0)})
+        coat.inputs[name].value = Spectrum::constant(value);
+    return coat;
+}
+
+/// The body's medium for a random walk, or its diffusion profile.
+void MaterialPacker::packInside(InputWriter& inputs, const Material& description, PackedMaterial& m) {
+    const bool asksForWalk = description.method == SubsurfaceMethod::randomWalk;
+    if (asksForWalk && description.interior) {
+        m.interior = media_.interior(description.interior, inputs.why());
+        if (m.next_queue == next_specular_dielectric) warnOfPoints();
+        return;
+    }
+    if (asksForWalk)
+        in_.context.diagnostics.unsupported(
+            "textured walk", description.where,
+            "where a texture says what is inside of material \"subsurface\", no walk knows it; light is diffused instead");
+    m.profile = profile(inputs, description);
+}
+
+}  // namespace eikonal

@@ -1,0 +1,56 @@
+#pragma once
+// Textures as programs, and the images that they read.
+
+#include "pack/colors.h"
+
+#include <map>
+#include <utility>
+
+namespace eikonal {
+
+/// What becomes of a texture's value.
+enum class TextureUse {
+    asItIs,
+    coefficient /* colours are no reflectances, and may be larger than 1 */,
+    reflectance /* clamped to [0, 1] */,
+    regularWidth /* a microfacet width, regularized */,
+    regularRoughness /* the same of a roughness */,
+    roughness /* its square root */,
+    metal /* a reflectance to an index of refraction */,
+    displacement /* world units to scene units */
+};
+
+/// Makes programs and images when they are first asked for.
+class TexturePacker {
+public:
+    TexturePacker(const PackContext& context, TextureTables& tables, ColorPacker& colors)
+        : context_(context), tables_(tables), colors_(colors) {}
+
+    /// The program of a texture.
+    uint texture(int texture, TextureUse use = TextureUse::asItIs);
+    /// The same of a texture or a plain number.
+    uint input(const Input& input);
+    /// The same of a texture or a plain colour.
+    uint colorInput(const Input& input, TextureUse use);
+    /// The program of an area light's image: radiance relative to the image's mean.
+    uint emissionImage(const AreaLight&);
+    /// Mean luminance of an image.
+    double meanLuminance(int image);
+    /// An image as textures read it: its index in `images`; asFloat: of one channel.
+    uint image(int image, bool asFloat);
+
+    const TextureTables& tables() const { return tables_; }
+
+private:
+    const PackContext& context_;
+    TextureTables& tables_;
+    ColorPacker& colors_;
+    std::map<std::pair<int, bool>, uint> images_;             ///< (scene image, asFloat) -> `images`
+    std::map<int, double> meanLuminances_;                    ///< of scene images
+    std::map<std::pair<int, TextureUse>, uint> programs_;     ///< (scene texture, use) -> `programs`
+};
+
+/// The linear value of each of the 256 levels of an 8-bit sRGB channel: `srgb_levels`.
+Table<float> srgbLevels();
+
+}  // namespace eikonal
