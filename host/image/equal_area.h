@@ -2,7 +2,7 @@
 // Equal-area mapping of the sphere to the square: Clarberg, "Fast equal-area mapping of the (hemi)sphere using SIMD", Journal of Graphics
 // Tools 13(3), 2008. As in pbrt-v4's environment maps, the centre of the square is +z, its corners are -z, u grows with x and v with y.
 
-#include "read/formats/image.h"
+#include "image/image_data.h"
 
 #include <glm/glm.hpp>
 

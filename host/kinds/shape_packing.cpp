@@ -42,19 +42,19 @@ void addVertices(const ShapePacking& in) {
     }
 }
 
-size_t addQuadric(const ShapePacking& in, quadric q, bool flips) {
+size_t addInObjectSpace(const ShapePacking& in, object_space q, bool flips) {
     if (in.description.reverseOrientation != flips) in.packed.flags |= shape_reversed;
-    in.packed.quadric = static_cast<uint>(in.tables.quadrics.size());
+    in.packed.object_space = static_cast<uint>(in.tables.object_spaces.size());
     q.scene_from_object = toAffine(in.m);
     q.object_from_scene = toAffine(glm::inverse(in.m));
-    in.tables.quadrics.push_back(q);
+    in.tables.object_spaces.push_back(q);
     addBox(in.group, in.description.kind->traits.bound(in.description, in.m), in.packed.first_element);
     return 1;
 }
 
-quadric newRound(const ShapePacking& in) {
+object_space newRound(const ShapePacking& in) {
     ++in.counts.quadrics;
-    quadric q{};
+    object_space q{};
     q.radius = static_cast<float>(in.description.radius);
     q.phi_max = static_cast<float>(glm::radians(std::clamp(in.description.phiMax, 0.0, 360.0)));
     return q;

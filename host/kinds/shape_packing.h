@@ -24,13 +24,13 @@ struct ShapePacking {
 void addVertices(const ShapePacking&);
 
 /// Adds the shape's only element, and q with the transforms from and to object space. `flips`: whether m flips the normal. Returns 1.
-size_t addQuadric(const ShapePacking&, quadric q, bool flips);
+size_t addInObjectSpace(const ShapePacking&, object_space q, bool flips);
 /// Whether m flips normals that are computed in object space. As in pbrt-v4, the shape's own transform does so if it mirrors, an
 /// instance's transform does not.
 inline bool isMirrored(const ShapePacking& in) { return swapsHandedness(in.m) != in.instanceSwaps; }
 
-/// A quadric with the radius and phiMax of a sphere, disk or cylinder.
-quadric newRound(const ShapePacking&);
+/// A object_space with the radius and phiMax of a sphere, disk or cylinder.
+object_space newRound(const ShapePacking&);
 
 /// Bounds of the mesh's vertices.
 Box meshBounds(const Shape&, const glm::dmat4& m);

@@ -1,7 +1,7 @@
 // The shapes of a lens's stop: pbrt-v4's built-in ones, and images.
 
 #include "pack/lens.h"
-#include "read/formats/image.h"
+#include "image/image_data.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 #include "diagnostics.h"
 #include "pack/space.h"
 #include "pack/tables.h"
-#include "read/formats/image.h"
+#include "image/image_data.h"
 #include "scene/scene.h"
 
 #include <memory>

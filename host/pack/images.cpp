@@ -3,6 +3,7 @@
 #include "color/luminance.h"
 #include "color/transfer.h"
 #include "pack/textures.h"
+#include "read/formats/image.h"
 
 #include <algorithm>
 #include <cstring>

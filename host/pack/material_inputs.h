@@ -41,6 +41,9 @@ public:
     /// Light passes through the surface, so both sides are lit: the BSDF scatters light to the other side, or refracts it.
     void transmit() { transmits_ = true; }
     bool transmits() const { return transmits_; }
+    /// Light passes nearly straight through: survey paths of the environment guide do.
+    void beClear() { isClear_ = true; }
+    bool isClear() const { return isClear_; }
     /// The k of a metal with eta = 1 that has this reflectance.
     void metal(uint slot, const char* name);
     void number(uint slot, const char* name);
@@ -69,7 +72,7 @@ private:
     const MaterialPacking& in_;
     const Material& description_;
     bool regularize_;
-    bool disperses_ = false, transmits_ = false;
+    bool disperses_ = false, transmits_ = false, isClear_ = false;
 };
 
 }  // namespace eikonal

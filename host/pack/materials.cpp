@@ -26,6 +26,7 @@ void MaterialPacker::pack(const Material& description, PackedMaterial& m, bool r
     const next_queue h = description.kind->pack(inputs);
     m.next_queue = h;
     m.transmits = inputs.transmits() ? 1 : 0;
+    m.is_clear = inputs.isClear() ? 1 : 0;
     m.disperses = inputs.disperses() ? 1 : 0;
     m.input_count = static_cast<uint>(in_.tables.material_inputs.size()) - m.first_input;
     requireBsdf(h, inputs.why());

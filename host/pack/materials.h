@@ -12,7 +12,7 @@
 namespace eikonal {
 
 /// A material that has nothing yet.
-constexpr material blankMaterial{next_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0, 0};
+constexpr material blankMaterial{next_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0, 0, 0};
 
 /// Packs the materials that something uses: nothing runs that the scene does not ask for.
 class MaterialPacker {

@@ -8,6 +8,7 @@
 #include "pack/integrator.h"
 #include "pack/motion.h"
 #include "pack/sampler.h"
+#include "read/formats/image.h"
 
 #include <algorithm>
 #include <chrono>

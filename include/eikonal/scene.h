@@ -27,6 +27,7 @@ typedef struct {
     uint interior;       /* with SUBSURFACE: in `media`: the medium inside; NONE: no medium of its own */
     uint profile;        /* with DIFFUSION: in `profiles`: diffusion profile of the light that enters; NONE: it continues as a ray */
     uint transmits;      /* 1: light passes through the surface, so both sides are lit */
+    uint is_clear;       /* 1: light passes nearly straight through: a null interface or a dielectric; survey paths do */
     uint disperses;      /* 1: it has an input_hero; paths that hit it terminate their secondary wavelengths */
 } material;
 
@@ -58,7 +59,7 @@ typedef struct {
     T(uint,           leaf_elements)         /* element numbers of non-triangle leaves */ \
     T(uint,           element_shapes)        /* element -> shape */ \
     T(shape,          shapes) \
-    T(quadric,        quadrics) \
+    T(object_space,   object_spaces) \
     T(curve,          curve_segments) \
     T(implicit,       implicits) \
     T(implicit_instruction, implicit_instructions) \

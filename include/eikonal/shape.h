@@ -24,8 +24,8 @@ typedef struct {
     uint first_normal;   /* meshes: first of its normals in `normals`, one per vertex; NONE: it has none */
     uint first_tangent;  /* meshes: first of its tangents in `tangents`, one per vertex; NONE: from (u, v); only with TANGENTS */
     uint first_uv;       /* meshes: first of its texture coordinates in `uvs`, one per vertex; NONE: the element's own (u, v) */
-    /* in `quadrics`; NONE for meshes. Implicit surfaces and curves use its maps only; for curves NONE means no map is needed */
-    uint quadric;
+    /* in `object_spaces`; NONE for meshes. Implicit surfaces and curves use its maps only; for curves NONE means no map is needed */
+    uint object_space;
     uint splits;         /* curves: each segment is split into 2^splits elements, in order */
     uint material;       /* in `materials` */
     uint alpha;          /* in `programs`: alpha texture; NONE: opaque */
@@ -35,7 +35,7 @@ typedef struct {
     uint inside, outside; /* in `media`, NONE for vacuum; only with shape_has_interface */
 } shape;
 
-/* A sphere, disk or cylinder in its own object space. */
+/* The maps of a shape's object space, and the numbers of a sphere, disk or cylinder in it. */
 typedef struct {
     affine object_from_scene;
     affine scene_from_object;
@@ -43,11 +43,11 @@ typedef struct {
     float inner_radius;  /* disk */
     float z_min, z_max;  /* sphere, cylinder; disk: z_min is its height */
     float phi_max;       /* in (0, 2 pi] */
-} quadric;
+} object_space;
 
 enum curve_type { curve_flat, curve_cylinder, curve_ribbon };
 
-/* A cubic Bezier curve with a width, in the space of its BVH unless its shape has a quadric. */
+/* A cubic Bezier curve with a width, in the space of its BVH unless its shape has an object space. */
 typedef struct {
     vec3 p[4];           /* control points */
     float width[2];      /* at both ends, interpolated linearly */
@@ -83,7 +83,7 @@ typedef struct {
     float limit;             /* powers: largest |a| whose power does not overflow */
 } implicit_instruction;
 
-/* The surface F(x, y, z) = 0 within a box in object space; its maps are in `quadrics`. */
+/* The surface F(x, y, z) = 0 within a box in object space; its maps are in `object_spaces`. */
 typedef struct {
     vec3 low, high;
     uint first_instruction;  /* in `implicit_instructions`; the last instruction computes F */

@@ -2,7 +2,7 @@
    implicit surface. Elements are numbered through the whole scene, shape after shape.
    S(name, FEATURE, SPACE): a shape called x is kernels/shape/x.clh beside host/kinds/shape/x.cpp. SPACE says in which space its elements
    are:
-     OBJECT   object space, whose maps are in `quadrics`: one element for a shape
+     OBJECT   object space, whose maps are in `object_spaces`: one element for a shape
      GROUP    the space of the BVH that holds them
      LEAF     as GROUP; the BVH has leaves of their own for them, eight side by side
    kernels/shape/shapes.clh says what x.clh defines for each. */

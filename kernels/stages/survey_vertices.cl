@@ -9,11 +9,6 @@
 /* The most dielectric interfaces that one path passes. */
 #define MOST_SURVEY_CROSSINGS 8
 
-FN int passes_straight(uint next_queue) {
-    return next_queue == next_crossing || next_queue == next_dielectric || next_queue == next_specular_dielectric ||
-           next_queue == next_thin_dielectric;
-}
-
 #define SURVEY_VERTICES_ARGUMENTS(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) CAMERA_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global vec3 *, survey_points) ARGUMENT(__global vec3 *, survey_normals)
@@ -32,7 +27,7 @@ TRACING_STAGE(survey_vertices, SURVEY_VERTICES_ARGUMENTS) {
             if (f.element == NONE) break;
             surface s = intersection_surface(g, tables, r, f);
             vec3 n = face_forward(s.ns, negate(r.d)), away = n;
-            if (passes_straight(material_set.materials[g.shapes[g.element_shapes[f.element]].material].next_queue)) away = r.d;
+            if (material_set.materials[g.shapes[g.element_shapes[f.element]].material].is_clear) away = r.d;
             else {
                 uint at = path * SURVEY_VERTICES + found++;
                 survey_points[at] = offset_origin(s.p, surface_offset(s), s.ng, n);

@@ -57,7 +57,7 @@ static void meetTriangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 o,
     found.push_back({t, element, instance, std::min({u, v, 1 - u - v}) / std::max(1.0, blur / BruteForce::slack), 2e-5 * reach / cosine});
 }
 
-static void meetSphere(const quadric& q, glm::dvec3 o, glm::dvec3 d, uint element, uint instance, std::vector<Candidate>& found) {
+static void meetSphere(const object_space& q, glm::dvec3 o, glm::dvec3 d, uint element, uint instance, std::vector<Candidate>& found) {
     const double a = glm::dot(d, d), b = -glm::dot(o, d) / a, r = q.radius;
     const glm::dvec3 nearest = o + b * d;
     const double inside = (r * r - glm::dot(nearest, nearest)) / (r * r);
@@ -77,7 +77,7 @@ static void meetSphere(const quadric& q, glm::dvec3 o, glm::dvec3 d, uint elemen
     }
 }
 
-static void meetDisk(const quadric& q, glm::dvec3 o, glm::dvec3 d, uint element, uint instance, std::vector<Candidate>& found) {
+static void meetDisk(const object_space& q, glm::dvec3 o, glm::dvec3 d, uint element, uint instance, std::vector<Candidate>& found) {
     if (d.z == 0) return;
     const double t = (q.z_min - o.z) / d.z;
     const glm::dvec3 p = o + t * d;
@@ -92,7 +92,7 @@ static void meetDisk(const quadric& q, glm::dvec3 o, glm::dvec3 d, uint element,
     found.push_back({t, element, instance, cosine < 1e-2 ? 0 : margin, 2e-5 * std::max(1.0, glm::length(o)) / glm::length(d) / cosine});
 }
 
-static void meetCylinder(const quadric& q, glm::dvec3 o, glm::dvec3 d, uint element, uint instance, std::vector<Candidate>& found) {
+static void meetCylinder(const object_space& q, glm::dvec3 o, glm::dvec3 d, uint element, uint instance, std::vector<Candidate>& found) {
     const double a = d.x * d.x + d.y * d.y, r = q.radius, sine2 = a / glm::dot(d, d);
     if (a == 0) return;
     const double b = -(o.x * d.x + o.y * d.y) / a, nearest = std::hypot(o.x + b * d.x, o.y + b * d.y);
@@ -224,13 +224,13 @@ void BruteForce::meetElement(uint element, uint instance, glm::dvec3 o, glm::dve
         /* All parts of a segment at once, with the first */
         const uint number = element - s.first_element, parts = 1u << s.splits;
         if (number % parts) return;
-        const bool mapped = s.quadric != NONE;
-        const affine* m = mapped ? &tables.quadrics[s.quadric].object_from_scene : nullptr;
+        const bool mapped = s.object_space != NONE;
+        const affine* m = mapped ? &tables.object_spaces[s.object_space].object_from_scene : nullptr;
         meetCurve(tables.curve_segments[s.first_index + number / parts], s.splits, element, mapped ? mapPoint(*m, o) : o,
                   mapped ? mapVector(*m, d) : d, instance, found);
         return;
     }
-    const quadric& q = tables.quadrics[s.quadric];
+    const object_space& q = tables.object_spaces[s.object_space];
     const glm::dvec3 oo = mapPoint(q.object_from_scene, o), od = mapVector(q.object_from_scene, d);
     if (s.kind == shape_sphere) meetSphere(q, oo, od, element, instance, found);
     else if (s.kind == shape_cylinder) meetCylinder(q, oo, od, element, instance, found);

@@ -21,7 +21,7 @@ TEST(AlphaCutOut, OnlyWhatIsThereIsHit) {
             "integer indices" [ 0 1 2 0 2 3 ] "texture alpha" "holes"
         Shape "sphere" "float radius" 0.5 "float alpha" 0)");
     ASSERT_TRUE(scene.features.has(Feature::ALPHA));
-    const affine& m = scene.tables.quadrics[0].scene_from_object;
+    const affine& m = scene.tables.object_spaces[0].scene_from_object;
     const float scale = m.xx;
     Random random(74);
     std::vector<Ray> rays;
@@ -68,7 +68,7 @@ TEST(AlphaCutOut, FractionsAreProbabilities) {
 TEST(AlphaCutOut, TheFarSideIsSeenThroughHoles) {
     for (const char* kind : {"sphere", "cylinder"}) {
         const PackedScene scene = packText("WorldBegin Shape \"" + std::string(kind) + "\" \"float alpha\" 0.3");
-        const affine& m = scene.tables.quadrics[0].scene_from_object;
+        const affine& m = scene.tables.object_spaces[0].scene_from_object;
         Random random(76);
         std::vector<Ray> rays;
         constexpr int count = 20000;

@@ -35,7 +35,7 @@ std::vector<Answer> ask(const PackedScene& scene, const std::vector<vec3>& o, co
             surface at = eval_surface(g, tables, 0, NONE, o, d, 0.0f, hit);
             result.p = at.p; result.error = at.error; result.ng = at.ng;
         }
-        quadric q = g.quadrics[0];
+        object_space q = g.object_spaces[0];
         vec3 a = transform_point(q.object_from_scene, o), w = transform_vector(q.object_from_scene, d), b = mul_add(w, size, a);
         wide_boxes box;
         box.x = make_range((wide)min1(a.x, b.x), (wide)max1(a.x, b.x));

@@ -38,10 +38,10 @@ namespace {
     M(light_node, parent) \
     M(shape, kind) M(shape, flags) M(shape, first_element) M(shape, first_index) M(shape, first_vertex) M(shape, first_normal) \
     M(shape, first_tangent) M(shape, first_uv) \
-    M(shape, quadric) M(shape, splits) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, emission) M(shape, id) \
+    M(shape, object_space) M(shape, splits) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, emission) M(shape, id) \
     M(shape, inside) M(shape, outside) \
-    M(quadric, object_from_scene) M(quadric, scene_from_object) M(quadric, radius) M(quadric, inner_radius) M(quadric, z_min) \
-    M(quadric, z_max) M(quadric, phi_max) \
+    M(object_space, object_from_scene) M(object_space, scene_from_object) M(object_space, radius) M(object_space, inner_radius) M(object_space, z_min) \
+    M(object_space, z_max) M(object_space, phi_max) \
     M(curve, p) M(curve, width) M(curve, type) M(curve, normal_angle) M(curve, n) \
     M(instance, object_from_scene) M(instance, scene_from_object) M(instance, root) M(instance, first_motion) M(instance, motion_count) \
     M(instance, id) \

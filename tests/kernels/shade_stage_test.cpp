@@ -93,11 +93,11 @@ TEST_F(StageTest, ShadeHitsAnswersSlotBySlot) {
 
 /// A shadow ray adds Ld to its own path or nothing: nothing behind a sphere, all of it where the way is free; dead slots add nothing.
 TEST_F(StageTest, TestShadowsAddsWhereTheWayIsFree) {
-    const quadric& q = sceneOfEverything().tables.quadrics.at(0);
+    const object_space& q = sceneOfEverything().tables.object_spaces.at(0);
     const vec3 center{q.scene_from_object.xw, q.scene_from_object.yw, q.scene_from_object.zw};
     QueueWords shadow = bench.empty("shadow");
     for (unsigned i = 0; i < 96; ++i) {
-        /* The first quadric is the lamp, a flat disk at height 0 of its own space: straight through it, past it (far outside), dead */
+        /* The first object_space is the lamp, a flat disk at height 0 of its own space: straight through it, past it (far outside), dead */
         const float aside = i % 3 == 1 ? 50.0f : 0.0f;
         const vec3 n{q.scene_from_object.xz, q.scene_from_object.yz, q.scene_from_object.zz};
         const float length = static_cast<float>(lengthOf(n));

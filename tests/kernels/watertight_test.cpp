@@ -38,7 +38,7 @@ TEST(Watertight, NoRayEscapesAClosedMesh) {
             (axis == 0 ? d.x : axis == 1 ? d.y : d.z) = random.below(2) ? 1.0f : -1.0f;
             const double inner =
                 std::abs(static_cast<double>(from.x)) + std::abs(static_cast<double>(from.y)) + std::abs(static_cast<double>(from.z));
-            const double radius = packed.tables.quadrics.empty()
+            const double radius = packed.tables.object_spaces.empty()
                                       ? std::abs(static_cast<double>(positions[0].x)) + std::abs(static_cast<double>(positions[0].y)) +
                                             std::abs(static_cast<double>(positions[0].z))
                                       : 1;

@@ -1,7 +1,7 @@
 // The lens of a realistic camera on the host, against optics; and how it is read.
 
 #include "pack/lens.h"
-#include "read/formats/image.h"
+#include "image/image_data.h"
 #include "unit/pbrt_reading.h"
 
 #include <cmath>

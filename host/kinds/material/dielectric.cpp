@@ -12,6 +12,7 @@ static const MaterialDirective directives[] = {
 
 static next_queue pack(InputWriter& in) {
     in.transmit();
+    in.beClear();
     if (in.isSmooth()) {
         in.index(slot_specular_dielectric::eta, "eta");
         return next_specular_dielectric;

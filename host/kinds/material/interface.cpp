@@ -10,7 +10,10 @@ static const MaterialDirective directives[] = {
     {"", ""},
 };
 
-static next_queue pack(InputWriter&) { return next_crossing; }
+static next_queue pack(InputWriter& in) {
+    in.beClear();
+    return next_crossing;
+}
 
 const MaterialKind interface_material{.directives = directives, .pack = pack};
 

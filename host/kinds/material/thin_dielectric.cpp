@@ -9,6 +9,7 @@ static const MaterialDirective directives[] = {
 };
 
 static next_queue pack(InputWriter& in) {
+    in.beClear();
     in.index(slot_thin_dielectric::eta, "eta");
     return next_thin_dielectric;
 }

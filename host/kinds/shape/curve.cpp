@@ -34,11 +34,11 @@ static size_t pack(const ShapePacking& in) {
     in.packed.splits = curveSplits(description);
     const double scale = swapsHandedness(in.m) ? 0 : uniformScale(in.m);
     if (scale == 0) {
-        in.packed.quadric = static_cast<uint>(tables.quadrics.size());
-        quadric maps{};
+        in.packed.object_space = static_cast<uint>(tables.object_spaces.size());
+        object_space maps{};
         maps.scene_from_object = toAffine(in.m);
         maps.object_from_scene = toAffine(glm::inverse(in.m));
-        tables.quadrics.push_back(maps);
+        tables.object_spaces.push_back(maps);
     }
     const uint parts = 1u << in.packed.splits;
     uint element = in.packed.first_element;

@@ -29,10 +29,10 @@ static Box bound(const Shape& s, const glm::dmat4& m) {
 }
 
 static size_t pack(const ShapePacking& in) {
-    quadric q = newRound(in);
+    object_space q = newRound(in);
     q.z_min = static_cast<float>(in.description.zMin);
     q.z_max = static_cast<float>(in.description.zMax);
-    return addQuadric(in, q, isMirrored(in));
+    return addInObjectSpace(in, q, isMirrored(in));
 }
 
 static light_kind lightKindOf(const Shape&, const glm::dmat4&) { return kind_cylinder_light; }

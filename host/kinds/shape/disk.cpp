@@ -22,10 +22,10 @@ static Box bound(const Shape& s, const glm::dmat4& m) {
 }
 
 static size_t pack(const ShapePacking& in) {
-    quadric q = newRound(in);
+    object_space q = newRound(in);
     q.inner_radius = static_cast<float>(in.description.innerRadius);
     q.z_min = q.z_max = static_cast<float>(in.description.height);
-    return addQuadric(in, q, isMirrored(in));
+    return addInObjectSpace(in, q, isMirrored(in));
 }
 
 static light_kind lightKindOf(const Shape&, const glm::dmat4&) { return kind_disk_light; }

@@ -24,7 +24,7 @@ static size_t pack(const ShapePacking& in) {
     instructions.insert(instructions.end(), program.begin(), program.end());
     ++in.counts.implicits;
     /* The inside is where F < 0, also if the transform mirrors */
-    return addQuadric(in, quadric{}, false);
+    return addInObjectSpace(in, object_space{}, false);
 }
 
 static const ShapeDirective directives[] = {

@@ -24,10 +24,10 @@ static Box bound(const Shape& s, const glm::dmat4& m) {
 
 static size_t pack(const ShapePacking& in) {
     const Shape& s = in.description;
-    quadric q = newRound(in);
+    object_space q = newRound(in);
     q.z_min = static_cast<float>(std::clamp(std::min(s.zMin, s.zMax), -s.radius, s.radius));
     q.z_max = static_cast<float>(std::clamp(std::max(s.zMin, s.zMax), -s.radius, s.radius));
-    return addQuadric(in, q, isMirrored(in));
+    return addInObjectSpace(in, q, isMirrored(in));
 }
 
 /// A full sphere that is not stretched is sampled by the cone that it subtends; any other as an ellipsoid.

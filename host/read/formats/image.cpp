@@ -22,15 +22,6 @@
 namespace eikonal {
 namespace {
 
-const std::array<float, 256>& linearFromSrgbByte() {
-    static const std::array<float, 256> table = [] {
-        std::array<float, 256> values{};
-        for (int i = 0; i < 256; ++i) values[i] = static_cast<float>(linearFromSrgb(i / 255.));
-        return values;
-    }();
-    return table;
-}
-
 // ---- opening ----------------------------------------------------------------------------------------------------------------
 
 struct Problem { std::string message; };
@@ -173,12 +164,6 @@ ImageData read(const ImageFile& file) {
 }
 
 }  // namespace
-
-float ImageData::at(int x, int y, int channel) const {
-    const std::size_t i = (static_cast<std::size_t>(y) * width + x) * channels + channel;
-    if (format == format_float) return floats[i];
-    return format == format_srgb8 ? linearFromSrgbByte()[bytes[i]] : bytes[i] / 255.f;
-}
 
 std::shared_ptr<const ImageData> loadImage(const ImageFile& file) {
     if (file.pixels) return file.pixels;
