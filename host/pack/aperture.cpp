@@ -1,4 +1,4 @@
-// The shapes of a lens's stop: pbrt-v4's built-in ones, and images.
+// Aperture shapes: pbrt-v4's built-in ones, and images.
 
 #include "pack/lens.h"
 #include "image/image_data.h"
@@ -9,7 +9,7 @@ namespace eikonal {
 
 constexpr int resolution = 256;
 
-/// Whether (x, y) is inside of the polygon: the signs of the edges that pass it left and right do not cancel (winding number).
+/// Whether (x, y) is inside the polygon: its winding number is not 0.
 static bool isInside(const std::vector<glm::dvec2>& corners, double x, double y) {
     int turns = 0;
     for (size_t i = 0; i < corners.size(); ++i) {
@@ -21,7 +21,7 @@ static bool isInside(const std::vector<glm::dvec2>& corners, double x, double y)
     return turns != 0;
 }
 
-/// What passes at (x, y) in [-1, 1]^2, y up.
+/// Transmission at (x, y) in [-1, 1]^2, y up.
 static double eval(ApertureShape shape, const std::vector<glm::dvec2>& corners, double x, double y) {
     switch (shape) {
         case ApertureShape::gaussian: return std::max(0.0, std::exp(-(x * x + y * y)) - std::exp(-1.0));
@@ -30,7 +30,7 @@ static double eval(ApertureShape shape, const std::vector<glm::dvec2>& corners, 
     }
 }
 
-/// Corners of those that have some. pbrt-v4 turns its images upside down, so these stand on their heads.
+/// Corners of the polygons; none for other shapes. pbrt-v4 flips its images vertically, so these are upside down.
 static std::vector<glm::dvec2> cornersOf(ApertureShape shape) {
     std::vector<glm::dvec2> corners;
     const double inner = std::cos(2 * M_PI / 5) / std::cos(M_PI / 5);
@@ -58,7 +58,7 @@ ApertureTexels apertureTexels(ApertureShape shape, const ImageData* image) {
             texels.values.push_back(static_cast<float>(value));
             sum += value;
         }
-    if (!(sum > 0)) throw Error(ExitCode::scene, "the image of the aperture is black: nothing passes");
+    if (!(sum > 0)) throw Error(ExitCode::scene, "the image of the aperture is black, so it blocks all light");
     const double scale = M_PI / 4 * texels.width * texels.height / sum;
     for (float& v : texels.values) v = static_cast<float>(v * scale);
     return texels;

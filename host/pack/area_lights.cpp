@@ -7,7 +7,7 @@
 
 namespace eikonal {
 
-/// Emitted power in scene units: what the sampler's probabilities follow.
+/// Emitted power in scene units, for the light sampler.
 static double areaPower(const light& l, double luminance) {
     return l.pmf > 0 ? M_PI * luminance / l.inverse_area * (l.two_sided ? 2 : 1) : 0;
 }
@@ -25,10 +25,10 @@ void LightPacker::addShape(const Shape& s, shape& packed, const GeometryTables& 
     for (size_t e = 0; e < elements; ++e) {
         light l = kind.traits.packElement({geometry, s, packed, e, m}, L);
         l.two_sided = description.twoSided ? 1 : 0;
-        /* Cut out altogether, it shines unseen (as in pbrt-v4) */
+        /* With an alpha of 0 it emits but is invisible (as in pbrt-v4) */
         l.invisible = isUnseen;
         if (hasPattern) l.element = packed.first_element + static_cast<uint>(e);
-        /* A power in watts is that of the whole shape without its holes, through each of its elements alike (pbrt-v4) */
+        /* As in pbrt-v4, "power" is that of each element, ignoring alpha */
         double factor = scale;
         if (description.power && l.inverse_area > 0) {
             const double area = 1 / (l.inverse_area * context_.space.scale * context_.space.scale);

@@ -20,13 +20,13 @@ PixelRect renderedPixels(const FilmDescription& film, Diagnostics& diagnostics) 
     const PixelRect clipped{std::max(rect.x0, 0), std::max(rect.y0, 0), std::min(rect.x1, film.width), std::min(rect.y1, film.height)};
     if (clipped.width() <= 0 || clipped.height() <= 0)
         throw SceneError(film.where, "the crop leaves no pixel of the " + std::to_string(film.width) + " x " + std::to_string(film.height) +
-                                         " image. Ask for a window with x0 < x1 and y0 < y1 inside of it.");
+                                         " image; use a window with x0 < x1 and y0 < y1 inside the image");
     if (clipped.x0 != rect.x0 || clipped.y0 != rect.y0 || clipped.x1 != rect.x1 || clipped.y1 != rect.y1)
-        diagnostics.warn(film.where, "the crop reaches beyond the image and was cut to it");
+        diagnostics.warn(film.where, "the crop extends beyond the image; it is clipped");
     return clipped;
 }
 
-/// The camera in world space, as it moves.
+/// The motion of the camera in world space.
 static Motion motionOf(const CameraDescription& description) {
     return {description.worldFromCamera, description.worldFromCameraAtEnd.value_or(description.worldFromCamera)};
 }
@@ -51,11 +51,11 @@ void packCamera(const CameraPacking& in, camera& view) {
     if (description.lensRadius > 0 && kind.traits.hasThinLens) context.require(Feature::LENS, description.where.toString());
 }
 
-/// One axis as an alias table over cells of |f|; what is left of value over density is the sign.
+/// One axis as an alias table over cells of |f|; value over density is then the sign.
 static void packFilterAxis(CameraTables& tables, const FilterDescription& filter, double radius) {
     std::vector<double> weights;
     for (int i = 0; i < FILTER_CELLS; ++i) {
-        /* The mean of a few points stands for the cell */
+        /* Average a few points of the cell */
         double mean = 0;
         constexpr int points = 8;
         for (int k = 0; k < points; ++k)

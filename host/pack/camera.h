@@ -7,19 +7,19 @@
 
 namespace eikonal {
 
-/// What packing of the camera writes, besides the camera itself.
+/// The tables of cameras.
 struct CameraPacking {
     const PackContext& context;
     CameraTables& tables;
 };
 
-/// What is to be rendered of the image, by pbrt-v4's rules: --pixelbounds and cropwindow select pixels. Throws SceneError for nothing.
+/// The pixels to render, by pbrt-v4's rules for --pixelbounds and cropwindow. Throws SceneError if there are none.
 PixelRect renderedPixels(const FilmDescription& film, Diagnostics& diagnostics);
 /// Fills in the camera of the scene.
 void packCamera(const CameraPacking&, camera&);
-/// And its pixel filter.
+/// Fills in its pixel filter.
 void packFilter(const CameraPacking&, filter&);
-/// When the shutter opens, between, and when it closes.
+/// The transform when the shutter opens, in the middle, and when it closes.
 std::array<glm::dmat4, 3> cameraFromScene(const PackContext&);
 
 }  // namespace eikonal

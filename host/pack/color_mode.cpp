@@ -23,7 +23,7 @@ bool isMeasured(const Medium& m) {
     return isMeasured(m.sigmaA) || isMeasured(m.sigmaS) || isMeasured(m.Le) || isBlackbody;
 }
 
-/// Whether inputs are measured, in themselves or somewhere in their textures. Each texture is looked at once.
+/// Whether inputs are given as spectra, directly or in their textures. Visits each texture once.
 class MeasuredInputs {
 public:
     explicit MeasuredInputs(const Scene& scene) : scene_(scene), known_(scene.textures.size()) {}
@@ -42,7 +42,7 @@ private:
     std::vector<std::optional<bool>> known_;   ///< of each texture
 };
 
-/// A metal's eta and k are left to three indices that reflect as it does (color/spectrum.h).
+/// Except a metal's eta and k, which RGB rendering replaces with indices that reflect alike (color/spectrum.h).
 bool isMeasured(MeasuredInputs& inputs, const Material& m) {
     for (const auto& [name, input] : m.inputs)
         if (!isIndexOfMetal(m, name) && inputs.has(input)) return true;
@@ -57,10 +57,10 @@ bool isMeasured(const AreaLight& light) { return isMeasured(light.L); }
 /// Of those that are enough by themselves.
 template <class Thing> bool isMeasured(MeasuredInputs&, const Thing& thing) { return isMeasured(thing); }
 
-/// The first of a list that is measured, in words.
+/// The first of a list that is given as a spectrum, in words.
 template <class Thing> std::string firstMeasured(MeasuredInputs& inputs, const std::vector<Thing>& things, const char* what) {
     for (const Thing& thing : things)
-        if (isMeasured(inputs, thing)) return thing.where.toString() + ": " + what + " given by its spectrum";
+        if (isMeasured(inputs, thing)) return thing.where.toString() + ": " + what + " given as a spectrum";
     return {};
 }
 

@@ -5,14 +5,12 @@
 
 namespace eikonal {
 
-/// What of the scene asks for wavelengths, in words with its place, or an empty text: then RGB will do, which is faster and has less noise
-/// of colour.
+/// What in the scene needs spectral rendering, with its location; empty if RGB suffices, which is faster and has less colour noise.
 ///   - a film that keeps a spectrum;
-///   - a camera's sensor: it sees spectra, and what RGB makes of them is a fit;
-///   - a light, reflectance, coefficient or index of refraction that is given as a spectrum or a temperature, by itself, in a texture or in
-///   a grid (metals are not
-///     counted: RGB has indices that reflect like a metal).
-/// What is given in RGB is rendered in RGB, and left to --color spectral; docs/accuracy.md has the difference.
+///   - a camera's sensor, which RGB can only approximate;
+///   - a light, reflectance, coefficient or index of refraction that is given as a spectrum or a temperature, also in a texture or a grid
+///     (except metals: RGB rendering has indices that reflect like the metal).
+/// A scene that is given in RGB is rendered in RGB unless --color spectral is given; docs/accuracy.md shows the difference.
 std::string needOfWavelengths(const Scene& scene);
 
 }  // namespace eikonal

@@ -11,12 +11,12 @@ namespace {
 
 float toFloat(double x) { return static_cast<float>(x); }
 
-/// Far enough along the sigmoid for it to be 1: a color that is its curve alone.
+/// A sigmoid argument at which the sigmoid is 1, so that only the curve counts.
 constexpr float saturated = 1e6f;
 
 }  // namespace
 
-/// The index of a curve in `curves`, which begins with that of 1.
+/// The index of a curve in `curves`; adds it if it is new.
 uint ColorPacker::curve(const DenseCurve& curve) {
     const auto [found, isNew] = curves_.try_emplace(curve, static_cast<uint>(tables_.curves.size() / CURVE_WORDS));
     if (isNew)
@@ -29,7 +29,7 @@ color ColorPacker::curveColor(const DenseCurve& c, double factor) { return {0, 0
 /// A smooth spectrum of a colour whose components are in [0, 1], times `factor`, times a curve.
 color ColorPacker::smooth(glm::dvec3 rgb, ColorSpace space, double factor, uint curve) {
     if (rgb.x == rgb.y && rgb.y == rgb.z) return {0, 0, saturated, toFloat(rgb.x * factor), curve};
-    /* A few colours exactly; many, as grids have them, from the table, which is faster */
+    /* The first few colours are fitted exactly; many, as in grids, come from a table, which is faster */
     constexpr size_t few = 256;
     const auto [found, isNew] = smooth_.try_emplace({rgb.x, rgb.y, rgb.z, space});
     if (isNew)
@@ -38,7 +38,7 @@ color ColorPacker::smooth(glm::dvec3 rgb, ColorSpace space, double factor, uint 
     return {toFloat(c.x), toFloat(c.y), toFloat(c.z), toFloat(factor), curve};
 }
 
-/// The same of any colour that is not negative: scaled to the middle of the sigmoid's range, as pbrt-v4's unbounded spectra are.
+/// The same for any non-negative colour: scaled to the middle of the sigmoid's range, like pbrt-v4's unbounded spectra.
 color ColorPacker::unbounded(glm::dvec3 rgb, ColorSpace space, double factor, uint curve) {
     rgb = glm::max(rgb, 0.0);
     const double scale = 2 * std::max({rgb.x, rgb.y, rgb.z});
@@ -89,8 +89,7 @@ float ColorPacker::greatestSum(const color* a, const color* b) const {
     const color &p = a ? *a : nothing, &q = b ? *b : nothing;
     if (!context_.spectral) return std::max({p.c0 + q.c0, p.c1 + q.c1, p.c2 + q.c2});
     const auto bound = [&](const color& c) {
-        /* The quadratic is greatest at an end or at its vertex, the sigmoid with it; the curve is that of 1, or bounded by its own greatest
-         * value */
+        /* The quadratic has its maximum at an end or at its vertex, and so has the sigmoid; the curve is bounded by its maximum */
         const auto at = [&](double t) { return (c.c0 * t + c.c1) * t + c.c2; };
         double x = std::max(at(0), at(1));
         if (c.c0 < 0) x = std::max(x, at(std::clamp(-c.c1 / (2.0 * c.c0), 0.0, 1.0)));

@@ -1,5 +1,5 @@
 #pragma once
-// Colours as tables hold them: what eval_color (kernels/shade/color.clh) reads.
+// Colours in the form that eval_color (kernels/shade/color.clh) reads.
 
 #include "color/spectrum.h"
 #include "color/uplift.h"
@@ -11,7 +11,7 @@
 
 namespace eikonal {
 
-/// Makes colours, and the spectra that they refer to.
+/// Packs colours, and the spectra that they refer to.
 class ColorPacker {
 public:
     ColorPacker(const PackContext& context, ColorTables& tables) : context_(context), tables_(tables) {}
@@ -20,7 +20,7 @@ public:
     color emission(const Spectrum& light, double factor = 1);
     /// A reflectance, transmittance or albedo: in [0, 1].
     color reflectance(const Spectrum& reflectance);
-    /// A coefficient of a medium, an index of refraction, or whatever else is not negative, times `factor`.
+    /// A coefficient of a medium, an index of refraction, or another value that is not negative, times `factor`.
     color coefficient(const Spectrum& coefficient, double factor = 1);
     /// The same at all wavelengths.
     color constant(double value) const;
@@ -28,14 +28,14 @@ public:
     color white(double factor = 1);
     /// Texels of a light's image, linear sRGB, as `environment_texels` holds them: appended to `table`.
     void appendTexels(Table<float>& table, const std::vector<glm::vec3>& texels) const;
-    /// Makes sure that colours of images can be made spectra.
+    /// Adds the table from which the device upsamples colours of images to spectra.
     void addUplift();
-    /// The greatest value, at any wavelength or in any channel, of a coefficient or of the sum of two; null: none.
+    /// The largest value, over wavelengths or channels, of the sum of two coefficients; null counts as 0.
     float greatestSum(const color* a, const color* b) const;
 
-    /// For spectral rendering, before everything else: the curve that is 1, then the responses of film and auxiliary channels.
+    /// For spectral rendering, before all other colours: the constant 1, then the responses of the film and the auxiliary channels.
     void packSensor(settings& frame);
-    /// The wavelengths that the film keeps a spectrum of, if it does.
+    /// The range and buckets of a film that stores spectra.
     void packFilmSpectrum(settings& frame);
 
 private:
@@ -48,17 +48,17 @@ private:
     const PackContext& context_;
     ColorTables& tables_;
     std::map<DenseCurve, uint> curves_;                                                   ///< -> `curves`
-    std::map<std::tuple<double, double, double, ColorSpace>, SmoothReflectance> smooth_;  ///< found for colours
+    std::map<std::tuple<double, double, double, ColorSpace>, SmoothReflectance> smooth_;  ///< of colours seen before
 };
 
-/// A number for every wavelength, to be read from `scale` only: what belongs to a texture of numbers.
+/// A number, for textures of numbers: only `scale` is read.
 color packNumber(double value);
-/// Linear sRGB, of no spectrum in particular. For rendering in RGB.
+/// Linear sRGB, for rendering in RGB.
 color packRgb(glm::dvec3 rgb);
 
-/// A curve whose light has luminance 1; one that is 0 stays so.
+/// The curve scaled to luminance 1; zero stays zero.
 DenseCurve ofUnitLuminance(DenseCurve curve);
-/// Luminance of emitted light, times `factor`, as it was rounded for the device: what light samplers go by.
+/// Luminance of emitted light, times `factor`, rounded to single precision. Light samplers weight lights by it.
 double luminanceOf(const Spectrum& light, double factor = 1);
 
 }  // namespace eikonal

@@ -6,7 +6,7 @@
 
 namespace eikonal {
 
-/// Most splits: 2^10 elements of eight pieces each is as fine as pbrt-v4 ever cuts a curve that it has split three times.
+/// The most splits: 2^10 elements of eight pieces each are as fine as the finest subdivision in pbrt-v4.
 constexpr int mostSplits = 10;
 
 uint curveSplits(const Curve& curve) {
@@ -31,7 +31,7 @@ curve packSegment(const CurveSegment& segment, curve_type type, const glm::dmat4
     if (type != curve_ribbon) return c;
     const std::array<glm::dvec3, 2> n{transformNormal(m, segment.normals[0]), transformNormal(m, segment.normals[1])};
     for (size_t i = 0; i < 2; ++i) c.n[i] = toVec3(n[i]);
-    /* Between opposite normals there is no way that is shorter than others */
+    /* Opposite normals have no shortest rotation between them */
     const double angle = std::atan2(glm::length(glm::cross(n[0], n[1])), glm::dot(n[0], n[1]));
     c.normal_angle = angle < 1e-4 || angle > M_PI - 1e-4 ? 0.0f : static_cast<float>(angle);
     return c;

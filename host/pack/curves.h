@@ -1,5 +1,5 @@
 #pragma once
-// Curves as the device sees them: segments, cut into parts that are short and straight enough.
+// Curve segments for the device, split into parts that are short and straight enough.
 
 #include "scene/shapes.h"
 #include "eikonal/shape.h"
@@ -7,11 +7,11 @@
 
 namespace eikonal {
 
-/// Each segment of a curve becomes 2^curveSplits elements: as many as the scene asks for, and so many that an eighth of one is straight
-/// but for a twentieth of its width (the criterion of pbrt-v4).
+/// Each segment of a curve becomes 2^curveSplits elements: at least as many as the scene asks for, and enough that an eighth of an element
+/// deviates from a line by at most a twentieth of its width (the criterion of pbrt-v4).
 uint curveSplits(const Curve& curve);
 
-/// A segment in the space that `m`, which keeps angles and handedness, takes its object space to; `scale` is that of m.
+/// A segment, transformed by `m`, which keeps angles and handedness and scales by `scale`.
 curve packSegment(const CurveSegment& segment, curve_type type, const glm::dmat4& m, double scale);
 
 /// Bounds of one of the 2^splits parts, in the space of its control points.

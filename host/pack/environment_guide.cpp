@@ -15,20 +15,20 @@ namespace {
 
 constexpr size_t intervals = GUIDE_INTERVALS, side = GUIDE_SIDE, bins = side * side, cells = intervals * intervals * intervals;
 
-/// Points for each map, and the shadow rays that the fewest take: into the half of the bins that a surface looks at.
+/// Points per map, and the shadow rays per map with the fewest points: a surface sees half of the bins.
 constexpr size_t fewestPoints = 4, mostPoints = 16, raysAMap = fewestPoints * bins / 2;
-/// Fewer maps are not worth their time.
+/// Fewer maps do not pay.
 constexpr size_t fewestMaps = 1024;
-/// This many suffice to tell whether a scene is open.
+/// So many maps tell whether a scene is open.
 constexpr size_t fewMaps = 256;
 
 float coordinate(const vec3& p, size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 bool isPoint(const vec3& normal) { return normal.x != 0 || normal.y != 0 || normal.z != 0; }
 
-/// The share of a learnt map that goes by what is known without a look: rays see only a part of each bin.
+/// The weight of the unlearned map in a learned one, because rays test only parts of each bin.
 constexpr double doubt = 0.1;
 
-/// What a map of a face holds that nothing is learnt for: the cosine, for normals up to 55 degrees off the axis of the face.
+/// The weights of an unlearned map: the cosine, for normals up to 55 degrees from the axis of the face.
 std::vector<double> unlearnedWeights(size_t face) {
     constexpr std::array<glm::dvec3, GUIDE_FACES> axes{glm::dvec3(1, 0, 0), {-1, 0, 0}, {0, 1, 0}, {0, -1, 0},
                                                        {0, 0, 1},           {0, 0, -1}, {0, 0, 0}};
@@ -43,8 +43,7 @@ std::vector<double> unlearnedWeights(size_t face) {
 
 double sumOf(std::span<const double> weights) { return std::accumulate(weights.begin(), weights.end(), 0.0); }
 
-/// The bin of a place on the square, or of the place that it borders on if it is beyond the edge (kernels/math/equal_area.clh has the
-/// same).
+/// The bin at (x, y), wrapped around the edges of the equal-area square (as in kernels/math/equal_area.clh).
 size_t wrappedBin(int x, int y) {
     constexpr int n = side;
     if (x < 0 || x >= n) { x = x < 0 ? -1 - x : 2 * n - 1 - x; y = n - 1 - y; }
@@ -52,7 +51,7 @@ size_t wrappedBin(int x, int y) {
     return static_cast<size_t>(y * n + x);
 }
 
-/// A window ends within a bin: each bin gives some to those around it.
+/// Blurs the bins, since the edge of a window may lie within a bin.
 std::vector<double> blur(std::span<const double> seen) {
     std::vector<double> blurred(bins, 0.0);
     for (int y = 0; y < static_cast<int>(side); ++y)
@@ -66,7 +65,7 @@ std::vector<double> blur(std::span<const double> seen) {
     return blurred;
 }
 
-/// What has been seen, of which there is some, and some of what might have been.
+/// Blends what was seen, which must not be zero, with the unlearned weights.
 std::vector<double> blend(std::span<const double> seen, std::span<const double> unlearned) {
     const double all = sumOf(seen), possible = sumOf(unlearned);
     std::vector<double> weights;
@@ -78,13 +77,12 @@ void writeMap(LightTables& tables, size_t map, std::span<const double> weights) 
     std::ranges::copy(makeAliasSquare(weights, side), tables.guide_aliases.begin() + static_cast<long>(map * GUIDE_MAP_ENTRIES));
 }
 
-/// Where nothing is seen, no direction has a density: light samples would be shadow rays for nothing, and what the survey missed paths find
-/// by themselves.
+/// Where no light is visible, every density is zero: light samples would be wasted. BSDF samples find what the survey missed.
 void writeDarkMap(LightTables& tables, size_t map) {
     std::fill_n(tables.guide_aliases.begin() + static_cast<long>(map * GUIDE_MAP_ENTRIES), GUIDE_MAP_ENTRIES, alias_entry{1, 0, 0});
 }
 
-/// kernels/light/guide_place.clh has the same on the device.
+/// As kernels/light/guide_place.clh on the device.
 size_t intervalOf(std::span<const float> edges, size_t axis, float x) {
     size_t interval = 0;
     for (size_t e = 0; e < intervals - 1; ++e) interval += x >= edges[axis * intervals + e];
@@ -98,7 +96,7 @@ size_t cellOf(std::span<const float> edges, const vec3& p) {
     return (intervalOf(edges, 2, p.z) * intervals + intervalOf(edges, 1, p.y)) * intervals + intervalOf(edges, 0, p.x);
 }
 
-/// Where the intervals of an axis end, so that each has as many of the points.
+/// Sets the ends of the intervals along an axis so that all hold the same number of points.
 void cutAxis(std::span<float> edges, size_t axis, std::span<const vec3> points, std::span<const vec3> normals) {
     std::vector<float> sorted;
     for (size_t i = 0; i < points.size(); ++i)
@@ -107,7 +105,7 @@ void cutAxis(std::span<float> edges, size_t axis, std::span<const vec3> points, 
     for (size_t e = 0; e < intervals - 1; ++e) edges[axis * intervals + e] = sorted[(e + 1) * sorted.size() / intervals];
 }
 
-/// The points in one face of a cell, by their index.
+/// The points of one face of a cell, by index.
 struct Group { size_t place; std::vector<size_t> members; };
 
 std::vector<Group> groupPoints(std::span<const float> edges, std::span<const vec3> points, std::span<const vec3> normals,
@@ -125,7 +123,7 @@ std::vector<Group> groupPoints(std::span<const float> edges, std::span<const vec
     return groups;
 }
 
-/// Points of each group, spread over its members.
+/// Chooses points of each group, evenly spread over its members.
 GuideRepresentatives representativesOf(const std::vector<Group>& groups, std::span<const vec3> points, std::span<const vec3> normals,
                                        size_t perMap) {
     GuideRepresentatives r{{}, {}, groups.size(), perMap};
@@ -138,10 +136,10 @@ GuideRepresentatives representativesOf(const std::vector<Group>& groups, std::sp
     return r;
 }
 
-/// What a cell's neighbors see counts so much for what it sees itself.
+/// The weight of what neighbouring cells see.
 constexpr double neighborShare = 0.1;
 
-/// At most fewMaps groups of those on surfaces, evenly spread over their list.
+/// At most fewMaps groups on surfaces, evenly spread over the list.
 std::vector<Group> someOnSurfaces(const std::vector<Group>& groups) {
     const auto isOnSurface = [](const Group& g) { return g.place / cells != GUIDE_ALL_DIRECTIONS; };
     const size_t all = static_cast<size_t>(std::ranges::count_if(groups, isOnSurface)), step = (all + fewMaps - 1) / fewMaps;
@@ -152,7 +150,7 @@ std::vector<Group> someOnSurfaces(const std::vector<Group>& groups) {
     return some;
 }
 
-/// The share of an environment's light that reaches the groups. The cosine's mean over all directions is a quarter.
+/// The fraction of an environment's light that reaches the groups. The mean of the cosine over all directions is 1/4.
 double shareOf(const std::vector<Group>& groups, std::span<const float> weights, size_t perMap) {
     double seen = 0, possible = 0;
     for (size_t i = 0; i < groups.size(); ++i) {
@@ -165,7 +163,7 @@ double shareOf(const std::vector<Group>& groups, std::span<const float> weights,
     return possible > 0 ? std::min(seen / possible, 1.0) : 1;
 }
 
-/// What is seen from each group, and from the same faces of the cells around it.
+/// Adds to what each group sees a part of what the same faces of neighbouring cells see.
 std::vector<std::vector<double>> shareWithNeighbors(const std::vector<Group>& groups, std::span<const float> weights) {
     std::vector<int> groupAt(cells * GUIDE_FACES, -1);
     for (size_t i = 0; i < groups.size(); ++i) groupAt[groups[i].place] = static_cast<int>(i);

@@ -39,7 +39,7 @@ private:
         for (const Instance& i : in_.context.scene.instances) uses_[static_cast<size_t>(i.object)] += i.worldFromObjectAtEnd ? 2 : 1;
     }
 
-    /// Tables that grow would be copied, and be there twice while they are.
+    /// Reserves the large tables: a table that grows is copied, so it needs its memory twice.
     void reserveTables() {
         size_t positions = 0, normals = 0, tangents = 0, uvs = 0, indices = 0, elements = 0;
         const auto count = [&](const Shape& s) {
@@ -65,7 +65,7 @@ private:
         tables.element_shapes.reserve(elements);
     }
 
-    /// A group of its own for shapes, whose space is, for the same reason as the scene's, that of their bounds.
+    /// Makes a group of shapes. Its space fits their bounds, for the same precision as scene space.
     struct Member { const Shape* shape; glm::dmat4 groupFromObject; uint id; };
     size_t addGroup(const std::vector<Member>& members) {
         Box box;
@@ -77,7 +77,7 @@ private:
         return result_.groups.size() - 1;
     }
 
-    /// Shapes that move alike become one group.
+    /// Shapes with the same motion become one group.
     void addMovingShapes() {
         const auto& shapes = in_.context.scene.shapes;
         std::map<std::array<double, 32>, std::vector<Member>> alike;
@@ -97,8 +97,8 @@ private:
         }
     }
 
-    /// The groups of an object: one of all that stands still in it, unless it is used only once and becomes part of the world, and one
-    /// for each shape that moves in it.
+    /// The groups of an object: one for its static shapes, unless it is instanced once and becomes part of the world, and one for each
+    /// moving shape.
     void addObject(size_t index) {
         std::vector<Member> still;
         for (const Shape& s : in_.context.scene.objects[index].shapes) {
@@ -119,7 +119,7 @@ private:
                 packShape(in_, world, s, i.worldFromObject * s.worldFromObject, true, swapsHandedness(i.worldFromObject), id);
     }
 
-    /// Notes what a group in the world requires.
+    /// Places a group in the world.
     void place(size_t group, std::vector<Place> places, uint id, const SourceLocation& where) {
         if (result_.groups[group].isEmpty()) return;
         in_.context.require(Feature::INSTANCES, where.toString());
@@ -130,9 +130,9 @@ private:
 
     const GeometryPacking& in_;
     Hierarchies result_;
-    std::vector<int> uses_;                 ///< of each object; a use that moves counts twice, so that it is never part of the world
+    std::vector<int> uses_;                 ///< instances of each object; moving ones count twice, so they never join the world
     std::vector<size_t> groupOfObject_;
-    std::vector<std::vector<std::pair<const Shape*, size_t>>> movingInObject_;   ///< and their groups
+    std::vector<std::vector<std::pair<const Shape*, size_t>>> movingInObject_;   ///< moving shapes of each object, and their groups
 };
 
 Hierarchies packGeometry(const GeometryPacking& in) { return GeometryPacker(in).pack(); }

@@ -1,5 +1,5 @@
 #pragma once
-// Shapes, objects and instances as the device sees them, and what each hierarchy over them is to hold.
+// Packs shapes, objects and instances, and lists the elements of each hierarchy over them.
 
 #include "pack/hierarchies.h"
 #include "pack/lights.h"
@@ -17,12 +17,12 @@ struct GeometryPacking {
     LightPacker& lights;
 };
 
-/// All shapes with their materials and area lights. Returns what the hierarchies over them are to be built of.
+/// Packs all shapes with their materials and area lights. Returns the elements of the hierarchies.
 Hierarchies packGeometry(const GeometryPacking&);
 
-/// Adds a shape to a group, and to the tables: unless it has no elements, or is an interface in a scene without media.
-/// `inObject`: of an object, where area lights do not emit. `instanceSwaps`: worldFromObject
-/// has an instance's transform in it, which swaps handedness. `id`: what the channel of objects shows.
+/// Adds a shape to a group and to the tables, unless it has no elements or is an interface in a scene without media.
+/// `inObject`: it belongs to an object, where area lights do not emit. `instanceSwaps`: worldFromObject includes an instance's transform
+/// that swaps handedness. `id`: its object id in the auxiliary channel.
 void packShape(const GeometryPacking&, Group&, const Shape&, const glm::dmat4& worldFromObject, bool inObject, bool instanceSwaps, uint id);
 
 }  // namespace eikonal

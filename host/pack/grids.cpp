@@ -33,7 +33,7 @@ Brick brickOf(const SparseGrid& grid, glm::ivec3 first) {
         if (glm::any(glm::lessThan(block, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(block, grid.blocks))) continue;
         const std::uint32_t stored = grid.blockOf[offsetIn(grid.blocks, block)];
         if (stored == SparseGrid::empty) continue;
-        const glm::ivec3 end = glm::ivec3(8) - 7 * part;   // all of the block itself; the side that touches it of those behind
+        const glm::ivec3 end = glm::ivec3(8) - 7 * part;   // the whole block, or the layer of a following block that touches it
         for (int z = 0; z < end.z; ++z)
             for (int y = 0; y < end.y; ++y)
                 for (int x = 0; x < end.x; ++x)
@@ -43,12 +43,12 @@ Brick brickOf(const SparseGrid& grid, glm::ivec3 first) {
     return brick;
 }
 
-/// Bricks for the cells from voxel `first` to voxel `last`, of which those around are 0.
+/// Bricks for the cells from voxel `first` to voxel `last`; values outside are 0.
 template <class Voxels>
 uint pack(MediumTables& tables, const Voxels& voxels, glm::ivec3 first, glm::ivec3 last, const glm::dmat4& voxelFromBox) {
     const glm::ivec3 bricks = (last - first) / BRICK_CELLS + 1;
     if (double(bricks.x) * bricks.y * bricks.z + static_cast<double>(tables.bricks.size()) > double(NONE))
-        throw std::length_error("there are more bricks of grids than can be counted");
+        throw std::length_error("the grids have more bricks than 32 bits can count");
     grid packed{};
     packed.bricks_x = static_cast<uint>(bricks.x);
     packed.bricks_y = static_cast<uint>(bricks.y);
@@ -93,7 +93,7 @@ glm::dmat4 voxelFromBox(int nx, int ny, int nz) {
 }
 
 float boundOn(const MediumTables& tables, uint index, glm::dvec3 low, glm::dvec3 high) {
-    /* The cells that touch that part: of a turned grid, those of the box around it. A little more, for what single precision rounds */
+    /* The cells that overlap the part (if rotated, its bounding box), enlarged for rounding in single precision */
     const grid& g = tables.grids[index];
     Box cells;
     for (int corner = 0; corner < 8; ++corner) {

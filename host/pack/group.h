@@ -11,7 +11,7 @@ namespace eikonal {
 
 /// The elements of one hierarchy: of the world, or of an object that is instanced or moves.
 struct Group {
-    SceneSpace space;               ///< the space that the hierarchy is built in, from the object's own
+    SceneSpace space;               ///< the space in which the hierarchy is built
     struct Triangles { size_t firstVertex, firstIndex, count; uint firstElement; };
     std::vector<Triangles> triangles;
     std::vector<BoxedElement> boxed;
@@ -19,7 +19,7 @@ struct Group {
     bool isEmpty() const { return triangles.empty() && boxed.empty(); }
 };
 
-/// Padded by more than the rounding of a shape's own intersection test, in units of the box's largest coordinate.
+/// Adds an element's box, padded by more than the rounding error of the intersection test, relative to its largest coordinate.
 inline void addBox(Group& group, const Box& box, uint reference, leaf_kind kind = leaf_elements) {
     const glm::dvec3 reach = glm::max(glm::abs(box.low), glm::abs(box.high));
     const double padding = 32 * 6e-8 * std::max({reach.x, reach.y, reach.z});

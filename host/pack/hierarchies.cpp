@@ -11,7 +11,7 @@ public:
     HierarchyBuilder(const Hierarchies& from, GeometryTables& tables, SceneCounts& counts, Diagnostics& diagnostics)
         : from_(from), world_(from.world), tables_(tables), counts_(counts), diagnostics_(diagnostics) {}
 
-    /// The world's hierarchy holds the boxes of the objects' hierarchies, so those come first.
+    /// Builds the objects' hierarchies first, since the world's hierarchy holds their boxes.
     void build() {
         const auto start = std::chrono::steady_clock::now();
         BvhTables bvh;
@@ -49,7 +49,7 @@ private:
         tables_.instances.push_back(packed);
     }
 
-    /// Fills in the motions of an instance; returns what its box reaches, in scene space.
+    /// Fills in the motions of an instance; returns the bounds of its moving box in scene space.
     Box addMotions(instance& packed, const PlacedGroup& placed, const SceneSpace& group, const Box& box) {
         const SceneSpace& scene = world_.space;
         packed.first_motion = static_cast<uint>(tables_.motions.size());
@@ -60,7 +60,7 @@ private:
             tables_.motions.push_back(motions[i].pack(i == 0 ? scene : SceneSpace{}, i + 1 == placed.places.size() ? group : SceneSpace{}));
         }
         Box reach = transformed(boundsInMotion(motions, transformed(box, group.worldFromScene()), from_.seen), scene.sceneFromWorld());
-        /* For what the device rounds in putting the map together */
+        /* Enlarge it by the rounding of the device's interpolated transform */
         const double rounding = 1e-6 * (glm::length(reach.high - reach.low) + glm::length(reach.center()));
         reach.low -= rounding;
         reach.high += rounding;
@@ -68,7 +68,7 @@ private:
     }
 
     const Hierarchies& from_;
-    Group world_;          ///< with the boxes of what is placed in it
+    Group world_;          ///< with the boxes of the instances
     GeometryTables& tables_;
     SceneCounts& counts_;
     Diagnostics& diagnostics_;

@@ -10,11 +10,11 @@ namespace {
 /// Values beyond this count as infinite on the device (kernels/shape/wide_range.clh).
 constexpr double largest = 1e37;
 
-/// One instruction before registers are given out: values are numbered, x, y and z first.
+/// An instruction before register allocation: values are numbered, beginning with x, y and z.
 struct Step { implicit_operation operation; int a = -1, b = -1; double number = 0; unsigned exponent = 0; };
 constexpr int coordinates = 3;
 
-/// The steps of an expression: what the device has no operation for, made of what it has.
+/// Lowers an expression to the operations of the device.
 class Lowering {
 public:
     explicit Lowering(const Expression& expression) : expression_(expression), values_(expression.nodes.size(), -1) {
@@ -28,7 +28,7 @@ public:
         }
         for (size_t i = 0; i <= whole; ++i)
             if (needed[i] && expression.nodes[i].operation != Operation::number) values_[i] = lower(expression.nodes[i]);
-        /* The last instruction's target is the whole, also where that is a coordinate */
+        /* The last instruction must compute the whole expression, even if it is just a coordinate */
         if (values_[whole] < coordinates) scale(values_[whole], 1);
     }
     const std::vector<Step>& steps() const { return steps_; }
@@ -105,7 +105,7 @@ private:
                 return scale(binary(implicit_subtract, unary(implicit_exp, value(n.a)), unary(implicit_exp, scale(value(n.a), -1))), 0.5);
             case Operation::cosh:
                 return scale(binary(implicit_add, unary(implicit_exp, value(n.a)), unary(implicit_exp, scale(value(n.a), -1))), 0.5);
-            /* 1 - 2 / (e^2a + 1) has its operand once: no interval of it is wider than it must be */
+            /* 1 - 2 / (e^2a + 1) contains its operand once, so interval arithmetic is tight */
             case Operation::tanh:
                 return shift(scale(unary(implicit_reciprocal, shift(unary(implicit_exp, scale(value(n.a), 2)), 1)), -2), 1);
             case Operation::exp: return unary(implicit_exp, value(n.a));
@@ -148,7 +148,7 @@ std::vector<implicit_instruction> implicitProgram(const Expression& expression, 
         if (s.operation == implicit_integer_power) instruction.b = s.exponent;
         if (s.operation == implicit_integer_power || s.operation == implicit_power)
             instruction.limit = static_cast<float>(std::min(std::pow(largest, 1 / exponent), largest));
-        /* A register is free once its value has been used for the last time: operands are read before the target is written */
+        /* A register is free after its last use; operands are read before the target is written */
         for (const int operand : {s.a, s.a == s.b ? -1 : s.b})
             if (operand >= coordinates && lastUse[static_cast<size_t>(operand - coordinates)] == i) unused.push_back(registerOf(operand));
         if (unused.empty())

@@ -1,5 +1,5 @@
 #pragma once
-// From an expression to the program that kernels/shape/implicit_program.clh runs.
+// Compiles an expression to the program that kernels/shape/implicit_program.clh runs.
 
 #include "eikonal/shape.h"
 #include "read/formats/expression.h"
@@ -8,7 +8,7 @@
 
 namespace eikonal {
 
-/// The instructions of an expression; the last one's target holds its value. Throws SceneError if they need more registers than there are.
+/// The instructions of an expression; the target of the last one holds its value. Throws SceneError if they need too many registers.
 std::vector<implicit_instruction> implicitProgram(const Expression&, const SourceLocation& where);
 
 }  // namespace eikonal

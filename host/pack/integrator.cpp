@@ -17,10 +17,11 @@ void packIntegrator(const IntegratorPacking& in, bool hasUnusedMedia) {
     if (!integrator.standsFor.empty())
         in.context.diagnostics.unsupported(
             "integrator", integrator.where,
-            fmt::format("integrator \"{}\" is not rendered; \"volpath\" computes the same by its own means", integrator.standsFor));
+            fmt::format("integrator \"{}\" is not available; \"volpath\", which converges to the same image, is used instead",
+                        integrator.standsFor));
     if (hasUnusedMedia)
         in.context.diagnostics.warn(
-            integrator.where, title + " leaves out participating media (as in pbrt-v4), and the scene has some; \"volpath\" renders them");
+            integrator.where, title + " ignores the participating media of the scene (as in pbrt-v4); \"volpath\" renders them");
 
     in.frame.max_depth = static_cast<uint>(std::clamp(integrator.maxDepth, integrator.kind->leastDepth, integrator.kind->mostDepth));
     if (integrator.kind->pack) integrator.kind->pack(in, integrator, why);

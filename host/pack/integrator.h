@@ -1,5 +1,5 @@
 #pragma once
-// The settings of light transport.
+// The settings of the integrator.
 
 #include "pack/colors.h"
 
@@ -12,7 +12,7 @@ struct IntegratorPacking {
     ColorPacker& colors;
 };
 
-/// Fills in the integrator's settings; warns if it stands for another, and of media that it leaves out.
+/// Fills in the integrator's settings. Warns if it replaces another one, and if it ignores media.
 void packIntegrator(const IntegratorPacking&, bool hasUnusedMedia);
 
 }  // namespace eikonal

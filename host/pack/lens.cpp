@@ -25,7 +25,7 @@ LensSystem::LensSystem(const CameraDescription& camera, double filmDiagonal)
     focus(camera);
 }
 
-/// eta: index where the ray goes over index where it comes from.
+/// eta: refractive index after the surface over that before it.
 std::optional<LensRay> LensSystem::pass(const Element& e, double eta, LensRay ray) const {
     const glm::dvec3 q = ray.o - glm::dvec3(0, 0, e.z), d = ray.d;
     if (e.radius == 0) {
@@ -59,21 +59,21 @@ std::optional<LensRay> LensSystem::fromScene(LensRay ray) const {
     return r;
 }
 
-/// Moves the lens so that the thick lens that it is near its axis images the focus distance, counted from the film, onto the film.
+/// Moves the lens so that its thick-lens approximation focuses the focus distance, measured from the film, onto the film.
 void LensSystem::focus(const CameraDescription& camera) {
     const double height = 0.002 * filmRadius_;
     const auto fail = [&](const std::string& why) { throw SceneError(camera.where, "the lens " + why); };
-    /// Along z, on the far side: the principal plane and the focal point of a ray that comes in parallel to the axis.
+    /// z of the principal plane and the focal point, from a ray that enters parallel to the axis.
     struct Cardinal { double plane, focus; };
     const auto cardinal = [&](const std::optional<LensRay>& out) {
-        if (!out) fail("lets no ray near its axis pass. Is its aperture very small?");
-        if (out->d.x == 0) fail("has no power: rays along its axis stay parallel");
+        if (!out) fail("blocks all rays near its axis; is the aperture too small?");
+        if (out->d.x == 0) fail("has no optical power: rays parallel to its axis stay parallel");
         return Cardinal{out->o.z + (height - out->o.x) / out->d.x * out->d.z, out->o.z - out->o.x / out->d.x * out->d.z};
     };
     const Cardinal film = cardinal(fromScene({{height, 0, elements_.back().z + 1}, {0, 0, -1}}));
     const Cardinal scene = cardinal(fromFilm({{height, 0, elements_.front().z - 1}, {0, 0, 1}}));
 
-    /* 1 / x + 1 / x' = 1 / f between the distances from the principal planes, both of which the same shift changes */
+    /* 1 / x + 1 / x' = 1 / f for the distances from the principal planes; shifting the lens changes both */
     const double f = film.plane - film.focus, between = camera.focusDistance - scene.plane + film.plane;
     const double c = between * (between - 4 * f);
     if (c <= 0)
@@ -86,7 +86,7 @@ void LensSystem::focus(const CameraDescription& camera) {
 
 static bool isEmpty(const pupil_bounds& b) { return b.low_x > b.high_x; }
 
-/// The bounds of what passes on a grid over `over`, a step wider.
+/// Bounds of the rays that pass, from a grid over `over`, enlarged by one step.
 template <class Passes> static pupil_bounds boundsOnGrid(const pupil_bounds& over, int steps, Passes&& passes) {
     pupil_bounds found{1, 1, -1, -1};
     const float stepX = (over.high_x - over.low_x) / static_cast<float>(steps),
@@ -111,7 +111,7 @@ pupil_bounds LensSystem::pupil(double near, double far) const {
             return fromFilm({{film, 0, 0}, glm::dvec3(x, y, z) - glm::dvec3(film, 0, 0)}).has_value();
         };
     };
-    /* Somewhat more than the last element, as seen obliquely; the pupil may be small in it: the more so, the finer the grid */
+    /* Search an area somewhat larger than the rear element; refine the grid, since the pupil may be small */
     const float reach = 1.5f * static_cast<float>(elements_.front().aperture);
     const pupil_bounds all{-reach, -reach, reach, reach};
     pupil_bounds bounds{1, 1, -1, -1};

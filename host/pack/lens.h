@@ -1,5 +1,5 @@
 #pragma once
-// The lens of a realistic camera: rays through its elements, in double precision, to focus it and to find its exit pupil
+// The lens of a realistic camera: traces rays through its elements in double precision, to focus it and to find its exit pupil
 // (Kolb et al. 1995; Pharr et al. 2016, section 6.4). The film lies at z = 0 and looks along +z; metres.
 
 #include "eikonal/camera.h"
@@ -18,23 +18,23 @@ struct LensRay { glm::dvec3 o, d; };
 
 class LensSystem {
 public:
-    /// Of a realistic camera with a film of that diagonal (millimetres), focused. The stop is made as wide as the camera wants; if its lens
-    /// has no room for that, as wide as it can be (stopIsTooWide). Throws SceneError at camera.where: the lens cannot be focused there, or
-    /// lets nothing pass.
+    /// The lens of a realistic camera with a film of that diagonal (millimetres), focused. The stop has the camera's aperture diameter,
+    /// clamped to the size of the lens's stop (stopIsTooWide). Throws SceneError at camera.where if the lens cannot be focused, or blocks
+    /// all light.
     LensSystem(const CameraDescription& camera, double filmDiagonal);
 
-    /// A ray from the film to the scene; nothing if it is blocked. A stop with a shape counts as a square.
+    /// A ray from the film to the scene; nothing if it is blocked. A stop that is not round counts as a square.
     std::optional<LensRay> fromFilm(LensRay ray) const;
-    /// And the other way round.
+    /// The same in the other direction.
     std::optional<LensRay> fromScene(LensRay ray) const;
 
-    /// Where, on the plane of the element next to the film, light comes from that reaches points of the film from `near` to `far` of its
-    /// centre, on the x axis. Empty if none does.
+    /// The exit pupil, on the plane of the rear element, of the film points on the x axis from `near` to `far`. Empty if no light
+    /// arrives there.
     pupil_bounds pupil(double near, double far) const;
-    /// All PUPIL_INTERVALS of them.
+    /// The exit pupils of all PUPIL_INTERVALS intervals.
     Table<pupil_bounds> pupils() const;
 
-    /// Elements as the device passes them.
+    /// The elements in the device's format.
     Table<lens_element> elements() const;
     double rearZ() const { return elements_.front().z; }
     bool stopIsTooWide() const { return stopIsTooWide_; }
@@ -49,10 +49,11 @@ private:
     bool stopHasShape_, stopIsTooWide_ = false;
 };
 
-/// What a stop with a shape lets pass, row by row from the bottom, scaled to a mean of pi / 4: as bright as a round one.
+/// The transmission of a stop that is not round, row by row from the bottom, scaled to a mean of pi / 4, so that it is as bright as a
+/// round one.
 struct ApertureTexels { int width = 0, height = 0; Table<float> values; };
 struct ImageData;
-/// `image` is only read for ApertureShape::image. A round one has no texels. Throws Error if nothing passes.
+/// `image` is only read for ApertureShape::image. A round stop has no texels. Throws Error for a stop that blocks all light.
 ApertureTexels apertureTexels(ApertureShape shape, const ImageData* image);
 
 }  // namespace eikonal

@@ -16,7 +16,7 @@ double angleBetween(glm::dvec3 a, glm::dvec3 b) { return std::acos(std::clamp(gl
 
 LightBounds boundsOfLight(const light& l, double power) {
     const LightTraits& traits = kindOf(l).traits;
-    if (!traits.bound) throw std::logic_error("nothing bounds lights of this kind");
+    if (!traits.bound) throw std::logic_error("this kind of light has no bounds");
     LightBounds bounds;
     bounds.box.grow(toGlm(l.p));
     bounds.axis = toGlm(l.n);
@@ -27,7 +27,7 @@ LightBounds boundsOfLight(const light& l, double power) {
     return bounds;
 }
 
-/// Turns a unit vector by an angle towards another one.
+/// Rotates a unit vector by an angle towards another one.
 static glm::dvec3 turnTowards(glm::dvec3 a, glm::dvec3 b, double angle) {
     glm::dvec3 across = b - glm::dot(a, b) * a;
     if (glm::length(across) < 1e-9) across = glm::cross(a, std::abs(a.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0));
@@ -43,7 +43,7 @@ LightBounds unite(const LightBounds& a, const LightBounds& b) {
     both.intensity += other.intensity;
     both.emission = std::max(a.emission, b.emission);
     both.twoSided = a.twoSided || b.twoSided;
-    /* The cone that holds both; what shines on both sides may as well be turned round */
+    /* The cone that bounds both; a two-sided light may be flipped */
     const glm::dvec3 otherAxis = a.twoSided && b.twoSided && glm::dot(a.axis, b.axis) < 0 ? -other.axis : other.axis;
     const double apart = angleBetween(both.axis, otherAxis);
     if (std::min(apart + other.normals, pi) <= both.normals) return both;

@@ -14,18 +14,18 @@ public:
         : context_(context), tables_(tables), frame_(frame), powers_(std::move(powers)), firstInfinite_(firstInfinite) {}
 
     void pack() {
-        for (double& p : powers_) p = std::max(p, 0.0);   // what takes light away is not sampled, and leaves the others alone
+        for (double& p : powers_) p = std::max(p, 0.0);   // negative lights are not sampled
         const LightSampler asked = context_.scene.integrator.lightSampler;
         double total = 0;
         for (double p : powers_) total += p;
         if (powers_.empty()) return;
         if (total <= 0 || !samplesLights(context_.scene.integrator)) {
-            /* Nothing to sample: only what paths meet by themselves, if anything, is seen */
+            /* Nothing to sample: paths only find the lights that they hit */
             for (light& l : tables_.lights) l.pmf = 0;
             return;
         }
         context_.require(Feature::LIGHTS, std::to_string(powers_.size()) + " lights");
-        /* Of lights behind portals, an item can carry a direction for one */
+        /* An item carries the direction of at most one light with a portal */
         const bool looksAtAll =
             context_.scene.integrator.kind->splitsRays && powers_.size() <= MOST_TREE_LIGHTS && !context_.has(Feature::PORTALS);
         const auto sampled = std::count_if(powers_.begin(), powers_.end(), [](double p) { return p > 0; });
@@ -42,8 +42,8 @@ public:
     }
 
 private:
-    /// What lies infinitely far away has no power that could be compared with a lamp's: each has the probability of all lamps together,
-    /// which share theirs by power (as pbrt-v4's light BVH has it).
+    /// The power of an infinite light is not comparable with that of a lamp. Each infinite light is as probable as all lamps together,
+    /// which are chosen by power (as in pbrt-v4's light BVH).
     void weighInfiniteLights() {
         double finite = 0;
         for (size_t i = 0; i < firstInfinite_; ++i) finite += powers_[i];
@@ -51,12 +51,12 @@ private:
             if (powers_[i] > 0) powers_[i] = finite > 0 ? finite : 1;
     }
 
-    /// Every light as likely as another.
+    /// All lights have the same probability.
     void weighAlike() {
         for (double& p : powers_) p = p > 0 ? 1 : 0;
     }
 
-    /// A tree over all lights but the infinite ones, each of which is as likely as the tree.
+    /// Makes a tree over the finite lights; each infinite light is as probable as the tree.
     void makeTree() {
         std::vector<LightBounds> bounds;
         for (size_t i = 0; i < firstInfinite_; ++i)

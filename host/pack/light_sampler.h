@@ -1,5 +1,5 @@
 #pragma once
-// How the light is chosen that a point is lit by: an alias table, or a tree.
+// How a light is chosen to be sampled: by an alias table, or by a light tree.
 
 #include "pack/context.h"
 
@@ -7,8 +7,8 @@
 
 namespace eikonal {
 
-/// The probability of each light of `lights`, of which powers[i] is what light i emits in all, and those from firstInfinite on are
-/// infinitely far away; and the table or tree to choose them by, unless there is nothing to sample.
+/// Sets the probability of each light, and the alias table or tree, unless there is nothing to sample. powers[i] is the power of light i;
+/// those from firstInfinite on are infinitely far away.
 void packLightSampler(const PackContext&, LightTables&, settings& frame, std::vector<double> powers, size_t firstInfinite);
 
 }  // namespace eikonal

@@ -11,11 +11,11 @@ namespace eikonal {
 using std::numbers::pi;
 
 constexpr int buckets = 12;
-/// Below this many cuts ranges are cut in halves, so that recursion is bounded.
+/// Beyond this depth ranges are halved, which bounds the recursion.
 constexpr int deepest = 64;
 
-/// How much lights matter all over the scene: their intensity, the solid angle that they shine into, and how large they are (Conty Estevez
-/// and Kulla's orientation heuristic; the sphere around them instead of the box, so that lights in a line have a size).
+/// The cost measure of Conty Estevez and Kulla (surface area orientation heuristic): intensity times solid angle of emission times size.
+/// The size is that of the bounding sphere instead of the box, so that it is positive for lights on a line.
 static double costOf(const LightBounds& b) {
     if (!(b.intensity > 0)) return 0;
     const double o = b.normals, w = std::min(o + b.emission, pi);
@@ -61,7 +61,7 @@ private:
         return at;
     }
 
-    /// Bounds of the lights of a bucket, in two passes: the mean of their axes first, then how far they are from it.
+    /// Bounds of the lights of a bucket, in two passes: the mean axis first, then the cone around it.
     struct Bucket {
         LightBounds bounds{.axis = glm::dvec3(0)};
         double leastCosine = 1, ownAngle = 0;
@@ -83,7 +83,7 @@ private:
         void finish() { bounds.normals = std::min(pi, std::acos(std::clamp(leastCosine, -1.0, 1.0)) + ownAngle); }
     };
 
-    /// Cuts a range where the cost of both parts is least, or in the middle where no cut separates anything. Returns where.
+    /// Partitions a range at the split of least cost, or in the middle if no split separates anything. Returns where.
     size_t split(size_t begin, size_t end) {
         Box all, centers;
         for (size_t i = begin; i < end; ++i) {
@@ -106,7 +106,7 @@ private:
             for (size_t i = begin; i < end; ++i) bucket[static_cast<size_t>(bucketOf(order_[i], axis))].addCone(lights_[order_[i]]);
             for (Bucket& b : bucket) b.finish();
 
-            /* Long thin parts are worse than their size says */
+            /* Long thin parts are worse than their size suggests */
             const double thin = longest / std::max(whole[axis], 1e-9 * longest);
             std::array<double, buckets> below{};
             LightBounds sum;
@@ -129,7 +129,7 @@ private:
         return static_cast<size_t>(middle - order_.begin());
     }
 
-    /// A node of eight children, those that matter most opened first; returns its number.
+    /// Emits a node with up to eight children: opens the child with the highest cost until it is full. Returns its index.
     uint emit(size_t root, uint parent, int depth) {
         tree_.depth = std::max(tree_.depth, depth);
         std::vector<size_t> children{root};
@@ -155,7 +155,7 @@ private:
         }
         return at;
     }
-    /// Single lights are not to be opened, and of the rest also those whose lights are all at one place.
+    /// The priority for opening a child; single lights come last and are never opened.
     double openingOf(size_t node) const { return nodes_[node].left == 0 ? -1 : nodes_[node].cost; }
 
     /// Bounds rounded outwards.

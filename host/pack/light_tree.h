@@ -9,35 +9,35 @@
 
 namespace eikonal {
 
-/// Up to so many lights that can be sampled they are chosen by power: a tree costs more time than it saves noise (docs/lights.md).
+/// Up to so many lights are chosen by power: a tree would cost more time than it saves noise (docs/lights.md).
 constexpr size_t fewLights = 3;
 
-/// Where some lights are, and which way they shine. Scene space, angles in radians.
+/// Bounds of the positions and the emission directions of some lights. Scene space, angles in radians.
 struct LightBounds {
     Box box;
-    glm::dvec3 axis{0, 0, 1};   ///< of a cone that holds their normals
-    double normals = 0;         ///< its angle, in [0, pi]
-    double emission = 0;        ///< how far from its normal a light shines, in (0, pi/2]
+    glm::dvec3 axis{0, 0, 1};   ///< of a cone that bounds their normals
+    double normals = 0;         ///< half angle of the cone, in [0, pi]
+    double emission = 0;        ///< largest angle of emission from a normal, in (0, pi/2]
     double intensity = 0;       ///< sum of luminous intensities along the normals
-    bool twoSided = false;      ///< some shine on both sides
+    bool twoSided = false;      ///< some emit on both sides
 };
 
-/// A light that does not fade towards its edge still needs some room there, since the tree bounds emission by cosines. Radians.
+/// The tree bounds emission by cosines, which fall off gradually, so lights with sharp edges get at least `leastEmission`. Radians.
 constexpr double leastEmission = 0.05, mostFallOff = 1.4;
-/// Radians between two unit vectors.
+/// The angle between two unit vectors.
 double angleBetween(glm::dvec3 a, glm::dvec3 b);
 
-/// Those of a packed light that is not infinitely far away and emits `power` in all.
+/// The bounds of a packed finite light with total `power`.
 LightBounds boundsOfLight(const light& l, double power);
-/// Those of both. Either may be without intensity.
+/// The union of two bounds. Either may have no intensity.
 LightBounds unite(const LightBounds& a, const LightBounds& b);
 
-/// A tree over lights[i], each the light of that number; those without intensity are left out. O(n log n).
+/// A tree over lights[i], where i is the index of the light; lights without intensity are left out. O(n log n).
 struct LightTree {
     Table<light_node> nodes;   ///< empty: no light has any intensity
     std::vector<uint> leaves;        ///< of each light: node * LIGHT_TREE_WIDTH + child, or NONE
-    size_t lights = 0;               ///< how many it holds
-    int depth = 0;                   ///< nodes on the longest way down
+    size_t lights = 0;               ///< number of lights in the tree
+    int depth = 0;                   ///< nodes on the longest path from the root
 };
 LightTree buildLightTree(const std::vector<LightBounds>& lights);
 

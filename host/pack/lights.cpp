@@ -43,7 +43,7 @@ void LightPacker::add(const LightPacking& in, const Light& description) {
     powers_.push_back(isLeftToBsdfs(kind) ? 0 : packed.power);
 }
 
-/// Makes room for an environment guide, where one may pay.
+/// Prepares an environment guide, if it may pay.
 void LightPacker::packGuide() {
     const IntegratorDescription& integrator = context_.scene.integrator;
     const auto isGuided = [](const light& l) { return kindOf(l).traits.isLeftToBsdfs; };
@@ -53,7 +53,7 @@ void LightPacker::packGuide() {
     if (integrator.environmentGuide == EnvironmentGuide::never) return;
     if (!GuideBudget::of(frame_.width, frame_.height, context_.scene.sampler.pixelSamples).isEnough()) return;
     context_.require(Feature::ENVIRONMENT_GUIDE,
-                     "an infinite light that is the same everywhere, and enough samples to learn where it is seen");
+                     "a uniform infinite light, and enough samples to learn where it is visible");
     context_.require(Feature::LIGHTS, "the same");
     packUnlearnedGuide(tables_);
     if (tables_.light_aliases.empty()) tables_.light_aliases = makeAliasTable(std::vector<double>(tables_.lights.size(), 0.0));

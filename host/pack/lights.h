@@ -1,5 +1,5 @@
 #pragma once
-// Lights, and how the one is chosen that a point is lit by.
+// Lights, and how one is chosen to be sampled.
 
 #include "kinds/light_packing.h"
 #include "pack/textures.h"
@@ -13,9 +13,9 @@ public:
     LightPacker(const PackContext& context, LightTables& tables, settings& frame, ColorPacker& colors, TexturePacker& textures)
         : context_(context), tables_(tables), frame_(frame), colors_(colors), textures_(textures) {}
 
-    /// The lights of a shape that emits, one for each of its elements; sets its first_light. `m` takes its object space to scene space.
+    /// Adds the lights of a shape that emits, one for each of its elements; sets its first_light. `m` maps its object space to scene space.
     void addShape(const Shape&, shape& packed, const GeometryTables&, const glm::dmat4& m, size_t elements);
-    /// Lights without a shape, which come after the others; then the light sampler.
+    /// Adds the lights without a shape, after all others, then makes the light sampler.
     void pack();
 
 private:
@@ -29,7 +29,7 @@ private:
     settings& frame_;
     ColorPacker& colors_;
     TexturePacker& textures_;
-    std::vector<double> powers_;  ///< of `lights`, for the light sampler
+    std::vector<double> powers_;  ///< powers of `lights`, for the light sampler
 };
 
 }  // namespace eikonal

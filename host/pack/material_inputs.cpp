@@ -31,7 +31,7 @@ void InputWriter::index(uint slot, const char* name) {
     if (in.texture != none) return number(slot, name);
     if (in.value.isFlat()) return number(slot, in.value.value() > 0 ? in.value.value() : 1);
     if (!isSpectral()) {
-        in_.context.diagnostics.warnOnce("dispersion", in.where, "there is no dispersion in RGB: the mean of the index counts");
+        in_.context.diagnostics.warnOnce("dispersion", in.where, "RGB rendering has no dispersion; the mean index is used");
         return number(slot, name);
     }
     require(Feature::DISPERSION);
@@ -86,7 +86,7 @@ std::string InputWriter::why() const {
     return description_.where.toString() + (description_.name.empty() ? ": a material" : ": material \"" + description_.name + "\"");
 }
 
-/// A texture, or a value that becomes one.
+/// A texture, or a constant as a texture program.
 uint InputWriter::program(const Input& in, TextureUse use) {
     require(Feature::TEXTURED);
     return in_.textures.colorInput(in, use);

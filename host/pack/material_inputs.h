@@ -1,5 +1,5 @@
 #pragma once
-// The parameters of BSDFs, as they are written for a material.
+// Writes the parameters of a material's BSDF.
 
 #include "pack/measured.h"
 #include "pack/textures.h"
@@ -8,7 +8,7 @@
 
 namespace eikonal {
 
-/// What packing of materials writes, and what their inputs refer to.
+/// The tables of materials, and the parts that pack what their inputs refer to.
 struct MaterialPacking {
     const PackContext& context;
     MaterialTables& tables;
@@ -17,10 +17,10 @@ struct MaterialPacking {
     MeasuredPacker& measured;
 };
 
-/// Collects the inputs of one material's BSDF. What kinds of materials are packed with.
+/// Collects the inputs of one material's BSDF; kinds of materials are packed with it.
 class InputWriter {
 public:
-    /// regularize: microfacet widths become those that regularization gives them.
+    /// regularize: microfacet widths are regularized.
     InputWriter(const MaterialPacking& in, const Material& description, bool regularize = false)
         : in_(in), description_(description), regularize_(regularize) {}
 
@@ -28,14 +28,14 @@ public:
     bool has(const char* name) const { return description_.inputs.count(name) != 0; }
 
     void spectrum(uint slot, const char* name);
-    /// "albedo", of what is between two layers: black is nothing.
+    /// "albedo" of the medium between two layers; black: there is no medium.
     void layerMedium(uint slot);
-    /// One that may be larger than 1.
+    /// A spectrum that may exceed 1.
     void coefficient(uint slot, const char* name);
     void spectrum(uint slot, glm::dvec3 value) { add(slot, input_spectrum, packRgb(value), NONE); }
     void color(uint slot, const eikonal::color& value) { add(slot, input_spectrum, value, NONE); }
     void constant(uint slot, double value) { add(slot, input_spectrum, in_.colors.constant(value), NONE); }
-    /// An index of refraction, which may be another for each wavelength. 0 counts as 1, as in pbrt-v4.
+    /// An index of refraction, which may vary with the wavelength. 0 counts as 1, as in pbrt-v4.
     void index(uint slot, const char* name);
     bool disperses() const { return disperses_; }
     /// Light passes through the surface, so both sides are lit: the BSDF scatters light to the other side, or refracts it.
@@ -52,14 +52,14 @@ public:
     void file(uint slot);
     /// A roughness as a microfacet width.
     void width(uint slot, const char* name);
-    /// Those along and across a surface, which has directions if they differ.
+    /// Both widths; requires anisotropy if they differ.
     void widths(uint alongSlot, uint acrossSlot, const char* alongName = "uroughness", const char* acrossName = "vroughness");
-    /// Whether both roughnesses are so small everywhere that the surface is a mirror.
+    /// Whether both roughnesses are so small that the surface is specular everywhere.
     bool isSmooth() const;
 
     bool isSpectral() const { return in_.context.spectral; }
     void require(Feature feature) const { in_.context.require(feature, why()); }
-    /// What asks for features, for people: "file:line:column: material "name"", without what the description lacks.
+    /// The reason for required features: "file:line:column: material "name"".
     std::string why() const;
 
 private:

@@ -1,12 +1,12 @@
 #pragma once
-// Where each parameter of a BSDF has its words.
+// The slots of the parameters of BSDFs.
 
 #include "eikonal/bsdfs.h"
 
 namespace eikonal {
 
-// Slots of every BSDF's parameters, from the lists: slot_diffuse::reflectance. A slot is its number of words in RGB rendering, and, above
-// that, how many spectra come before it, each of which is longer in spectral rendering.
+// Slots of every BSDF's parameters, from the lists: slot_diffuse::reflectance. A slot is the index of its first word in RGB
+// rendering plus spectrumBefore times the number of spectra before it, which are longer in spectral rendering.
 constexpr uint spectrumBefore = 256;
 #define STEP_uint 1
 #define STEP_float 1

@@ -6,7 +6,7 @@
 
 namespace eikonal {
 
-/// Which features the BSDF of a queue brings.
+/// Requires the features of a queue's BSDF.
 void MaterialPacker::requireBsdf(next_queue h, const std::string& why) const {
 #define REQUIRE_BSDF(name, FEATURE, PARAMETERS) if (h == next_##name) in_.context.require(KindFeature::FEATURE, why);
     BSDFS(REQUIRE_BSDF)
@@ -15,7 +15,7 @@ void MaterialPacker::requireBsdf(next_queue h, const std::string& why) const {
     if (h == next_mix) in_.context.require(Feature::MIX, why);
 }
 
-/// Everything but what a mix is mixed of, and the twin for regularization.
+/// Packs everything but the materials of a mix and the regularized variant.
 void MaterialPacker::pack(const Material& description, PackedMaterial& m, bool regularize) {
     const IntegratorKind& integrator = *in_.context.scene.integrator.kind;
     const bool isSurface = description.kind != &interface_material && description.kind != &mix_material;

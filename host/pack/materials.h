@@ -11,16 +11,16 @@
 
 namespace eikonal {
 
-/// A material that has nothing yet.
+/// A material before it is packed.
 constexpr material blankMaterial{next_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0, 0, 0};
 
-/// Packs the materials that something uses: nothing runs that the scene does not ask for.
+/// Packs only the materials that are used, so that no stage runs without need.
 class MaterialPacker {
 public:
     MaterialPacker(const MaterialPacking& in, MediumPacker& media)
         : in_(in), media_(media), indices_(in.context.scene.materials.size(), NONE) {}
 
-    /// The index in `materials` of a material of the scene; none: of pbrt's default.
+    /// The index in `materials` of a material of the scene, or of pbrt's default material.
     uint material(int index);
 
     const MaterialTables& tables() const { return in_.tables; }

@@ -1,4 +1,4 @@
-// Measured BSDFs as the device reads them: densities with their integrals, and spectra as colors.
+// Measured BSDFs as the device reads them: densities with their integrals, and spectra as colours.
 
 #include "pack/measured.h"
 
@@ -11,7 +11,7 @@
 namespace eikonal {
 namespace {
 
-/// How many halves to take until two neighbours are left of so many ascending numbers.
+/// The number of bisection steps that search so many sorted numbers.
 int searchSteps(size_t count) { return static_cast<int>(std::bit_width(std::max<size_t>(count, 2) - 2)); }
 
 class Writer {
@@ -26,7 +26,7 @@ public:
 
     measured_grid grid(const MeasuredBsdf::Grid& g) { return {list(g.values), static_cast<uint>(g.width), static_cast<uint>(g.height)}; }
 
-    /// Grids scaled to an integral of 1 in cells of side 1, with the integrals up to each row, and along rows up to each column.
+    /// Grids scaled to an integral of 1 over cells of side 1, with their marginal and conditional cumulative distributions.
     measured_warp warp(const MeasuredBsdf::Grid& g) {
         MeasuredBsdf::Grid density = g;
         std::vector<float> marginal, conditional;
@@ -63,7 +63,8 @@ public:
     }
 
 private:
-    /// What a reflectance at each wavelength adds to linear sRGB under daylight, straight lines in between and constant beyond the ends.
+    /// The weight of the reflectance at each wavelength in linear sRGB under daylight;
+    /// linear between wavelengths, constant beyond the ends.
     static std::vector<glm::dvec3> colorWeights(const std::vector<float>& wavelengths) {
         const DenseCurve& daylight = whiteSpectrum(ColorSpace::srgb);
         const double brightness = integrateXyz(daylight).y;
@@ -89,7 +90,7 @@ private:
 
 void raise(int& most, size_t count) { most = std::max(most, searchSteps(count)); }
 
-/// What kernels that look this file up are built with.
+/// Raises the constants of the kernels that search this file.
 void noteSizes(SceneConstants& constants, const MeasuredBsdf& bsdf) {
     raise(constants.measuredAngleSteps, std::max(bsdf.phi.size(), bsdf.theta.size()));
     raise(constants.measuredFacetSteps, std::max(bsdf.visible.width, bsdf.visible.height));

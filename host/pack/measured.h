@@ -1,5 +1,5 @@
 #pragma once
-// Measured BSDFs as the device reads them.
+// Measured BSDFs.
 
 #include "pack/colors.h"
 

@@ -37,12 +37,12 @@ void MediumPacker::packEquiangularLights(const Table<light>& lights) {
     float sum = 0;
     for (const auto& [intensity, p] : points) sum += intensity;
     if (!(sum > 0)) return;
-    /* The media of the scene come first; what fills a body is lit through its surface */
+    /* The media of the scene come first; interiors of bodies are lit through their surface */
     const size_t open = context_.hasMedia ? context_.scene.media.size() : 0;
     for (medium& m : std::span(tables_.media).first(open)) {
         if (kindOf(m).variation != MediumVariation::HOMOGENEOUS || colors_.greatestSum(&m.sigma_s, nullptr) <= 0) continue;
         m.equiangular_lights = static_cast<uint>(points.size());
-        context_.require(Feature::EQUIANGULAR, "the scene has a light that is a point, and a medium that scatters");
+        context_.require(Feature::EQUIANGULAR, "the scene has a point light and a medium that scatters");
     }
     if (!context_.has(Feature::EQUIANGULAR)) return;
     for (const auto& [intensity, p] : points) tables_.point_lights.push_back({p, intensity / sum});

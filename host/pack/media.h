@@ -1,5 +1,5 @@
 #pragma once
-// Participating media, in the scene and inside of bodies.
+// Participating media of the scene, and interiors of subsurface bodies.
 
 #include "pack/colors.h"
 
@@ -14,11 +14,11 @@ public:
     MediumPacker(const PackContext& context, MediumTables& tables, ColorPacker& colors)
         : context_(context), tables_(tables), colors_(colors) {}
 
-    /// The media of the scene, if a ray can be inside one.
+    /// Packs the media of the scene, if a ray can be inside one.
     void pack();
     /// Packs the interior medium of a material: its index in `media`.
     uint interior(const std::shared_ptr<const Medium>&, const std::string& why);
-    /// The point lights that rays through homogeneous media are sampled towards; after the lights.
+    /// Packs the point lights for equiangular sampling in homogeneous media. Comes after the lights.
     void packEquiangularLights(const Table<light>& lights);
 
 private:

@@ -9,7 +9,7 @@ Decomposition decompose(const glm::dmat4& m) {
     Decomposition d;
     d.translation = glm::dvec3(m[3]);
     const glm::dmat3 a(m);
-    /* The mean of a matrix and its inverse transposed, again and again, is the nearest orthogonal one */
+    /* Iterate the mean of the matrix and its inverse transpose: it converges to the nearest orthogonal matrix */
     glm::dmat3 r = a / std::cbrt(std::abs(glm::determinant(a)));
     for (int i = 0; i < 100; ++i) {
         const glm::dmat3 next = 0.5 * (r + glm::transpose(glm::inverse(r)));
@@ -24,7 +24,7 @@ Decomposition decompose(const glm::dmat4& m) {
     return d;
 }
 
-/// Of a rotation, by the largest of its four components (Shepperd 1978).
+/// The quaternion of a rotation, from its largest component (Shepperd 1978).
 static glm::dvec4 toQuaternion(const glm::dmat3& m) {
     /* 4 q q^T, element by element; m[column][row] */
     const double xx = 1 + m[0][0] - m[1][1] - m[2][2], yy = 1 - m[0][0] + m[1][1] - m[2][2], zz = 1 - m[0][0] - m[1][1] + m[2][2];
@@ -47,7 +47,7 @@ Motion::Motion(const glm::dmat4& start, const glm::dmat4& end) : start_(decompos
     startRotation_ = toQuaternion(start_.rotation);
     endRotation_ = toQuaternion(end_.rotation);
     if (glm::dot(startRotation_, endRotation_) < 0) endRotation_ = -endRotation_;
-    /* By the chord: an arc cosine would not see small angles */
+    /* By the chord: an arc cosine loses small angles */
     angle_ = 2 * std::asin(std::min(glm::length(endRotation_ - startRotation_) / 2, 1.0));
     if (angle_ < 1e-6) angle_ = 0;
 }
@@ -61,8 +61,8 @@ glm::dmat4 Motion::at(double t) const {
     return m;
 }
 
-/// A point goes R(t) y(t) + T(t), y and T linear, R turning by w = 2 angle: its acceleration is at most w^2 |y| + 2 w |y'|, and a way
-/// with acceleration a strays from its chord by at most a / 8 of the time squared.
+/// A point moves along R(t) y(t) + T(t), where y and T are linear and R rotates by w = 2 angle. Its acceleration is at most
+/// a = w^2 |y| + 2 w |y'|, and the path deviates from its chord by at most a / 8 times the duration squared.
 Box Motion::bounds(const Box& box, TimeSpan span) const {
     Box reach;
     const glm::dmat4 first = at(span.from), last = at(span.to);
@@ -95,7 +95,7 @@ Box boundsInMotion(const std::vector<Motion>& motions, const Box& box, TimeSpan 
 }
 
 motion Motion::pack(const SceneSpace& outer, const SceneSpace& inner) const {
-    /* own = inner / scale + center; the center goes into the translation wherever nothing turns it */
+    /* own = inner / scale + center; move the center into the translation, unless it rotates */
     const double k = outer.scale / inner.scale;
     const glm::dvec3 center = inner.center * inner.scale;
     const auto map = [&](const Decomposition& d) {

@@ -1,5 +1,5 @@
 #pragma once
-// Things that move: between two transforms, interpolated as include/eikonal/motion.h says.
+// Motion between two transforms, interpolated as in include/eikonal/motion.h.
 
 #include "scene/scene.h"
 #include "eikonal/motion.h"
@@ -9,43 +9,43 @@
 
 namespace eikonal {
 
-/// A map taken apart: m = rotation * stretch, then moved by translation. The rotation is proper; a mirroring is part of the stretch.
+/// A transform, decomposed: stretch, then rotation, then translation. The rotation is proper; a reflection is part of the stretch.
 struct Decomposition {
     glm::dvec3 translation{0};
     glm::dmat3 rotation{1}, stretch{1};
 };
-/// The polar decomposition of a map that can be inverted (Higham 1986).
+/// The polar decomposition of an invertible transform (Higham 1986).
 Decomposition decompose(const glm::dmat4& m);
 
-/// A part of the motion's own time; 0 is its start, 1 its end.
+/// A time interval of the motion, which lasts from 0 to 1.
 struct TimeSpan { double from = 0, to = 1; };
 
 /// A motion in double precision.
 class Motion {
 public:
-    /// From one map to another, both of which can be inverted; the same twice for something that stands still.
+    /// From one invertible transform to another; the same twice for something static.
     Motion(const glm::dmat4& start, const glm::dmat4& end);
 
-    /// The map at a time in [0, 1].
+    /// The transform at a time in [0, 1].
     glm::dmat4 at(double time) const;
-    /// What a box can reach within a span of time: bounds that hold, tight if nothing turns far in it.
+    /// Conservative bounds of a moving box in a time interval; tight if the rotation in it is small.
     Box bounds(const Box& box, TimeSpan span) const;
-    /// As the device interpolates it: from `inner`, into which its own space has been moved, to `outer`, into which the world has.
+    /// The motion for the device, from the space `inner` of what moves to the space `outer` of what surrounds it.
     motion pack(const SceneSpace& outer, const SceneSpace& inner) const;
 
 private:
     Decomposition start_, end_;
     glm::dvec4 startRotation_, endRotation_;   ///< quaternions, x y z w
-    double angle_;                             ///< between them, in [0, pi / 2]
+    double angle_;                             ///< between the quaternions, in [0, pi / 2]
 };
 
-/// What a box can reach under motions, one inside of the other, the outermost first: bounds that hold, tight to about a thousandth.
+/// Conservative bounds of a box under nested motions, outermost first; tight to about 0.1 %.
 Box boundsInMotion(const std::vector<Motion>& motions, const Box& box, TimeSpan span);
 
 /// Whether a transform can be inverted.
 bool isInvertible(const glm::dmat4& m);
 
-/// The part of all motion that the shutter sees.
+/// The time interval in which the shutter is open.
 TimeSpan timesSeen(const Scene& scene);
 /// The same for the device.
 shutter shutterOf(const Scene& scene);

@@ -15,7 +15,7 @@
 
 namespace eikonal {
 
-/// Whether anything in the scene can be inside a medium: the camera, or a shape that names one.
+/// Whether the camera or a shape names a medium.
 static bool mediaAreUsed(const Scene& scene) {
     if (scene.camera.medium != none) return true;
     const auto names = [](const Shape& s) { return s.interface && (s.interface->inside != none || s.interface->outside != none); };
@@ -24,7 +24,7 @@ static bool mediaAreUsed(const Scene& scene) {
                        [&](const Object& o) { return std::any_of(o.shapes.begin(), o.shapes.end(), names); });
 }
 
-/// What a box reaches that stands still, or moves.
+/// World bounds of a static or moving box.
 static Box reachOf(const Box& box, const glm::dmat4& start, const std::optional<glm::dmat4>& end, TimeSpan seen) {
     return end ? boundsInMotion({Motion(start, *end)}, box, seen) : transformed(box, start);
 }
@@ -59,19 +59,18 @@ PackedTextures packTextures(const Scene& scene, std::span<const int> textures, D
     return result;
 }
 
-/// Whether to render at wavelengths; requires it then.
+/// Whether to render at wavelengths; if so, requires the feature.
 static bool packColorMode(const Scene& scene, RequiredFeatures& required) {
     const std::string need = scene.colorMode == ColorMode::automatic ? needOfWavelengths(scene) : "--color";
     const bool spectral = scene.colorMode != ColorMode::rgb && !need.empty();
     if (spectral) required.require(Feature::SPECTRAL, need);
     else if (scene.film.spectrum)
         throw SceneError(scene.film.where,
-                         "film \"spectral\" keeps light wavelength by wavelength, and --color rgb has no wavelengths; --color spectral and "
-                         "--color auto have them");
+                         "film \"spectral\" stores spectra, which --color rgb does not compute; use --color spectral or --color auto");
     return spectral;
 }
 
-/// Each part with the tables that it writes, and the parts that it uses.
+/// Hands each part the tables that it writes and the parts that it uses, then runs them in order.
 static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     SceneTables& tables = packed.tables;
     settings& frame = packed.frame();
@@ -125,7 +124,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     settings& frame = packed.frame();
     frame.light_count = static_cast<uint>(packed.tables.light_aliases.size());
     frame.world_scale = static_cast<float>(packed.worldScale);
-    /* At wavelengths, samples are what the film makes of light; in RGB they are light, which is exposed in the end */
+    /* Spectral samples include the film's response; RGB samples are radiance, which is exposed at the end */
     frame.max_component_value =
         static_cast<float>(scene.film.maxComponentValue / (context.spectral ? 1 : scene.film.exposureTime * scene.film.iso / 100));
     packed.constants.environments = static_cast<int>(packed.tables.environments.size());

@@ -10,21 +10,21 @@
 
 namespace eikonal {
 
-/// A scene whose tables are filled and whose features are known, but for the hierarchies over its shapes (Hierarchies::build).
+/// A scene with all tables and features, and its hierarchies, yet to be built (Hierarchies::build).
 struct Packing { PackedScene scene; Hierarchies hierarchies; };
 
-/// Loads the scene's images, moves everything to scene space and fills the tables. What is left to do needs nothing of the description.
-/// Throws SceneError for what the description cannot mean; warns about what is left out.
+/// Loads the scene's images, moves everything to scene space and fills the tables. The description is not needed afterwards.
+/// Throws SceneError for an invalid description; warns about what is left out.
 Packing packTables(const Scene& scene, Diagnostics& diagnostics);
 
-/// The same with its hierarchies.
+/// The same, with the hierarchies built.
 PackedScene packScene(const Scene& scene, Diagnostics& diagnostics);
 
-/// Textures of a scene without the rest of it, for points in world space. programs[i] is that of textures[i]. Throws as packScene.
+/// Only textures of a scene, for points in world space. programs[i] is the program of textures[i]. Throws as packScene.
 struct PackedTextures { PackedScene scene; std::vector<uint> programs; };
 PackedTextures packTextures(const Scene& scene, std::span<const int> textures, Diagnostics& diagnostics);
 
-/// Has paths of a scene with these settings ended by a rule.
+/// Sets the rule of Russian roulette.
 void setRoulette(settings& frame, const Roulette& roulette);
 
 }  // namespace eikonal

@@ -1,5 +1,5 @@
 #pragma once
-// The image of an infinite light as it is seen through a portal (kernels/light/portal_infinite.clh).
+// The image of an infinite light seen through a portal (kernels/light/portal_infinite.clh).
 
 #include "eikonal/light.h"
 
@@ -10,17 +10,17 @@
 
 namespace eikonal {
 
-/// An image over angles along the sides of a rectangle: of texel (x, y) at y resolution + x, the direction of its middle is
-/// tan(pi ((x + 1/2) / resolution - 1/2)) along the first side, the same of y along the second, and 1 along the normal.
+/// An image over the angles along the sides of a rectangle. The centre of texel (x, y), at index y resolution + x, has the direction
+/// tan(pi ((x + 1/2) / resolution - 1/2)) along the first side, the same with y along the second, and 1 along the normal.
 struct PortalImage {
     int resolution = 1;
     std::vector<glm::dvec3> texels;   ///< radiance
-    std::vector<uint> sums;  ///< (resolution + 1)^2: of the weights of all texels with smaller x and y; at most 2^30 + resolution^2
+    std::vector<uint> sums;  ///< (resolution + 1)^2: summed-area table of the texels' weights; at most 2^30 + resolution^2
     double fluence = 0;               ///< luminance integrated over the hemisphere
 };
 
-/// Of the environment that gives the radiance from a unit vector in the rectangle's frame. A texel's weight follows its radiance and
-/// the solid angle that it covers; it is positive wherever the radiance is.
+/// The image of an environment, whose radiance is given for unit vectors in the rectangle's frame. A texel's weight is proportional to its
+/// radiance and solid angle, and positive wherever the radiance is.
 PortalImage makePortalImage(int resolution, const std::function<glm::dvec3(glm::dvec3 direction)>& radiance);
 
 }  // namespace eikonal

@@ -6,11 +6,11 @@
 
 namespace eikonal {
 
-/// Where the numbers of a path come from (kernels/math/random.clh).
+/// How the numbers of paths are generated (kernels/math/random.clh).
 struct Sequences {
     SamplerKind kind;
-    bool isSobol;          ///< from Sobol' sequences; otherwise they are independent
-    bool hasJointPairs;    ///< the most important pairs of dimensions share one sequence
+    bool isSobol;          ///< Sobol' sequences; otherwise independent numbers
+    bool hasJointPairs;    ///< the most important pairs of dimensions are stratified jointly
     bool hasTiles;         ///< neighbouring pixels share one sequence
 };
 static constexpr Sequences sequences[] = {

@@ -1,5 +1,5 @@
 #pragma once
-// The sampler: which sequences the paths take their numbers from.
+// The sampler: which sequences the random numbers of paths come from.
 
 #include "pack/context.h"
 

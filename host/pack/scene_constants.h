@@ -1,18 +1,18 @@
 #pragma once
-// Numbers that a scene's kernels are built with, besides its features: how often a loop runs that has to be unrolled.
+// Constants that a scene's kernels are built with, besides its features: iterations of loops that are unrolled.
 
 #include <sstream>
 #include <string>
 
 namespace eikonal {
 
-/// C(macro, name, value that anything builds with)
+/// C(macro, name, default value)
 #define SCENE_CONSTANTS(C) \
-    C(ENVIRONMENTS,              environments,            0)  /* how many lights surround the scene */ \
-    C(MEASURED_FILES,            measuredFiles,           1)  /* elements of `measured_files`, or 1 */ \
-    C(MEASURED_ANGLE_STEPS,      measuredAngleSteps,      0)  /* to search the longest list of angles, by halves */ \
-    C(MEASURED_FACET_STEPS,      measuredFacetSteps,      0)  /* and the longest side of the grids that facets are sampled from */ \
-    C(MEASURED_BRIGHTNESS_STEPS, measuredBrightnessSteps, 0)  /* and of those of brightness */
+    C(ENVIRONMENTS,              environments,            0)  /* number of infinite lights */ \
+    C(MEASURED_FILES,            measuredFiles,           1)  /* size of `measured_files`, at least 1 */ \
+    C(MEASURED_ANGLE_STEPS,      measuredAngleSteps,      0)  /* bisection steps in the longest list of angles */ \
+    C(MEASURED_FACET_STEPS,      measuredFacetSteps,      0)  /* in the longest side of the grids that facets are sampled from */ \
+    C(MEASURED_BRIGHTNESS_STEPS, measuredBrightnessSteps, 0)  /* in the longest side of the brightness grids */
 
 struct SceneConstants {
 #define MEMBER(MACRO, name, value) int name = value;
@@ -23,7 +23,7 @@ struct SceneConstants {
     template <class F> void forEach(F&& f) { visit(*this, f); }
     template <class F> void forEach(F&& f) const { visit(*this, f); }
 
-    /// All of them, for another process.
+    /// All constants as text, for another process.
     std::string text() const {
         std::string numbers;
         forEach([&](const char*, int number) { numbers += std::to_string(number) + "/"; });

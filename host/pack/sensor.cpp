@@ -1,4 +1,4 @@
-// What film and auxiliary channels make of wavelengths, and the spectrum that a film keeps.
+// The responses of film and auxiliary channels to wavelengths, and the range of a film that stores spectra.
 
 #include "color/sensor.h"
 #include "pack/colors.h"
@@ -9,7 +9,7 @@ namespace eikonal {
 
 static float toFloat(double x) { return static_cast<float>(x); }
 
-/// Three curves: what light of each wavelength adds to each channel. Returns the index of the first.
+/// Adds three curves: the response of each channel to light of each wavelength. Returns the index of the first.
 uint ColorPacker::response(const std::array<glm::dvec3, wavelengthCount>& response) {
     const uint first = static_cast<uint>(tables_.curves.size() / CURVE_WORDS);
     for (int channel = 0; channel < 3; ++channel)
@@ -30,8 +30,8 @@ void ColorPacker::packSensor(settings& frame) {
     frame.albedo_curves = response(albedo);
 }
 
-/// The least part of the wavelengths that is within the film's range; the rest is outside it, and completes the pixels' colours. That is
-/// one of a path's four wavelengths, then.
+/// At least this fraction of the wavelengths is sampled in the film's range. The others, one of a path's four, complete the pixels'
+/// colours.
 constexpr double leastShare = 0.75;
 
 void ColorPacker::packFilmSpectrum(settings& frame) {
@@ -40,7 +40,7 @@ void ColorPacker::packFilmSpectrum(settings& frame) {
     context_.require(Feature::SPECTRAL_FILM, film.where.toString());
     frame.bucket_count = static_cast<uint>(film.spectrum->buckets);
 
-    /* Uniform over everything visible, unless that leaves too few to the range */
+    /* Uniform over everything visible, unless too few of them would fall into the range */
     const double all = longestWavelength - shortestWavelength, extent = film.spectrum->last - film.spectrum->first;
     const double share = std::max(extent / all, leastShare), inversePdf = extent / share;
     const double beside = share < 1 ? (all - extent) / (1 - share) : inversePdf;

@@ -1,7 +1,6 @@
 #pragma once
-// Scene space: the device computes in single precision, so the scene is moved and scaled, in double precision, until its
-// coordinates are of order one. A power of two as the scale keeps every mantissa: a scene and the same scene 2^k times as
-// large give the same bits.
+// Scene space: the device computes in single precision, so the scene is moved and scaled, in double precision, to coordinates
+// of order one. The scale is a power of two, which keeps mantissas: a scene and a copy that is 2^k times as large give the same bits.
 
 #include "eikonal/portable.h"
 
@@ -28,18 +27,19 @@ struct Box {
     double radius() const { return 0.5 * glm::length(high - low); }
 };
 
-/// The space in which a box has its centre at the origin and a radius in (1/2, 1]; for an empty box, or a point, world space moved.
+/// The space in which a box has its centre at the origin and a radius in (1/2, 1]; for a point, only the translation; for an empty box,
+/// world space.
 SceneSpace spaceOf(const Box& box);
 
-/// Bounds of a box in the space that `m` takes its own to.
+/// Bounds of a transformed box.
 Box transformed(const Box& box, const glm::dmat4& m);
 
 glm::dvec3 transformPoint(const glm::dmat4& m, glm::dvec3 p);
 glm::dvec3 transformVector(const glm::dmat4& m, glm::dvec3 v);
-/// Of unit length; zero stays zero.
+/// The result has unit length; zero stays zero.
 glm::dvec3 transformNormal(const glm::dmat4& m, glm::dvec3 n);
 bool swapsHandedness(const glm::dmat4& m);
-/// The scale of a map that keeps angles, as one that leaves a sphere a sphere; 0 for any other.
+/// The scale of a transform that keeps angles, which maps spheres to spheres; 0 for any other.
 double uniformScale(const glm::dmat4& m);
 
 affine toAffine(const glm::dmat4& m);

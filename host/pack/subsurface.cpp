@@ -1,4 +1,4 @@
-// Material "subsurface": the medium or the diffusion profile inside of a body.
+// Material "subsurface": the interior medium or the diffusion profile of a body.
 
 #include "kind_features.h"
 #include "kinds/light_kind.h"
@@ -17,15 +17,15 @@ void MaterialPacker::warnOfPoints() const {
     for (const Light& l : in_.context.scene.lights)
         if (const LightPlace place = l.kind->place; place == LightPlace::POINT || place == LightPlace::DISTANT)
             in_.context.diagnostics.warnOnce("lights without a size", l.where,
-                                             "light from a point or of one direction does not get below the smooth surface of material "
-                                             "\"subsurface\"; with a \"roughness\" it does");
+                                             "point and directional lights do not illuminate the inside of a smooth material "
+                                             "\"subsurface\"; with a \"roughness\" they do");
 }
 
 const DiffusionProfile& MaterialPacker::profileOf(const Material& body) const {
     return in_.context.spectral && body.diffusion->atWavelengths ? *body.diffusion->atWavelengths : *body.diffusion;
 }
 
-/// How light spreads below a surface, and the material of the points where it leaves.
+/// The diffusion profile of a body, and the material of its exit points.
 uint MaterialPacker::profile(InputWriter& inputs, const Material& description) {
     MaterialTables& tables = in_.tables;
     const auto [place, isNew] = profiles_.try_emplace(description.diffusion.get(), static_cast<uint>(tables.profiles.size()));
@@ -54,12 +54,11 @@ uint MaterialPacker::profile(InputWriter& inputs, const Material& description) {
     return place->second;
 }
 
-/// What stands in for a body that light enters where trees of rays are followed, which branch at surfaces only.
+/// Replacement for subsurface materials with integrator whitted.
 Material MaterialPacker::coatOver(const Material& body) const {
     in_.context.diagnostics.unsupported(
         "subsurface in trees", body.where,
-        "integrator \"whitted\" follows no light inside of bodies of material \"subsurface\"; a coated diffuse "
-        "surface of the same albedo stands in for it");
+        "integrator \"whitted\" has no subsurface scattering; a coated diffuse surface of the same albedo is used instead");
     Material coat = body;
     coat.kind = &coated_diffuse_material;
     const DiffusionProfile& profile = profileOf(body);
@@ -81,7 +80,7 @@ void MaterialPacker::packInside(InputWriter& inputs, const Material& description
     if (asksForWalk)
         in_.context.diagnostics.unsupported(
             "textured walk", description.where,
-            "where a texture says what is inside of material \"subsurface\", no walk knows it; light is diffused instead");
+            "method \"randomwalk\" needs constant coefficients; the diffusion profile is used instead");
     m.profile = profile(inputs, description);
 }
 

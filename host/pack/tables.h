@@ -1,5 +1,5 @@
 #pragma once
-// A scene as the device will see it: every table of include/eikonal/scene.h, filled, and what it requires.
+// A packed scene: every table of include/eikonal/scene.h, and the features that it requires.
 
 #include "bvh/uninitialized.h"
 #include "eikonal/scene.h"
@@ -50,7 +50,7 @@ struct PixelRect {
     int height() const { return y1 - y0; }
 };
 
-/// What a scene holds, for people.
+/// Statistics of a scene, for reports.
 struct SceneCounts {
     size_t triangles = 0, patches = 0, quadrics = 0, curves = 0, implicits = 0, objects = 0, instances = 0, lights = 0, materials = 0,
            textures = 0, images = 0, media = 0;
@@ -74,14 +74,14 @@ struct RequiredFeatures {
 struct PackedScene : RequiredFeatures {
     SceneTables tables;
     SceneConstants constants;
-    PixelRect pixels;                        ///< what is to be rendered of width x height (settings)
-    int samples = 16;                        ///< for each pixel
-    bool isAlwaysGuided = false;             ///< with ENVIRONMENT_GUIDE: light samples aim at the environment however open the scene is
-    std::optional<Roulette> roulette;        ///< unset: one that suits the scene is to be chosen; until then the settings have the default
+    PixelRect pixels;                        ///< the pixels to render, of width x height (settings)
+    int samples = 16;                        ///< per pixel
+    bool isAlwaysGuided = false;             ///< with ENVIRONMENT_GUIDE: use the guide even in open scenes
+    std::optional<Roulette> roulette;        ///< unset: chosen by pilot paths; until then the settings have the default
     double worldScale = 1;                   ///< world units in one unit of scene space
     glm::dvec3 worldCenter{0};               ///< the origin of scene space, world space
     std::array<glm::dmat4, 3> cameraFromScene{glm::dmat4(1), glm::dmat4(1),
-                                              glm::dmat4(1)};  ///< when the shutter opens, between, and when it closes
+                                              glm::dmat4(1)};  ///< when the shutter opens, in the middle, and when it closes
     SceneCounts counts;
 
     const settings& frame() const { return tables.frame.front(); }

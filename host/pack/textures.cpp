@@ -9,10 +9,10 @@
 
 namespace eikonal {
 
-/// Textures that are used twice are worked out twice, so a few of them can ask for more work than anyone can wait for.
+/// A texture that is used twice is evaluated twice, so nested textures can grow exponentially.
 constexpr size_t mostInstructions = 65536;
 
-/// Makes the instructions of one program.
+/// Writes the instructions of one program.
 class ProgramWriter {
 public:
     ProgramWriter(const TexturePacking& in, TextureTables& tables, bool isFloat) : into_(in), tables_(tables), isFloat_(isFloat) {}
@@ -33,11 +33,9 @@ public:
     void texture(int index) { texture(into_.context.scene.textures[static_cast<size_t>(index)]); }
     void texture(const Texture& t) {
         if (code_.size() > mostInstructions)
-            throw SceneError(
-                t.where,
-                fmt::format("this texture is part of one that takes more than {} steps, where one that is used twice counts twice. "
-                            "Make an image of what is used often.",
-                            mostInstructions));
+            throw SceneError(t.where, fmt::format("the nested textures take more than {} steps, since a texture that is used twice is "
+                                                  "evaluated twice; bake textures that are used often into an image",
+                                                  mostInstructions));
         const bool outer = isFloat_;
         isFloat_ = t.isFloat;
         if (t.kind->traits.isItsOperand) input(t.operands.front());
@@ -45,7 +43,7 @@ public:
         isFloat_ = outer;
     }
 
-    /// Colours of what follows may be greater than 1 (TexturePacking::unbounded).
+    /// Allows colours above 1 from here on (TexturePacking::unbounded).
     void allowUnbounded() { into_.unbounded = true; }
 
     void use(TextureUse use) {
@@ -63,8 +61,8 @@ public:
 
     uint finish(const SourceLocation& where) {
         if (deepest_ > TEXTURE_STACK)
-            throw SceneError(where, fmt::format("this texture holds {} values at once; at most {} are possible. Nest mixes in their first "
-                                                "input rather than in their last.", deepest_, TEXTURE_STACK));
+            throw SceneError(where, fmt::format("this texture needs {} values at once; at most {} are possible. Nest mixes in their first "
+                                                "input rather than in their last", deepest_, TEXTURE_STACK));
         tables_.programs.push_back({static_cast<uint>(tables_.instructions.size()), static_cast<uint>(code_.size())});
         tables_.instructions.insert(tables_.instructions.end(), code_.begin(), code_.end());
         return static_cast<uint>(tables_.programs.size() - 1);

@@ -8,10 +8,10 @@
 
 namespace eikonal {
 
-/// What becomes of a texture's value.
+/// What a texture's value is used as.
 enum class TextureUse {
     asItIs,
-    coefficient /* colours are no reflectances, and may be larger than 1 */,
+    coefficient /* colours are not reflectances: they may exceed 1 */,
     reflectance /* clamped to [0, 1] */,
     regularWidth /* a microfacet width, regularized */,
     regularRoughness /* the same of a roughness */,
@@ -20,7 +20,7 @@ enum class TextureUse {
     displacement /* world units to scene units */
 };
 
-/// Makes programs and images when they are first asked for.
+/// Packs programs and images when they are first used.
 class TexturePacker {
 public:
     TexturePacker(const PackContext& context, TextureTables& tables, ColorPacker& colors)
@@ -36,7 +36,7 @@ public:
     uint emissionImage(const AreaLight&);
     /// Mean luminance of an image.
     double meanLuminance(int image);
-    /// An image as textures read it: its index in `images`; asFloat: of one channel.
+    /// The index in `images` of an image; asFloat: with one channel.
     uint image(int image, bool asFloat);
 
     const TextureTables& tables() const { return tables_; }

@@ -1,12 +1,13 @@
 // Images on disk: the same pixels, their place in the whole image, how they were made; and what is said when that cannot be.
 
+#include <OpenImageIO/imageio.h>  // before the contract headers, whose NONE is a macro
+
 #include "image/image_file.h"
 #include "image/spectral_layout.h"
 #include "image/tone_map.h"
 #include "color/transfer.h"
 #include "unit/temporary_folder.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 
 #include <sys/resource.h>

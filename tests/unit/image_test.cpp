@@ -1,11 +1,12 @@
 // What is read of an image file: the right texel in the right place, decoded as pbrt-v4 would.
 
+#include <OpenImageIO/imageio.h>  // before the contract headers, whose NONE is a macro
+
 #include "read/formats/image.h"
 
 #include "image/equal_area.h"
 #include "unit/temporary_folder.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
