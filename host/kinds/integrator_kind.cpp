@@ -1,6 +1,7 @@
 #include "kinds/integrator_kind.h"
 
-#include "eikonal/lights.h"
+#include "eikonal/portable.h"
+#include "eikonal/scene.h"
 #include "eikonal/stages.h"
 #include "pack/integrator.h"
 #include "read/pbrt/arguments.h"

@@ -1,7 +1,7 @@
 #pragma once
 // The environment guide (include/eikonal/light.h): by place in the scene, the directions from which a uniform environment is visible.
 
-#include "eikonal/light.h"
+#include "eikonal/portable.h"
 #include "pack/tables.h"
 
 #include <functional>

@@ -1,9 +1,8 @@
 #pragma once
 // Grids as bricks (include/eikonal/medium.h), and bounds of their interpolated values.
 
-#include "pack/space.h"
 #include "pack/tables.h"
-#include "scene/scene.h"
+#include "scene/media.h"
 
 #include <glm/glm.hpp>
 

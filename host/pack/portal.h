@@ -1,7 +1,7 @@
 #pragma once
 // The image of an infinite light seen through a portal (kernels/light/portal_infinite.clh).
 
-#include "eikonal/light.h"
+#include "eikonal/portable.h"
 
 #include <glm/glm.hpp>
 

@@ -1,7 +1,6 @@
 /* A shape as kernels see it, and what each kind keeps in tables of its own. Its kinds: shapes.h. */
 #ifndef EIKONAL_SHAPE_H
 #define EIKONAL_SHAPE_H
-#include "eikonal/motion.h"
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
 

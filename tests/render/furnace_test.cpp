@@ -153,7 +153,7 @@ TEST(Furnace, RoughGlassNeverGains) {
     }
 }
 
-// The walk between coat and base is cut off, and each passage through a rough coat loses what its microfacets would pass on among
+// The walk between coat and base is cut off, and each crossing of a rough coat loses what its microfacets would pass on among
 // themselves; nothing of it can gain light.
 TEST(Furnace, WhiteUnderACoatNeverGains) {
     for (const char* roughness : {"0", ".1"}) {

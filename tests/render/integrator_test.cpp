@@ -188,7 +188,7 @@ Material "thindielectric")" + across(2);
     }
 }
 
-/// A bundle sees a uniform sky in a rough metal as a path of depth 1 does, and through rough glass with all that it reflects inside.
+/// Split rays see a uniform sky in a rough metal as a path of depth 1 does, and through rough glass with its internal reflections.
 TEST(Whitted, BundlesSpreadAsTheSurfaceDoes) {
     const std::string lamps =
         "LightSource \"infinite\" \"rgb L\" [1 .8 .6]\nAttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [5 5 5] Translate 0 1 -3 Shape "

@@ -1,4 +1,4 @@
-// Regularization: what it does to paths that are blurred already, and that it does nothing to the others.
+// Regularization: what it does to paths with a nonspecular vertex, and that it does nothing to the others.
 
 #include "rendering.h"
 
@@ -25,8 +25,8 @@ Rendered lightOnTheFloor(const std::string& integrator, const std::string& mater
                   surfaces());
 }
 
-/// After the floor every path is blurred: a material is what it would be with pbrt-v4's wider microfacets (twice as wide, at least 0.1, at
-/// most 0.3).
+/// After the floor every path has a nonspecular vertex: a material is what it would be with pbrt-v4's wider microfacets (twice as wide, at
+/// least 0.1, at most 0.3).
 TEST(Regularize, IsTheRougherMaterialAfterABlurredBounce) {
     for (const char* material :
          {"\"conductor\" \"bool remaproughness\" false \"float roughness\" {}",

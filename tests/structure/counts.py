@@ -216,23 +216,23 @@ def dead_includes():
 # name: (what it counts, goal, limit, function)
 MEASURES = {
     "cases": ("`case`s over kinds outside of the kinds' folders", 0, 0, cases_over_kinds),
-    "comparisons": ("comparisons with one kind outside of the kinds' folders", 0, 12, comparisons_with_kinds),
+    "comparisons": ("comparisons with one kind outside of the kinds' folders", 0, 8, comparisons_with_kinds),
     "visits": ("visits of variants of kinds", 0, 0, visits_of_kinds),
-    "enumerations": ("enumerations of kinds on the host", 6, 8, enumerations_of_kinds),
+    "enumerations": ("enumerations of kinds on the host", 6, 3, enumerations_of_kinds),
     "goniometric": ("files of the goniometric light", 2, 2, lambda: files_of("goniometric")),
     "spherical": ("files of the spherical camera", 2, 2, lambda: [f for f in files_of("spherical") if "texture" not in f]),
     # A curve may be a cylinder, too
     "cylinder": ("files of the cylinder", 3, 3, lambda: [f for f in files_of("(?<!curve_)cylinder") if "curve" not in f]),
     "cloud": ("files of the cloud medium", 2, 2, lambda: files_of("cloud")),
     "wrinkled": ("files of the wrinkled texture", 2, 2, lambda: files_of("wrinkled")),
-    "coatedconductor": ("files of the coated conductor", 3, 3, lambda: files_of("coated_?conductor")),
-    "recipe": ("lines of the longest recipe for a kind", 4, 4, longest_recipe),
+    "coatedconductor": ("files of the coated conductor", 3, 2, lambda: files_of("coated_?conductor")),
+    "recipe": ("lines of the longest recipe for a kind", 4, 3, longest_recipe),
     "columns": ("lines of more than 140 columns", 0, 0, long_lines),
-    "words": ("words that are out", 0, 4, words_out),
+    "words": ("words that are out", 0, 0, words_out),
     "stages": ("stages that the host finds by a string", 0, 0, stages_by_name),
     "conditionals": ("`#if` in the files that the README names", 0, 0, conditionals_in_readme_files),
     "readme": ("files that the README names of more than 150 lines", 0, 0, long_readme_files),
-    "includes": ("dead includes", 0, 30, dead_includes),
+    "includes": ("dead includes", 0, 0, dead_includes),
 }
 
 

@@ -2,7 +2,6 @@
 // Sparse grids from NanoVDB files (Museth, "NanoVDB: A GPU-Friendly and Portable VDB Data Structure", 2021).
 
 #include "read/formats/read_bytes.h"
-#include "error.h"
 #include "scene/media.h"
 
 #include <memory>

@@ -4,7 +4,7 @@
 #include "kinds/texture_kind.h"
 #include "color/diffuse_albedo.h"
 #include "kinds/medium_kind.h"
-#include "read/formats/image.h"
+#include "image/image_data.h"
 #include "read/pbrt/medium_presets.h"
 
 #include <algorithm>
