@@ -46,7 +46,7 @@ TEST_F(Pack, CoefficientsOfBodiesMayBeTextures) {
         "Texture \"t\" \"spectrum\" \"constant\" \"rgb value\" [3 2 .5] Material \"subsurface\" \"string method\" \"randomwalk\" ";
     const PackedScene textured =
         packScene(world(body + "\"texture sigma_a\" \"t\" \"rgb sigma_s\" [4 5 6]\nShape \"sphere\""), diagnostics);
-    EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("light is diffused instead")));
+    EXPECT_THAT(diagnostics.warnings(), ElementsAre(HasSubstr("the diffusion profile is used instead")));
     const SceneTables& tables = textured.tables;
     for (const uint index : {tables.profiles.at(0).albedo_texture, tables.profiles.at(0).path_texture}) {
         const texture_program program = tables.programs.at(index);
