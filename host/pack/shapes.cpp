@@ -21,8 +21,8 @@ void packShape(const GeometryPacking& in, Group& group, const Shape& s, const gl
     packed.material = materialIndex;
     packed.id = id;
     packed.first_element = static_cast<uint>(tables.element_shapes.size());
-    packed.first_normal = packed.first_tangent = packed.first_uv = packed.object_space = packed.first_light = packed.alpha = packed.emission =
-        NONE;
+    packed.first_normal = packed.first_tangent = packed.first_uv = packed.object_space = NONE;
+    packed.first_light = packed.alpha = packed.emission = NONE;
     packed.inside = packed.outside = NONE;
     if (isInterface) packed.flags |= shape_is_interface;
     if (context.hasMedia && s.interface) {
