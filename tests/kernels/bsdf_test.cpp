@@ -71,16 +71,16 @@ protected:
 /// The queues of the BSDFs whose materials say that they transmit light. Of rough materials, since delta distributions evaluate to 0.
 std::set<uint> transmittingBsdfs() {
     std::set<uint> transmitting;
-    for (const MaterialKind* kind : materialKindList())
-        for (const MaterialDirective& directive : kind->directives) {
-            if (kind == &mix_material || kind == &measured_material) continue;  // they need other materials, or a file
-            const bool hasRoughness = std::string_view(directive.parameters).find("| roughness") != std::string_view::npos;
-            const PackedScene scene = packText(fmt::format("WorldBegin\nMaterial \"{}\" {}\nShape \"sphere\"\n", directive.name,
-                                                           hasRoughness ? "\"float roughness\" 0.3" : ""),
-                                               ColorMode::rgb);
-            for (const material& m : scene.tables.materials)
-                if (m.transmits) transmitting.insert(m.next_queue);
-        }
+    for (const MaterialKind* kind : materialKindList()) {
+        if (kind->directives.empty() || kind == &mix_material || kind == &measured_material) continue;  // no defaults to pack
+        const MaterialDirective& directive = kind->directives.front();
+        const bool hasRoughness = std::string_view(directive.parameters).find("| roughness") != std::string_view::npos;
+        const PackedScene scene = packText(fmt::format("WorldBegin\nMaterial \"{}\" {}\nShape \"sphere\"\n", directive.name,
+                                                       hasRoughness ? "\"float roughness\" 0.3" : ""),
+                                           ColorMode::rgb);
+        for (const material& m : scene.tables.materials)
+            if (m.transmits) transmitting.insert(m.next_queue);
+    }
     return transmitting;
 }
 
