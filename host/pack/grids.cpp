@@ -1,5 +1,7 @@
 #include "pack/grids.h"
 
+#include "pack/space.h"
+
 #include <algorithm>
 #include <array>
 #include <cstring>

@@ -22,7 +22,7 @@ void Wave::trace(const BatchStream& stream) {
         const WaveCounts counts = intersect(rays);      // ray -> intersection -> hit | scatter | miss | emission | next ray
         rays = shade(counts);                           // miss, emission -> path;  hit, scatter -> next ray, shadow;  shadow -> path
         queues_.swapRays();                             // next ray -> ray
-        if (!goesOn(counts, rays, stream)) rays = 0;    // the roulette pilot has seen enough bounces
+        if (!goesOn(counts, rays, stream)) rays = 0;    // never in a render: roulette_pilot.cpp watches its paths
         batches_.finish(counts, stream);                // batches without rays: stream.traced, which calls resolve (path -> film)
         rays = generate(rays, stream);                  // pixels -> ray, path
     }
@@ -48,7 +48,7 @@ WaveCounts Wave::intersect(unsigned slots) {
     counter_.clear();
     for (const Stage& stage : stages_.over(each_ray)) {
         launcher_.launch(stage, {0, slots});
-        if (stage.row->writes.has(Queue::counts)) counter_.startReading();
+        if (stage.row->writes.has(Queue::counts)) counter_.startReading();   // route_intersections runs meanwhile
     }
     return counter_.wait();
 }
@@ -65,7 +65,7 @@ unsigned Wave::shade(const WaveCounts& counts) {
     return segments.slots() * splitting_.raysPerHit;
 }
 
-/// Whether to trace the next bounce. The stream may inspect the rays and decline (BatchStream::watch).
+/// Whether to trace the next bounce. Always, unless the stream watches the rays and declines (BatchStream::watch; in roulette_pilot.cpp).
 bool Wave::goesOn(const WaveCounts& counts, unsigned rays, const BatchStream& stream) const {
     return !stream.watch || !raysOf(counts) || stream.watch(queues_.items(Queue::ray, 0, rays), batches_.oldestPaths());
 }

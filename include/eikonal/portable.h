@@ -61,7 +61,11 @@ typedef struct { float xx, xy, xz, xw, yx, yy, yz, yw, zx, zy, zz, zw; } affine;
 #define WORDS_rgb 3
 
 /* "No such index", in every table. */
+#ifdef __OPENCL_VERSION__
 #define NONE 0xffffffffu
+#else
+constexpr uint NONE = 0xffffffffu; /* no macro: libraries have enumerators of this name */
+#endif
 
 /* The largest distance. Finite, since kernels are built with -cl-finite-math-only, where infinity is undefined. */
 #define FAR_AWAY 1e30f

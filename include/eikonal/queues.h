@@ -1,11 +1,10 @@
 /* Every queue, field by field: what a path carries from the stage that fills the queue to the stage that drains it.
-   This list is the only declaration. Both languages derive structs, slot numbers, loads and stores from it. The queues walk, probe and
+   This list is the only declaration. Both languages derive structs, offsets, loads and stores from it. The queues walk, probe and
    exit_point and some more lists of fields, which single features need, are in feature_fields.h.
 
-   A queue is one SoA buffer of 32-bit words: word[slot * capacity + i] holds word `slot` of item i, so that
+   A queue is one SoA buffer of 32-bit words: word[w * capacity + i] is word w of the item in slot i, so that
    neighbouring work-items access neighbouring words.   F(queue, type, name, FEATURE that makes it exist)
-   FEATURE is one of features.h, HAS_FEATURE in kernels. Without it, an item's struct still has the field, but it is neither stored nor
-   loaded.
+   FEATURE is one of features.h, HAS_FEATURE in kernels. Without it, an item's struct has the field, but it is not stored or loaded.
 
    Spaces: everything is in scene space (docs/tour.md) unless a comment says otherwise; directions have unit length. */
 #ifndef EIKONAL_QUEUES_H
@@ -20,7 +19,7 @@
     F(q, uint,     path,       ALWAYS)       /* index of its path state */ \
     F(q, uint,     seed,       ALWAYS)       /* hash of its pixel: selects the random sequence */ \
     F(q, uint,     sample,     ALWAYS)       /* index in that sequence */ \
-    F(q, uint,     depth,      ALWAYS)       /* scattering events so far (null interfaces are none); RAY_SPLITTING: lower 16 bits */ \
+    F(q, uint,     depth,      ALWAYS)       /* scattering events so far (null interfaces are none) */ \
     F(q, spectrum, beta,       ALWAYS)       /* throughput: contribution of the path so far over its density */ \
     F(q, float,    time,       MOTION)       /* in [0, 1], from start to end of all motion */ \
     F(q, uint,     has_nonspecular_vertex, AOVS) /* 1 once the path has met anything but mirrors and clear glass */ \
@@ -31,7 +30,8 @@
     F(q, spectrum, r_u,        MEDIA)        /* rescaled path probability of unidirectional sampling, per channel (pbrt-v4's r_u) */ \
     SUBSURFACE_TRAVEL_FIELDS(F, q)
 
-/* A ray to trace: filled by generate_rays, shading and route_intersections, drained by intersect_rays. Sparse: slots may be dead. */
+/* A ray to trace: filled by generate_rays, shading and route_intersections, drained by intersect_rays, read up to route_intersections.
+   Sparse: slots may be dead. Slot i belongs to slot i of the hit or scatter that it left; camera rays are in the slots behind. */
 #define RAY_FIELDS(F, q) \
     TRAVEL_FIELDS(F, q) \
     F(q, vec3,     o,          ALWAYS)       /* origin, already offset from the surface */ \
@@ -121,7 +121,7 @@
     F(q, uint,     sample,     MEDIA_OR_LIGHT_PATTERN) \
     F(q, uint,     depth,      MEDIA)
 
-/* What persists from camera to film, by path index. Only the path itself adds to its radiance. */
+/* What persists from camera to film, by path index. A path has one item in a queue, so stages add to L without atomics. */
 #define PATH_FIELDS(F, q) \
     F(q, uint,     seed,       SPECTRAL) \
     F(q, uint,     sample,     SPECTRAL) \
@@ -132,7 +132,7 @@
 
 /* Q(queue, FIELDS, where its items are, FEATURE that makes it exist: as above, or ENVIRONMENTS: at least one infinite light)
      sparse    slot i belongs to slot i of the queue that its comment names, and may be dead
-     dense     side by side, as route_intersections puts them
+     dense     side by side, as route_intersections puts them; slots from the last item to the end of its work-group are dead
      by_path   at the index of their path */
 #define QUEUES(Q) \
     Q(ray,          RAY_FIELDS,          sparse,  ALWAYS) \

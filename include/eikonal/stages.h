@@ -10,8 +10,8 @@
    FEATURE is one of features.h (HAS_x in kernels), ALWAYS, or ENVIRONMENTS: at least one infinite light (host/pack/scene_constants.h).
 
    There are two kinds of stage. A straight-line stage has no loop or branch that depends on data: the compiler vectorises it over slots, so
-   it runs over whole groups of slots, dead ones included. A tracing stage loops and branches: it stops at the last item and skips dead
-   slots.
+   it runs on to the end of the last work-group, over dead slots. A tracing stage loops and branches: it stops at the last item and skips
+   dead slots.
 
    A stage called x is kernels/stages/x.cl, whose head repeats both lists (tests/unit/stages_test.cpp compares them with its arguments).
    Its profiler row and its test are called x too. */
@@ -50,20 +50,21 @@ CONTRACT_BEGIN /* namespace eikonal, in C++ */
     S(survey_vertices,        ENVIRONMENT_GUIDE) \
     S(survey_environment,     ENVIRONMENT_GUIDE)
 
-/* Which queue an intersection goes to next. Those before next_miss share one range of slots: a segment for each, in this order. Slot i
-   there is a slot of hit (of scatter, of neither for a crossing), and also slot i of shadow and of next_ray. */
+/* Which queue an intersection goes to next. Those before next_miss share one range of slots: a segment of whole work-groups for
+   each, in this order; slots behind its last item are dead. Slot i there is a slot of hit (of scatter, of neither for a crossing), and also
+   slot i of shadow and of next_ray. */
 #define NEXT_OF_BSDF(name, FEATURE, PARAMETERS) next_##name,
 enum next_queue {
     next_crossing,            /* straight on: an interface between media. Has no shadow ray */
     next_scatter,             /* shade_scatters */
     next_occlusion,           /* shade_occlusions */
-    BSDFS(NEXT_OF_BSDF)       /* next_diffuse, next_conductor, ...: shade_hits, built for that BSDF */
+    BSDFS(NEXT_OF_BSDF)       /* next_diffuse, ..., next_subsurface_exit (where a path leaves a body): shade_hits, built for that BSDF */
     next_miss,                /* shade_misses */
     next_emission,            /* shade_emitters; besides another queue */
     next_queues,
     next_mix,                 /* of a material that is a mix: one of the above, chosen at random. No queue */
     next_absorbed,            /* ended in a medium or a body */
-    next_none,                /* before classify_intersections: not decided yet; after it: the path ends */
+    next_none,                /* before classify_intersections: not decided yet; after it: the path ends, at max_depth or in nothing */
     next_values               /* how many values there are */
 };
 

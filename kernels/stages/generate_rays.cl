@@ -1,9 +1,10 @@
 /* pixels -> ray, path.  Generates a camera ray for each sample of some blocks of the image, in the slots from `first` on. Starts with path
    number `begun` of the batch (film/pixel.clh maps it to a pixel and sample); the batch's path states start at `first_path`. Straight-line;
-   paths outside the image get dead rays.
+   paths outside the image, and slots behind the last path, get dead rays.
 
    STAGE (stages/stage.clh) makes a kernel of a list of arguments: tables of the scene, then the stage's own. It adds `capacity` and
-   `path_capacity`, the slots of the queues and of the path queue, and `count`, how many slots the stage runs over. */
+   `path_capacity`, the slots of the queues and of the path queue, and `count`, how many slots hold items.
+   `frame` holds the settings of the render. */
 #include "camera/start_path.clh"
 #include "stages/stage.clh"
 #include "film/pixel.clh"
@@ -19,7 +20,7 @@ STAGE(generate_rays, GENERATE_RAYS) {
         pixel_sample at = LOCATE_PATH(of_batch);
         camera_path p = start_path(tables, frame, at.x, at.y, at.sample, first_path + of_batch, at.in_image);
         store_ray(ray, capacity, first + i, p.ray);
-        /* p.ray.path, as a sum whose addresses the vectoriser sees are neighbours; with ray splitting a path has several states */
+        /* p.ray.path, written as a sum so that the vectoriser sees neighbouring addresses; with ray splitting a path has several states */
         store_path(path, path_capacity, HAS_RAY_SPLITTING ? p.ray.path : first_path + begun + i, p.path);
     }
 }

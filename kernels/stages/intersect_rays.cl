@@ -1,5 +1,6 @@
 /* ray -> intersection, slot i to slot i.  Finds the nearest hit of each ray. A tracing stage: each work-item handles the slots from
-   `first_slot` to SLOTS_END, and skips dead ones. */
+   `first_slot` to SLOTS_END, and skips dead ones.
+   LOAD_FIELD(queue, type, field, its buffer, capacity, slot) */
 #include "trace/intersect_ray.clh"
 #include "stages/stage.clh"
 

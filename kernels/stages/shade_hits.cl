@@ -24,7 +24,7 @@ STAGE(shade_hits, SHADE_HITS) {
         }
         hit_item h = load_hit(hit, capacity, i);
         BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
-        /* SHADE_BSDF, whose rays are stored; of layered BSDFs, the ends of the walks */
+        /* Store the rays of SHADE_BSDF; for layered BSDFs, those with which the walks ended */
         shade_slot(light_set, color_set, frame, h, b, shading_pass, alive, next_ray, to, shadow, walk, capacity, i);
         if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.has_nonspecular_vertex)
             store_albedo(path, path_capacity, h, ALBEDO_BSDF(b));
