@@ -15,7 +15,7 @@ static const std::vector<std::string>& names() {
     return list;
 }
 
-/// "SHAPE_TRIANGLE" of kind "triangle": "a triangle shape".
+/// "SHAPE_TRIANGLE" of kind "triangle": shape "triangle".
 static std::string kindReason(const std::string& feature, const std::string& kind) {
     std::string group = feature.substr(0, feature.find('_'));
     std::transform(group.begin(), group.end(), group.begin(), [](char c) { return static_cast<char>(std::tolower(c)); });

@@ -1,5 +1,5 @@
 #pragma once
-// Small NanoVDB files, made by the library's own builder. To be included before include/eikonal, whose NONE is a macro.
+// Small NanoVDB files, made by the library's own builder.
 
 /* As in host/read/formats/nanovdb.cpp: the library's functions are inline, and there must be one of each */
 #define NANOVDB_USE_ZIP

@@ -1,11 +1,10 @@
-#include <CLI/CLI.hpp>  // before the contract headers, whose NONE is a macro
-
 #include "app/options.h"
 
 #include "image/seed_variance.h"
 #include "kinds/integrator_kind.h"
 #include "app/option_values.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>

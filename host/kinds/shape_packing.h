@@ -29,7 +29,7 @@ size_t addInObjectSpace(const ShapePacking&, object_space q, bool flips);
 /// instance's transform does not.
 inline bool isMirrored(const ShapePacking& in) { return swapsHandedness(in.m) != in.instanceSwaps; }
 
-/// A object_space with the radius and phiMax of a sphere, disk or cylinder.
+/// An object space with the radius and phiMax of a sphere, disk or cylinder.
 object_space newRound(const ShapePacking&);
 
 /// Bounds of the mesh's vertices.

@@ -3,6 +3,14 @@
 namespace eikonal {
 
 static float f(double x) { return static_cast<float>(x); }
+/// Texture space from scene space.
+static glm::dmat4 matrixOf(const PackContext& context, const Mapping& m) {
+    return glm::inverse(m.worldFromTexture) * context.space.worldFromScene();
+}
+
+affine textureFromScene(const PackContext& context, const Mapping& m, double scale) {
+    return toAffine(glm::dmat4(glm::dmat3(scale)) * matrixOf(context, m));
+}
 
 void packMapping(const PackContext& context, const Mapping& m, texture_instruction& i) {
     i.mapping = m.kind;
@@ -21,14 +29,10 @@ void packMapping(const PackContext& context, const Mapping& m, texture_instructi
             for (int axis = 0; axis < 3; ++axis) { plane[axis][0] = m.planeU[axis]; plane[axis][1] = m.planeV[axis]; }
             plane[3][0] = m.uOffset;
             plane[3][1] = m.vOffset;
-            i.texture_from_scene = toAffine(plane * glm::inverse(m.worldFromTexture) * context.space.worldFromScene());
+            i.texture_from_scene = toAffine(plane * matrixOf(context, m));
             return;
         }
     }
-}
-
-affine textureFromScene(const PackContext& context, const Mapping& m, double scale) {
-    return toAffine(glm::dmat4(glm::dmat3(scale)) * glm::inverse(m.worldFromTexture) * context.space.worldFromScene());
 }
 
 void packOctaves(const PackContext& context, const Texture& t, texture_instruction& i) {

@@ -4,6 +4,8 @@
 #include "pack/lights.h"
 
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace eikonal {
 
@@ -21,6 +23,7 @@ void LightPacker::addShape(const Shape& s, shape& packed, const GeometryTables& 
     const bool hasPattern = packed.emission != NONE || (packed.alpha != NONE && !isUnseen);
     const double scale = description.scale * (description.image != none ? textures_.meanLuminance(description.image) : 1);
     const color L = colors_.emission(description.L, scale);
+    if (!s.kind->traits.lightKindOf) throw std::logic_error(std::string("no area light for shape ") + s.kind->name);
     const LightKind& kind = kindOf(s.kind->traits.lightKindOf(s, m));
     for (size_t e = 0; e < elements; ++e) {
         light l = kind.traits.packElement({geometry, s, packed, e, m}, L);

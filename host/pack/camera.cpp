@@ -37,8 +37,6 @@ void packCamera(const CameraPacking& in, camera& view) {
     const CameraKind& kind = kindOf(description);
     view.kind = kind.value;
     context.require(kind.feature, description.where.toString());
-    kind.traits.pack(in, description, view);
-
     view.scene_from_camera = toAffine(context.space.sceneFromWorld() * description.worldFromCamera);
     view.times = shutterOf(context.scene);
     if (description.worldFromCameraAtEnd) {
@@ -49,6 +47,7 @@ void packCamera(const CameraPacking& in, camera& view) {
     view.focal_distance = static_cast<float>(description.focalDistance);
     view.medium = description.medium == none ? NONE : static_cast<uint>(description.medium);
     if (description.lensRadius > 0 && kind.traits.hasThinLens) context.require(Feature::LENS, description.where.toString());
+    kind.traits.pack(in, description, view);
 }
 
 /// One axis as an alias table over cells of |f|; value over density is then the sign.

@@ -1,5 +1,5 @@
 #pragma once
-// What every part of packing may use. Each part is also handed the tables that it writes, and no others.
+// What every part of packing may use. Each part is also handed the tables that it writes, and no others; some share the settings.
 
 #include "diagnostics.h"
 #include "pack/space.h"

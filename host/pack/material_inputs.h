@@ -38,7 +38,7 @@ public:
     /// An index of refraction, which may vary with the wavelength. 0 counts as 1, as in pbrt-v4.
     void index(uint slot, const char* name);
     bool disperses() const { return disperses_; }
-    /// Light passes through the surface, so both sides are lit: the BSDF scatters light to the other side, or refracts it.
+    /// The BSDF refracts light or scatters it to the other side, so both sides are lit. (Not a thin sheet, which only lets light through.)
     void transmit() { transmits_ = true; }
     bool transmits() const { return transmits_; }
     /// Light passes nearly straight through: survey paths of the environment guide do.

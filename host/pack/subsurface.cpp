@@ -58,7 +58,7 @@ uint MaterialPacker::profile(InputWriter& inputs, const Material& description) {
 Material MaterialPacker::coatOver(const Material& body) const {
     in_.context.diagnostics.unsupported(
         "subsurface in trees", body.where,
-        "integrator \"whitted\" has no subsurface scattering; a coated diffuse surface of the same albedo is used instead");
+        "integrator \"whitted\" has no subsurface scattering: material \"subsurface\" is a coated diffuse surface of the same albedo");
     Material coat = body;
     coat.kind = &coated_diffuse_material;
     const DiffusionProfile& profile = profileOf(body);
@@ -80,7 +80,7 @@ void MaterialPacker::packInside(InputWriter& inputs, const Material& description
     if (asksForWalk)
         in_.context.diagnostics.unsupported(
             "textured walk", description.where,
-            "method \"randomwalk\" needs constant coefficients; the diffusion profile is used instead");
+            "material \"subsurface\": textured coefficients allow no random walk; the diffusion profile is used instead");
     m.profile = profile(inputs, description);
 }
 

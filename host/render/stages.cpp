@@ -67,7 +67,7 @@ Stages::Stages(Compiler& compiler, const PackedScene& scene, const StageShape& s
 const Stage& Stages::find(StageName id) const {
     for (const Stage& s : stages_)
         if (s.row->id == id) return s;
-    throw std::out_of_range("a stage that the scene does not require");
+    throw std::out_of_range(std::string("the scene does not require ") + rowOf(id).name);
 }
 
 void Stages::keep(const Compiler& compiler) const {

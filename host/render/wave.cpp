@@ -22,7 +22,7 @@ void Wave::trace(const BatchStream& stream) {
         const WaveCounts counts = intersect(rays);      // ray -> intersection -> hit | scatter | miss | emission | next ray
         rays = shade(counts);                           // miss, emission -> path;  hit, scatter -> next ray, shadow;  shadow -> path
         queues_.swapRays();                             // next ray -> ray
-        if (!goesOn(counts, rays, stream)) rays = 0;    // never in a render: roulette_pilot.cpp watches its paths
+        if (!goesOn(counts, rays, stream)) rays = 0;    // only pilot paths stop here (roulette_pilot.cpp)
         batches_.finish(counts, stream);                // batches without rays: stream.traced, which calls resolve (path -> film)
         rays = generate(rays, stream);                  // pixels -> ray, path
     }

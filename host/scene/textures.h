@@ -12,7 +12,7 @@
 
 namespace eikonal {
 
-struct ImageData;     // read/formats/image.h
+struct ImageData;     // image/image_data.h
 struct TextureKind;   // kinds/texture_kind.h
 
 enum class ColorEncoding { automatic, srgb, linear };  ///< automatic: sRGB for integer files, linear for others

@@ -1,6 +1,5 @@
 /* Every kind of camera. C(name, FEATURE, CODE): a camera called x is kernels/camera/x.clh, which defines generate_x
-   (contract: kernels/camera/camera.clh),
-   beside host/kinds/camera/x.cpp. CODE says how generate_x is built:
+   (contract: kernels/camera/camera.clh), beside host/kinds/camera/x.cpp. CODE says how generate_x is built:
      STRAIGHT   straight-line code
      LOOPS      with loops, which keep the compiler from vectorising generate_rays in scenes with this camera */
 #ifndef EIKONAL_CAMERAS_H

@@ -12,6 +12,10 @@
     F(q, float,    light_density, PORTALS)   /* density of light_wi over solid angle; 0: none */ \
     F(q, uint,     light_texel, PORTALS)     /* the texel seen along light_wi */
 
+/* Ray splitting */
+#define SPLITTING_TRAVEL_FIELDS(F, q) \
+    F(q, uint,     splits,     RAY_SPLITTING) /* how often the ray may still split in two; it owns 2^splits path states from `path` on */
+
 /* Where a path is in a subsurface body. */
 #define SUBSURFACE_TRAVEL_FIELDS(F, q) \
     F(q, uint,     within,     SUBSURFACE)   /* 1: inside a subsurface body; in a hit: bit 0 for the side of ng, bit 1 for the other */ \

@@ -8,7 +8,7 @@
 #include "eikonal/shapes.h"
 #include "eikonal/textures.h"
 
-/* Calls F(FEATURE, name of the kind) for every kind in each list. */
+/* KIND_FEATURES calls KIND_FEATURE(FEATURE, name of the kind) for every kind in each list. */
 #define FEATURE_OF_BSDF(name, FEATURE, PARAMETERS) KIND_FEATURE(FEATURE, #name)
 #define FEATURE_OF_TEXTURE(name, FEATURE, OPERANDS) KIND_FEATURE(FEATURE, #name)
 #define FEATURE_OF_CAMERA(name, FEATURE, CODE) KIND_FEATURE(FEATURE, #name)

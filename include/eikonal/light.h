@@ -58,8 +58,8 @@ typedef struct {
     float pmf;           /* of this entry, to evaluate its density */
 } alias_entry;
 
-/* The environment guide: maps of how much light a surface receives from each direction, from an environment that is the same in all
-   directions, as far as the scene lets it through. Space is cut into GUIDE_INTERVALS^3 cells along the axes; each cell has GUIDE_FACES
+/* The environment guide: maps of the light that a surface receives from each direction of a uniform environment, as far as the scene lets
+   it through. Space is cut into GUIDE_INTERVALS^3 cells along the axes; each cell has GUIDE_FACES
    maps: for surfaces whose normal is nearest to +x, -x, +y, -y, +z, -z, and for points that look into all directions. A map is a square of
    GUIDE_SIDE^2 bins in the equal-area mapping, kept as alias tables: one entry a row, then the entries of each row. The map of a place that
    sees nothing has density 0 everywhere. */
@@ -68,7 +68,7 @@ typedef struct {
 #define GUIDE_ALL_DIRECTIONS 6
 #define GUIDE_SIDE 8
 #define GUIDE_MAP_ENTRIES (GUIDE_SIDE + GUIDE_SIDE * GUIDE_SIDE)
-/* What it is learnt from: so many vertices of each path of the survey. */
+/* Vertices of each survey path that the guide is learnt from. */
 #define SURVEY_VERTICES 4
 
 /* A node of the light tree: what bounds the lights under each of its eight children, as in a `bvh_node` side by side.

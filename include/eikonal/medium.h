@@ -17,8 +17,8 @@ typedef struct {
     uint first_brick;          /* in `bricks`, x fastest: which brick of `brick_values` */
 } grid;
 
-/* The colours of black bodies, by the logarithm of their temperature; between them they are interpolated. */
-#define BLACKBODY_COLDEST 100.0f      /* K; at and below, nothing is seen to shine (as in pbrt-v4) */
+/* The colours of black bodies, tabulated by the logarithm of their temperature. */
+#define BLACKBODY_COLDEST 100.0f      /* K; at and below, no emission (as in pbrt-v4) */
 #define BLACKBODY_HOTTEST 1e6f
 #define BLACKBODY_STEPS 1024
 typedef struct {
@@ -26,7 +26,7 @@ typedef struct {
     float red, green, blue;    /* of luminance 1, linear sRGB */
 } blackbody_color;
 
-/* A light that is a point: light falls off from it with the squared distance, so ways through a medium are sampled towards it as well. */
+/* A point light: its light falls off with the squared distance, so equiangular sampling is used for it. */
 typedef struct {
     vec3 p;
     float share;               /* probability of being the one that is chosen */
@@ -35,12 +35,12 @@ typedef struct {
 
 typedef struct {
     uint kind;                 /* enum medium_kind */
-    color sigma_a, sigma_s;    /* per unit of scene space; what varies multiplies them */
-    color Le;                  /* emitted radiance per unit of sigma_a; what varies multiplies it */
+    color sigma_a, sigma_s;    /* per unit of scene space; grids and noise multiply them */
+    color Le;                  /* emitted radiance per unit of sigma_a; grids multiply it */
     float g;                   /* Henyey-Greenstein: mean cosine, in [-0.99, 0.99] */
     uint equiangular_lights;   /* homogeneous ones that scatter: how many of `point_lights` there are; 0: none, or none that matters */
 
-    /* HETEROGENEOUS: they fill the unit cube, and nothing else */
+    /* HETEROGENEOUS: the medium fills its unit cube */
     affine box_from_scene;
     uint majorants_x, majorants_y, majorants_z;
     uint first_majorant;       /* in `majorants`, x fastest: bounds, over the cells of a coarse grid, on what multiplies sigma_t */

@@ -19,19 +19,19 @@
     F(q, uint,     path,       ALWAYS)       /* index of its path state */ \
     F(q, uint,     seed,       ALWAYS)       /* hash of its pixel: selects the random sequence */ \
     F(q, uint,     sample,     ALWAYS)       /* index in that sequence */ \
-    F(q, uint,     depth,      ALWAYS)       /* scattering events so far (null interfaces are none) */ \
+    F(q, uint,     depth,      ALWAYS)       /* scattering events so far (null interfaces are none): scattering_events(depth) */ \
     F(q, spectrum, beta,       ALWAYS)       /* throughput: contribution of the path so far over its density */ \
     F(q, float,    time,       MOTION)       /* in [0, 1], from start to end of all motion */ \
     F(q, uint,     has_nonspecular_vertex, AOVS) /* 1 once the path has met anything but mirrors and clear glass */ \
     F(q, uint,     has_nondelta_sample, REGULARIZE)  /* 1 once the path has been scattered by anything but delta distributions */ \
     F(q, uint,     secondary_terminated,   DISPERSION)   /* 1: only the first wavelength is left, and counts for all */ \
-    F(q, uint,     splits,     RAY_SPLITTING) /* how often the ray may still split in two; it owns 2^splits path states from `path` on */ \
+    SPLITTING_TRAVEL_FIELDS(F, q) \
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices; Russian roulette multiplies by it */ \
     F(q, spectrum, r_u,        MEDIA)        /* rescaled path probability of unidirectional sampling, per channel (pbrt-v4's r_u) */ \
     SUBSURFACE_TRAVEL_FIELDS(F, q)
 
 /* A ray to trace: filled by generate_rays, shading and route_intersections, drained by intersect_rays, read up to route_intersections.
-   Sparse: slots may be dead. Slot i belongs to slot i of the hit or scatter that it left; camera rays are in the slots behind. */
+   Sparse: slots may be dead. Slot i belongs to slot i of hit or scatter (ray splitting: see shade_hits.cl); camera rays follow. */
 #define RAY_FIELDS(F, q) \
     TRAVEL_FIELDS(F, q) \
     F(q, vec3,     o,          ALWAYS)       /* origin, already offset from the surface */ \

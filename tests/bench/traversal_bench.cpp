@@ -4,7 +4,7 @@
 // (terrain-5: 5 million triangles; a scene file: its triangles). Prints million rays a second, and two ratios, each the median over the
 // repeats: of the time on the clock, and of the processor time of all threads, which others on the machine disturb less.
 
-#include <CLI/CLI.hpp>  // before the contract headers, whose NONE is a macro
+#include <CLI/CLI.hpp>
 
 #include "tracers.h"
 

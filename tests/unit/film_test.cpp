@@ -1,6 +1,6 @@
 // Images on disk: the same pixels, their place in the whole image, how they were made; and what is said when that cannot be.
 
-#include <OpenImageIO/imageio.h>  // before the contract headers, whose NONE is a macro
+#include <OpenImageIO/imageio.h>
 
 #include "image/image_file.h"
 #include "image/spectral_layout.h"

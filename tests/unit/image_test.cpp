@@ -1,6 +1,6 @@
 // What is read of an image file: the right texel in the right place, decoded as pbrt-v4 would.
 
-#include <OpenImageIO/imageio.h>  // before the contract headers, whose NONE is a macro
+#include <OpenImageIO/imageio.h>
 
 #include "read/formats/image.h"
 

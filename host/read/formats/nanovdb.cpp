@@ -1,7 +1,7 @@
 /* Files may use either compression */
 #define NANOVDB_USE_ZIP
 #define NANOVDB_USE_BLOSC
-#include <nanovdb/util/IO.h>  // before the contract headers, whose NONE is a macro
+#include <nanovdb/util/IO.h>
 
 #include "read/formats/nanovdb.h"
 

@@ -136,14 +136,14 @@ int TextureRegistry::build(const Key& key, Definition& definition) {
     if (definition.index != none) return definition.index;
     definition.beingBuilt = true;
     Texture texture;
+    texture.name = key.first;
+    texture.isFloat = key.second;
+    texture.where = definition.arguments.where();
     reading_.problems.guard([&] { read(definition, texture); });
     if (!texture.kind) {   // it could not be read, which has been reported
         texture.kind = &kindOf(kind_constant_texture);
         texture.operands = {Input{}};
     }
-    texture.name = key.first;
-    texture.isFloat = key.second;
-    texture.where = definition.arguments.where();
     definition.beingBuilt = false;
     reading_.scene.textures.push_back(std::move(texture));
     return definition.index = static_cast<int>(reading_.scene.textures.size()) - 1;
