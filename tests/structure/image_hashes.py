@@ -59,11 +59,12 @@ def main():
     for scene in scenes_in(arguments.scenes):
         for mode in MODES:
             found = hash_of(arguments.program, arguments.kernels, scene, mode, options)
-            rows.append((scene.name, mode, found))
-            known = expected.get((scene.name, mode))
+            name = f"{scene.absolute().parent.name}/{scene.name}"
+            rows.append((name, mode, found))
+            known = expected.get((name, mode))
             if arguments.check and found != known:
                 differing += 1
-                print(f"{scene.name} {mode}: {found}, was {known or 'not in the table'}", flush=True)
+                print(f"{name} {mode}: {found}, was {known or 'not in the table'}", flush=True)
     if arguments.write:
         with open(arguments.write, "w", newline="") as file:
             writer = csv.writer(file)
