@@ -17,12 +17,6 @@ static uint packBytes(Table<uint>& table, const std::vector<std::uint8_t>& bytes
     return static_cast<uint>(first);
 }
 
-Table<float> srgbLevels() {
-    Table<float> levels;
-    for (int level = 0; level < 256; ++level) levels.push_back(static_cast<float>(linearFromSrgb(level / 255.0)));
-    return levels;
-}
-
 uint TexturePacker::image(int index, bool asFloat) {
     const auto [found, isNew] = images_.try_emplace({index, asFloat}, 0);
     if (!isNew) return found->second;
@@ -41,7 +35,8 @@ uint TexturePacker::image(int index, bool asFloat) {
         im.first = static_cast<uint>(tables_.float_texels.size());
         tables_.float_texels.insert(tables_.float_texels.end(), data.floats.begin(), data.floats.end());
     } else im.first = packBytes(tables_.byte_texels, data.bytes);
-    if (im.format == format_srgb8 && tables_.srgb_levels.empty()) tables_.srgb_levels = srgbLevels();
+    if (im.format == format_srgb8 && tables_.srgb_levels.empty())
+        tables_.srgb_levels.assign(linearFromSrgbByte().begin(), linearFromSrgbByte().end());
     found->second = static_cast<uint>(tables_.images.size());
     tables_.images.push_back(im);
     return found->second;

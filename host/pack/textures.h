@@ -50,7 +50,4 @@ private:
     std::map<std::pair<int, TextureUse>, uint> programs_;     ///< (scene texture, use) -> `programs`
 };
 
-/// The linear value of each of the 256 levels of an 8-bit sRGB channel: `srgb_levels`.
-Table<float> srgbLevels();
-
 }  // namespace eikonal

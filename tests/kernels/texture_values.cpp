@@ -1,6 +1,6 @@
 #include "texture_values.h"
 
-#include "pack/textures.h"
+#include "color/transfer.h"
 
 #include <cmath>
 
@@ -44,7 +44,7 @@ uint Textures::image(uint width, uint height, uint channels, image_format format
         for (size_t i = 0; i < texels.size(); ++i)
             t.byte_texels[im.first / 4 + i / 4] |= static_cast<uint>(std::lround(texels[i] * 255)) << (8 * (i % 4));
     }
-    t.srgb_levels = srgbLevels();
+    t.srgb_levels.assign(linearFromSrgbByte().begin(), linearFromSrgbByte().end());
     t.images.push_back(im);
     return static_cast<uint>(t.images.size() - 1);
 }
