@@ -35,7 +35,7 @@ bool walksBetweenLayers(const StageProgram& stage) {
 int wordsOf(Queue queue, const StageProgram& stage, const Features& features) {
     const QueueList blocks{Queue::pixels, Queue::film, Queue::counts};
     if (blocks.has(queue)) return 0;
-    const QueueLayout layout = itemLayout(queue == Queue::next_ray ? Queue::ray : queue, features);
+    const QueueLayout layout = itemLayout(queue, features);
     switch (queue) {
         case Queue::path: return stage.over == each_sample ? layout.words : 2 * layout.field("L").words;
         case Queue::hit: return layout.words - bsdfWords(features) + parameterWords(stage, features);

@@ -39,10 +39,8 @@ glm::dmat3 rotationOf(const Light& d) {
 
 double greyOf(glm::dvec3 rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }
 
-const ImageData& imageOf(const PackContext& context, const Light& d) { return context.imageData(d.image); }
-
 const ImageData& sphereImage(const PackContext& context, const Light& d) {
-    const ImageData& image = imageOf(context, d);
+    const ImageData& image = context.imageData(d.image);
     if (image.width != image.height)
         throw SceneError(
             d.where,

@@ -47,7 +47,6 @@ double sceneRadius(const PackContext&);
 glm::dmat3 rotationOf(const Light&);
 inline glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
 
-const ImageData& imageOf(const PackContext&, const Light&);
 /// An image over the sphere of directions. Throws SceneError unless it is square.
 const ImageData& sphereImage(const PackContext&, const Light&);
 /// The texel in column x and row y, negative values clamped to 0.

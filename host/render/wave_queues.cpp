@@ -20,7 +20,7 @@ unsigned WaveSize::room(unsigned taken) const {
 }
 
 QueueLayout itemLayout(Queue queue, const Features& features) {
-    QueueLayout layout = queueLayouts(features)[static_cast<size_t>(queue)];
+    QueueLayout layout = queueLayouts(features)[static_cast<size_t>(queue == Queue::next_ray ? Queue::ray : queue)];
     if (queue == Queue::hit) layout.words += bsdfWords(features);
     return layout;
 }

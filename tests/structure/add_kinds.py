@@ -129,9 +129,13 @@ def private_names(tree, file):
     return {name for pair in defined for name in pair if name} - set(re.findall(r"\w+", others))
 
 
+def copied(file, kind):
+    """The path, from the root, of the copy of a kind's file."""
+    return str(Path(file).with_name(Path(file).name.replace(kind, KINDS[kind].new)))
+
+
 def copy_file(tree, file, kind, copy):
-    source = tree / file
-    target = source.with_name(source.name.replace(kind, copy.new))
+    source, target = tree / file, tree / copied(file, kind)
     text = renamed(source.read_text(encoding="utf-8"), kind, copy.new, copy.keeps)
     if source.suffix == ".clh":
         for name in private_names(tree, file):
@@ -190,17 +194,17 @@ def check_text(tree, kind):
     """What is wrong with the copied files and the changed lists."""
     copy = KINDS[kind]
     for file in copy.files:
-        copied = (ROOT / file).with_name(Path(file).name.replace(kind, copy.new)).relative_to(ROOT)
-        if not (tree / copied).exists():
-            yield f"there is no {copied}"
+        target = copied(file, kind)
+        if not (tree / target).exists():
+            yield f"there is no {target}"
             continue
-        text = (tree / copied).read_text(encoding="utf-8")
+        text = (tree / target).read_text(encoding="utf-8")
         if copy.new not in text:
-            yield f"{copied} does not name {copy.new}"
+            yield f"{target} does not name {copy.new}"
         left = {w for w in re.findall(r"\w+", re.sub(r"/\*.*?\*/|//[^\n]*|#include[^\n]*", "", text, flags=re.DOTALL))
                 if (kind in w or kind.upper() in w) and not re.fullmatch(copy.keeps, w)}
         if left:
-            yield f"{copied} still names {', '.join(sorted(left))}"
+            yield f"{target} still names {', '.join(sorted(left))}"
     for file in [*copy.lists, *copy.arrays]:
         before, after = ((root / file).read_text(encoding="utf-8") for root in (ROOT, tree))
         if copy.arrays:
@@ -221,14 +225,14 @@ def compile_flags(file):
     return {str(Path(c["file"]).relative_to(ROOT)): c for c in commands if Path(c["file"]).is_relative_to(ROOT)}
 
 
-def check_host(tree, file, copied, flags):
+def check_host(tree, file, copy, flags):
     """What the compiler says about a copied file of the host, with the flags of the original."""
     words = shlex.split(flags[file]["command"])
     compiler = next(i for i, w in enumerate(words) if re.search(r"(c\+\+|g\+\+|clang\+\+)[\d.-]*$", w))   # after a compiler cache
     words = words[compiler:]
     words = [w for i, w in enumerate(words) if w not in ("-c", "-o") and words[i - 1] not in ("-c", "-o")]
     words = [w.replace(f"{ROOT}/host", f"{tree}/host").replace(f"{ROOT}/include", f"{tree}/include") for w in words]
-    run = subprocess.run([*words, "-fsyntax-only", tree / copied], cwd=flags[file]["directory"], capture_output=True, text=True)
+    run = subprocess.run([*words, "-fsyntax-only", tree / copy], cwd=flags[file]["directory"], capture_output=True, text=True)
     return run.stderr if run.returncode else ""
 
 
@@ -239,7 +243,7 @@ def dry_run(tree, kinds, flags):
         problems = list(check_text(tree, kind))
         for file in [*copy.files, *copy.arrays]:
             if file.endswith(".cpp"):
-                problems.append(check_host(tree, file, str(Path(file).with_name(Path(file).name.replace(kind, copy.new))), flags))
+                problems.append(check_host(tree, file, copied(file, kind), flags))
         problems = list(filter(None, problems))
         wrong += bool(problems)
         print("\n".join([f"{kind}: {'WRONG' if problems else 'changed as intended, compiles'}", *problems]), flush=True)

@@ -17,7 +17,7 @@ static bool read(const pbrt::LightReading& in, Light& light) {
 }
 
 static PackedLight pack(const LightPacking& in, const Light& d) {
-    const ImageData& image = imageOf(in.context, d);
+    const ImageData& image = in.context.imageData(d.image);
     light l = newPointLight(in, d, kind_projection_light);
     l.first_texel = packLightImage(in, d.image, false);
     const double opposite = std::tan(glm::radians(d.fov) / 2), shorter = std::min(image.width, image.height);
@@ -29,8 +29,7 @@ static PackedLight pack(const LightPacking& in, const Light& d) {
             flux += luminance(texelOf(image, x, y)) * std::pow(1 + u * u + v * v, -1.5);
         }
     flux *= 4 * halfWidth * halfHeight / (static_cast<double>(image.width) * image.height);
-    const double watts = d.power ? *d.power / std::max(flux, 1e-30) : 1,
-                 I = d.scale * watts * in.context.space.scale * in.context.space.scale;
+    const double watts = d.power ? *d.power / std::max(flux, 1e-30) : 1, I = d.scale * watts * intensityScale(in.context);
     l.L = in.colors.white(I);
     const glm::dmat3 m = rotationOf(d);
     l.a = toVec3(m[0] / halfWidth); l.b = toVec3(-m[1] / halfHeight); l.n = toVec3(m[2]);
