@@ -183,8 +183,8 @@ typedef struct {
     uint ambient_cosine;   /* 1: cosine-weighted directions; 0: uniform */
     uint tree_splits;       /* RAY_SPLITTING: one camera ray may become 2^tree_splits rays */
     uint rough_splits;      /* RAY_SPLITTING: 2^rough_splits rays leave a rough surface; NONE: none */
-    uint tree_lights;      /* RAY_SPLITTING: lights sampled per vertex, each with pmf 1; 0: one is chosen */
-    float tree_threshold;  /* RAY_SPLITTING: rays of less weight end */
+    uint tree_lights;       /* RAY_SPLITTING: lights sampled per vertex, each with pmf 1; 0: one is chosen */
+    float tree_threshold;   /* RAY_SPLITTING: rays of less weight end */
     uint light_count;      /* entries of `light_aliases`; 0: the light tree is used, or there is nothing to sample */
     uint first_infinite, infinite_count; /* infinite lights, last in `lights`: with LIGHT_TREE each is as probable as the whole tree */
     uint lights_in_tree;     /* number of lights in the tree */

@@ -8,6 +8,7 @@
 #include "camera/start_path.clh"
 #include "stages/stage.clh"
 #include "film/pixel.clh"
+#include "shade/ray_tree.clh"
 
 #define GENERATE_RAYS(TABLE, ARGUMENT) \
     CAMERA_TABLES(TABLE) \
@@ -20,7 +21,6 @@ STAGE(generate_rays, GENERATE_RAYS) {
         pixel_sample at = LOCATE_PATH(of_batch);
         camera_path p = start_path(tables, frame, at.x, at.y, at.sample, first_path + of_batch, at.in_image);
         store_ray(ray, capacity, first + i, p.ray);
-        /* p.ray.path, written as a sum so that the vectoriser sees neighbouring addresses; with ray splitting a path has several states */
-        store_path(path, path_capacity, HAS_RAY_SPLITTING ? p.ray.path : first_path + begun + i, p.path);
+        store_path(path, path_capacity, state_to_start(p.ray.path, first_path, begun + i), p.path);
     }
 }

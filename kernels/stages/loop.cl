@@ -45,7 +45,7 @@ typedef struct {
     uint capacity, path_capacity, slot, shading_passes;
     scattering out;
     probe_item probe;
-    ray_item waiting[HAS_RAY_SPLITTING ? MOST_SPLIT_RAYS : 1];
+    ray_item waiting[MOST_WAITING_RAYS];
     uint rays;
 } destinations;
 
@@ -83,7 +83,6 @@ FN void send_hit(scene_tables scene, destinations *to, uint next_queue, uint slo
         }
     }
     if (HAS_AOVS && k.found) store_albedo(to->path, to->path_capacity, h, k.albedo);
-    if (!HAS_RAY_SPLITTING) return;
     meet_light(scene, to, to->out.shadow);
     to->out.shadow.t_max = -1.0f;
     for (uint pass = 1; pass < to->shading_passes; ++pass) {

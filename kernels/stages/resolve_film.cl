@@ -1,5 +1,6 @@
 /* path -> film.  Adds a wave's samples to their pixels, in sample order. Each work-item has several pixels of the wave's blocks. */
 #include "shade/color.clh"
+#include "shade/ray_tree.clh"
 #include "stages/queue.clh"
 #include "stages/stage.clh"
 #include "film/buckets.clh"
@@ -77,7 +78,7 @@ FN film_item add_sample(film_item f, path_item p, rgb L, sampled_wavelengths col
 FN path_item gather_path(__global const settings *frame, __global const uint *path, uint path_capacity, uint index) {
     uint first = state_of_path(frame, index);
     path_item p = load_path(path, path_capacity, first);
-    for (uint branch = 1; HAS_RAY_SPLITTING && branch < 1u << frame->tree_splits; ++branch) {
+    for (uint branch = 1; branch < states_per_path(frame); ++branch) {
         p.L = add(p.L, LOAD_FIELD(path, spectrum, L, path, path_capacity, first + branch));
         if (HAS_AOVS) p.albedo = add(p.albedo, LOAD_FIELD(path, spectrum, albedo, path, path_capacity, first + branch));
     }

@@ -15,7 +15,7 @@ STAGE(shade_hits, SHADE_HITS) {
     color_tables color_set = BIND_COLORS;
     BEGIN_WALKS /* Layered BSDFs: all slots walk between their layers, in step */
     FOR_EACH_SLOT_OF_GROUP(at, count) {
-        size_t i = first + at, to = HAS_RAY_SPLITTING ? i + shading_pass * pass_slots : i;
+        size_t i = first + at, to = slot_of_next_ray(i, shading_pass, pass_slots);
         int alive = at < count;
         if (SKIPS_DEAD_SLOTS && !alive) { /* where the BSDF loops; elsewhere dead slots run along */
             STORE_FIELD(ray, float, t_max, next_ray, capacity, to, -1.0f);
