@@ -1,5 +1,5 @@
 #pragma once
-// The environment guide (include/eikonal/light.h): by place in the scene, the directions from which a uniform environment is visible.
+// The environment guide (include/eikonal/light.h): by place in the scene, the openings through which a uniform environment is visible.
 
 #include "eikonal/portable.h"
 #include "pack/tables.h"
@@ -25,24 +25,30 @@ struct GuideRepresentatives {
     size_t maps = 0, perMap = 0;
 };
 
-/// For the GUIDE_SIDE^2 bins of each map, row after row: the visible fraction of the bin times the cosine, summed over the points.
-using WeighMaps = std::function<std::vector<float>(const GuideRepresentatives&)>;
+/// What a survey can ask a scene. The tables are those of the guide, as far as it is learnt.
+struct SurveyRays {
+    /// For `count` rays from all points, cosine distributed: the texel of the guide's box through which each leaves; NONE: blocked.
+    std::function<std::vector<uint>(const LightTables&, size_t count)> exits;
+    /// For each opening of each map, two numbers: what arrives through it, and what would if nothing were in the way (as
+    /// kernels/stages/survey_environment.cl says).
+    std::function<std::vector<float>(const LightTables&, const GuideRepresentatives&)> weigh;
+};
 
-/// Fills the tables guide_edges, guide_maps and guide_aliases without knowledge of the scene: everything is visible from
-/// everywhere. These are maps 0 to GUIDE_FACES - 1.
+/// Fills the guide's tables without knowledge of the scene: there are no openings, and every place has a map of density 0, number 0.
 void packUnlearnedGuide(LightTables& tables);
 
 /// How a guide is learned.
 struct GuideOptions {
     size_t rays = 0;                 ///< the most shadow rays
     bool hasAllDirections = false;   ///< also learn maps for points that gather light from all directions
-    double openShare = 1;  ///< learning stops if a few maps show that clearly more than this fraction of the light arrives
+    double openShare = 1;  ///< learning stops if a few rays show that clearly more than this fraction of the light arrives
 };
 
-/// Learns the guide's tables from `points` (those with zero normals are ignored). Along each axis, all intervals hold the same number of
-/// points; the cell faces with the most points get maps of their own. If learning stops early, the guide stays unlearned. Deterministic.
-/// Returns the fraction of the unoccluded environment's light that reaches the points, in [0, 1].
+/// Learns the guide's tables from `points`, whose normals are not zero. Along each axis, all intervals hold the same number of points; the
+/// cell faces with the most points get maps of their own, and all others share map 0, which has the openings by the rays that leave through
+/// them. If learning stops early, the guide stays unlearned. Deterministic.
+/// Returns the fraction of the unoccluded environment's light that reaches the points, in [0, 1]; 1 if there are none.
 double learnGuide(LightTables& tables, std::span<const vec3> points, std::span<const vec3> normals, const GuideOptions& options,
-                  const WeighMaps& weigh);
+                  const SurveyRays& survey);
 
 }  // namespace eikonal

@@ -39,6 +39,18 @@ static void sampleEnvironments(const Context& context, DeviceScene& scene, const
     scene.replace(context, "light_aliases", aliases);
 }
 
+/// Removes the entries that paths did not fill: those with a zero normal.
+static void keepFound(std::vector<vec3>& points, std::vector<vec3>& normals) {
+    size_t found = 0;
+    for (size_t i = 0; i < points.size(); ++i) {
+        if (normals[i].x == 0 && normals[i].y == 0 && normals[i].z == 0) continue;
+        points[found] = points[i];
+        normals[found++] = normals[i];
+    }
+    points.resize(found);
+    normals.resize(found);
+}
+
 void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedScene& packed, const Stages& stages,
                        const StageShape& shape) {
     if (!packed.features.has(Feature::ENVIRONMENT_GUIDE)) return;
@@ -47,37 +59,60 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
 
     /* Find points that paths reach */
     std::vector<vec3> points(budget.paths * SURVEY_VERTICES), normals(budget.paths * SURVEY_VERTICES);
-    const size_t bytes = points.size() * sizeof(vec3);
-    const Buffer pointBuffer(context, bytes, "points of the survey"), normalBuffer(context, bytes, "normals of the survey");
-    Bindings own = withCount(budget.paths);
-    own.set("survey_points", pointBuffer);
-    own.set("survey_normals", normalBuffer);
-    run(context, scene, stages.find(StageName::survey_vertices), shape, budget.paths, own);
-    pointBuffer.read(context, points.data(), bytes);
-    normalBuffer.read(context, normals.data(), bytes);
+    {
+        const size_t bytes = points.size() * sizeof(vec3);
+        const Buffer pointBuffer(context, bytes, "points of the survey"), normalBuffer(context, bytes, "normals of the survey");
+        Bindings own = withCount(budget.paths);
+        own.set("survey_points", pointBuffer);
+        own.set("survey_normals", normalBuffer);
+        run(context, scene, stages.find(StageName::survey_vertices), shape, budget.paths, own);
+        pointBuffer.read(context, points.data(), bytes);
+        normalBuffer.read(context, normals.data(), bytes);
+    }
+    keepFound(points, normals);
+    if (points.empty()) return;
 
-    /* Find the parts of the environment that are visible from them */
-    const auto weigh = [&](const GuideRepresentatives& from) {
-        std::vector<float> weights(from.maps * GUIDE_SIDE * GUIDE_SIDE);
+    /* Find the openings that light enters by, and what is visible through them */
+    const Buffer allPoints = Buffer::of<vec3>(context, points, "points of the survey"),
+                 allNormals = Buffer::of<vec3>(context, normals, "normals of the survey");
+    const auto exits = [&](const LightTables& tables, size_t rays) {
+        scene.replace(context, "guide_box", tables.guide_box);
+        std::vector<uint> texels(rays);
+        const Buffer texelBuffer(context, rays * sizeof(uint), "exits of the survey");
+        Bindings bound = withCount(rays);
+        bound.set("survey_points", allPoints);
+        bound.set("survey_normals", allNormals);
+        bound.set("point_count", static_cast<cl_uint>(points.size()));
+        bound.set("survey_texels", texelBuffer);
+        run(context, scene, stages.find(StageName::survey_exits), shape, rays, bound);
+        texelBuffer.read(context, texels.data(), rays * sizeof(uint));
+        return texels;
+    };
+    const auto weigh = [&](const LightTables& tables, const GuideRepresentatives& from) {
+        scene.replace(context, "guide_openings", tables.guide_openings);
+        const size_t entries = from.maps * GUIDE_OPENINGS;
+        std::vector<float> weights(2 * entries);
         const Buffer fromPoints = Buffer::of<vec3>(context, from.points, "points of the guide"),
                      fromNormals = Buffer::of<vec3>(context, from.normals, "normals of the guide"),
                      weightBuffer(context, weights.size() * sizeof(float), "weights of the guide");
-        Bindings bound = withCount(weights.size());
+        Bindings bound = withCount(entries);
         bound.set("survey_points", fromPoints);
         bound.set("survey_normals", fromNormals);
         bound.set("survey_weights", weightBuffer);
         bound.set("representatives", static_cast<cl_uint>(from.perMap));
-        run(context, scene, stages.find(StageName::survey_environment), shape, weights.size(), bound);
+        run(context, scene, stages.find(StageName::survey_environment), shape, entries, bound);
         weightBuffer.read(context, weights.data(), weights.size() * sizeof(float));
         return weights;
     };
     SceneTables guide;
     const bool hasAllDirections = packed.features.has(Feature::MEDIA) || packed.features.has(Feature::TRANSMISSION);
-    const double share = learnGuide(guide, points, normals, {budget.rays, hasAllDirections, packed.isAlwaysGuided ? 1 : openShare}, weigh);
+    const double share = learnGuide(guide, points, normals, {budget.rays, hasAllDirections, packed.isAlwaysGuided ? 1 : openShare},
+                                    {exits, weigh});
     if (share == 0 || (share > openShare && !packed.isAlwaysGuided)) return;
     scene.replace(context, "guide_edges", guide.guide_edges);
     scene.replace(context, "guide_maps", guide.guide_maps);
     scene.replace(context, "guide_aliases", guide.guide_aliases);
+    scene.replace(context, "guide_texels", guide.guide_texels);
     sampleEnvironments(context, scene, packed);
 }
 

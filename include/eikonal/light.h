@@ -58,16 +58,35 @@ typedef struct {
     float pmf;           /* of this entry, to evaluate its density */
 } alias_entry;
 
-/* The environment guide: maps of the light that a surface receives from each direction of a uniform environment, as far as the scene lets
-   it through. Space is cut into GUIDE_INTERVALS^3 cells along the axes; each cell has GUIDE_FACES
-   maps: for surfaces whose normal is nearest to +x, -x, +y, -y, +z, -z, and for points that look into all directions. A map is a square of
-   GUIDE_SIDE^2 bins in the equal-area mapping, kept as alias tables: one entry a row, then the entries of each row. The map of a place that
-   sees nothing has density 0 everywhere. */
+/* The environment guide: where the light of a uniform environment enters the scene, and how much of it each surface receives.
+
+   A box encloses what paths reach. Rectangles on its sides, the openings, are where rays leave it without meeting a surface; there are
+   GUIDE_OPENINGS of them, smaller where more rays leave. Space is cut into GUIDE_INTERVALS^3 cells along the axes; each cell has GUIDE_FACES
+   maps: for surfaces whose normal is nearest to +x, -x, +y, -y, +z, -z, and for points that look into all directions. A map has a
+   probability for each opening, kept as the alias tables of a square of GUIDE_SIDE^2: one entry a row, then the entries of each row. The
+   map of a place that sees no opening has density 0 everywhere. */
 #define GUIDE_INTERVALS 16
 #define GUIDE_FACES 7
 #define GUIDE_ALL_DIRECTIONS 6
 #define GUIDE_SIDE 8
-#define GUIDE_MAP_ENTRIES (GUIDE_SIDE + GUIDE_SIDE * GUIDE_SIDE)
+#define GUIDE_OPENINGS (GUIDE_SIDE * GUIDE_SIDE)
+#define GUIDE_MAP_ENTRIES (GUIDE_SIDE + GUIDE_OPENINGS)
+
+/* Each side of the box is cut into GUIDE_TEXELS^2 texels: side 2 axis + (0 the low one, 1 the high one), then rows along the later of the
+   other two axes. */
+#define GUIDE_TEXELS 64
+#define GUIDE_BOX_TEXELS (6 * GUIDE_TEXELS * GUIDE_TEXELS)
+
+/* A rectangle on a side of the box: points corner + x a + y b, with x and y in [0, 1]. */
+#define OPENING_FIELDS(F) \
+    F(vec3,  corner) \
+    F(vec3,  a) \
+    F(vec3,  b) \
+    F(vec3,  n)             /* unit normal, out of the box */ \
+    F(float, inverse_area)  /* 0: no opening */
+#define OPENING_MEMBER(type, name) type name;
+typedef struct { OPENING_FIELDS(OPENING_MEMBER) } guide_opening;
+
 /* Vertices of each survey path that the guide is learnt from. */
 #define SURVEY_VERTICES 4
 

@@ -12,6 +12,7 @@
 #include "eikonal/feature_fields.h"
 #include "eikonal/portable.h"
 #define HAS_ALWAYS 1
+#define HAS_PORTALS_OR_ENVIRONMENT_GUIDE (HAS_PORTALS || HAS_ENVIRONMENT_GUIDE)
 #define HAS_MEDIA_OR_LIGHT_PATTERN (HAS_MEDIA || HAS_LIGHT_PATTERN)
 
 /* What a path carries from bounce to bounce, in every queue that continues it. */
@@ -93,7 +94,7 @@
     F(q, vec3,     d,          ALWAYS) \
     F(q, float,    pdf,        ALWAYS)       /* as in ray */ \
     F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* as in ray */ \
-    F(q, vec3,     o,          PORTALS)      /* where d was sampled */
+    F(q, vec3,     o,          PORTALS_OR_ENVIRONMENT_GUIDE) /* where d was sampled */
 
 /* A hit on a surface that emits: filled by route_intersections, drained by shade_emitters. Dense. */
 #define EMISSION_FIELDS(F, q) \

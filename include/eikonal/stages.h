@@ -48,6 +48,7 @@ CONTRACT_BEGIN /* namespace eikonal, in C++ */
 /* Kernels that run before the first wave, over no queue (host/render/survey.cpp).   S(kernel, FEATURE that makes it exist) */
 #define SURVEYS(S) \
     S(survey_vertices,        ENVIRONMENT_GUIDE) \
+    S(survey_exits,           ENVIRONMENT_GUIDE) \
     S(survey_environment,     ENVIRONMENT_GUIDE)
 
 /* Which queue an intersection goes to next. Those before next_miss share one range of slots: a segment of whole work-groups for

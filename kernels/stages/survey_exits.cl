@@ -1,0 +1,26 @@
+/* Finds where light enters a scene: rays leave the survey's points in cosine-distributed directions; those that no surface stops leave the
+   guide's box through a texel of it. survey_exits: that texel; NONE for the other rays. Runs before a render (host/render/survey.cpp). */
+#include "trace/bvh.clh"
+#include "light/light.clh"
+#include "math/random.clh"
+#include "math/warp.clh"
+#include "stages/stage.clh"
+
+#define SURVEY_EXITS(TABLE, ARGUMENT) \
+    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) LIGHT_TABLES(TABLE) \
+    ARGUMENT(__global const vec3 *, survey_points) ARGUMENT(__global const vec3 *, survey_normals) ARGUMENT(uint, point_count) \
+    ARGUMENT(__global uint *, survey_texels)
+TRACING_STAGE(survey_exits, SURVEY_EXITS) {
+    geometry g = BIND_GEOMETRY;
+    texture_tables tables = BIND_TEXTURES;
+    light_tables light_set = BIND_LIGHTS;
+    for (uint i = (uint)first_slot; i < SLOTS_END; ++i) {
+        random_stream numbers = make_stream(2u, i, 0u);
+        float x = next_random(&numbers), y = next_random(&numbers), time = next_random(&numbers);
+        uint from = (uint)((ulong)i * point_count / count);
+        vec3 p = survey_points[from], d = from_local(make_frame(survey_normals[from]), warp_cosine_hemisphere(make_vec2(x, y)));
+        nearest_hit any;
+        any.t_max = FAR_AWAY;
+        survey_texels[i] = traverse_bvh(g, tables, p, d, time, traversal_blocker, &any) ? NONE : exit_guide_box(light_set.guide_box, p, d).texel;
+    }
+}
