@@ -3,6 +3,10 @@
 #ifndef EIKONAL_FEATURE_FIELDS_H
 #define EIKONAL_FEATURE_FIELDS_H
 
+/* Several features that need the same field. */
+#define HAS_PORTALS_OR_ENVIRONMENT_GUIDE (HAS_PORTALS || HAS_ENVIRONMENT_GUIDE)
+#define HAS_MEDIA_OR_LIGHT_PATTERN (HAS_MEDIA || HAS_LIGHT_PATTERN)
+
 /* The light to sample at a vertex. Chosen by route_intersections, since choosing needs a loop and shading has none. */
 #define LIGHT_CHOICE_FIELDS(F, q) \
     F(q, uint,     light,      LIGHT_TREE)   /* index in `lights` */ \

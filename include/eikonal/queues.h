@@ -12,8 +12,6 @@
 #include "eikonal/feature_fields.h"
 #include "eikonal/portable.h"
 #define HAS_ALWAYS 1
-#define HAS_PORTALS_OR_ENVIRONMENT_GUIDE (HAS_PORTALS || HAS_ENVIRONMENT_GUIDE)
-#define HAS_MEDIA_OR_LIGHT_PATTERN (HAS_MEDIA || HAS_LIGHT_PATTERN)
 
 /* What a path carries from bounce to bounce, in every queue that continues it. */
 #define TRAVEL_FIELDS(F, q) \
