@@ -19,14 +19,14 @@ constexpr size_t intervals = GUIDE_INTERVALS, openings = GUIDE_OPENINGS, cells =
 constexpr size_t fewestPoints = 4, mostPoints = 16, raysAMap = fewestPoints * openings / 2;
 /// Fewer maps do not pay.
 constexpr size_t fewestMaps = 1024;
-/// So many rays tell whether a scene is open. To find the openings takes a share of all rays.
+/// So many rays tell whether a scene is open, to about half a percent. To find the openings takes a share of all rays.
 constexpr size_t fewRays = 8192;
-constexpr double shareForOpenings = 0.25;
+constexpr double shareForOpenings = 0.2;
 
 float coordinate(const vec3& p, size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
 /// What to assume of rays that were not traced: this fraction of them is not blocked.
-constexpr double doubt = 0.02;
+constexpr double doubt = 0.002;
 
 /// Weights for a map of what it was found to receive through each opening (pairs of SurveyRays::weigh). To choose an opening in proportion to the root
 /// of the mean square of its samples is best: a fraction v of them is not blocked, so that is what arrives over sqrt(v).
@@ -57,7 +57,7 @@ void writeDarkMap(LightTables& tables, size_t map) {
 std::vector<double> exitsOf(const LightTables& tables, std::span<const uint> exits) {
     std::vector<double> weights(openings, 0.0);
     for (const uint texel : exits)
-        if (texel != NONE && tables.guide_texels[texel] != NONE) weights[tables.guide_texels[texel]] += 1;
+        if (texel < GUIDE_BOX_TEXELS && tables.guide_texels[texel] != NONE) weights[tables.guide_texels[texel]] += 1;
     return weights;
 }
 
@@ -114,7 +114,7 @@ GuideRepresentatives representativesOf(const std::vector<Group>& groups, std::sp
 }
 
 /// The weight of what neighbouring cells see.
-constexpr double neighborShare = 0.1;
+constexpr double neighborShare = 0.3;
 
 /// Adds to what each group sees a part of what the same faces of neighbouring cells see.
 std::vector<std::vector<double>> shareWithNeighbors(const std::vector<Group>& groups, std::span<const float> weights) {
@@ -167,7 +167,7 @@ double learnGuide(LightTables& tables, std::span<const vec3> points, std::span<c
         return 1 - blocked / static_cast<double>(exits.size());
     };
     if (options.openShare < 1)
-        if (const double share = shareOf(survey.exits(tables, std::min(fewRays, options.rays))); share > 1.5 * options.openShare) return share;
+        if (const double share = shareOf(survey.exits(tables, std::min(fewRays, options.rays))); share > 1.1 * options.openShare) return share;
 
     /* Where the light enters */
     const auto exitRays = static_cast<size_t>(shareForOpenings * static_cast<double>(options.rays));

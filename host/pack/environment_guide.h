@@ -27,7 +27,8 @@ struct GuideRepresentatives {
 
 /// What a survey can ask a scene. The tables are those of the guide, as far as it is learnt.
 struct SurveyRays {
-    /// For `count` rays from all points, cosine distributed: the texel of the guide's box through which each leaves; NONE: blocked.
+    /// For `count` rays from all points, cosine distributed: the texel of the guide's box through which each leaves;
+    /// GUIDE_BOX_TEXELS: it misses the box; NONE: blocked.
     std::function<std::vector<uint>(const LightTables&, size_t count)> exits;
     /// For each opening of each map, two numbers: what arrives through it, and what would if nothing were in the way (as
     /// kernels/stages/survey_environment.cl says).

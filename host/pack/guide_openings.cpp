@@ -11,6 +11,9 @@ namespace {
 
 constexpr int texels = GUIDE_TEXELS;
 
+/// Of all points, the share below, and above, the box along each axis: a room's windows show places outside that paths reach.
+constexpr double shareOutside = 0.01;
+
 /// Texels x0 <= x < x1, y0 <= y < y1 of a side of the box, and how many rays leave through them.
 struct Part {
     int side, x0, y0, x1, y1;
@@ -25,7 +28,7 @@ public:
     ExitCounts(std::span<const uint> exits, glm::dvec3 size)
         : counts_(GUIDE_BOX_TEXELS, 0.0), texelAreas_{size.y * size.z, size.x * size.z, size.x * size.y} {
         for (const uint texel : exits)
-            if (texel != NONE) counts_[texel] += 1;
+            if (texel < GUIDE_BOX_TEXELS) counts_[texel] += 1;
         spread();
     }
     double at(int side, int x, int y) const { return counts_[static_cast<size_t>((side * texels + y) * texels + x)]; }
@@ -99,7 +102,16 @@ guide_opening openingOf(const Part& p, glm::dvec3 low, glm::dvec3 size) {
 
 void packGuideBox(LightTables& tables, std::span<const vec3> points) {
     Box box;
-    for (const vec3& p : points) box.grow({p.x, p.y, p.z});
+    for (const auto axis : {&vec3::x, &vec3::y, &vec3::z}) {
+        std::vector<float> along;
+        for (const vec3& p : points) along.push_back(p.*axis);
+        const auto outside = static_cast<long>(shareOutside * static_cast<double>(along.size()));
+        std::ranges::nth_element(along, along.begin() + outside);
+        const int i = axis == &vec3::x ? 0 : axis == &vec3::y ? 1 : 2;
+        box.low[i] = along[static_cast<size_t>(outside)];
+        std::ranges::nth_element(along, along.end() - 1 - outside);
+        box.high[i] = along[along.size() - 1 - static_cast<size_t>(outside)];
+    }
     /* Scene space is of order one: what is closer than this to a side would suffer from rounding */
     const glm::dvec3 pad(0.01 * box.radius() + 1e-4), low = box.low - pad, size = box.high + pad - low;
     tables.guide_box = {{static_cast<float>(low.x), static_cast<float>(low.y), static_cast<float>(low.z)},

@@ -11,7 +11,7 @@ namespace {
 
 /// If surfaces receive more than this share of an environment's light, BSDF sampling finds it well enough. If they receive none, there is
 /// nothing to guide.
-constexpr double openShare = 0.1;
+constexpr double openShare = 0.35;
 
 Bindings withCount(size_t count) {
     Bindings own;
