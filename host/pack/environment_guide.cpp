@@ -28,8 +28,8 @@ float coordinate(const vec3& p, size_t axis) { return axis == 0 ? p.x : axis == 
 /// What to assume of rays that were not traced: this fraction of them is not blocked.
 constexpr double doubt = 0.002;
 
-/// Weights for a map of what it was found to receive through each opening (pairs of SurveyRays::weigh). To choose an opening in proportion to the root
-/// of the mean square of its samples is best: a fraction v of them is not blocked, so that is what arrives over sqrt(v).
+/// Weights for a map of what it was found to receive through each opening (pairs of SurveyRays::weigh). To choose an opening in proportion
+/// to the root of the mean square of its samples is best: a fraction v of them is not blocked, so that is what arrives over sqrt(v).
 std::vector<double> weightsOf(std::span<const double> pairs) {
     std::vector<double> weights;
     for (size_t i = 0; i < openings; ++i) {
@@ -166,8 +166,10 @@ double learnGuide(LightTables& tables, std::span<const vec3> points, std::span<c
         const auto blocked = static_cast<double>(std::ranges::count(exits, NONE));
         return 1 - blocked / static_cast<double>(exits.size());
     };
-    if (options.openShare < 1)
-        if (const double share = shareOf(survey.exits(tables, std::min(fewRays, options.rays))); share > 1.1 * options.openShare) return share;
+    if (options.openShare < 1) {
+        const double share = shareOf(survey.exits(tables, std::min(fewRays, options.rays)));
+        if (share > 1.1 * options.openShare) return share;
+    }
 
     /* Where the light enters */
     const auto exitRays = static_cast<size_t>(shareForOpenings * static_cast<double>(options.rays));

@@ -43,7 +43,8 @@ public:
             for (int x = p.x0; x < p.x1; ++x) {
                 const double rays = at(p.side, x, y);
                 if (rays == 0) continue;
-                small = {p.side, std::min(small.x0, x), std::min(small.y0, y), std::max(small.x1, x + 1), std::max(small.y1, y + 1), small.rays + rays};
+                small = {p.side, std::min(small.x0, x), std::min(small.y0, y), std::max(small.x1, x + 1), std::max(small.y1, y + 1),
+                         small.rays + rays};
             }
         return small;
     }
@@ -144,7 +145,8 @@ void packGuideOpenings(LightTables& tables, std::span<const uint> exits) {
         const Part& p = parts[i];
         tables.guide_openings[i] = openingOf(p, {low.x, low.y, low.z}, {size.x, size.y, size.z});
         for (int y = p.y0; y < p.y1; ++y)
-            for (int x = p.x0; x < p.x1; ++x) tables.guide_texels[static_cast<size_t>((p.side * texels + y) * texels + x)] = static_cast<uint>(i);
+            for (int x = p.x0; x < p.x1; ++x)
+                tables.guide_texels[static_cast<size_t>((p.side * texels + y) * texels + x)] = static_cast<uint>(i);
     }
 }
 

@@ -61,7 +61,7 @@ typedef struct {
 /* The environment guide: where the light of a uniform environment enters the scene, and how much of it each surface receives.
 
    A box encloses what paths reach. Rectangles on its sides, the openings, are where rays leave it without meeting a surface; there are
-   GUIDE_OPENINGS of them, smaller where more rays leave. Space is cut into GUIDE_INTERVALS^3 cells along the axes; each cell has GUIDE_FACES
+   GUIDE_OPENINGS of them, smaller where more rays leave. Space is cut into GUIDE_INTERVALS^3 cells; each cell has GUIDE_FACES
    maps: for surfaces whose normal is nearest to +x, -x, +y, -y, +z, -z, and for points that look into all directions. A map has a
    probability for each opening, kept as the alias tables of a square of GUIDE_SIDE^2: one entry a row, then the entries of each row. The
    map of a place that sees no opening has density 0 everywhere. */

@@ -4,8 +4,8 @@
     tests/bench/turns.py --old OLD/build/eikonal --new build/eikonal SCENE ... [--cold]
 
 Each round benches every scene with both programs, one after the other, in an order that alternates; a row has the median of the rounds'
-ratios, and their least and greatest. "Paths" above 1 and "first ray" below 1 are better. --cold: also the seconds until the first ray with an
-empty cache, which takes half a minute a turn. Each program uses the kernels of the folder that it was built in. Nothing else should run on the machine.
+ratios, and their least and greatest. "Paths" above 1 and "first ray" below 1 are better. --cold: also the seconds until the first ray with
+an empty cache. Each program uses the kernels of the folder that it was built in. Nothing else should run on the machine.
 """
 
 import argparse

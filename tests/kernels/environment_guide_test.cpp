@@ -112,7 +112,9 @@ TEST(EnvironmentGuide, PointsFindTheirMaps) {
     const auto normals = generate(4096, [&] { return random.direction(); });
     learnGuide(scene.tables, points, normals, {size_t{1} << 24, true},
                {[](const LightTables&, size_t count) { return std::vector<uint>(count, 7u); },
-                [](const LightTables&, const GuideRepresentatives& from) { return std::vector<float>(from.maps * 2 * GUIDE_OPENINGS, 1.0f); }});
+                [](const LightTables&, const GuideRepresentatives& from) {
+                    return std::vector<float>(from.maps * 2 * GUIDE_OPENINGS, 1.0f);
+                }});
     const DeviceFunction<uint> function({.include = "light/guide_place.clh",
                                          .type = "uint",
                                          .body = "light_tables tables = BIND_LIGHTS; result = guide_map(tables, p, n);",
