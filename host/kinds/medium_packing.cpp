@@ -14,6 +14,7 @@ medium newMedium(const MediumPacking& in, const Medium& description) {
     m.sigma_a = in.colors.coefficient(description.sigmaA, 1 / in.context.space.scale);
     m.sigma_s = in.colors.coefficient(description.sigmaS, 1 / in.context.space.scale);
     m.Le = in.colors.emission(description.Le);
+    m.scatters = in.colors.greatestSum(&m.sigma_s, nullptr) > 0;
     m.g = static_cast<float>(std::clamp(description.g, -0.99, 0.99));
     m.density = m.temperature = m.Le_scale = m.first_sigma_a = m.first_sigma_s = m.first_Le = m.first_majorant = NONE;
     return m;
@@ -31,7 +32,9 @@ glm::ivec3 majorantCells(glm::dvec3 voxels) {
     return glm::ivec3(glm::clamp(glm::ceil(voxels / double(majorantVoxels)), glm::dvec3(1), glm::dvec3(mostMajorants)));
 }
 
-void packDensityMajorants(MediumTables& tables, medium& m, glm::dvec3 voxels) {
+void packDensityCells(MediumTables& tables, medium& m, glm::dvec3 voxels) {
+    m.cells_from_box = tables.grids[m.density].cell_from_box;
+    m.has_cells = 1;
     packMajorants(tables, m, majorantCells(voxels), [&](glm::dvec3 low, glm::dvec3 high) { return boundOn(tables, m.density, low, high); });
 }
 

@@ -96,8 +96,10 @@ private:
             }
             return batches->next();
         };
+        const StopWatcher watcher(tracer_.stopFlag(), control_.abandon);
         tracer_.trace({next, [this](const Batch& batch) { resolve(batch); }, film_.pixels().x1, film_.pixels().y1});
         context_.finish();
+        stopped_ |= tracer_.stopFlag().isRaised();
     }
 
     void resolve(const Batch& batch) {
@@ -106,6 +108,8 @@ private:
         if (blocks_.size() < bytes) blocks_ = Buffer(context_, bytes, "blocks of the film");
         film_.upload(context_, blocks_, batch);
         tracer_.resolve(batch, blocks_);
+        context_.finish();
+        if (tracer_.stopFlag().isRaised()) return;   // some of its paths may have been cut short
         film_.download(context_, blocks_, batch);
         std::uint64_t paths = 0;
         for (const Block& b : batch.blocks) {

@@ -168,7 +168,8 @@ void Session::prepare() {
     times_.firstRay = secondsSinceStart();
 }
 
-void Session::survey() {
+void Session::survey(const std::function<bool()>& abandon) {
+    const StopWatcher watcher(deviceScene_->stopFlag(), abandon);
     surveyEnvironment(*context_, *deviceScene_, packed_, *stages_, shape_);
     chosenRoulette_ = pilotRoulette(*context_, *deviceScene_, packed_, *wave_);
     profile_.collect();

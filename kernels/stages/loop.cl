@@ -116,7 +116,7 @@ TRACING_STAGE(loop, LOOP) {
         to.waiting[0] = started.ray;
         while (to.rays > 0) {
             ray_item r = to.waiting[--to.rays];
-            while (r.t_max >= 0.0f) {
+            while (r.t_max >= 0.0f && !is_interrupted(stop)) {
                 /* Where the ray ends */
                 intersection_item f = intersect_ray(scene.geometry, scene.tables, r);
                 exit_point_item exit = new_exit_point();
