@@ -105,8 +105,8 @@ float ColorPacker::greatestSum(const color* a, const color* b) const {
 
 void ColorPacker::checkRange(const color& packed, const SourceLocation& where, const std::string& what) const {
     if (!std::isfinite(greatestSum(&packed, nullptr)))
-        throw SceneError(where, fmt::format("{} is too large: in the units of the scene, whose size is scaled to about 1, it is beyond 3.4e38",
-                                            what));
+        throw SceneError(where,
+                         fmt::format("{} is too large: in the units of the scene, scaled to a size of about 1, it is beyond 3.4e38", what));
 }
 
 color ColorPacker::white(double factor) { return emission(Spectrum::rgb(glm::dvec3(1)), factor); }

@@ -43,8 +43,8 @@ static void warnOfInexactFlags(const std::string& flags, Diagnostics& diagnostic
     for (const char* flag : {"-cl-fast-relaxed-math", "-cl-unsafe-math-optimizations", "-cl-finite-math-only"})
         if (flags.find(flag) != std::string::npos)
             diagnostics.warnOnce("inexact flags", {},
-                                 fmt::format("--build-options {} lets the compiler drop the compensation of sums, so images of many samples "
-                                             "are off (by 0.3 % at 2^18 samples), and samples that are not finite may not be found",
+                                 fmt::format("--build-options {} lets the compiler drop the compensation of sums, so images of many "
+                                             "samples are off (by 0.3 % at 2^18), and samples that are not finite may not be found",
                                              flag));
 }
 

@@ -4,7 +4,8 @@ namespace eikonal {
 
 Wave::Wave(const Context& context, const DeviceScene& tables, const PackedScene& scene, Stages& stages, const StageShape& shape,
            Profile& profile, PageSize queuePages)
-    : context_(context), stopFlag_(tables.stopFlag()), stages_(stages), shape_(shape), splitting_(RaySplitting::of(scene)), size_(shape, splitting_),
+    : context_(context), stopFlag_(tables.stopFlag()), stages_(stages), shape_(shape), splitting_(RaySplitting::of(scene)),
+      size_(shape, splitting_),
       queues_(context, stages.features(), scene.constants, size_, queuePages), counter_(context, profile),
       batches_(context, queues_, size_, splitting_),
       launcher_(context, tables.bindings(), queues_.bindings(), counter_.bindings(), shape.group(), profile) {}

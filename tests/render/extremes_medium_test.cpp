@@ -60,8 +60,8 @@ TEST(ExtremeMedia, AbsorbedLightOnASurfaceIsTheSameByEveryStrategy) {
     v.maxDepth = 1;
     const std::string floor = "MediumInterface \"m\" \"m\" Material \"diffuse\" \"rgb reflectance\" [1 1 1] Shape \"disk\" "
                               "\"float radius\" .01\n",
-                      lamp = "AttributeBegin ReverseOrientation AreaLightSource \"diffuse\" \"rgb L\" [1 1 1] Shape \"sphere\" \"float "
-                             "radius\" 4 AttributeEnd\n";
+                      lamp = "AttributeBegin ReverseOrientation AreaLightSource \"diffuse\" \"rgb L\" [1 1 1] Shape \"sphere\" "
+                             "\"float radius\" 4 AttributeEnd\n";
     for (const std::string& lit : {std::string(sky), lamp})
         expectRadiance(render(sceneText(v, lit + ball(2, 0) + floor), media()), std::exp(-2 * 2.), 0.02);
     expectEqualMeans(render(sceneText(v, sky + grid(2, 0) + floor), media()), render(sceneText(v, lamp + grid(2, 0) + floor), media()), 0.02);
