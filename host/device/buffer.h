@@ -26,8 +26,8 @@ public:
         const size_t bytes = table.size() * sizeof(T);
         return bytes >= worthPages ? over(context, table.data(), bytes, what) : Buffer(context, table.data(), bytes, what);
     }
-    /// A buffer that kernels only read. On a CPU it is this memory, which must outlive it: kernels see what the host writes there while they
-    /// run. Elsewhere it is a copy.
+    /// A buffer that kernels only read. On a CPU it is this memory, which must outlive it: kernels see what the host writes there while
+    /// they run. Elsewhere it is a copy.
     static Buffer over(const Context& context, const void* memory, size_t bytes, const std::string& what) {
         return Buffer(context, memory, bytes, what, Shared{});
     }

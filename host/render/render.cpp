@@ -108,9 +108,8 @@ private:
         if (blocks_.size() < bytes) blocks_ = Buffer(context_, bytes, "blocks of the film");
         film_.upload(context_, blocks_, batch);
         tracer_.resolve(batch, blocks_);
-        context_.finish();
-        if (tracer_.stopFlag().isRaised()) return;   // some of its paths may have been cut short
         film_.download(context_, blocks_, batch);
+        if (tracer_.stopFlag().isRaised()) return;   // resolve_film may have left pixels as they were
         std::uint64_t paths = 0;
         for (const Block& b : batch.blocks) {
             const PixelRect part = b.within(rect, batch.size);

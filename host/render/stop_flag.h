@@ -16,7 +16,7 @@ public:
     explicit StopFlag(const Context& context);
     void raise() const;
     void lower() const;
-    /// If false after the device has finished, nothing that it did was cut short.
+    /// While it is false, nothing that the device has finished was cut short.
     bool isRaised() const;
     const Buffer& buffer() const { return buffer_; }
 

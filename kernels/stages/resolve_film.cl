@@ -80,7 +80,7 @@ FN path_item gather_path(__global const settings *frame, __global const uint *pa
 }
 
 #define RESOLVE_FILM(TABLE, ARGUMENT) \
-    COLOR_TABLES(TABLE) \
+    COLOR_TABLES(TABLE) INTERRUPT_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, path) ARGUMENT(uint, first_path) \
     ARGUMENT(__global uint *, film) ARGUMENT(__global const layer_range *, block_layers) ARGUMENT(uint, block_log2_width) \
     ARGUMENT(uint, block_log2_height)
@@ -88,6 +88,8 @@ TRACING_STAGE(resolve_film, RESOLVE_FILM) {
     color_tables color_set = BIND_COLORS;
     uint log2_pixels = block_log2_width + block_log2_height;
     for (size_t pixel = first_slot; pixel < SLOTS_END; ++pixel) {
+        /* Paths may have been cut short. If not, no stage before this one has been */
+        if (is_interrupted(stop)) return;
         film_item f = load_film(film, count, pixel);
         layer_range range = block_layers[pixel >> log2_pixels];
         for (uint s = range.first; s < range.first + range.layers; ++s) {

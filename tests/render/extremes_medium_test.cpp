@@ -64,7 +64,8 @@ TEST(ExtremeMedia, AbsorbedLightOnASurfaceIsTheSameByEveryStrategy) {
                              "\"float radius\" 4 AttributeEnd\n";
     for (const std::string& lit : {std::string(sky), lamp})
         expectRadiance(render(sceneText(v, lit + ball(2, 0) + floor), media()), std::exp(-2 * 2.), 0.02);
-    expectEqualMeans(render(sceneText(v, sky + grid(2, 0) + floor), media()), render(sceneText(v, lamp + grid(2, 0) + floor), media()), 0.02);
+    expectEqualMeans(render(sceneText(v, sky + grid(2, 0) + floor), media()),
+                     render(sceneText(v, lamp + grid(2, 0) + floor), media()), 0.02);
 }
 
 /// tau Le is 1, whatever tau: L = Le (1 - exp(-tau)).
