@@ -6,6 +6,7 @@
 
 namespace eikonal {
 
+constexpr int stopSignals[] = {SIGHUP, SIGINT, SIGTERM};
 static volatile std::sig_atomic_t noted = 0;
 
 extern "C" void noteSignal(int number) {
@@ -28,13 +29,11 @@ Interrupt::Interrupt() {
     struct sigaction action {};
     action.sa_handler = noteSignal;
     action.sa_flags = SA_RESTART;
-    ::sigaction(SIGINT, &action, nullptr);
-    ::sigaction(SIGTERM, &action, nullptr);
+    for (const int number : stopSignals) ::sigaction(number, &action, nullptr);
 }
 
 Interrupt::~Interrupt() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    for (const int number : stopSignals) std::signal(number, SIG_DFL);
 }
 
 int Interrupt::signal() { return noted; }

@@ -1,5 +1,5 @@
 #pragma once
-// Handling of SIGINT (Ctrl-C) and SIGTERM.
+// Handling of SIGINT (Ctrl-C), SIGTERM and SIGHUP (a closed terminal).
 
 namespace eikonal {
 
@@ -7,8 +7,8 @@ namespace eikonal {
 /// stay without effect even if a library sets a handler, as LLVM inside PoCL does. Call this before any thread starts.
 void keepIgnoredSignals();
 
-/// While this object lives, the first SIGINT or SIGTERM is only noted, so that the image so far can be written; a second one ends the
-/// program at once.
+/// While this object lives, the first SIGINT, SIGTERM or SIGHUP is only noted, so that the image so far can be written; a second one ends
+/// the program at once.
 class Interrupt {
 public:
     Interrupt();

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cstdio>
 #include <future>
 #include <optional>
@@ -26,20 +27,43 @@ void say(const Options& o, const std::string& line) {
     if (o.log >= LogLevel::warning) std::fputs((line + "\n").c_str(), stderr);
 }
 
+/// How long after a signal or the time limit paths in flight may still end, in seconds. Later they are abandoned.
+constexpr double grace = 0.4;
+
+/// Whether and how soon a render has to end early.
+class Deadline {
+public:
+    explicit Deadline(std::optional<double> limit) : limit_(limit) {}
+    /// Whether to begin no more paths: on a signal or at the time limit, but that waits a little until every pixel has a sample.
+    bool isOver() const { return Interrupt::signal() || (limit_ && time_.seconds() > *limit_ + (isWhole ? 0 : grace)); }
+    /// Whether to abandon paths. Asked by one thread.
+    bool isFinal() {
+        if (limit_ && time_.seconds() > *limit_ + (isWhole ? 1 : 2) * grace) return true;
+        if (!Interrupt::signal()) return false;
+        if (!signalled_) signalled_ = time_.seconds();
+        return time_.seconds() > *signalled_ + grace;
+    }
+    std::atomic<bool> isWhole = false;   ///< every pixel has a sample
+
+private:
+    const std::optional<double> limit_;
+    const Stopwatch time_;
+    std::optional<double> signalled_;
+};
+
 /// Renders until all samples are taken, the error is small enough, the time is over, or a signal arrives.
-RenderResult renderFilm(const Options& o, Session& session, Film& film) {
+RenderResult renderFilm(const Options& o, Session& session, Film& film, Deadline& deadline) {
     const auto samples = static_cast<unsigned>(session.packed().samples);
     ProgressBar bar(samples, o.log < LogLevel::warning);
-    const Stopwatch time;
-    bool isWhole = false;   // every pixel has a sample
     RenderControl control;
     control.endSample = samples;
     control.targetError = o.output.targetError;
     control.progress = [&](const Progress& p) {
-        isWhole = p.samples > 0;
+        deadline.isWhole = p.samples > 0;
         bar.show(p);
     };
-    control.stop = [&] { return Interrupt::signal() != 0 || (o.output.timeLimit && isWhole && time.seconds() > *o.output.timeLimit); };
+    control.stop = [&] { return deadline.isOver(); };
+    control.abandon = [&] { return deadline.isFinal(); };
     return render(session.context(), session.wave(), film, session.profile(), control);
 }
 
@@ -126,8 +150,9 @@ int renderCommand(const Options& o) {
         fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), packed.samples));
     std::optional<Film> film(std::in_place, packed);
     const Stopwatch renderTime;
-    session.survey();
-    const RenderResult result = renderFilm(o, session, *film);
+    Deadline deadline(o.output.timeLimit);
+    session.survey([&] { return deadline.isFinal(); });
+    const RenderResult result = renderFilm(o, session, *film, deadline);
     const double renderSeconds = renderTime.seconds();
     /* A signal that arrives while the finished image is written does not count */
     const int endedBy = result.isFinished ? 0 : Interrupt::signal();

@@ -72,7 +72,7 @@ Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std
 Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what, Shared)
     : size_(bytes), serial_(nextSerial()) {
     /* The const_cast is safe: kernels take tables as pointers to const */
-    if (liesInPages(context, bytes)) memory_ = Memory(wrap(context, const_cast<void*>(data), bytes));
+    if (context.device().isCpu) memory_ = Memory(wrap(context, const_cast<void*>(data), bytes));
     if (!memory_) *this = Buffer(context, data, bytes, what);
 }
 

@@ -23,7 +23,13 @@ public:
     }
     /// A buffer that kernels only read. On a CPU a large table is not copied, so it must outlive the buffer, neither moved nor changed.
     template <class T> static Buffer sharing(const Context& context, const Table<T>& table, const std::string& what) {
-        return Buffer(context, table.data(), table.size() * sizeof(T), what, Shared{});
+        const size_t bytes = table.size() * sizeof(T);
+        return bytes >= worthPages ? over(context, table.data(), bytes, what) : Buffer(context, table.data(), bytes, what);
+    }
+    /// A buffer that kernels only read. On a CPU it is this memory, which must outlive it: kernels see what the host writes there while
+    /// they run. Elsewhere it is a copy.
+    static Buffer over(const Context& context, const void* memory, size_t bytes, const std::string& what) {
+        return Buffer(context, memory, bytes, what, Shared{});
     }
 
     cl_mem handle() const { return memory_; }

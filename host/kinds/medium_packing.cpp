@@ -1,5 +1,7 @@
 #include "kinds/medium_packing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,13 @@ medium newMedium(const MediumPacking& in, const Medium& description) {
     m.sigma_a = in.colors.coefficient(description.sigmaA, 1 / in.context.space.scale);
     m.sigma_s = in.colors.coefficient(description.sigmaS, 1 / in.context.space.scale);
     m.Le = in.colors.emission(description.Le);
+    const auto check = [&](const color& packed, const char* parameter) {
+        in.colors.checkRange(packed, description.where, fmt::format("\"{}\" of medium \"{}\"", parameter, description.name));
+    };
+    check(m.sigma_a, "sigma_a");
+    check(m.sigma_s, "sigma_s");
+    check(m.Le, "Le");
+    m.scatters = in.colors.greatestSum(&m.sigma_s, nullptr) > 0;
     m.g = static_cast<float>(std::clamp(description.g, -0.99, 0.99));
     m.density = m.temperature = m.Le_scale = m.first_sigma_a = m.first_sigma_s = m.first_Le = m.first_majorant = NONE;
     return m;
@@ -31,7 +40,9 @@ glm::ivec3 majorantCells(glm::dvec3 voxels) {
     return glm::ivec3(glm::clamp(glm::ceil(voxels / double(majorantVoxels)), glm::dvec3(1), glm::dvec3(mostMajorants)));
 }
 
-void packDensityMajorants(MediumTables& tables, medium& m, glm::dvec3 voxels) {
+void packDensityCells(MediumTables& tables, medium& m, glm::dvec3 voxels) {
+    m.cells_from_box = tables.grids[m.density].cell_from_box;
+    m.has_cells = 1;
     packMajorants(tables, m, majorantCells(voxels), [&](glm::dvec3 low, glm::dvec3 high) { return boundOn(tables, m.density, low, high); });
 }
 

@@ -35,8 +35,8 @@ template <class Bound> void packMajorants(MediumTables& tables, medium& m, glm::
 }
 /// The size of the majorant grid for a grid of so many voxels.
 glm::ivec3 majorantCells(glm::dvec3 voxels);
-/// Packs the majorants of a medium whose `density`, a grid of so many voxels, is already packed.
-void packDensityMajorants(MediumTables&, medium& m, glm::dvec3 voxels);
+/// Packs the cells and the majorants of a medium whose `density`, a grid of so many voxels, is already packed.
+void packDensityCells(MediumTables&, medium& m, glm::dvec3 voxels);
 
 /// Sets blackbody emission from the medium's packed `temperature`.
 void packBlackbodyEmission(const MediumPacking&, const Medium&, medium& m);

@@ -38,6 +38,7 @@ void LightPacker::addShape(const Shape& s, shape& packed, const GeometryTables& 
             factor = description.scale * *description.power / (M_PI * area * (description.twoSided ? 2 : 1));
             l.L = colors_.emission(description.L, factor);
         }
+        colors_.checkRange(l.L, description.where, "\"L\" of an area light");
         powers_.push_back(areaPower(l, luminanceOf(description.L, factor)));
         tables_.lights.push_back(l);
     }

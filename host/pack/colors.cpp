@@ -3,6 +3,10 @@
 #include "color/luminance.h"
 #include "color/uplift_table.h"
 
+#include "error.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -97,6 +101,12 @@ float ColorPacker::greatestSum(const color* a, const color* b) const {
         return c.scale * *std::max_element(curve, curve + CURVE_WORDS) * (0.5 + 0.5 * x / std::sqrt(1 + x * x)) * (1 + 1e-5);
     };
     return toFloat(bound(p) + bound(q));
+}
+
+void ColorPacker::checkRange(const color& packed, const SourceLocation& where, const std::string& what) const {
+    if (!std::isfinite(greatestSum(&packed, nullptr)))
+        throw SceneError(where,
+                         fmt::format("{} is too large: in the units of the scene, scaled to a size of about 1, it is beyond 3.4e38", what));
 }
 
 color ColorPacker::white(double factor) { return emission(Spectrum::rgb(glm::dvec3(1)), factor); }

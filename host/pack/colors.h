@@ -32,6 +32,8 @@ public:
     void addUplift();
     /// The largest value, over wavelengths or channels, of the sum of two coefficients; null counts as 0.
     float greatestSum(const color* a, const color* b) const;
+    /// Throws a SceneError if a packed colour overflowed single precision. what: whose it is, with the name of its parameter.
+    void checkRange(const color& packed, const SourceLocation& where, const std::string& what) const;
 
     /// For spectral rendering, before all other colours: the constant 1, then the responses of the film and the auxiliary channels.
     void packSensor(settings& frame);

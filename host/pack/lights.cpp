@@ -7,9 +7,21 @@
 #include "pack/environment_guide.h"
 #include "pack/light_sampler.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <string_view>
 
 namespace eikonal {
+
+/// The parameter that makes a light bright: its spectrum, or its "scale".
+static std::string spectrumParameter(const LightKind& kind) {
+    const std::string_view parameters = kind.traits.parameters, type = "spectrum ";
+    const size_t at = parameters.find(type);
+    if (at == std::string_view::npos) return "\"scale\"";
+    const std::string_view name = parameters.substr(at + type.size());
+    return fmt::format("\"{}\"", name.substr(0, name.find_first_of(" ;")));
+}
 
 void LightPacker::pack() {
     if (!context_.scene.integrator.kind->countsMaterials()) return;
@@ -37,6 +49,7 @@ bool LightPacker::isInfinite(const LightKind& kind) const {
 void LightPacker::add(const LightPacking& in, const Light& description) {
     const LightKind& kind = *description.kind;
     const PackedLight packed = kind.traits.pack(in, description);
+    colors_.checkRange(packed.l.L, description.where, spectrumParameter(kind) + " of a light");
     context_.require(kind.feature, description.where.toString());
     if (kind.place == LightPlace::INFINITE) tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
     tables_.lights.push_back(packed.l);

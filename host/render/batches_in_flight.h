@@ -30,6 +30,9 @@ public:
     /// Calls stream.traced for finished batches, oldest first: all of their paths have begun, and none had a ray at this bounce.
     void finish(const WaveCounts& counts, const BatchStream& stream);
 
+    /// Drops all batches.
+    void abandon() { flying_.clear(); }
+
     /// Of the oldest batch: the arguments of resolve_film, and its path states.
     Bindings oldestArguments() const { return argumentsOf(flying_.front()); }
     QueueItems oldestPaths() const;

@@ -2,7 +2,7 @@
 
 namespace eikonal {
 
-DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) {
+DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : stopFlag_(context) {
     const auto upload = [&](const auto& table, const char* name) {
         Buffer& buffer = buffers_[name];
         buffer = Buffer::sharing(context, table, std::string("table ") + name);
@@ -12,6 +12,7 @@ DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) {
 #define UPLOAD_TABLE(type, name) upload(scene.tables.name, #name);
     SCENE_TABLES(UPLOAD_TABLE)
 #undef UPLOAD_TABLE
+    bindings_.set("stop", stopFlag_.buffer());
 }
 
 void DeviceScene::setFrame(const Context& context, const settings& frame) { buffers_.at("frame").write(context, &frame, sizeof frame); }

@@ -3,6 +3,7 @@
 
 #include "device/kernel.h"
 #include "pack/tables.h"
+#include "render/stop_flag.h"
 
 #include <map>
 #include <string>
@@ -22,12 +23,15 @@ public:
         buffer = Buffer::of<typename Elements::value_type>(context, elements, std::string("table ") + table);
         bindings_.set(table, buffer);
     }
+    /// Read by every launch with bindings().
+    const StopFlag& stopFlag() const { return stopFlag_; }
     size_t bytes() const { return bytes_; }
     /// Replaces the scene's settings by `frame` for later launches. Blocks.
     void setFrame(const Context& context, const settings& frame);
 
 private:
     std::map<std::string, Buffer> buffers_;   ///< by table
+    StopFlag stopFlag_;
     Bindings bindings_;
     size_t bytes_ = 0;
 };

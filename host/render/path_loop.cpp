@@ -47,6 +47,7 @@ void PathLoop::trace(const BatchStream& stream) {
         bindings_.set("count", paths);
         profile_.add("loop", paths, loop_.launch(context_, {&scene_.bindings(), &bindings_, &tables_.bindings()}, paths, shape_.group()));
         context_.finish();
+        if (stopFlag().isRaised()) return;
         stream.traced(*batch);
     }
 }

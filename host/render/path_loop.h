@@ -16,6 +16,7 @@ public:
     PathLoop(const Context& context, Compiler& compiler, const DeviceScene& deviceScene, const PackedScene& scene, const StageShape& shape,
              const BuildSettings& settings, Profile& profile);
     unsigned mostPaths() const override { return mostPaths_; }
+    const StopFlag& stopFlag() const override { return scene_.stopFlag(); }
     void trace(const BatchStream& stream) override;
     void resolve(const Batch& batch, const Buffer& film) override;
 

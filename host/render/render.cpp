@@ -96,8 +96,10 @@ private:
             }
             return batches->next();
         };
+        const StopWatcher watcher(tracer_.stopFlag(), control_.abandon);
         tracer_.trace({next, [this](const Batch& batch) { resolve(batch); }, film_.pixels().x1, film_.pixels().y1});
         context_.finish();
+        stopped_ |= tracer_.stopFlag().isRaised();
     }
 
     void resolve(const Batch& batch) {
@@ -107,6 +109,7 @@ private:
         film_.upload(context_, blocks_, batch);
         tracer_.resolve(batch, blocks_);
         film_.download(context_, blocks_, batch);
+        if (tracer_.stopFlag().isRaised()) return;   // resolve_film may have left pixels as they were
         std::uint64_t paths = 0;
         for (const Block& b : batch.blocks) {
             const PixelRect part = b.within(rect, batch.size);

@@ -24,10 +24,12 @@ struct RenderControl {
     std::optional<double> targetError;                ///< set: sampling is adaptive (adaptive.h), and endSample is the maximum per pixel
     std::function<void(const Progress&)> progress;    ///< called after each batch of paths; may be empty
     std::function<bool()> stop;                       ///< checked before each batch; true: no further batch begins; may be empty
+    /// Asked every few milliseconds, by another thread; true: batches in flight are abandoned; may be empty
+    std::function<bool()> abandon;
 };
 
 struct RenderResult {
-    bool isFinished = true;             ///< false: ended by RenderControl::stop
+    bool isFinished = true;             ///< false: ended by RenderControl::stop or abandon
     unsigned samples = 0;               ///< samples that every pixel has
     std::optional<double> error;        ///< adaptive sampling: the expected error, if the render is finished
 };

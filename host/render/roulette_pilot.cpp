@@ -140,7 +140,7 @@ private:
 /// Traces blocks of single pixels, in batches that fit the wave.
 void record(const settings& frame, std::vector<Block> blocks, Wave& wave, Recorder& recorder) {
     Batches batches(BlockSize{}, std::move(blocks), wave.mostPaths());
-    while (!batches.empty()) {
+    while (!batches.empty() && !wave.stopFlag().isRaised()) {
         std::optional<Batch> batch = batches.next();
         recorder.begin(batch->paths());
         wave.trace({[&] { return std::exchange(batch, std::nullopt); }, [](const Batch&) {}, static_cast<int>(frame.width),
@@ -161,6 +161,10 @@ std::optional<Roulette> pilotRoulette(const Context& context, DeviceScene& scene
     scene.setFrame(context, frame);
     Recorder recorder(context, frame.max_component_value);
     record(frame, scatterPixels(frame, size), wave, recorder);
+    if (wave.stopFlag().isRaised()) {
+        scene.setFrame(context, packed.frame());
+        return {};
+    }
     const Roulette chosen = chooseRoulette({pilotSets, size.samples, recorder.take()});
     frame = packed.frame();
     setRoulette(frame, chosen);

@@ -69,8 +69,8 @@ public:
     /// Uploads the tables and launches every kernel once.
     void prepare();
     /// Learns what a first look at the scene can tell (render/survey.h, render/roulette_pilot.h). Part of rendering; its work is not part
-    /// of the profile.
-    void survey();
+    /// of the profile. `abandon`: as in RenderControl; what is not learned by then stays unknown.
+    void survey(const std::function<bool()>& abandon = {});
     /// By which paths end, once survey() has been called, and whether it has chosen that for the scene.
     Roulette roulette() const { return chosenRoulette_.value_or(packed_.roulette.value_or(Roulette())); }
     bool isRouletteChosen() const { return chosenRoulette_.has_value(); }

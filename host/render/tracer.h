@@ -3,6 +3,7 @@
 
 #include "device/layout.h"
 #include "film/batch.h"
+#include "render/stop_flag.h"
 
 #include <functional>
 #include <optional>
@@ -32,6 +33,8 @@ public:
     virtual ~Tracer() = default;
     /// The most paths of a batch that it takes.
     virtual unsigned mostPaths() const = 0;
+    /// Raised, it ends trace() soon: batches in flight are abandoned.
+    virtual const StopFlag& stopFlag() const = 0;
     /// Follows every path of every batch of the stream from the camera to its end. Paths of several batches may be in flight at once.
     virtual void trace(const BatchStream& stream) = 0;
     /// Within BatchStream::traced: adds the paths of that batch to their pixels. `film` holds those of the batch, block after block.

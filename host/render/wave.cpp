@@ -4,7 +4,8 @@ namespace eikonal {
 
 Wave::Wave(const Context& context, const DeviceScene& tables, const PackedScene& scene, Stages& stages, const StageShape& shape,
            Profile& profile, PageSize queuePages)
-    : stages_(stages), shape_(shape), splitting_(RaySplitting::of(scene)), size_(shape, splitting_),
+    : context_(context), stopFlag_(tables.stopFlag()), stages_(stages), shape_(shape), splitting_(RaySplitting::of(scene)),
+      size_(shape, splitting_),
       queues_(context, stages.features(), scene.constants, size_, queuePages), counter_(context, profile),
       batches_(context, queues_, size_, splitting_),
       launcher_(context, tables.bindings(), queues_.bindings(), counter_.bindings(), shape.group(), profile) {}
@@ -22,11 +23,20 @@ void Wave::trace(const BatchStream& stream) {
         const WaveCounts counts = intersect(rays);      // ray -> intersection -> hit | scatter | miss | emission | next ray
         rays = shade(counts);                           // miss, emission -> path;  hit, scatter -> next ray, shadow;  shadow -> path
         queues_.swapRays();                             // next ray -> ray
+        if (isInterrupted()) break;
         if (!goesOn(counts, rays, stream)) rays = 0;    // only pilot paths stop here (roulette_pilot.cpp)
         batches_.finish(counts, stream);                // batches without rays: stream.traced, which calls resolve (path -> film)
         rays = generate(rays, stream);                  // pixels -> ray, path
     }
     counter_.end();
+}
+
+/// Whether the render is interrupted. Then all paths in flight are dropped.
+bool Wave::isInterrupted() {
+    if (!stopFlag_.isRaised()) return false;
+    context_.finish();
+    batches_.abandon();
+    return true;
 }
 
 /// Begins as many paths as fit behind the first `slots` slots. Returns the number of slots in use.

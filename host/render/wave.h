@@ -23,6 +23,7 @@ public:
     void warmUp();
 
     unsigned mostPaths() const override { return size_.paths; }
+    const StopFlag& stopFlag() const override { return stopFlag_; }
     /// Waits for the device only once per bounce, for the counts.
     void trace(const BatchStream& stream) override;
     void resolve(const Batch& batch, const Buffer& film) override;
@@ -33,8 +34,11 @@ private:
     unsigned generate(unsigned slots, const BatchStream& stream);
     WaveCounts intersect(unsigned slots);
     unsigned shade(const WaveCounts& counts);
+    bool isInterrupted();
     bool goesOn(const WaveCounts& counts, unsigned rays, const BatchStream& stream) const;
 
+    const Context& context_;
+    const StopFlag& stopFlag_;
     Stages& stages_;
     StageShape shape_;
     RaySplitting splitting_;

@@ -5,7 +5,8 @@
 CONTRACT_BEGIN
 
 /* F(queue, type, name, FEATURE). Samples are added in order, one after the other, so wave size, tiles and crops do not change a bit.
-   The sums that make the image are compensated (Kahan), so a million samples lose no more precision than a few. */
+   Sums are compensated (Kahan), so a million samples lose no more precision than a few; only `normal` and `ng`, whose lengths do not
+   matter, are not. */
 #define FILM_FIELDS(F, q) \
     F(q, rgb,      sum,           ALWAYS)   /* of weight * film response to L */ \
     F(q, rgb,      compensation,  ALWAYS)   /* rounding error of sum */ \
@@ -25,6 +26,12 @@ CONTRACT_BEGIN
     F(q, vec3,     closing,      MOTION_VECTORS) /* of the surface point at shutter close */ \
     F(q, float,    distance,     AOVS) \
     F(q, float,    seen,         AOVS)     /* number of samples that hit a surface */ \
+    F(q, rgb,      albedo_compensation,   AOVS)           /* rounding errors of these sums */ \
+    F(q, vec3,     position_compensation, AOVS) \
+    F(q, vec2,     uv_compensation,       AOVS) \
+    F(q, vec3,     opening_compensation,  MOTION_VECTORS) \
+    F(q, vec3,     closing_compensation,  MOTION_VECTORS) \
+    F(q, float,    distance_compensation, AOVS) \
     F(q, uint,     object,       AOVS)     /* of most samples, by majority vote (Boyer and Moore 1991) */ \
     F(q, uint,     object_lead,  AOVS)     /* lead of the current candidate */ \
     F(q, uint,     material,     AOVS) \

@@ -37,6 +37,7 @@ typedef struct {
     uint kind;                 /* enum medium_kind */
     color sigma_a, sigma_s;    /* per unit of scene space; grids and noise multiply them */
     color Le;                  /* emitted radiance per unit of sigma_a; grids multiply it */
+    uint scatters;             /* 0: sigma_s is 0 everywhere, for every wavelength */
     float g;                   /* Henyey-Greenstein: mean cosine, in [-0.99, 0.99] */
     uint equiangular_lights;   /* homogeneous ones that scatter: how many of `point_lights` there are; 0: none, or none that matters */
 
@@ -44,6 +45,9 @@ typedef struct {
     affine box_from_scene;
     uint majorants_x, majorants_y, majorants_z;
     uint first_majorant;       /* in `majorants`, x fastest: bounds, over the cells of a coarse grid, on what multiplies sigma_t */
+
+    affine cells_from_box;     /* from the unit cube to where whole numbers bound cells; sigma_a and sigma_s are trilinear in each */
+    uint has_cells;            /* 0: they are not trilinear */
 
     /* uniformgrid, nanovdb: in `grids`, or NONE */
     uint density;

@@ -122,7 +122,12 @@ typedef struct {
     T(color,          medium_colors)         /* of rgbgrid media */ \
     T(float,          majorants) \
     T(point_light_position, point_lights)    /* MOST_EQUIANGULAR_LIGHTS at most */ \
-    T(blackbody_color, blackbodies)          /* BLACKBODY_STEPS + 1, or none */
+    T(blackbody_color, blackbodies)          /* BLACKBODY_STEPS + 1, or none */ \
+    INTERRUPT_TABLES(T)
+
+/* Read by loops that may take long, medium tracking among them. Not part of a scene: host/render/stop_flag.h */
+#define INTERRUPT_TABLES(T) \
+    T(uint,           stop)                  /* one element; not 0: the render is interrupted, and results no longer matter */
 
 /* The spectral range of a film that stores spectra, and how wavelengths are sampled: a fraction `share` of the samples is uniform in the
    range, the rest is uniform in the visible part outside it. In nm. */

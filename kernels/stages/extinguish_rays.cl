@@ -10,6 +10,7 @@ TRACING_STAGE(extinguish_rays, EXTINGUISH_RAYS) {
     medium_tables medium_set = BIND_MEDIA;
     color_tables color_set = BIND_COLORS;
     for (size_t i = first_slot; i < SLOTS_END; ++i) {
+        if (is_interrupted(stop)) return;
         if (LOAD_FIELD(ray, float, t_max, ray, capacity, i) < 0.0f) continue;
         if (LOAD_FIELD(ray, uint, medium, ray, capacity, i) == NONE) continue;
         extinguished e = extinguish_ray(medium_set, color_set, load_ray(ray, capacity, i), load_intersection(intersection, capacity, i));

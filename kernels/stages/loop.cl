@@ -69,7 +69,9 @@ FN void send_emission(destinations *to, emission_item e) {
     add_radiance(to->path, to->path_capacity, e.path, shade_emission(e));
 }
 FN scattering shade_pass(scene_tables scene, destinations *to, uint next_queue, hit_item h, uint pass) {
-    return shade_any(scene.lights, to->bsdfs, scene.colors, scene.frame, to->hit, to->capacity, to->slot, next_queue, h, pass);
+    scattering out = shade_any(scene.lights, to->bsdfs, scene.colors, scene.frame, to->hit, to->capacity, to->slot, next_queue, h, pass);
+    if (!may_scatter(scene.frame->max_depth, h.depth, h.within, h.uncounted)) out.ray.t_max = out.shadow.t_max = -1.0f;
+    return out;
 }
 FN void send_hit(scene_tables scene, destinations *to, uint next_queue, uint slot, hit_item h) {
     kept_albedo k = {uniform_spectrum(1.0f), 1};
@@ -116,7 +118,7 @@ TRACING_STAGE(loop, LOOP) {
         to.waiting[0] = started.ray;
         while (to.rays > 0) {
             ray_item r = to.waiting[--to.rays];
-            while (r.t_max >= 0.0f) {
+            while (r.t_max >= 0.0f && !is_interrupted(stop)) {
                 /* Where the ray ends */
                 intersection_item f = intersect_ray(scene.geometry, scene.tables, r);
                 exit_point_item exit = new_exit_point();

@@ -48,25 +48,19 @@ FN exposure expose(path_item p, sampled_wavelengths colors, __global const setti
 }
 
 FN film_item add_sample(film_item f, path_item p, rgb L, sampled_wavelengths colors, __global const settings *frame) {
-    rgb x = mul(L, p.weight);
-    compensated r = add_compensated(f.sum.r, f.compensation.r, x.r);
-    compensated g = add_compensated(f.sum.g, f.compensation.g, x.g);
-    compensated b = add_compensated(f.sum.b, f.compensation.b, x.b);
-    f.sum = make_rgb(r.sum, g.sum, b.sum);
-    f.compensation = make_rgb(r.compensation, g.compensation, b.compensation);
-    compensated w = add_compensated(f.weight, f.weight_excess, p.weight);
-    f.weight = w.sum;
-    f.weight_excess = w.compensation;
+    add_compensated(&f.sum, &f.compensation, mul(L, p.weight));
+    add_compensated(&f.weight, &f.weight_excess, p.weight);
     f = add_luminance(f, luminance(L), square(p.weight));
     f.count += 1;
-    if (HAS_AOVS) f.albedo = add(f.albedo, mul(color_seen(colors, frame->albedo_curves, p.albedo), p.weight));
+    if (HAS_AOVS)
+        add_compensated(&f.albedo, &f.albedo_compensation, mul(color_seen(colors, frame->albedo_curves, p.albedo), p.weight));
     f.normal = mul_add(p.normal, p.weight, f.normal);
     f.ng = mul_add(p.ng, p.weight, f.ng);
-    f.position = add(f.position, p.position);
-    f.uv = make_vec2(f.uv.x + p.uv.x, f.uv.y + p.uv.y);
-    f.opening = add(f.opening, p.opening);
-    f.closing = add(f.closing, p.closing);
-    f.distance += p.distance < FAR_AWAY ? p.distance : 0.0f;
+    add_compensated(&f.position, &f.position_compensation, p.position);
+    add_compensated(&f.uv, &f.uv_compensation, p.uv);
+    add_compensated(&f.opening, &f.opening_compensation, p.opening);
+    add_compensated(&f.closing, &f.closing_compensation, p.closing);
+    add_compensated(&f.distance, &f.distance_compensation, p.distance < FAR_AWAY ? p.distance : 0.0f);
     f.seen += p.distance < FAR_AWAY ? 1.0f : 0.0f;
     candidate object = vote(f.object, f.object_lead, p.object), material = vote(f.material, f.material_lead, p.material);
     f.object = object.id; f.object_lead = object.lead;
@@ -86,7 +80,7 @@ FN path_item gather_path(__global const settings *frame, __global const uint *pa
 }
 
 #define RESOLVE_FILM(TABLE, ARGUMENT) \
-    COLOR_TABLES(TABLE) \
+    COLOR_TABLES(TABLE) INTERRUPT_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, path) ARGUMENT(uint, first_path) \
     ARGUMENT(__global uint *, film) ARGUMENT(__global const layer_range *, block_layers) ARGUMENT(uint, block_log2_width) \
     ARGUMENT(uint, block_log2_height)
@@ -94,6 +88,8 @@ TRACING_STAGE(resolve_film, RESOLVE_FILM) {
     color_tables color_set = BIND_COLORS;
     uint log2_pixels = block_log2_width + block_log2_height;
     for (size_t pixel = first_slot; pixel < SLOTS_END; ++pixel) {
+        /* Paths may have been cut short. If not, no stage before this one has been */
+        if (is_interrupted(stop)) return;
         film_item f = load_film(film, count, pixel);
         layer_range range = block_layers[pixel >> log2_pixels];
         for (uint s = range.first; s < range.first + range.layers; ++s) {

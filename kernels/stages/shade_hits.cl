@@ -26,6 +26,10 @@ STAGE(shade_hits, SHADE_HITS) {
         BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
         /* Store the rays of SHADE_BSDF; for layered BSDFs, those with which the walks ended */
         shade_slot(light_set, color_set, frame, h, b, shading_pass, alive, next_ray, to, shadow, walk, capacity, i);
+        if (HAS_AOVS && !may_scatter(frame->max_depth, h.depth, h.within, h.uncounted)) {
+            STORE_FIELD(ray, float, t_max, next_ray, capacity, to, -1.0f);
+            STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
+        }
         if (HAS_AOVS && !BSDF_IS_DELTA && alive && !h.has_nonspecular_vertex)
             store_albedo(path, path_capacity, h, ALBEDO_BSDF(b));
     }

@@ -12,6 +12,7 @@ TRACING_STAGE(test_shadows, TEST_SHADOWS) {
     color_tables color_set = BIND_COLORS;
     uint tested = 0;
     for (size_t i = first_slot; i < SLOTS_END; ++i) {
+        if (is_interrupted(stop)) return;
         if (LOAD_FIELD(shadow, float, t_max, shadow, capacity, i) < 0.0f) continue;
         ++tested;
         shadow_item s = load_shadow(shadow, capacity, i);

@@ -41,7 +41,7 @@ TEST_P(Signals, LeaveTheImageSoFar) {
     EXPECT_GT(image("a.exr").color[6 * 16 + 8].r, 0.1f);
 }
 
-INSTANTIATE_TEST_SUITE_P(Cli, Signals, testing::Values(SIGINT, SIGTERM));
+INSTANTIATE_TEST_SUITE_P(Cli, Signals, testing::Values(SIGINT, SIGTERM, SIGHUP));
 
 /// As for a command that a script starts with `&`: Ctrl-C is meant for what is in front.
 TEST_F(Cli, ASignalThatIsIgnoredStaysIgnored) {

@@ -149,12 +149,13 @@ TEST(Medium, AnEvenGridIsHomogeneous) {
 }
 
 // Cells of density 1 and 0 with centres at z = -1/2 and 1/2, and nothing outside of the grid, between which density is interpolated (as in
-// pbrt-v4): along the axis it rises from 1/2 at z = -1 to 1 at -1/2 and falls to 0 at 1/2. Its integral is 3/8 + 1/2.
+// pbrt-v4): along the axis it rises from 1/2 at z = -1 to 1 at -1/2 and falls to 0 at 1/2. Its integral is 3/8 + 1/2. Two by two cells
+// across, so that it does not vary near the axis.
 TEST(Medium, AGridInterpolatesBetweenTheCentresOfItsCells) {
     expectRadiance(look(wall +
                         medium("step",
-                               everyColour + "\"integer nx\" 1 \"integer ny\" 1 \"integer nz\" 2 \"point3 p0\" [-1 -1 -1] \"point3 p1\" [1 "
-                                             "1 1] \"float density\" [1 0]",
+                               everyColour + "\"integer nx\" 2 \"integer ny\" 2 \"integer nz\" 2 \"point3 p0\" [-1 -1 -1] "
+                                             "\"point3 p1\" [1 1 1] \"float density\" [1 1 1 1 0 0 0 0]",
                                "uniformgrid") +
                         ball("step", "", 1.8)),
                    Le * transmittance({.2, .5, 1}, 0.875), 0.02);
@@ -234,12 +235,13 @@ TEST(VaryingMedia, WhatDoesNotVaryFollowsBeersLaw) {
                    expected, 0.03);
 }
 
-// Two samples along z, [6 3 1] and nothing, with their centres at -1/2 and 1/2, as in AGridInterpolatesBetweenTheCentresOfItsCells.
+// Two layers along z, [6 3 1] / 5 and nothing, with their centres at -1/2 and 1/2, as in AGridInterpolatesBetweenTheCentresOfItsCells.
 TEST(VaryingMedia, ColoursAreInterpolated) {
     expectRadiance(look(wall +
                         medium("step",
-                               "\"integer nz\" 2 \"point3 p0\" [-1 -1 -1] \"point3 p1\" [1 1 1] \"rgb sigma_a\" [1.2 .6 .2 0 0 0] \"rgb "
-                               "sigma_s\" [0 0 0 0 0 0]",
+                               "\"integer nx\" 2 \"integer ny\" 2 \"integer nz\" 2 \"point3 p0\" [-1 -1 -1] \"point3 p1\" [1 1 1] \"rgb "
+                               "sigma_a\" [1.2 .6 .2  1.2 .6 .2  1.2 .6 .2  1.2 .6 .2  0 0 0  0 0 0  0 0 0  0 0 0] \"rgb sigma_s\" " +
+                                   repeated("0 0 0", 8),
                                "rgbgrid") +
                         ball("step", "", 1.8)),
                    Le * transmittance({1.2, .6, .2}, 0.875), 0.03);

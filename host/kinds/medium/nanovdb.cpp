@@ -61,7 +61,7 @@ static medium pack(const MediumPacking& in, const Medium& d) {
         m.temperature = packGrid(tables, *temperature, temperature->voxelFromMedium * mediumFromBox);
         packBlackbodyEmission(in, d, m);
     }
-    packDensityMajorants(tables, m, {glm::length(voxelFromBox[0]), glm::length(voxelFromBox[1]), glm::length(voxelFromBox[2])});
+    packDensityCells(tables, m, {glm::length(voxelFromBox[0]), glm::length(voxelFromBox[1]), glm::length(voxelFromBox[2])});
     return m;
 }
 

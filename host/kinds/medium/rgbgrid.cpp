@@ -3,6 +3,8 @@
 #include "kinds/medium_packing.h"
 #include "kinds/medium_reading.h"
 
+#include <algorithm>
+
 namespace eikonal {
 
 static bool read(const pbrt::MediumReading& in, Medium& medium) {
@@ -60,6 +62,9 @@ static medium pack(const MediumPacking& in, const Medium& d) {
     m.first_sigma_s = packColors(in, grid.sigmaS, grid, false);
     m.first_Le = packColors(in, grid.Le, grid, true);
     if (m.first_Le != NONE) m.Le = in.colors.constant(d.emissionScale);
+    m.scatters &= m.first_sigma_s == NONE || std::ranges::any_of(grid.sigmaS, [](const glm::vec3& s) { return s != glm::vec3(0); });
+    m.cells_from_box = toAffine(voxelFromBox(grid.nx, grid.ny, grid.nz));
+    m.has_cells = 1;
     packColorMajorants(in, grid, m);
     return m;
 }

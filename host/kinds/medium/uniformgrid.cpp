@@ -34,7 +34,7 @@ static medium pack(const MediumPacking& in, const Medium& d) {
         m.temperature = packGrid(tables, d.temperature, voxelsFromBox);
         packBlackbodyEmission(in, d, m);
     }
-    packDensityMajorants(tables, m, {d.density.nx, d.density.ny, d.density.nz});
+    packDensityCells(tables, m, {d.density.nx, d.density.ny, d.density.nz});
     return m;
 }
 

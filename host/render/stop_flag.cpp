@@ -1,0 +1,46 @@
+#include "render/stop_flag.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
+namespace eikonal {
+
+/// How often a StopWatcher asks.
+constexpr std::chrono::milliseconds watchInterval(20);
+
+/// A page, since OpenCL implementations ask for alignment.
+struct alignas(4096) StopFlag::Word {
+    std::atomic<cl_uint> value = 0;
+    char rest[4096 - sizeof(cl_uint)] = {};
+};
+
+StopFlag::StopFlag(const Context& context)
+    : word_(std::make_shared<Word>()), buffer_(Buffer::over(context, word_.get(), sizeof(Word), "table stop")) {}
+
+void StopFlag::raise() const { word_->value = 1; }
+void StopFlag::lower() const { word_->value = 0; }
+bool StopFlag::isRaised() const { return word_->value != 0; }
+
+StopWatcher::StopWatcher(const StopFlag& flag, std::function<bool()> isDue) : flag_(flag) {
+    if (!isDue) return;
+    thread_ = std::jthread([&flag, isDue = std::move(isDue)](const std::stop_token& ended) {
+        std::mutex mutex;
+        std::condition_variable_any end;
+        std::unique_lock lock(mutex);
+        while (!isDue())
+            if (end.wait_for(lock, ended, watchInterval, [&] { return ended.stop_requested(); })) return;
+        flag.raise();
+    });
+}
+
+StopWatcher::~StopWatcher() {
+    if (thread_.joinable()) {
+        thread_.request_stop();
+        thread_.join();
+    }
+    flag_.lower();
+}
+
+}  // namespace eikonal
