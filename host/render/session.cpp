@@ -168,6 +168,8 @@ void Session::prepare() {
     times_.firstRay = secondsSinceStart();
 }
 
+uint Session::unresolvedRays() const { return deviceScene_->unresolvedRays(*context_); }
+
 void Session::survey() {
     surveyEnvironment(*context_, *deviceScene_, packed_, *stages_, shape_);
     chosenRoulette_ = pilotRoulette(*context_, *deviceScene_, packed_, *wave_);
