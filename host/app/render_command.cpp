@@ -85,6 +85,14 @@ void reportShortfall(const Options& o, const Film::Samples& samples, const Film:
                             invalid.y));
 }
 
+/// Reports the rays at implicit surfaces whose hits are a guess.
+void reportUnresolvedRays(uint count, Diagnostics& diagnostics) {
+    if (count)
+        diagnostics.warn({}, fmt::format("{} ray{} at an implicit surface ran out of splits, so parts of that surface may be missing; "
+                                         "use a smaller box or a simpler F",
+                                         count, count == 1 ? "" : "s"));
+}
+
 Metadata metadataOf(const Options& o, const Session& session, const Film::Samples& samples, double seconds, const std::string& hash) {
     Metadata m;
     m.samples = static_cast<int>(samples.fewest);
@@ -158,6 +166,7 @@ int renderCommand(const Options& o) {
     const int endedBy = result.isFinished ? 0 : Interrupt::signal();
     const Film::Samples samples = film->samples();
     reportShortfall(o, samples, film->invalid(), result, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
+    reportUnresolvedRays(session.unresolvedRays(), diagnostics);
 
     const Stopwatch writeTime;
     FilmImage image = session.develop(*film);

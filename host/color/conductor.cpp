@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <optional>
 
 namespace eikonal {
 namespace {
@@ -82,10 +83,19 @@ glm::dvec2 fit(const Reflectances& target) {
     return refine(target, best);
 }
 
+/// The value of a spectrum that is the same at all wavelengths.
+std::optional<double> flatValue(const Spectrum& spectrum) {
+    if (spectrum.isFlat()) return spectrum.value();
+    const DenseCurve curve = spectrum.dense();
+    const auto [least, most] = std::minmax_element(curve.begin(), curve.end());
+    return *most - *least <= 1e-12 * *most ? std::optional(*least) : std::nullopt;
+}
+
 }  // namespace
 
 ConductorIndices conductorIndices(const Spectrum& eta, const Spectrum& k) {
-    if (eta.isConstant() && k.isConstant()) return {glm::dvec3(eta.value()), glm::dvec3(k.value())};
+    /* The fit is accurate to an absolute error, which is not enough for a metal that hardly reflects */
+    if (const auto flatEta = flatValue(eta), flatK = flatValue(k); flatEta && flatK) return {glm::dvec3(*flatEta), glm::dvec3(*flatK)};
     const auto colors = colorsOfMetal(eta.dense(), k.dense());
     ConductorIndices result;
     for (int channel = 0; channel < 3; ++channel) {

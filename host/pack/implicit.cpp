@@ -9,6 +9,8 @@ namespace {
 
 /// Values beyond this count as infinite on the device (kernels/shape/wide_range.clh).
 constexpr double largest = 1e37;
+/// The largest integer exponent that is raised by multiplication, whose roundings then change the power by at most a quarter.
+constexpr double largestIntegerPower = 1 << 21;
 
 /// An instruction before register allocation: values are numbered, beginning with x, y and z.
 struct Step { implicit_operation operation; int a = -1, b = -1; double number = 0; unsigned exponent = 0; };
@@ -68,7 +70,7 @@ private:
         if (exponent == 1) return a;
         if (exponent == 2) return unary(implicit_square, a);
         if (exponent == 0.5) return unary(implicit_sqrt, a);
-        if (exponent == std::floor(exponent) && exponent <= 1024)
+        if (exponent == std::floor(exponent) && exponent <= largestIntegerPower)
             return step({implicit_integer_power, a, -1, 0, static_cast<unsigned>(exponent)});
         return step({implicit_power, a, -1, exponent});
     }

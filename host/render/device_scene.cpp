@@ -13,6 +13,14 @@ DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : sto
     SCENE_TABLES(UPLOAD_TABLE)
 #undef UPLOAD_TABLE
     bindings_.set("stop", stopFlag_.buffer());
+    /* The only table that kernels write */
+    replace(context, "unresolved_rays", std::vector<uint>{0});
+}
+
+uint DeviceScene::unresolvedRays(const Context& context) const {
+    uint count = 0;
+    buffers_.at("unresolved_rays").read(context, &count, sizeof count);
+    return count;
 }
 
 void DeviceScene::setFrame(const Context& context, const settings& frame) { buffers_.at("frame").write(context, &frame, sizeof frame); }

@@ -26,6 +26,8 @@ public:
     /// Read by every launch with bindings().
     const StopFlag& stopFlag() const { return stopFlag_; }
     size_t bytes() const { return bytes_; }
+    /// How many rays at implicit surfaces have run out of splits so far (kernels/shape/implicit.clh). Blocks.
+    uint unresolvedRays(const Context& context) const;
     /// Replaces the scene's settings by `frame` for later launches. Blocks.
     void setFrame(const Context& context, const settings& frame);
 

@@ -179,6 +179,8 @@ void Session::prepare() {
     times_.firstRay = secondsSinceStart();
 }
 
+uint Session::unresolvedRays() const { return deviceScene_->unresolvedRays(*context_); }
+
 void Session::survey(const std::function<bool()>& abandon) {
     const StopWatcher watcher(deviceScene_->stopFlag(), abandon);
     surveyEnvironment(*context_, *deviceScene_, packed_, *stages_, shape_);

@@ -75,6 +75,9 @@ public:
     Roulette roulette() const { return chosenRoulette_.value_or(packed_.roulette.value_or(Roulette())); }
     bool isRouletteChosen() const { return chosenRoulette_.has_value(); }
 
+    /// How many rays at implicit surfaces have run out of splits so far. After prepare(). Blocks.
+    uint unresolvedRays() const;
+
     /// The image that the film has now, exposed as the scene's film is.
     FilmImage develop(const Film& film) const;
 

@@ -69,6 +69,40 @@ TEST(Fresnel, ConductorIsAccurate) {
     }
 }
 
+/// Reflectance in long double, as the difference of products that cancels where the index is close to 1; there its 64 bits leave at least
+/// 64 - 2 * 20 of them for an index within 1e-6 of 1.
+long double longReflectance(long double c, std::complex<long double> n) {
+    const std::complex<long double> w = std::sqrt(n * n - (1 - c * c));
+    const auto parallel = (n * n * c - w) / (n * n * c + w), perpendicular = (c - w) / (c + w);
+    return (std::norm(parallel) + std::norm(perpendicular)) / 2;
+}
+
+/// An index 1 + x + i y with x and y from 1e-6 up, or 0, seen from outside: about 20 roundings of 2^-24, none of them amplified.
+TEST(Fresnel, IndicesCloseToOneKeepTheirRelativeAccuracy) {
+    const DeviceFunction<Fresnel> function(
+        {.include = "bsdf/fresnel.clh",
+         .type = "fresnel",
+         .body = "result.dielectric = fresnel_dielectric(cosine, eta); result.conductor = fresnel_conductor(cosine, eta, k);",
+         .inputs = {"float cosine", "float eta", "float k"},
+         .declarations = "typedef struct { float dielectric, conductor; } fresnel;"});
+    Inputs in;
+    Random random(33);
+    for (int i = 0; i < 20000; ++i) {
+        const float cosines[] = {1e-6f, 1e-3f, 0.5f, 1};
+        const auto offset = [&] { return random.below(4) ? std::pow(10.0f, random.between(-6, 0.5f)) : 0.0f; };
+        in.cosine.push_back(random.below(4) ? random.between(0, 1) : cosines[random.below(4)]);
+        in.eta.push_back(1 + offset());
+        in.k.push_back(offset());
+    }
+    const auto results = function(in.cosine, in.eta, in.k);
+    for (size_t i = 0; i < results.size(); ++i) {
+        const long double c = in.cosine[i], metal = longReflectance(c, {in.eta[i], in.k[i]}), glass = longReflectance(c, {in.eta[i], 0});
+        const auto where = testing::Message() << "cosine " << in.cosine[i] << " eta " << in.eta[i] << " k " << in.k[i];
+        ASSERT_NEAR(results[i].conductor, static_cast<double>(metal), static_cast<double>(metal) * 20 / (1 << 24) + 1e-19) << where;
+        ASSERT_NEAR(results[i].dielectric, static_cast<double>(glass), static_cast<double>(glass) * 20 / (1 << 24) + 1e-19) << where;
+    }
+}
+
 /// What passes of diffuse light is the mean of 1 - F over the cosine-weighted hemisphere, here by Simpson's rule.
 TEST(Fresnel, DiffuseTransmittanceIsTheMean) {
     const DeviceFunction<float> function(

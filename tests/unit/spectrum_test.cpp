@@ -253,6 +253,9 @@ TEST(ConductorIndices, OfConstantsAreThemselves) {
     const ConductorIndices indices = conductorIndices(Spectrum::constant(.2), Spectrum::constant(4));
     EXPECT_EQ(indices.eta, glm::dvec3(.2));
     EXPECT_EQ(indices.k, glm::dvec3(4));
+    const ConductorIndices grey = conductorIndices(Spectrum::rgb(glm::dvec3(1.0001)), Spectrum::sampled({{300, 900}, {1e-4, 1e-4}}));
+    EXPECT_EQ(grey.eta, glm::dvec3(1.0001));
+    expectNear(grey.k, glm::dvec3(1e-4), 1e-15);
 }
 
 // Colours near grey stay nearly themselves, since their smooth spectra are nearly flat.

@@ -8,7 +8,7 @@
 namespace eikonal {
 
 static bool read(const pbrt::ShapeReading& in, pbrt::PendingShape& pending) {
-    pending.shape.implicit = std::make_shared<const ImplicitSurface>(pbrt::readImplicit(in.arguments));
+    pending.shape.implicit = std::make_shared<const ImplicitSurface>(pbrt::readImplicit(in.reading, in.arguments));
     return true;
 }
 

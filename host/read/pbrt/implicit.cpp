@@ -2,9 +2,25 @@
 
 #include "read/formats/expression.h"
 
+#include <fmt/format.h>
+
 namespace eikonal::pbrt {
 
-ImplicitSurface readImplicit(const Arguments& arguments) {
+/// Details smaller than this, relative to the largest coordinate of the box, are lost (IMPLICIT_RESOLUTION, kernels/shape/implicit.clh).
+constexpr double resolution = 0x1p-21;
+/// A box at least this many times as far from the origin as it is large is worth a warning.
+constexpr double farAway = 32;
+
+static void warnOfDistance(Reading& reading, const SourceLocation& where, const ImplicitSurface& surface) {
+    const glm::dvec3 reach = glm::max(glm::abs(surface.low), glm::abs(surface.high)), size = surface.high - surface.low;
+    const double largest = std::max({reach.x, reach.y, reach.z}), longest = std::max({size.x, size.y, size.z});
+    if (largest >= farAway * longest)
+        reading.diagnostics.warn(where, fmt::format("the box is {:.0f} times as far from the origin as it is large: details smaller than "
+                                                    "{:.1g} are lost; write F near the origin and move the shape by a transform",
+                                                    largest / longest, largest * resolution));
+}
+
+ImplicitSurface readImplicit(Reading& reading, const Arguments& arguments) {
     const std::string title = arguments.kind().title();
     if (!arguments.has("F")) throw SceneError(arguments.where(), title + " needs its function, as in \"string F\" \"x^2 + y^2 + z^2 - 1\"");
     std::map<std::string, double> constants;
@@ -24,6 +40,7 @@ ImplicitSurface readImplicit(const Arguments& arguments) {
         if (!(surface.low[c] < surface.high[c]))
             throw SceneError(arguments.whereOf("bounds"),
                              "\"point3 bounds\" is a box without volume: both corners have the same " + std::string(1, "xyz"[c]));
+    warnOfDistance(reading, arguments.whereOf("bounds"), surface);
     return surface;
 }
 

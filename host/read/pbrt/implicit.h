@@ -6,6 +6,6 @@
 namespace eikonal::pbrt {
 
 /// Throws SceneError for an invalid expression, with the column in it, and for invalid bounds.
-ImplicitSurface readImplicit(const Arguments& arguments);
+ImplicitSurface readImplicit(Reading& reading, const Arguments& arguments);
 
 }  // namespace eikonal::pbrt
