@@ -10,7 +10,7 @@ namespace eikonal {
 
 std::optional<glm::dvec2> pixelOf(const PackedScene& scene, glm::dvec3 p) {
     const camera& view = scene.frame().view;
-    const std::optional<glm::dvec2> screen = kindOf(view).traits.project(scene, p);
+    const std::optional<glm::dvec2> screen = kindOf(view).traits.project(scene, p / scene.cameraUnit);
     if (!screen) return std::nullopt;
     return (*screen - glm::dvec2(view.screen_x, view.screen_y)) / glm::dvec2(view.step_x, view.step_y);
 }

@@ -42,20 +42,24 @@ void addVertices(const ShapePacking& in) {
     }
 }
 
-size_t addInObjectSpace(const ShapePacking& in, object_space q, bool flips) {
+size_t addInObjectSpace(const ShapePacking& in, object_space q, bool flips, double unit) {
     if (in.description.reverseOrientation != flips) in.packed.flags |= shape_reversed;
     in.packed.object_space = static_cast<uint>(in.tables.object_spaces.size());
-    q.scene_from_object = toAffine(in.m);
-    q.object_from_scene = toAffine(glm::inverse(in.m));
+    glm::dmat4 fromUnits(unit);
+    fromUnits[3] = {0, 0, 0, 1};
+    q.scene_from_object = toAffine(in.m * fromUnits);
+    q.object_from_scene = toAffine(glm::inverse(in.m * fromUnits));
     in.tables.object_spaces.push_back(q);
     addBox(in.group, in.description.kind->traits.bound(in.description, in.m), in.packed.first_element);
     return 1;
 }
 
+double unitOfRound(const ShapePacking& in) { return std::ldexp(1.0, std::ilogb(in.description.radius)); }
+
 object_space newRound(const ShapePacking& in) {
     ++in.counts.quadrics;
     object_space q{};
-    q.radius = static_cast<float>(in.description.radius);
+    q.radius = static_cast<float>(in.description.radius / unitOfRound(in));
     q.phi_max = static_cast<float>(glm::radians(std::clamp(in.description.phiMax, 0.0, 360.0)));
     return q;
 }

@@ -23,12 +23,16 @@ struct ShapePacking {
 /// Adds the vertices and indices of the shape's mesh to the tables.
 void addVertices(const ShapePacking&);
 
-/// Adds the shape's only element, and q with the transforms from and to object space. `flips`: whether m flips the normal. Returns 1.
-size_t addInObjectSpace(const ShapePacking&, object_space q, bool flips);
+/// Adds the shape's only element, and q with the transforms from and to object space, whose unit is `unit` on the device. `flips`: whether m
+/// flips the normal. Returns 1.
+size_t addInObjectSpace(const ShapePacking&, object_space q, bool flips, double unit = 1);
 /// Whether m flips normals that are computed in object space. As in pbrt-v4, the shape's own transform does so if it mirrors, an
 /// instance's transform does not.
 inline bool isMirrored(const ShapePacking& in) { return swapsHandedness(in.m) != in.instanceSwaps; }
 
+/// The unit of the object space of a sphere, disk or cylinder on the device: a power of two by which the radius is in [1, 2), so that its
+/// square neither overflows nor vanishes.
+double unitOfRound(const ShapePacking&);
 /// An object space with the radius and phiMax of a sphere, disk or cylinder.
 object_space newRound(const ShapePacking&);
 

@@ -26,25 +26,38 @@ PixelRect renderedPixels(const FilmDescription& film, Diagnostics& diagnostics) 
     return clipped;
 }
 
-/// The motion of the camera in world space.
-static Motion motionOf(const CameraDescription& description) {
-    return {description.worldFromCamera, description.worldFromCameraAtEnd.value_or(description.worldFromCamera)};
+double cameraUnit(const PackContext& context) {
+    const double length = context.space.scale * glm::length(transformVector(context.scene.camera.worldFromCamera, {0, 0, 1}));
+    return length > 0 && std::isfinite(length) ? std::ldexp(1.0, -std::ilogb(length)) : 1;
 }
 
-void packCamera(const CameraPacking& in, camera& view) {
-    const PackContext& context = in.context;
+/// A transform from camera space, as one from the device's camera space.
+static glm::dmat4 fromUnits(const glm::dmat4& fromCamera, double unit) {
+    glm::dmat4 scale(unit);
+    scale[3] = {0, 0, 0, 1};
+    return fromCamera * scale;
+}
+/// The motion of the camera in world space, from the device's camera space.
+static Motion motionOf(const CameraDescription& description, double unit) {
+    return {fromUnits(description.worldFromCamera, unit),
+            fromUnits(description.worldFromCameraAtEnd.value_or(description.worldFromCamera), unit)};
+}
+
+void packCamera(const CameraPacking& all, camera& view) {
+    const PackContext& context = all.context;
+    const CameraPacking in{context, all.tables, cameraUnit(context)};
     const CameraDescription& description = context.scene.camera;
     const CameraKind& kind = kindOf(description);
     view.kind = kind.value;
     context.require(kind.feature, description.where.toString());
-    view.scene_from_camera = toAffine(context.space.sceneFromWorld() * description.worldFromCamera);
+    view.scene_from_camera = toAffine(context.space.sceneFromWorld() * fromUnits(description.worldFromCamera, in.unit));
     view.times = shutterOf(context.scene);
     if (description.worldFromCameraAtEnd) {
         context.require(Feature::CAMERA_MOTION, description.where.toString());
-        view.moving = motionOf(description).pack(context.space, {});
+        view.moving = motionOf(description, in.unit).pack(context.space, {});
     }
-    view.lens_radius = static_cast<float>(description.lensRadius);
-    view.focal_distance = static_cast<float>(description.focalDistance);
+    view.lens_radius = static_cast<float>(description.lensRadius / in.unit);
+    view.focal_distance = static_cast<float>(description.focalDistance / in.unit);
     view.medium = description.medium == none ? NONE : static_cast<uint>(description.medium);
     if (description.lensRadius > 0 && kind.traits.hasThinLens) context.require(Feature::LENS, description.where.toString());
     kind.traits.pack(in, description, view);
@@ -76,7 +89,7 @@ void packFilter(const CameraPacking& in, filter& packed) {
 }
 
 std::array<glm::dmat4, 3> cameraFromScene(const PackContext& context) {
-    const Motion way = motionOf(context.scene.camera);
+    const Motion way = motionOf(context.scene.camera, 1);
     const TimeSpan seen = timesSeen(context.scene);
     const auto at = [&](double time) { return glm::inverse(context.space.sceneFromWorld() * way.at(time)); };
     return {at(seen.from), at((seen.from + seen.to) / 2), at(seen.to)};

@@ -113,6 +113,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     packed.worldCenter = context.space.center;
     packed.pixels = renderedPixels(scene.film, diagnostics);
     packed.cameraFromScene = cameraFromScene(context);
+    packed.cameraUnit = cameraUnit(context);
     packed.samples = scene.sampler.pixelSamples;
     packed.roulette = scene.integrator.roulette;
     packed.isAlwaysGuided = scene.integrator.environmentGuide == EnvironmentGuide::always;

@@ -82,6 +82,7 @@ struct PackedScene : RequiredFeatures {
     glm::dvec3 worldCenter{0};               ///< the origin of scene space, world space
     std::array<glm::dmat4, 3> cameraFromScene{glm::dmat4(1), glm::dmat4(1),
                                               glm::dmat4(1)};  ///< when the shutter opens, in the middle, and when it closes
+    double cameraUnit = 1;                   ///< camera space units in one unit of the device's camera space
     SceneCounts counts;
 
     const settings& frame() const { return tables.frame.front(); }

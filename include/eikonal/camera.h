@@ -8,7 +8,7 @@ CONTRACT_BEGIN
 /* Number of film intervals with their own exit-pupil bounds; they divide the distance from the film's centre to its corner. */
 #define PUPIL_INTERVALS 64
 
-/* One interface of a realistic lens, in the order of rays from the film. The film is at z = 0, +z points to the scene; metres. */
+/* One interface of a realistic lens, in the order of rays from the film. The film is at z = 0, +z points to the scene; camera space. */
 typedef struct {
     float z;                       /* z of its vertex */
     float radius;                  /* of curvature, for rays from the scene: > 0 is convex; 0: the aperture stop */
@@ -17,12 +17,13 @@ typedef struct {
 } lens_element;
 
 /* The exit pupil seen from the film points of one interval, for points on the positive x axis: a rectangle on the plane of the rear lens
-   element. Empty if low_x > high_x. Metres. */
+   element. Empty if low_x > high_x. Camera space. */
 typedef struct { float low_x, low_y, high_x, high_y; } pupil_bounds;
 
-/* A film plane in front of the eye. Screen x points right and y up; camera space looks along +z. Screen space by kind:
+/* A film plane in front of the eye. Screen x points right and y up; camera space looks along +z, and its unit is about that of scene
+   space (host/pack/camera.h). Screen space by kind:
      perspective   the plane z = 1        orthographic   the plane z = 0        spherical   the unit square of its mapping, y down
-     realistic     the film itself, whose image is upside down and mirrored, metres */
+     realistic     the film itself, whose image is upside down and mirrored, camera space */
 typedef struct {
     uint kind;                     /* enum camera_kind */
     affine scene_from_camera;      /* of a moving camera: at the start of all motion */
@@ -34,8 +35,8 @@ typedef struct {
     float focal_distance;          /* along z, camera space */
     uint equal_area;               /* spherical: 1: equal-area mapping (Clarberg 2008), 0: equirectangular mapping */
     uint element_count;            /* realistic: in `lens_elements`, from film to scene */
-    float rear_z;                  /* realistic: vertex of the rear element, metres */
-    float film_radius;             /* realistic: half the film's diagonal, metres */
+    float rear_z;                  /* realistic: vertex of the rear element, camera space */
+    float film_radius;             /* realistic: half the film's diagonal, camera space */
     uint aperture_width, aperture_height; /* realistic: size of the image in `aperture_texels`; 0: a round stop */
     uint medium;                   /* medium around the camera, or NONE */
 } camera;

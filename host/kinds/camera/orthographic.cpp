@@ -5,7 +5,7 @@
 namespace eikonal {
 
 static void pack(const CameraPacking& in, const CameraDescription& description, camera& view) {
-    packScreen(in.context, description, 1, view);
+    packScreen(in.context, description, 1 / in.unit, view);
 }
 
 static std::optional<glm::dvec2> project(const PackedScene&, glm::dvec3 p) { return p.z > 0 ? std::optional(glm::dvec2(p)) : std::nullopt; }

@@ -31,6 +31,19 @@ static void read(const pbrt::CameraReading& in, CameraDescription& camera) {
     in.reading.scene.images.push_back(file);
 }
 
+/// The tables of the lens, whose lengths are metres there and the camera's unit here.
+static void packLens(const LensSystem& lens, const CameraPacking& in, camera& view) {
+    const auto metre = static_cast<float>(1 / in.unit);
+    in.tables.lens_elements = lens.elements();
+    in.tables.pupils = lens.pupils();
+    for (lens_element& e : in.tables.lens_elements)
+        for (float* length : {&e.z, &e.radius, &e.aperture}) *length *= metre;
+    for (pupil_bounds& b : in.tables.pupils)
+        for (float* length : {&b.low_x, &b.low_y, &b.high_x, &b.high_y}) *length *= metre;
+    view.element_count = static_cast<uint>(in.tables.lens_elements.size());
+    view.rear_z = static_cast<float>(lens.rearZ() / in.unit);
+}
+
 static void pack(const CameraPacking& in, const CameraDescription& description, camera& view) {
     const FilmDescription& film = in.context.scene.film;
     CameraTables& tables = in.tables;
@@ -38,11 +51,9 @@ static void pack(const CameraPacking& in, const CameraDescription& description, 
     const LensSystem lens(description, film.diagonal);
     if (lens.stopIsTooWide())
         in.context.diagnostics.warn(description.where, "the aperture is larger than the lens's stop; it is clamped to the stop");
-    tables.lens_elements = lens.elements();
-    tables.pupils = lens.pupils();
-    view.element_count = static_cast<uint>(tables.lens_elements.size());
-    view.rear_z = static_cast<float>(lens.rearZ());
-    view.film_radius = static_cast<float>(film.diagonal / 2000);
+    packLens(lens, in, view);
+    const double diagonal = film.diagonal / in.unit;
+    view.film_radius = static_cast<float>(diagonal / 2000);
 
     const bool hasImage = description.aperture == ApertureShape::image;
     const ApertureTexels aperture =
@@ -53,7 +64,7 @@ static void pack(const CameraPacking& in, const CameraDescription& description, 
     view.aperture_height = static_cast<uint>(aperture.height);
 
     /* The image is upside down and mirrored on the film: pixel (0, 0) lies at positive x, negative y */
-    const double width = film.diagonal / 1000 / std::hypot(1.0, static_cast<double>(film.height) / film.width), pixel = width / film.width;
+    const double width = diagonal / 1000 / std::hypot(1.0, static_cast<double>(film.height) / film.width), pixel = width / film.width;
     view.screen_x = static_cast<float>(width / 2);
     view.screen_y = static_cast<float>(-pixel * film.height / 2);
     view.step_x = static_cast<float>(-pixel);

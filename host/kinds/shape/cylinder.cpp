@@ -30,9 +30,10 @@ static Box bound(const Shape& s, const glm::dmat4& m) {
 
 static size_t pack(const ShapePacking& in) {
     object_space q = newRound(in);
-    q.z_min = static_cast<float>(in.description.zMin);
-    q.z_max = static_cast<float>(in.description.zMax);
-    return addInObjectSpace(in, q, isMirrored(in));
+    const double unit = unitOfRound(in);
+    q.z_min = static_cast<float>(in.description.zMin / unit);
+    q.z_max = static_cast<float>(in.description.zMax / unit);
+    return addInObjectSpace(in, q, isMirrored(in), unit);
 }
 
 static light_kind lightKindOf(const Shape&, const glm::dmat4&) { return kind_cylinder_light; }

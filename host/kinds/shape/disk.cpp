@@ -23,9 +23,10 @@ static Box bound(const Shape& s, const glm::dmat4& m) {
 
 static size_t pack(const ShapePacking& in) {
     object_space q = newRound(in);
-    q.inner_radius = static_cast<float>(in.description.innerRadius);
-    q.z_min = q.z_max = static_cast<float>(in.description.height);
-    return addInObjectSpace(in, q, isMirrored(in));
+    const double unit = unitOfRound(in);
+    q.inner_radius = static_cast<float>(in.description.innerRadius / unit);
+    q.z_min = q.z_max = static_cast<float>(in.description.height / unit);
+    return addInObjectSpace(in, q, isMirrored(in), unit);
 }
 
 static light_kind lightKindOf(const Shape&, const glm::dmat4&) { return kind_disk_light; }

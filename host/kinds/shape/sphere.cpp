@@ -25,9 +25,10 @@ static Box bound(const Shape& s, const glm::dmat4& m) {
 static size_t pack(const ShapePacking& in) {
     const Shape& s = in.description;
     object_space q = newRound(in);
-    q.z_min = static_cast<float>(std::clamp(std::min(s.zMin, s.zMax), -s.radius, s.radius));
-    q.z_max = static_cast<float>(std::clamp(std::max(s.zMin, s.zMax), -s.radius, s.radius));
-    return addInObjectSpace(in, q, isMirrored(in));
+    const double unit = unitOfRound(in);
+    q.z_min = static_cast<float>(std::clamp(std::min(s.zMin, s.zMax), -s.radius, s.radius) / unit);
+    q.z_max = static_cast<float>(std::clamp(std::max(s.zMin, s.zMax), -s.radius, s.radius) / unit);
+    return addInObjectSpace(in, q, isMirrored(in), unit);
 }
 
 /// A full sphere that is not stretched is sampled by the cone that it subtends; any other as an ellipsoid.
