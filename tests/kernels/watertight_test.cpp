@@ -52,5 +52,32 @@ TEST(Watertight, NoRayEscapesAClosedMesh) {
     }
 }
 
+/// Needles: the same meshes, squeezed to as little as a millionth across x. Rays from inside, half of them in all directions and half
+/// squeezed like the needle, meet triangles at all angles, where the products of an edge function nearly cancel.
+TEST(Watertight, NoRayEscapesANeedle) {
+    for (float squeeze : {1e-4f, 1e-5f, 1e-6f})
+        for (bool round : {true, false}) {
+            const std::shared_ptr<Mesh> mesh = closedMesh(4, round);
+            for (glm::vec3& p : mesh->positions) p *= glm::vec3(1, squeeze, squeeze);
+            Scene scene;
+            scene.shapes.push_back(triangleMesh(mesh));
+            const PackedScene packed = pack(scene);
+            float length = 0;
+            for (const vec3& p : packed.tables.positions) length = std::max(length, p.x);
+            const float across = length * squeeze;
+            Random random(69);
+            std::vector<Ray> rays;
+            for (int i = 0; i < 500000; ++i) {
+                const vec3 o = random.box(0.15f), w = random.box(1);
+                const float thin = i % 2 ? across / length : 1;
+                const glm::vec3 d = glm::normalize(glm::vec3(w.x, w.y * thin, w.z * thin));
+                rays.push_back({{o.x * length, o.y * across, o.z * across}, {d.x, d.y, d.z}});
+            }
+            size_t escaped = 0;
+            for (const Hit& h : trace(packed, rays)) escaped += h.element == NONE;
+            EXPECT_EQ(escaped, 0u) << "of " << rays.size() << " from a needle of 1 : " << squeeze;
+        }
+}
+
 }  // namespace
 }  // namespace eikonal
