@@ -5,6 +5,7 @@
 #include "pack/light_tree.h"
 
 #include <algorithm>
+#include <span>
 
 namespace eikonal {
 
@@ -28,11 +29,10 @@ public:
         /* An item carries the direction of at most one light with a portal */
         const bool looksAtAll =
             context_.scene.integrator.kind->splitsRays && powers_.size() <= MOST_TREE_LIGHTS && !context_.has(Feature::PORTALS);
-        const auto sampled = std::count_if(powers_.begin(), powers_.end(), [](double p) { return p > 0; });
-        const bool many = sampled > static_cast<std::ptrdiff_t>(fewLights);
-        if (!looksAtAll && (asked == LightSampler::bvh || (asked == LightSampler::automatic && many))) { makeTree(); return; }
+        if (!looksAtAll && (asked == LightSampler::bvh || (asked == LightSampler::automatic && wantsTree()))) { makeTree(); return; }
         if (asked == LightSampler::uniform) weighAlike();
         else weighInfiniteLights();
+        raiseLeast();
         tables_.light_aliases = makeAliasTable(powers_);
         for (size_t i = 0; i < powers_.size(); ++i) tables_.lights[i].pmf = tables_.light_aliases[i].pmf;
         if (looksAtAll) {
@@ -49,6 +49,29 @@ private:
         for (size_t i = 0; i < firstInfinite_; ++i) finite += powers_[i];
         for (size_t i = firstInfinite_; i < powers_.size(); ++i)
             if (powers_[i] > 0) powers_[i] = finite > 0 ? finite : 1;
+    }
+
+    /// The tree pays if lights are many, or so different that power leaves one of them less than the least share.
+    bool wantsTree() const {
+        const auto sampled = std::ranges::count_if(powers_, [](double p) { return p > 0; });
+        if (sampled > static_cast<std::ptrdiff_t>(fewLights)) return true;
+        const std::span finite = std::span(powers_).first(firstInfinite_);
+        const double least = leastPower(finite);
+        return std::ranges::any_of(finite, [&](double p) { return p > 0 && p < least; });
+    }
+
+    /// The least share of the total, which no light falls short of.
+    static double leastPower(std::span<const double> powers) {
+        double total = 0, count = 0;
+        for (double p : powers) { total += p; count += p > 0; }
+        return count > 0 ? double{LEAST_SHARE} * total / count : 0;
+    }
+
+    /// Power does not tell which lights are hidden, and a light that lights an image alone must be sampled however strong the others are.
+    void raiseLeast() {
+        const double least = leastPower(powers_);
+        for (double& p : powers_)
+            if (p > 0) p = std::max(p, least);
     }
 
     /// All lights have the same probability.

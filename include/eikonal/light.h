@@ -51,6 +51,9 @@ CONTRACT_BEGIN
 #define LIGHT_MEMBER(type, name) type name;
 typedef struct { LIGHT_FIELDS(LIGHT_MEMBER) } light;
 
+/* Of several lights to choose from, each has at least this share of its probability under uniform choice. */
+#define LEAST_SHARE 0.05f
+
 /* An entry of an alias table (Vose 1991): keep this one with probability `keep`, else take `other`. */
 typedef struct {
     float keep;
