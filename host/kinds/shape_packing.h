@@ -23,8 +23,8 @@ struct ShapePacking {
 /// Adds the vertices and indices of the shape's mesh to the tables.
 void addVertices(const ShapePacking&);
 
-/// Adds the shape's only element, and q with the transforms from and to object space, whose unit is `unit` on the device. `flips`: whether m
-/// flips the normal. Returns 1.
+/// Adds the shape's only element, and q with the transforms from and to object space, whose unit is `unit` on the device. `flips`: whether
+/// m flips the normal. Returns 1.
 size_t addInObjectSpace(const ShapePacking&, object_space q, bool flips, double unit = 1);
 /// Whether m flips normals that are computed in object space. As in pbrt-v4, the shape's own transform does so if it mirrors, an
 /// instance's transform does not.

@@ -17,7 +17,11 @@ struct alignas(4096) StopFlag::Word {
 };
 
 StopFlag::StopFlag(const Context& context)
-    : word_(std::make_shared<Word>()), buffer_(Buffer::over(context, word_.get(), sizeof(Word), "table stop")) {}
+    : word_(std::make_shared<Word>()), buffer_(Buffer::over(context, word_.get(), sizeof(Word), "table stop")) {
+    /* Oclgrind does not count memory of the host as initialised */
+    const cl_uint zero = 0;
+    buffer_.write(context, &zero, sizeof zero);
+}
 
 void StopFlag::raise() const { word_->value = 1; }
 void StopFlag::lower() const { word_->value = 0; }

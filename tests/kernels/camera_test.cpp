@@ -41,7 +41,7 @@ std::vector<CameraSample> drawRays(const std::string& head, uint x, uint y, size
     for (const CameraResult& r : results) {
         EXPECT_NEAR(dot(r.d, r.d), 1, 1e-5);
         const glm::dvec3 o = inverse * glm::dvec4(r.o.x, r.o.y, r.o.z, 1), d = inverse * glm::dvec4(r.d.x, r.d.y, r.d.z, 0);
-        rays.push_back({o, d / d.z, static_cast<double>(r.weight), d});
+        rays.push_back({o * scene.cameraUnit, d / d.z, static_cast<double>(r.weight), d});
     }
     return rays;
 }
@@ -165,17 +165,20 @@ TEST(Camera, RealisticRaysGoThroughEachElement) {
     const auto film = generate(n, [&] { return vec2{random.between(-0.014f, 0.014f), random.between(-0.0105f, 0.0105f)}; });
     const auto u = generate(n, [&] { return random.square(); });
     const DeviceScene onDevice(testContext(), scene);
-    const auto results = function.with(onDevice, film, u);
+    const double unit = scene.cameraUnit;   /* of lengths on the device */
+    auto filmOnDevice = film;
+    for (vec2& p : filmOnDevice) p = {p.x / static_cast<float>(unit), p.y / static_cast<float>(unit)};
+    const auto results = function.with(onDevice, filmOnDevice, u);
 
     size_t passed = 0, edges = 0;
     for (size_t i = 0; i < n; ++i) {
         const double x = static_cast<double>(film[i].x), y = static_cast<double>(film[i].y), distance = std::hypot(x, y);
-        const size_t interval =
-            std::min<size_t>(static_cast<size_t>(distance / static_cast<double>(view.film_radius) * PUPIL_INTERVALS), PUPIL_INTERVALS - 1);
+        const double fromCentre = distance / unit / static_cast<double>(view.film_radius);
+        const size_t interval = std::min<size_t>(static_cast<size_t>(fromCentre * PUPIL_INTERVALS), PUPIL_INTERVALS - 1);
         const pupil_bounds& b = scene.tables.pupils[interval];
-        const glm::dvec2 size(static_cast<double>(b.high_x - b.low_x), static_cast<double>(b.high_y - b.low_y));
-        const glm::dvec2 p(static_cast<double>(b.low_x) + static_cast<double>(u[i].x) * size.x,
-                           static_cast<double>(b.low_y) + static_cast<double>(u[i].y) * size.y);
+        const glm::dvec2 size = unit * glm::dvec2(static_cast<double>(b.high_x - b.low_x), static_cast<double>(b.high_y - b.low_y));
+        const glm::dvec2 p(static_cast<double>(b.low_x) * unit + static_cast<double>(u[i].x) * size.x,
+                           static_cast<double>(b.low_y) * unit + static_cast<double>(u[i].y) * size.y);
         const glm::dvec3 rear(p.x * x / distance - p.y * y / distance, p.x * y / distance + p.y * x / distance, lens.rearZ()),
             start(x, y, 0);
         const auto out = lens.fromFilm({start, rear - start});
@@ -186,7 +189,7 @@ TEST(Camera, RealisticRaysGoThroughEachElement) {
         const double cosine = glm::normalize(rear - start).z;
         ASSERT_NEAR(results[i].importance, std::pow(cosine, 4) * size.x * size.y / (lens.rearZ() * lens.rearZ()),
                     1e-4 * results[i].importance);
-        ASSERT_LT(glm::length(glm::dvec3(results[i].o.x, results[i].o.y, results[i].o.z) - out->o), 1e-6);
+        ASSERT_LT(glm::length(unit * glm::dvec3(results[i].o.x, results[i].o.y, results[i].o.z) - out->o), 1e-6);
         ASSERT_LT(glm::length(glm::dvec3(results[i].d.x, results[i].d.y, results[i].d.z) - out->d), 1e-5);
     }
     EXPECT_GT(passed, n / 3) << "bounds that are that loose waste samples";

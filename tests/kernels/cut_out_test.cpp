@@ -21,8 +21,9 @@ TEST(AlphaCutOut, OnlyWhatIsThereIsHit) {
             "integer indices" [ 0 1 2 0 2 3 ] "texture alpha" "holes"
         Shape "sphere" "float radius" 0.5 "float alpha" 0)");
     ASSERT_TRUE(scene.features.has(Feature::ALPHA));
-    const affine& m = scene.tables.object_spaces[0].scene_from_object;
-    const float scale = m.xx;
+    const object_space& sphere = scene.tables.object_spaces[0];
+    const affine& m = sphere.scene_from_object;
+    const float scale = m.xx * sphere.radius / 0.5f;
     Random random(74);
     std::vector<Ray> rays;
     std::vector<int> want;

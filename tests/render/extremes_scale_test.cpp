@@ -110,8 +110,8 @@ TEST(Scale, Transformed) {
 TEST(Scale, Cameras) {
     const std::filesystem::path file = std::filesystem::temp_directory_path() / fmt::format("eikonal-scale-{}.dat", getpid());
     std::ofstream(file) << "50 .02 1.5 20\n-50 .02 1 20\n0 50 0 20\n";
-    const std::string lens = fmt::format("\"realistic\" \"string lensfile\" \"{}\" \"float aperturediameter\" 1.6 \"float focusdistance\" 2",
-                                         file.string());
+    const std::string lens =
+        fmt::format("\"realistic\" \"string lensfile\" \"{}\" \"float aperturediameter\" 1.6 \"float focusdistance\" 2", file.string());
     const Contents sphere = contents[0].contents;
     const auto thin = [](const Lengths& l) { return pinhole + " \"float lensradius\" " + l(.1) + "\"float focaldistance\" " + l(4); };
     const auto parallel = [](const Lengths& l) { return "\"orthographic\" \"float screenwindow\" [" + l(-2, 2, -2, 2) + "]"; };
