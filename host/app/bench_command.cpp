@@ -91,7 +91,10 @@ nlohmann::ordered_json measure(const Options& o, const Session& session, const s
     json["shadowRaysPerSecond"] = rate(first.shadowRays);
     json["queueCopyBytesPerSecond"] = copyRate;
     for (const auto& [name, stage] : first.stages) {
-        const double stageSeconds = medianOf(repeats, [&, &key = name](const Repeat& r) { return r.stages.at(key).seconds; });
+        const double stageSeconds = medianOf(repeats, [&, &key = name](const Repeat& r) {
+            const auto found = r.stages.find(key);   /* with another seed, nothing may reach a stage */
+            return found == r.stages.end() ? 0 : found->second.seconds;
+        });
         const double slots = static_cast<double>(stage.slots);
         const StageProgram& program = stageProgram(name);
         const double occupancy = occupancyOf(program, first, stage.slots), bytes = queueBytesPerSlot(program, session.packed().features);
