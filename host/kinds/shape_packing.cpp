@@ -45,10 +45,9 @@ void addVertices(const ShapePacking& in) {
 size_t addInObjectSpace(const ShapePacking& in, object_space q, bool flips, double unit) {
     if (in.description.reverseOrientation != flips) in.packed.flags |= shape_reversed;
     in.packed.object_space = static_cast<uint>(in.tables.object_spaces.size());
-    glm::dmat4 fromUnits(unit);
-    fromUnits[3] = {0, 0, 0, 1};
-    q.scene_from_object = toAffine(in.m * fromUnits);
-    q.object_from_scene = toAffine(glm::inverse(in.m * fromUnits));
+    const glm::dmat4 sceneFromObject = in.m * scaling(unit);
+    q.scene_from_object = toAffine(sceneFromObject);
+    q.object_from_scene = toAffine(glm::inverse(sceneFromObject));
     in.tables.object_spaces.push_back(q);
     addBox(in.group, in.description.kind->traits.bound(in.description, in.m), in.packed.first_element);
     return 1;

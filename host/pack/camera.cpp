@@ -31,26 +31,19 @@ double cameraUnit(const PackContext& context) {
     return length > 0 && std::isfinite(length) ? std::ldexp(1.0, -std::ilogb(length)) : 1;
 }
 
-/// A transform from camera space, as one from the device's camera space.
-static glm::dmat4 fromUnits(const glm::dmat4& fromCamera, double unit) {
-    glm::dmat4 scale(unit);
-    scale[3] = {0, 0, 0, 1};
-    return fromCamera * scale;
-}
-/// The motion of the camera in world space, from the device's camera space.
+/// The motion of the camera in world space, from a camera space of that unit.
 static Motion motionOf(const CameraDescription& description, double unit) {
-    return {fromUnits(description.worldFromCamera, unit),
-            fromUnits(description.worldFromCameraAtEnd.value_or(description.worldFromCamera), unit)};
+    return {description.worldFromCamera * scaling(unit),
+            description.worldFromCameraAtEnd.value_or(description.worldFromCamera) * scaling(unit)};
 }
 
-void packCamera(const CameraPacking& all, camera& view) {
-    const PackContext& context = all.context;
-    const CameraPacking in{context, all.tables, cameraUnit(context)};
+void packCamera(const CameraPacking& in, camera& view) {
+    const PackContext& context = in.context;
     const CameraDescription& description = context.scene.camera;
     const CameraKind& kind = kindOf(description);
     view.kind = kind.value;
     context.require(kind.feature, description.where.toString());
-    view.scene_from_camera = toAffine(context.space.sceneFromWorld() * fromUnits(description.worldFromCamera, in.unit));
+    view.scene_from_camera = toAffine(context.space.sceneFromWorld() * description.worldFromCamera * scaling(in.unit));
     view.times = shutterOf(context.scene);
     if (description.worldFromCameraAtEnd) {
         context.require(Feature::CAMERA_MOTION, description.where.toString());

@@ -11,7 +11,7 @@ namespace eikonal {
 struct CameraPacking {
     const PackContext& context;
     CameraTables& tables;
-    double unit = 1;   ///< of packed lengths, in those of the description (cameraUnit)
+    double unit;   ///< of packed lengths, in those of the description (cameraUnit)
 };
 
 /// The unit of camera space on the device, in units of the description's camera space: a power of two that makes the transform to scene
@@ -20,7 +20,7 @@ double cameraUnit(const PackContext&);
 
 /// The pixels to render, by pbrt-v4's rules for --pixelbounds and cropwindow. Throws SceneError if there are none.
 PixelRect renderedPixels(const FilmDescription& film, Diagnostics& diagnostics);
-/// Fills in the camera of the scene. `unit` of its argument is set here.
+/// Fills in the camera of the scene.
 void packCamera(const CameraPacking&, camera&);
 /// Fills in its pixel filter.
 void packFilter(const CameraPacking&, filter&);

@@ -21,6 +21,9 @@ struct Part {
     int area() const { return (x1 - x0) * (y1 - y0); }
 };
 
+/// The number of a texel of the box.
+size_t texelAt(int side, int x, int y) { return static_cast<size_t>((side * texels + y) * texels + x); }
+
 /// The rays of each texel of the box.
 class ExitCounts {
 public:
@@ -31,7 +34,7 @@ public:
             if (texel < GUIDE_BOX_TEXELS) counts_[texel] += 1;
         spread();
     }
-    double at(int side, int x, int y) const { return counts_[static_cast<size_t>((side * texels + y) * texels + x)]; }
+    double at(int side, int x, int y) const { return counts_[texelAt(side, x, y)]; }
 
     /// Rays times area: the noise of samples that are uniform over a part.
     double costOf(const Part& p) const { return p.rays * p.area() * texelAreas_[static_cast<size_t>(p.side / 2)]; }
@@ -59,8 +62,7 @@ private:
                 for (int x = 0; x < texels; ++x)
                     for (int v = std::max(y - 1, 0); v <= std::min(y + 1, texels - 1); ++v)
                         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, texels - 1); ++u)
-                            counts_[static_cast<size_t>((side * texels + v) * texels + u)] +=
-                                share * own[static_cast<size_t>((side * texels + y) * texels + x)];
+                            counts_[texelAt(side, u, v)] += share * own[texelAt(side, x, y)];
     }
     std::vector<double> counts_;
     std::array<double, 3> texelAreas_;   ///< by axis, in one unit
@@ -95,28 +97,26 @@ guide_opening openingOf(const Part& p, glm::dvec3 low, glm::dvec3 size) {
     corner[up] += p.y0 * height;
     a[across] = (p.x1 - p.x0) * width;
     b[up] = (p.y1 - p.y0) * height;
-    const auto asFloats = [](glm::dvec3 v) { return vec3{static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; };
-    return {asFloats(corner), asFloats(a), asFloats(b), asFloats(n), static_cast<float>(1 / (a[across] * b[up]))};
+    return {toVec3(corner), toVec3(a), toVec3(b), toVec3(n), static_cast<float>(1 / (a[across] * b[up]))};
 }
 
 }  // namespace
 
 void packGuideBox(LightTables& tables, std::span<const vec3> points) {
     Box box;
-    for (const auto axis : {&vec3::x, &vec3::y, &vec3::z}) {
+    constexpr std::array axes{&vec3::x, &vec3::y, &vec3::z};
+    for (int i = 0; i < 3; ++i) {
         std::vector<float> along;
-        for (const vec3& p : points) along.push_back(p.*axis);
+        for (const vec3& p : points) along.push_back(p.*axes[static_cast<size_t>(i)]);
         const auto outside = static_cast<long>(shareOutside * static_cast<double>(along.size()));
         std::ranges::nth_element(along, along.begin() + outside);
-        const int i = axis == &vec3::x ? 0 : axis == &vec3::y ? 1 : 2;
         box.low[i] = along[static_cast<size_t>(outside)];
         std::ranges::nth_element(along, along.end() - 1 - outside);
         box.high[i] = along[along.size() - 1 - static_cast<size_t>(outside)];
     }
     /* Scene space is of order one: what is closer than this to a side would suffer from rounding */
     const glm::dvec3 pad(0.01 * box.radius() + 1e-4), low = box.low - pad, size = box.high + pad - low;
-    tables.guide_box = {{static_cast<float>(low.x), static_cast<float>(low.y), static_cast<float>(low.z)},
-                        {static_cast<float>(size.x), static_cast<float>(size.y), static_cast<float>(size.z)}};
+    tables.guide_box = {toVec3(low), toVec3(size)};
 }
 
 void packNoGuideOpenings(LightTables& tables) {
@@ -145,8 +145,7 @@ void packGuideOpenings(LightTables& tables, std::span<const uint> exits) {
         const Part& p = parts[i];
         tables.guide_openings[i] = openingOf(p, {low.x, low.y, low.z}, {size.x, size.y, size.z});
         for (int y = p.y0; y < p.y1; ++y)
-            for (int x = p.x0; x < p.x1; ++x)
-                tables.guide_texels[static_cast<size_t>((p.side * texels + y) * texels + x)] = static_cast<uint>(i);
+            for (int x = p.x0; x < p.x1; ++x) tables.guide_texels[texelAt(p.side, x, y)] = static_cast<uint>(i);
     }
 }
 

@@ -8,7 +8,7 @@
 
 namespace eikonal {
 
-/// Sets the guide's box: along each axis, the bounds of the middle 95 % of `points` (scene space), which must not be empty, and a margin.
+/// Sets the guide's box: along each axis, the bounds of the middle 98 % of `points` (scene space), which must not be empty, and a margin.
 void packGuideBox(LightTables& tables, std::span<const vec3> points);
 
 /// Fills guide_openings and guide_texels. `exits`: the texel of the box through which each of many rays leaves; GUIDE_BOX_TEXELS: it misses

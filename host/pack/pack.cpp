@@ -87,8 +87,9 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     }
     packIntegrator({context, frame, colors}, !context.hasMedia && mediaAreUsed(context.scene));
     packSampler(context, frame);
-    packCamera({context, tables}, frame.view);
-    packFilter({context, tables}, frame.pixel_filter);
+    const CameraPacking camera{context, tables, packed.cameraUnit};
+    packCamera(camera, frame.view);
+    packFilter(camera, frame.pixel_filter);
     media.pack();
     Hierarchies hierarchies = packGeometry({context, tables, packed.counts, textures, materials, lights});
     lights.pack();

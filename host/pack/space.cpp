@@ -5,14 +5,20 @@
 
 namespace eikonal {
 
+glm::dmat4 scaling(double factor) {
+    glm::dmat4 m(factor);
+    m[3].w = 1;
+    return m;
+}
+
 glm::dmat4 SceneSpace::sceneFromWorld() const {
-    glm::dmat4 m(scale);
+    glm::dmat4 m = scaling(scale);
     m[3] = glm::dvec4(-center * scale, 1);
     return m;
 }
 
 glm::dmat4 SceneSpace::worldFromScene() const {
-    glm::dmat4 m(1 / scale);
+    glm::dmat4 m = scaling(1 / scale);
     m[3] = glm::dvec4(center, 1);
     return m;
 }

@@ -34,6 +34,9 @@ SceneSpace spaceOf(const Box& box);
 /// Bounds of a transformed box.
 Box transformed(const Box& box, const glm::dmat4& m);
 
+/// Multiplies all lengths by `factor`.
+glm::dmat4 scaling(double factor);
+
 glm::dvec3 transformPoint(const glm::dmat4& m, glm::dvec3 p);
 glm::dvec3 transformVector(const glm::dmat4& m, glm::dvec3 v);
 /// The result has unit length; zero stays zero.

@@ -30,10 +30,8 @@ TRACING_STAGE(survey_environment, SURVEY_ENVIRONMENT) {
             float cosine = length_squared(n) > 0.0f ? dot3(n, d) : 1.0f, arriving = cosine * dot3(o.n, d) / (d2 * o.inverse_area);
             if (!(cosine > 0.0f && arriving > 0.0f)) continue;
             arriving = min1(arriving, PI);
-            nearest_hit any;
-            any.t_max = FAR_AWAY;
             possible += arriving;
-            seen += traverse_bvh(g, tables, p, d, time, traversal_blocker, &any) ? 0.0f : arriving;
+            seen += is_blocked(g, tables, p, d, FAR_AWAY, time) ? 0.0f : arriving;
         }
         survey_weights[2u * i] = seen;
         survey_weights[2u * i + 1u] = possible;

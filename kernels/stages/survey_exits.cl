@@ -1,6 +1,6 @@
 /* Finds where light enters a scene: rays leave the survey's points in cosine-distributed directions; those that no surface stops leave the
-   guide's box through a texel of it. survey_texels: that texel; GUIDE_BOX_TEXELS for those
-   that miss the box, NONE for all others. Runs before a render (host/render/survey.cpp). */
+   guide's box through a texel of it. survey_texels: that texel; GUIDE_BOX_TEXELS for those that miss the box, NONE for all others. Runs
+   before a render (host/render/survey.cpp). */
 #include "trace/bvh.clh"
 #include "light/light.clh"
 #include "math/random.clh"
@@ -20,9 +20,7 @@ TRACING_STAGE(survey_exits, SURVEY_EXITS) {
         float x = next_random(&numbers), y = next_random(&numbers), time = next_random(&numbers);
         uint from = (uint)((ulong)i * point_count / count);
         vec3 p = survey_points[from], d = from_local(make_frame(survey_normals[from]), warp_cosine_hemisphere(make_vec2(x, y)));
-        nearest_hit any;
-        any.t_max = FAR_AWAY;
         uint texel = exit_guide_box(light_set.guide_box, p, d).texel;
-        survey_texels[i] = traverse_bvh(g, tables, p, d, time, traversal_blocker, &any) ? NONE : min(texel, (uint)GUIDE_BOX_TEXELS);
+        survey_texels[i] = is_blocked(g, tables, p, d, FAR_AWAY, time) ? NONE : min(texel, (uint)GUIDE_BOX_TEXELS);
     }
 }

@@ -2,7 +2,8 @@
 
 #include "kind_features.h"
 #include "device_function.h"
-#include "pack/pack.h"
+#include "implicit_scene.h"
+#include "pack/space.h"
 #include "random_inputs.h"
 #include "stage.h"
 
@@ -41,12 +42,8 @@ std::vector<Answer> ask(const PackedScene& scene, const std::vector<vec3>& o, co
 }
 
 glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
-vec3 fromGlm(glm::dvec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
 
-/// In a box from -2 to 2, so that scene space is object space over 4.
-PackedScene sceneOf(const std::string& F) {
-    return packText("WorldBegin Shape \"implicit\" \"string F\" \"" + F + "\" \"point3 bounds\" [-2 -2 -2  2 2 2]");
-}
+/// Object space over scene space.
 constexpr double scale = 4;
 
 /// F + 1 at a point of scene space.
@@ -60,8 +57,8 @@ Rays raysAtBall(size_t count) {
     for (size_t i = 0; i < count; ++i) {
         const glm::dvec3 target = toGlm(random.direction()) * 0.249 * std::cbrt(static_cast<double>(random.unit()));
         const glm::dvec3 from = toGlm(random.direction());
-        r.o.push_back(fromGlm(target + from));
-        r.d.push_back(fromGlm(-from));
+        r.o.push_back(toVec3(target + from));
+        r.d.push_back(toVec3(-from));
     }
     return r;
 }
@@ -83,7 +80,7 @@ TEST(ExtremeImplicit, ThinShellsHaveTwoSides) {
             notOutside += squaredRadius(a.outside) <= 1 + h;
             notWithin += std::abs(squaredRadius(a.inside) - 1) >= h;
             const glm::dvec3 w = toGlm(random.direction());
-            on.push_back(fromGlm(glm::dot(w, toGlm(a.ng)) < 0 ? -w : w));
+            on.push_back(toVec3(glm::dot(w, toGlm(a.ng)) < 0 ? -w : w));
             leaving.push_back(a.outside);
         }
         for (const Answer& a : ask(scene, leaving, on)) metAgain += a.t >= 0;
@@ -104,8 +101,8 @@ TEST(ExtremeImplicit, SteepPowersKeepTheirSurface) {
         for (int i = 0; i < 4000; ++i) {
             const double angle = 2 * M_PI * static_cast<double>(random.unit());
             const glm::dvec3 from(std::cos(angle), std::sin(angle), 0);
-            rays.o.push_back(fromGlm(from));
-            rays.d.push_back(fromGlm(-from));
+            rays.o.push_back(toVec3(from));
+            rays.d.push_back(toVec3(-from));
         }
         const auto answers = ask(sceneOf(fmt::format("x^{} + y^2 - 1", n)), rays.o, rays.d);
         for (size_t i = 0; i < answers.size(); ++i) {

@@ -2,6 +2,7 @@
 
 #include "kind_features.h"
 #include "device_function.h"
+#include "implicit_scene.h"
 #include "pack/pack.h"
 #include "random_inputs.h"
 #include "stage.h"
@@ -55,10 +56,6 @@ std::vector<Answer> ask(const PackedScene& scene, const std::vector<vec3>& o, co
     return function.with(onDevice, o, d, size);
 }
 
-/// In a box from -2 to 2, so that scene space is object space over 4.
-PackedScene sceneOf(const std::string& F) {
-    return packText("WorldBegin Shape \"implicit\" \"string F\" \"" + F + "\" \"point3 bounds\" [-2 -2 -2  2 2 2]");
-}
 constexpr double scale = 4;
 
 glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
