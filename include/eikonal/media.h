@@ -1,7 +1,8 @@
 /* Every kind of participating medium. M(name, FEATURE, VARIATION): medium x is kernels/medium/x.clh beside host/kinds/medium/x.cpp.
    VARIATION says how its coefficients vary, and with that what x.clh defines:
      HOMOGENEOUS     not at all: nothing; kernels/medium/homogeneous.clh samples all of them
-     HETEROGENEOUS   from point to point of a box: eval_x_medium and bounded_x_medium (kernels/medium/null_collision.clh) */
+     HETEROGENEOUS   from point to point of a box: eval_x_medium and bounded_x_medium (kernels/medium/null_collision.clh). If they are
+                     trilinear between the points of a grid, x.cpp sets medium.has_cells */
 #ifndef EIKONAL_MEDIA_H
 #define EIKONAL_MEDIA_H
 #include "eikonal/portable.h"
