@@ -41,16 +41,19 @@ std::vector<double> Study::rungsOf(const Setting& setting) const {
     return targets;
 }
 
-bool Study::isWorthClimbing(size_t setting, double rung) const {
-    /* Compare at the rung below */
-    double own = 0, best = std::numeric_limits<double>::infinity();
-    for (const Point& p : state_.points) {
-        if (p.seeds.empty() || p.rung != rung / 4 || state_.settings[p.setting].ladder != Ladder::samples) continue;
-        const double cost = costOfError(p, meanSquaredError(p));
-        best = std::min(best, cost);
-        if (p.setting == setting) own = cost;
-    }
-    return setting == 0 || own <= hopeless * best;
+bool Study::isWorthClimbing(size_t setting, double rung) {
+    const Point* known = state_.find(setting, rung);
+    if (setting == 0 || rung == rungs[0] || (known && !known->seeds.empty())) return true;
+    const Point* below = state_.find(setting, rung / 4);
+    if (!below || below->seeds.empty() || below->isSameImage) return false;
+    double best = std::numeric_limits<double>::infinity();
+    for (const Point& p : state_.points)
+        if (!p.seeds.empty() && p.rung == below->rung && state_.settings[p.setting].ladder == Ladder::samples)
+            best = std::min(best, costOfError(p, meanSquaredError(p)));
+    if (costOfError(*below, meanSquaredError(*below)) > hopeless * best) return false;
+    /* More samples would only reduce what noise is left beside the bias */
+    const ErrorEstimate error = estimateError(*below, loadImages(*below).sums, loadReferences());
+    return !state_.settings[setting].isBiased || error.variance > error.biasSquare.value / 4;
 }
 
 void Study::climb(size_t setting, double rung, int firstSeed, int endSeed) {
@@ -83,6 +86,9 @@ void Study::climb(size_t setting, double rung, int firstSeed, int endSeed) {
         }
         if (point.seeds.empty()) return;
         images.save(stemOf(point));
+        const Point* own = state_.find(0, rung);
+        if (setting > 0 && s.ladder == Ladder::samples && !s.compiles && own && !own->seeds.empty())
+            point.isSameImage = images.first.color == loadImages(*own).first.color;
     } catch (const Error& error) {
         point.failure = error.what();
     }
@@ -98,7 +104,7 @@ void Study::climbAll(double until) {
                 const Setting& s = state_.settings[setting];
                 const std::vector<double> ladder = rungsOf(s);
                 if (s.compiles || i >= ladder.size() || isOver(until)) continue;
-                if (i > 0 && s.ladder == Ladder::samples && !isWorthClimbing(setting, ladder[i])) continue;
+                if (s.ladder == Ladder::samples && !isWorthClimbing(setting, ladder[i])) continue;
                 climb(setting, ladder[i], end - seedsInASession, end);
             }
 }
@@ -108,9 +114,12 @@ void Study::addCombination() {
     const Point* own = state_.find(0, rungs[std::size(rungs) - 1]);
     if (!own || own->seeds.empty()) return;
     const double usual = costOfError(*own, meanSquaredError(*own));
-    /* The best unbiased value of each knob, if it is better than the user's */
-    Setting combination{"combination", "", {}, false, Ladder::samples, false};
-    int knobs = 0;
+    /* The best value of each knob that adds no bias, if it is better than the user's; with what makes the user's options unbiased */
+    Setting combination{"combination", "", {}, false, false, Ladder::samples, false};
+    const auto unbiased = std::ranges::find(state_.settings, std::string("unbiased"), &Setting::knob);
+    const bool isBiased = unbiased != state_.settings.end();
+    if (isBiased) combination = {"combination", "unbiased", unbiased->options, false, false, Ladder::samples, false};
+    int knobs = isBiased ? 1 : 0;
     for (size_t first = 1; first < state_.settings.size();) {
         const std::string& knob = state_.settings[first].knob;
         const Setting* best = nullptr;
@@ -118,7 +127,7 @@ void Study::addCombination() {
         for (; first < state_.settings.size() && state_.settings[first].knob == knob; ++first) {
             const Setting& s = state_.settings[first];
             const Point* p = state_.find(first, own->rung);
-            if (s.isBiased || !p || static_cast<int>(p->seeds.size()) < seeds) continue;
+            if (s.addsBias || !p || s.knob == "unbiased" || s.knob == "colour" || s.knob == "subsurface" || static_cast<int>(p->seeds.size()) < seeds) continue;
             const double gain = usual / costOfError(*p, meanSquaredError(*p));
             if (gain > most) { most = gain; best = &s; }
         }

@@ -49,7 +49,7 @@ ErrorEstimate estimateError(const Point& point, const SeedSums& sums, const Refe
 
 void to_json(nlohmann::json& json, const Point& p) {
     json = {{"setting", p.setting}, {"rung", p.rung}, {"prepareSeconds", p.prepareSeconds}, {"compileSeconds", p.compileSeconds},
-            {"compiledKernels", p.compiledKernels}, {"failure", p.failure}, {"seeds", nlohmann::json::array()}};
+            {"compiledKernels", p.compiledKernels}, {"isSameImage", p.isSameImage}, {"failure", p.failure}, {"seeds", nlohmann::json::array()}};
     for (const SeedResult& s : p.seeds) json["seeds"].push_back(s);
 }
 
@@ -59,6 +59,7 @@ void from_json(const nlohmann::json& json, Point& p) {
     json.at("prepareSeconds").get_to(p.prepareSeconds);
     json.at("compileSeconds").get_to(p.compileSeconds);
     json.at("compiledKernels").get_to(p.compiledKernels);
+    json.at("isSameImage").get_to(p.isSameImage);
     json.at("failure").get_to(p.failure);
     for (const auto& s : json.at("seeds")) p.seeds.push_back(s.get<SeedResult>());
 }

@@ -28,6 +28,7 @@ struct Point {
     double prepareSeconds = 0;         ///< the least of its sessions
     double compileSeconds = 0;         ///< the most of its sessions: with kernels that were not in the cache
     int compiledKernels = 0;           ///< the most of its sessions
+    bool isSameImage = false;          ///< the same bits as the user's own options give: the setting has no effect on the image
     std::string failure;               ///< why it cannot be rendered; empty: it can
 
     double medianSeconds() const;      ///< of rendering

@@ -16,8 +16,8 @@ namespace {
 class Knob {
 public:
     Knob(std::vector<Setting>& settings, std::string name) : settings_(settings), name_(std::move(name)) {}
-    Setting& add(const std::string& value, std::vector<std::string> options, bool isBiased = false) {
-        settings_.push_back({name_, value, std::move(options), isBiased, Ladder::samples, false});
+    Setting& add(const std::string& value, std::vector<std::string> options, bool addsBias = false) {
+        settings_.push_back({name_, value, std::move(options), addsBias, addsBias, Ladder::samples, false});
         return settings_.back();
     }
 
@@ -72,19 +72,31 @@ void addCompilerFlags(std::vector<Setting>& settings) {
         knob.add(flag, {fmt::format("--build-options={}", flag)}, true).compiles = true;
 }
 
+/// What makes the user's own options converge to another image than the reference: the option that removes each cause.
+std::vector<std::string> causesOfBias(const Session& session) {
+    const Scene& scene = session.scene();
+    std::vector<std::string> causes;
+    if (!session.packed().features.has(Feature::SPECTRAL)) causes.emplace_back("--color=spectral");
+    if (scene.integrator.regularize) causes.emplace_back("--regularize=off");
+    if (scene.film.maxComponentValue > 0) causes.emplace_back("--max-component-value=0");
+    if (std::ranges::any_of(scene.materials, [](const Material& m) { return m.kind == &subsurface_material && m.method == SubsurfaceMethod::diffusion; }))
+        causes.emplace_back("--subsurface=randomwalk");
+    return causes;
+}
+
 }  // namespace
 
 std::vector<Setting> settingsFor(const Session& session, double brightness) {
     const Scene& scene = session.scene();
     const PackedScene& packed = session.packed();
-    std::vector<Setting> settings{{"as given", "", {}, false, Ladder::samples, false}};
+    std::vector<Setting> settings{{"as given", "", {}, false, false, Ladder::samples, false}};
     const bool paths = tracesPaths(scene);
     if (paths) addDepths(settings, scene.integrator.maxDepth);
     addIntegrators(settings, session);
     if (paths) addRoulette(settings);
     Knob color(settings, "colour");
     if (packed.features.has(Feature::SPECTRAL)) color.add("rgb", {"--color=rgb"}, true);
-    else color.add("spectral", {"--color=spectral"});
+    else color.add("wavelengths", {"--color=spectral"});
     if (hasSubsurface(scene)) {
         Knob subsurface(settings, "subsurface");
         for (const auto& [name, method] : subsurfaceMethodNames)
@@ -102,7 +114,11 @@ std::vector<Setting> settingsFor(const Session& session, double brightness) {
         if (kind != scene.sampler.kind) sampler.add(name, {fmt::format("--sampler={}", name)});
     Knob(settings, "adaptive sampling").add("on", {}).ladder = Ladder::targetErrors;
     addBiasedNoiseReduction(settings, brightness);
+    const std::vector<std::string> causes = causesOfBias(session);
+    if (!causes.empty()) settings.push_back({"unbiased", "", causes, false, false, Ladder::samples, false});
     addCompilerFlags(settings);
+    for (Setting& s : settings)
+        s.isBiased |= std::ranges::any_of(causes, [&](const std::string& c) { return std::ranges::find(s.options, c) == s.options.end(); });
     return settings;
 }
 

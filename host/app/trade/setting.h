@@ -16,7 +16,8 @@ struct Setting {
     std::string knob;                    ///< "Russian roulette"; "as given" for the user's own options
     std::string value;                   ///< "throughput"
     std::vector<std::string> options;    ///< "--name=value"
-    bool isBiased = false;               ///< by construction: it may converge to another image
+    bool addsBias = false;               ///< beyond that of the user's own options
+    bool isBiased = false;               ///< it converges to another image than the reference, by construction
     Ladder ladder = Ladder::samples;
     bool compiles = false;               ///< needs kernels that no other scene uses
 

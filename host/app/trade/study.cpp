@@ -103,7 +103,7 @@ void Study::lookAtScene() {
     }
     state_ = expected;
     /* The first session compiles, the second shows how long a scene takes to load */
-    const Setting given{"as given", "", {}, false, Ladder::samples, false};
+    const Setting given{"as given", "", {}, false, false, Ladder::samples, false};
     const double longer = std::max(state_.full[0], state_.full[1]), scale = std::min(1., firstLookSize / longer);
     const std::array<int, 2> small = scaledTo(state_.full, pixelsOf(state_.full) * scale * scale);
     const std::vector<std::string> options = optionsOf(given, firstLookSamples, small);
@@ -121,9 +121,11 @@ void Study::lookAtScene() {
 }
 
 void Study::chooseSize() {
-    /* Each setting is rendered with all seeds at all rungs, each rung in two sessions; settings cost a fifth more than the user's own */
+    /* Each setting is rendered with all seeds at all rungs, each rung in two sessions; but about half of the settings prove to be without
+       effect, hopeless or done before the last rung */
+    constexpr double usualShare = 0.6;
     double samples = 0, usual = 0;
-    for (double rung : rungs) samples += seeds * rung * 1.2;
+    for (double rung : rungs) samples += seeds * rung * usualShare;
     for (const Setting& s : state_.settings) usual += s.compiles ? 0 : 1;
     const double sessions = usual * static_cast<double>(std::size(rungs)) * 2 * state_.prepareSeconds;
     const double seconds = std::max((ladderShare - referenceShare) * request_.budgetSeconds - sessions, 0.1 * request_.budgetSeconds);
@@ -137,7 +139,7 @@ References Study::loadReferences() const { return {readImage(stemOfReference(0))
 void Study::renderReferences(double until) {
     const double enough = 64 * std::max(state_.ladderTop(), rungs[std::size(rungs) - 1]);   // for points with as many samples
     if (state_.referenceSamples[1] >= enough || isOver(until)) return;
-    const Setting setting{"reference", "", state_.reference, false, Ladder::samples, false};
+    const Setting setting{"reference", "", state_.reference, false, false, Ladder::samples, false};
     const double batch = std::exp2(std::clamp(std::floor(std::log2(0.05 * request_.budgetSeconds / costOf(1))), 2., 10.));
     SettingRenderer renderer(request_.scene, optionsOf(setting, batch, state_.studied));
     while (!isOver(until) && state_.referenceSamples[1] < enough) {

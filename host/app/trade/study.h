@@ -56,7 +56,7 @@ private:
     void climbAll(double until);
     void climbHigher(double until);
     void addCombination();
-    bool isWorthClimbing(size_t setting, double rung) const;
+    bool isWorthClimbing(size_t setting, double rung);
     std::vector<double> rungsOf(const Setting& setting) const;
     double costOf(double samples) const;
     bool isOver(double until) const { return spent() >= until || isInterrupted(); }

@@ -13,7 +13,7 @@
 namespace eikonal {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Confirmation, setting, rung, wallSeconds, renderSeconds, compileSeconds, meanSamples)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, knob, value, options, isBiased, ladder, compiles)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, knob, value, options, addsBias, isBiased, ladder, compiles)
 
 using Json = nlohmann::json;
 
