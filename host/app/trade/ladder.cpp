@@ -148,7 +148,9 @@ void Study::climbHigher(double until) {
     for (size_t setting = 0; setting < state_.settings.size(); ++setting)
         if (state_.settings[setting].compiles && spent() + 2 * own->compileSeconds + costOf(seeds * rungs[1]) < until)
             climb(setting, rungs[1], 0, seeds);
-    for (double rung = rungs[std::size(rungs) - 1] * 4; rung <= 4096; rung *= 4)
+    /* Beyond that, errors would be about those of the references */
+    const double top = state_.referenceSamples[1] / 8;
+    for (double rung = rungs[std::size(rungs) - 1] * 4; rung <= top; rung *= 4)
         for (size_t setting = 0; setting < state_.settings.size(); ++setting)
             if (state_.settings[setting].ladder == Ladder::samples && !state_.settings[setting].compiles && isWorthClimbing(setting, rung) &&
                 spent() + costOf(seeds * rung) < until)
