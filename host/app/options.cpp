@@ -148,13 +148,15 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
           "Whether to guide light samples of an infinite light without an image: auto (default): in closed scenes; always; never",
           oneOf<EnvironmentGuide>({std::begin(environmentGuideNames), std::end(environmentGuideNames)}))
         ->group(group);
-    value(app, "--regularize", s.regularize, "on|off", "Whether to widen narrow microfacets behind rough reflections (biased; pbrt's regularize)",
+    value(app, "--regularize", s.regularize, "on|off",
+          "Whether to widen narrow microfacets behind rough reflections (biased; pbrt's regularize)",
           oneOf<bool>({{"on", true}, {"off", false}}))
         ->group(group);
     value(app, "--max-component-value", s.maxComponentValue, "X",
           "Scale samples down to this value (biased; pbrt's maxcomponentvalue); 0: do not", numberFrom(0))
         ->group(group);
-    value(app, "--threshold", s.treeThreshold, "X", "Integrator whitted: rays of a smaller weight are not traced (biased)", numberFrom(0, 1))
+    value(app, "--threshold", s.treeThreshold, "X", "Integrator whitted: rays of a smaller weight are not traced (biased)",
+          numberFrom(0, 1))
         ->group(group);
     value(app, "--bundle", s.treeBundle, "N", "Integrator whitted: rays that leave a rough surface, 0 or a power of two",
           [](const std::string& option, const std::string& text) { return parsePowerOfTwoOrZero(option, text, mostTreeRays); })
@@ -245,7 +247,9 @@ struct Parser {
 
         auto* trade = add("trade", Command::trade, "Measure error and time of a scene under many settings, and recommend some");
         addScene(trade, options);
-        trade->add_option("-o,--outfile", options.output.files, "The page; a CSV and a JSON are written beside it (default: SCENE-trade.html)")
+        trade
+            ->add_option("-o,--outfile", options.output.files,
+                         "The page; a CSV and a JSON are written beside it (default: SCENE-trade.html)")
             ->type_name("FILE.html")
             ->type_size(1)
             ->allow_extra_args(false);
@@ -253,7 +257,8 @@ struct Parser {
         trade->add_option_function<std::vector<std::string>>(
                  "--for", [this](const std::vector<std::string>& texts) {
                      for (const std::string& text : texts) options.wishes.push_back(parseWish("--for", text));
-                 }, "A wish to recommend a command for: a time (30s) or an error (2%); may be repeated (default: 1s, 10s, 60s, 10%, 5%, 2%)")
+                 },
+                 "A wish to recommend a command for: a time (30s) or an error (2%); may be repeated (default: 1s, 10s, 60s, 10%, 5%, 2%)")
             ->type_name("WISH")
             ->type_size(1)
             ->allow_extra_args(false);
@@ -353,9 +358,11 @@ std::vector<std::string> optionsForRender(const CLI::App* command) {
     std::vector<std::string> words;
     for (const CLI::Option* option : command->get_options()) {
         const std::string& group = option->get_group();
-        if (option->count() == 0 || option->get_positional() || (group != sceneGroup && group != objGroup && group != deviceGroup)) continue;
+        const bool isRenders = group == sceneGroup || group == objGroup || group == deviceGroup;
+        if (option->count() == 0 || option->get_positional() || !isRenders) continue;
         const std::string name = option->get_name();   // a long name: --name
-        for (const std::string& value : option->results()) words.push_back(option->get_items_expected_max() == 0 ? name : name + "=" + value);
+        const bool isFlag = option->get_items_expected_max() == 0;
+        for (const std::string& value : option->results()) words.push_back(isFlag ? name : name + "=" + value);
     }
     return words;
 }

@@ -180,7 +180,8 @@ int renderCommand(const Options& o) {
     say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()));
     if (o.output.stats) std::fputs(describeRun(session, session.profile(), samples, result, renderSeconds, writeSeconds).c_str(), stdout);
     if (o.json)
-        std::fputs(describeAsJson(session, files, metadata, samples, result, endedBy, writeSeconds, diagnostics.warnings()).c_str(), stdout);
+        std::fputs(
+            describeAsJson(session, files, metadata, samples, result, endedBy, writeSeconds, diagnostics.warnings()).c_str(), stdout);
     return endedBy ? 128 + endedBy : static_cast<int>(ExitCode::success);
 }
 

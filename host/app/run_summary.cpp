@@ -21,8 +21,10 @@ std::string describeAsJson(const Session& session, const std::vector<std::string
                                 {"samples", {{"fewest", samples.fewest}, {"mean", samples.mean}, {"most", samples.most}}}};
     if (endedBy) json["signal"] = endedBy;
     if (result.error) json["error"] = *result.error;
-    json["seconds"] = {{"read", t.load}, {"pack", t.pack}, {"build", t.build}, {"compile", t.compile}, {"upload", t.upload},
-                       {"render", metadata.renderSeconds.value_or(0)}, {"write", writeSeconds}, {"all", secondsSinceStart()}};
+    json["seconds"] = {{"read", t.load},        {"pack", t.pack},
+                       {"build", t.build},      {"compile", t.compile},
+                       {"upload", t.upload},    {"render", metadata.renderSeconds.value_or(0)},
+                       {"write", writeSeconds}, {"all", secondsSinceStart()}};
     json["compiledKernels"] = session.compiledStages();
     json["warnings"] = warnings;
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -69,7 +69,11 @@ int tradeCommand(const Options& o) {
     prepareOpenCl(o.device);
     const Interrupt interrupt;
     StudyLine line(o.log < LogLevel::warning);
-    Study::Request request{o.scene.path, o.passedOn, stem + ".study", o.budget, [] { return Interrupt::signal() != 0; },
+    Study::Request request{o.scene.path,
+                           o.passedOn,
+                           stem + ".study",
+                           o.budget,
+                           [] { return Interrupt::signal() != 0; },
                            [&](const StudyProgress& p) { line.show(p); }};
     {
         /* Warns of what is wrong with the scene, once */

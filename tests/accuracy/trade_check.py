@@ -22,7 +22,11 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def run(command):
-    return subprocess.run([str(c) for c in command], check=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True).stdout
+    words = [str(c) for c in command]
+    done = subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if done.returncode:
+        raise SystemExit(f"{shlex.join(words)} failed with status {done.returncode}: {done.stderr}")
+    return done.stdout
 
 
 def relative_mse(program, image, reference):

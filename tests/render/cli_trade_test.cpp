@@ -67,7 +67,8 @@ TEST_F(Cli, TradeGoesOnAfterAnInterruption) {
     EXPECT_TRUE(exists("page.html"));
 
     const Running further = start(command);
-    for (int i = 0; i < 300 && jsonIn(read(path("page.study/study.json")))["spentSeconds"] <= before["spentSeconds"]; ++i) ::usleep(100'000);
+    for (int i = 0; i < 300 && jsonIn(read(path("page.study/study.json")))["spentSeconds"] <= before["spentSeconds"]; ++i)
+        ::usleep(100'000);
     ::kill(further.process, SIGINT);
     EXPECT_EQ(wait(further).status, 128 + SIGINT);
     const nlohmann::json after = jsonIn(read(path("page.study/study.json")));

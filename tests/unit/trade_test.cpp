@@ -94,7 +94,8 @@ MeasuredPoint pointAt(double samples, double bias, double slope, double secondsP
 }
 
 TEST(TradeModel, FollowsAPowerOfTheSamplesToABias) {
-    const std::vector<MeasuredPoint> points{pointAt(4, 0.01, -1.2), pointAt(16, 0.01, -1.2), pointAt(64, 0.01, -1.2), pointAt(256, 0.01, -1.2)};
+    const std::vector<MeasuredPoint> points{pointAt(4, 0.01, -1.2), pointAt(16, 0.01, -1.2), pointAt(64, 0.01, -1.2),
+                                            pointAt(256, 0.01, -1.2)};
     const SettingModel m = fitModel(points, true, 1e6, 2, 1.5);
     EXPECT_NEAR(m.slope.value, -1.2, 0.02);
     EXPECT_NEAR(m.error(256), std::sqrt(0.01 + std::pow(256, -1.2)), 0.002);
@@ -110,7 +111,8 @@ TEST(TradeModel, FollowsAPowerOfTheSamplesToABias) {
 
 TEST(TradeModel, RecommendsTheFastBiasedSettingForLargeErrorsAndTheUnbiasedOneForSmall) {
     std::vector<Setting> settings(2);
-    std::vector<MeasuredPoint> slow{pointAt(4, 0, -1, 1e-6), pointAt(64, 0, -1, 1e-6)}, fast{pointAt(4, 0.0025, -1, 2e-7), pointAt(64, 0.0025, -1, 2e-7)};
+    std::vector<MeasuredPoint> slow{pointAt(4, 0, -1, 1e-6), pointAt(64, 0, -1, 1e-6)},
+        fast{pointAt(4, 0.0025, -1, 2e-7), pointAt(64, 0.0025, -1, 2e-7)};
     for (MeasuredPoint& p : fast) p.setting = 1;
     const std::vector<SettingModel> models{fitModel(slow, false, 1e6, 0.5, 1), fitModel(fast, true, 1e6, 0.5, 1)};
     const auto chosen = [&](Wish::Kind kind, double value) { return recommend({kind, value}, models, settings); };
@@ -125,7 +127,10 @@ TEST(TradeModel, RecommendsTheFastBiasedSettingForLargeErrorsAndTheUnbiasedOneFo
 TEST(TradeModel, TheFrontHasWhatNothingElseBeats) {
     std::vector<MeasuredPoint> points(3);
     const double seconds[] = {1, 2, 3}, squares[] = {0.04, 0.09, 0.01};
-    for (size_t i = 0; i < 3; ++i) { points[i].seconds = seconds[i]; points[i].error.square.value = squares[i]; }
+    for (size_t i = 0; i < 3; ++i) {
+        points[i].seconds = seconds[i];
+        points[i].error.square.value = squares[i];
+    }
     markFront(points);
     EXPECT_TRUE(points[0].isOnFront && !points[1].isOnFront && points[2].isOnFront);
 }
@@ -139,7 +144,8 @@ TEST(TradeOptions, WishesAreTimesOrErrors) {
     EXPECT_EQ(parseWish("--for", "2m"), (Wish{Wish::Kind::seconds, 120}));
     EXPECT_EQ(parseWish("--for", "0.5%"), (Wish{Wish::Kind::error, 0.005}));
     EXPECT_EQ(parseDuration("--budget", "1.5h"), 5400);
-    for (const char* text : {"", "s", "%", "-3s", "0%", "2 %x", "1d", "nan", "inf"}) EXPECT_THROW(parseWish("--for", text), UsageError) << text;
+    for (const char* text : {"", "s", "%", "-3s", "0%", "2 %x", "1d", "nan", "inf"})
+        EXPECT_THROW(parseWish("--for", text), UsageError) << text;
 }
 
 class TradeState : public TemporaryFolder {};
@@ -168,7 +174,10 @@ TEST_F(TradeState, GoesOnOnlyWithWhatItBelongsTo) {
 }
 
 TEST(TradeReport, PlotsAreValidWhateverTheyShow) {
-    Plot plot{.xLabel = "x < y & z", .yLabel = "y", .curves = {{"c", "red", {{1, 2, 1, 3, "\"a\""}, {-1, 2}, {NAN, 1}, {10, 0.1}}}}, .front = {{1, 2}}};
+    Plot plot{.xLabel = "x < y & z",
+              .yLabel = "y",
+              .curves = {{"c", "red", {{1, 2, 1, 3, "\"a\""}, {-1, 2}, {NAN, 1}, {10, 0.1}}}},
+              .front = {{1, 2}}};
     const std::string svg = asSvg(plot);
     EXPECT_THAT(svg, testing::HasSubstr("x &lt; y &amp; z"));
     EXPECT_THAT(svg, testing::Not(testing::HasSubstr("nan")));

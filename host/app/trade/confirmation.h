@@ -1,8 +1,6 @@
 #pragma once
 // Runs a command of this program as the user would, to learn what it takes at full size.
 
-#include "app/trade/setting.h"
-
 #include <string>
 #include <vector>
 
@@ -12,10 +10,10 @@ namespace eikonal {
 struct Confirmation {
     size_t setting = 0;
     double rung = 0;
-    double wallSeconds = 0;            ///< of the process
-    double renderSeconds = 0;          ///< of that: rendering
-    double compileSeconds = 0;         ///< of that: kernels
-    double meanSamples = 0;            ///< per pixel
+    double wallSeconds = 0;     ///< of the process
+    double renderSeconds = 0;   ///< of that: rendering
+    double compileSeconds = 0;  ///< of that: kernels
+    double meanSamples = 0;     ///< per pixel
 
     /// What it takes besides rendering, with compiled kernels.
     double fixedSeconds() const { return wallSeconds - renderSeconds - compileSeconds; }

@@ -18,7 +18,8 @@ void checkSize(const FilmImage& image, size_t pixels) {
 
 /// Calls f(a, first, second, weight, pixel, channel) for each channel of each pixel; weight turns squares into relative ones, over the
 /// number of values.
-template <class F> void forEachValue(const FilmImage& a, const References& r, F&& f) {
+template <class F>
+void forEachValue(const FilmImage& a, const References& r, F&& f) {
     checkSize(a, r.first.pixelCount());
     checkSize(a, r.second.pixelCount());
     const double mean = (meanOf(r.first) + meanOf(r.second)) / 2, count = 3 * static_cast<double>(a.pixelCount());
@@ -95,10 +96,10 @@ ErrorEstimate estimateError(const SeedSums& sums, std::span<const double> square
                             const References& references) {
     const double seeds = sums.seeds;
     ErrorEstimate e;
-    double biasOfMean = 0, fromReferences = 0, fromSeeds = 0;   // the last two: variances of the bias's square
+    double biasOfMean = 0, fromReferences = 0, fromSeeds = 0;  // the last two: variances of the bias's square
     forEachValue(sums.mean, references, [&](double a, double first, double second, double weight, size_t i, int c) {
         const double variance = sums.seeds > 1 ? static_cast<double>(sums.squares[i][c]) / (seeds - 1) : 0;
-        const double bias = a - (first + second) / 2, difference = (first - second) * (first - second) / 2;   // variance of a reference
+        const double bias = a - (first + second) / 2, difference = (first - second) * (first - second) / 2;  // variance of a reference
         e.variance += weight * variance;
         biasOfMean += weight * (a - first) * (a - second);
         fromReferences += weight * weight * (difference * difference / 3 + 2 * bias * bias * difference);

@@ -9,7 +9,9 @@
 namespace eikonal {
 
 /// An estimate with a 95 % confidence interval.
-struct Interval { double value = 0, low = 0, high = 0; };
+struct Interval {
+    double value = 0, low = 0, high = 0;
+};
 
 /// Two independent converged images of the same expectation. A product (a - first)(a - second) has the expectation of the squared error of
 /// `a` itself: their noise cancels.
@@ -24,17 +26,17 @@ struct References {
 /// Sums over renders of one setting that differ in their seeds, for each channel of each pixel (Welford 1962).
 struct SeedSums {
     int seeds = 0;
-    FilmImage mean;                        ///< of the renders
-    std::vector<glm::vec3> squares;        ///< sums of squared deviations from the mean
+    FilmImage mean;                  ///< of the renders
+    std::vector<glm::vec3> squares;  ///< sums of squared deviations from the mean
     void add(const FilmImage& image);
 };
 
 /// The error of one render of a setting. Squares are relative (image/relative_error.h, with references.mean() as the reference).
 struct ErrorEstimate {
-    Interval square;                       ///< relMSE: biasSquare + variance
-    Interval biasSquare;                   ///< may be negative, by noise
-    double variance = 0;                   ///< between seeds
-    Interval energy;                       ///< mean of the image over that of the reference, - 1
+    Interval square;      ///< relMSE: biasSquare + variance
+    Interval biasSquare;  ///< may be negative, by noise
+    double variance = 0;  ///< between seeds
+    Interval energy;      ///< mean of the image over that of the reference, - 1
 };
 
 /// (image - first)(image - second), relative, averaged over pixels and channels: an unbiased estimate of the image's relMSE.

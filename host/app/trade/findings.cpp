@@ -25,7 +25,9 @@ const Confirmation* longest(const StudyState& state, size_t setting) {
 }
 
 std::string quoted(const std::string& word) {
-    const bool isPlain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=./,:+%@") == std::string::npos;
+    const bool isPlain =
+        !word.empty() &&
+        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=./,:+%@") == std::string::npos;
     if (isPlain) return word;
     std::string text = "'";
     for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -54,7 +56,8 @@ Findings analyse(Study& study, const std::vector<Wish>& wishes) {
     const StudyState& state = study.state();
     Findings found;
     if (state.ladderOf(0).empty())
-        throw Error(ExitCode::scene, "the budget was spent before anything was measured; give more with --budget, or a smaller --resolution");
+        throw Error(ExitCode::scene,
+                    "the budget was spent before anything was measured; give more with --budget, or a smaller --resolution");
     found.references = study.loadReferences();
     const FilmImage reference = found.references.mean();
     const double pixels = pixelsOf(state.full);
@@ -104,9 +107,8 @@ void confirmRecommendations(Study& study, const std::vector<Wish>& wishes) {
             const Setting& s = state.settings[m->setting];
             double samples = std::max(1., std::floor(std::min({left / 6, 20.}) / m->secondsPerSample));
             samples = std::min(samples, std::max(m->lastSamples, 16.));
-            const double rung = s.ladder == Ladder::samples
-                                    ? samples
-                                    : m->lastRung * std::pow(samples / m->lastSamples, m->slope.value / 2);
+            const double rung =
+                s.ladder == Ladder::samples ? samples : m->lastRung * std::pow(samples / m->lastSamples, m->slope.value / 2);
             study.confirmAt(m->setting, rung);
         }
     }
@@ -123,8 +125,8 @@ std::string describe(const Study& study, const Recommendation& r) {
     if (!r.isPossible)
         return fmt::format("for {}: nothing that was measured {}", r.wish.text(),
                            r.wish.kind == Wish::Kind::error ? "converges so far" : "is so fast; use a lower --resolution");
-    return fmt::format("for {}: {}   ({:.3g} s, error {:.2g} % +- {:.1g} %{})", r.wish.text(), commandOf(study, r.setting, r.rung), r.seconds, r.error * 100,
-                       r.error * r.uncertainty * 100,
+    return fmt::format("for {}: {}   ({:.3g} s, error {:.2g} % +- {:.1g} %{})", r.wish.text(), commandOf(study, r.setting, r.rung),
+                       r.seconds, r.error * 100, r.error * r.uncertainty * 100,
                        r.extrapolation > 8 ? fmt::format("; extrapolated from {:.2g} of the samples", 1 / r.extrapolation) : "");
 }
 

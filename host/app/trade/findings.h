@@ -11,7 +11,7 @@ namespace eikonal {
 struct Findings {
     References references;
     std::vector<MeasuredPoint> points;
-    std::vector<SettingModel> models;          ///< of the settings that have points
+    std::vector<SettingModel> models;  ///< of the settings that have points
     std::vector<Recommendation> recommendations;
 };
 

@@ -14,8 +14,8 @@
 namespace eikonal {
 namespace {
 
-constexpr int seedsInASession = Study::seeds / 2;   // so that each point is measured at two times
-constexpr double hopeless = 4;                      // settings that need so many times the best one's time are not measured at higher rungs
+constexpr int seedsInASession = Study::seeds / 2;  // so that each point is measured at two times
+constexpr double hopeless = 4;                     // settings that need so many times the best one's time are not measured at higher rungs
 constexpr double worthCombining = 1.05;
 
 /// relMSE x seconds at a point: the inverse of efficiency.
@@ -89,9 +89,7 @@ void Study::climb(size_t setting, double rung, int firstSeed, int endSeed) {
         const Point* own = state_.find(0, rung);
         if (setting > 0 && s.ladder == Ladder::samples && !s.compiles && own && !own->seeds.empty())
             point.isSameImage = images.first.color == loadImages(*own).first.color;
-    } catch (const Error& error) {
-        point.failure = error.what();
-    }
+    } catch (const Error& error) { point.failure = error.what(); }
     if (known) *known = point;
     else state_.points.push_back(point);
     save();
@@ -127,9 +125,14 @@ void Study::addCombination() {
         for (; first < state_.settings.size() && state_.settings[first].knob == knob; ++first) {
             const Setting& s = state_.settings[first];
             const Point* p = state_.find(first, own->rung);
-            if (s.addsBias || !p || s.knob == "unbiased" || s.knob == "colour" || s.knob == "subsurface" || static_cast<int>(p->seeds.size()) < seeds) continue;
+            if (s.addsBias || !p || s.knob == "unbiased" || s.knob == "colour" || s.knob == "subsurface" ||
+                static_cast<int>(p->seeds.size()) < seeds)
+                continue;
             const double gain = usual / costOfError(*p, meanSquaredError(*p));
-            if (gain > most) { most = gain; best = &s; }
+            if (gain > most) {
+                most = gain;
+                best = &s;
+            }
         }
         if (!best) continue;
         ++knobs;
@@ -152,8 +155,8 @@ void Study::climbHigher(double until) {
     const double top = state_.referenceSamples[1] / 8;
     for (double rung = rungs[std::size(rungs) - 1] * 4; rung <= top; rung *= 4)
         for (size_t setting = 0; setting < state_.settings.size(); ++setting)
-            if (state_.settings[setting].ladder == Ladder::samples && !state_.settings[setting].compiles && isWorthClimbing(setting, rung) &&
-                spent() + costOf(seeds * rung) < until)
+            if (state_.settings[setting].ladder == Ladder::samples && !state_.settings[setting].compiles &&
+                isWorthClimbing(setting, rung) && spent() + costOf(seeds * rung) < until)
                 climb(setting, rung, 0, seeds);
 }
 

@@ -8,8 +8,8 @@
 namespace eikonal {
 namespace {
 
-constexpr double steepest = -2, flattest = -0.5;      // slopes that a fit may have
-constexpr double usualSlope = -1.05, slopeSpread = 0.2;   // before anything is measured
+constexpr double steepest = -2, flattest = -0.5;         // slopes that a fit may have
+constexpr double usualSlope = -1.05, slopeSpread = 0.2;  // before anything is measured
 constexpr double mostSamples = 1 << 24;
 
 /// A number of samples with three significant bits, so that sequences are sampled evenly, at most `samples`.
@@ -19,7 +19,10 @@ double roundSamples(double samples) {
 }
 
 /// A line through (log n, log variance), with prior knowledge of its slope (Bayesian linear regression with a normal prior).
-struct Line { double intercept = 0; Interval slope; };
+struct Line {
+    double intercept = 0;
+    Interval slope;
+};
 Line fitLine(const std::vector<MeasuredPoint>& points) {
     /* Each variance is known to about this share, and higher rungs matter more: roulette and guides are chosen for long renders */
     double weights = 0, meanX = 0, meanY = 0;
@@ -42,7 +45,7 @@ Line fitLine(const std::vector<MeasuredPoint>& points) {
         xx += w * x * x;
         xy += w * x * (std::log(p.error.variance) - meanY);
     }
-    constexpr double noise = 0.1;   // of the logarithm of a variance
+    constexpr double noise = 0.1;  // of the logarithm of a variance
     const double precision = n * xx / (noise * noise) + 1 / (slopeSpread * slopeSpread);
     const double slope = std::clamp((n * xy / (noise * noise) + usualSlope / (slopeSpread * slopeSpread)) / precision, steepest, flattest);
     const double half = 1.96 / std::sqrt(precision);
@@ -92,8 +95,7 @@ Recommendation recommend(const Wish& wish, const std::vector<SettingModel>& mode
     Recommendation best;
     best.wish = wish;
     for (const SettingModel& m : models) {
-        const std::optional<double> samples =
-            wish.kind == Wish::Kind::error ? m.samplesForError(wish.value) : m.samplesInTime(wish.value);
+        const std::optional<double> samples = wish.kind == Wish::Kind::error ? m.samplesForError(wish.value) : m.samplesInTime(wish.value);
         if (!samples) continue;
         const double seconds = m.seconds(*samples), error = m.error(*samples);
         /* Of nearly equal ones, the first: the user's own options before others */
@@ -101,9 +103,9 @@ Recommendation recommend(const Wish& wish, const std::vector<SettingModel>& mode
         if (best.isPossible && !isBetter) continue;
         const bool isAdaptive = settings[m.setting].ladder == Ladder::targetErrors;
         const double extrapolation = *samples / m.lastSamples;
-        best = {wish, true, m.setting, *samples,
-                isAdaptive ? m.lastRung * std::pow(extrapolation, m.slope.value / 2) : *samples,
-                seconds, error, m.uncertainty, extrapolation};
+        best = {
+            wish,    true,  m.setting,     *samples,     isAdaptive ? m.lastRung * std::pow(extrapolation, m.slope.value / 2) : *samples,
+            seconds, error, m.uncertainty, extrapolation};
     }
     return best;
 }

@@ -22,7 +22,8 @@ std::string base64(const std::vector<unsigned char>& bytes) {
 }
 
 /// `color(i)`: the stored values of pixel i, in [0, 1].
-template <class F> std::string asPng(const FilmImage& size, F&& color) {
+template <class F>
+std::string asPng(const FilmImage& size, F&& color) {
     EncodedImage png;
     png.stored = EncodedImage::Values::bytes;
     png.width = png.fullWidth = size.columns();

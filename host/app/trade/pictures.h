@@ -14,8 +14,8 @@ double exposureFor(double mean);
 std::string picture(const FilmImage& image, const ToneMapping& mapping);
 /// An image whose colours are stored values in [0, 1] already.
 std::string storedPicture(const FilmImage& image);
-/// image - reference, of luminance and relative to the reference's local value: grey where both agree, red where the image is brighter, blue
-/// where it is darker. Full colour at a difference of `range`.
+/// image - reference, of luminance and relative to the reference's local value: grey where both agree, red where the image is brighter,
+/// blue where it is darker. Full colour at a difference of `range`.
 std::string differencePicture(const FilmImage& image, const FilmImage& reference, double range);
 
 }  // namespace eikonal

@@ -48,8 +48,14 @@ ErrorEstimate estimateError(const Point& point, const SeedSums& sums, const Refe
 }
 
 void to_json(nlohmann::json& json, const Point& p) {
-    json = {{"setting", p.setting}, {"rung", p.rung}, {"prepareSeconds", p.prepareSeconds}, {"compileSeconds", p.compileSeconds},
-            {"compiledKernels", p.compiledKernels}, {"isSameImage", p.isSameImage}, {"failure", p.failure}, {"seeds", nlohmann::json::array()}};
+    json = {{"setting", p.setting},
+            {"rung", p.rung},
+            {"prepareSeconds", p.prepareSeconds},
+            {"compileSeconds", p.compileSeconds},
+            {"compiledKernels", p.compiledKernels},
+            {"isSameImage", p.isSameImage},
+            {"failure", p.failure},
+            {"seeds", nlohmann::json::array()}};
     for (const SeedResult& s : p.seeds) json["seeds"].push_back(s);
 }
 

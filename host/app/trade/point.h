@@ -14,10 +14,10 @@ namespace eikonal {
 struct SeedResult {
     int seed = 0;
     double renderSeconds = 0;
-    double meanSamples = 0;            ///< per pixel
-    double expectedError = 0;          ///< as --target-error estimates it
-    double squaredError = 0;           ///< squaredErrorOf its image
-    double mean = 0;                   ///< meanOf its image
+    double meanSamples = 0;    ///< per pixel
+    double expectedError = 0;  ///< as --target-error estimates it
+    double squaredError = 0;   ///< squaredErrorOf its image
+    double mean = 0;           ///< meanOf its image
 };
 
 /// A setting, by its index, at `rung`: samples per pixel, or a target error.
@@ -25,13 +25,13 @@ struct Point {
     size_t setting = 0;
     double rung = 0;
     std::vector<SeedResult> seeds;
-    double prepareSeconds = 0;         ///< the least of its sessions
-    double compileSeconds = 0;         ///< the most of its sessions: with kernels that were not in the cache
-    int compiledKernels = 0;           ///< the most of its sessions
-    bool isSameImage = false;          ///< the same bits as the user's own options give: the setting has no effect on the image
-    std::string failure;               ///< why it cannot be rendered; empty: it can
+    double prepareSeconds = 0;  ///< the least of its sessions
+    double compileSeconds = 0;  ///< the most of its sessions: with kernels that were not in the cache
+    int compiledKernels = 0;    ///< the most of its sessions
+    bool isSameImage = false;   ///< the same bits as the user's own options give: the setting has no effect on the image
+    std::string failure;        ///< why it cannot be rendered; empty: it can
 
-    double medianSeconds() const;      ///< of rendering
+    double medianSeconds() const;  ///< of rendering
     double meanSamples() const;
 };
 

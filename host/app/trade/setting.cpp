@@ -1,8 +1,6 @@
 #include "app/trade/setting.h"
 
 #include "kinds/integrator_kind.h"
-#include "kinds/material_kind.h"
-#include "names.h"
 #include "render/session.h"
 
 #include <fmt/format.h>
@@ -25,10 +23,6 @@ private:
     std::vector<Setting>& settings_;
     std::string name_;
 };
-
-bool hasSubsurface(const Scene& scene) {
-    return std::ranges::any_of(scene.materials, [](const Material& m) { return m.kind == &subsurface_material; });
-}
 
 /// Whether paths are followed through the scene's BSDFs.
 bool tracesPaths(const Scene& scene) { return followsBsdfs(scene.integrator); }
@@ -79,8 +73,7 @@ std::vector<std::string> causesOfBias(const Session& session) {
     if (!session.packed().features.has(Feature::SPECTRAL)) causes.emplace_back("--color=spectral");
     if (scene.integrator.regularize) causes.emplace_back("--regularize=off");
     if (scene.film.maxComponentValue > 0) causes.emplace_back("--max-component-value=0");
-    if (std::ranges::any_of(scene.materials, [](const Material& m) { return m.kind == &subsurface_material && m.method == SubsurfaceMethod::diffusion; }))
-        causes.emplace_back("--subsurface=randomwalk");
+    if (session.packed().features.has(Feature::DIFFUSION)) causes.emplace_back("--subsurface=randomwalk");
     return causes;
 }
 
@@ -97,7 +90,7 @@ std::vector<Setting> settingsFor(const Session& session, double brightness) {
     Knob color(settings, "colour");
     if (packed.features.has(Feature::SPECTRAL)) color.add("rgb", {"--color=rgb"}, true);
     else color.add("wavelengths", {"--color=spectral"});
-    if (hasSubsurface(scene)) {
+    if (packed.features.has(Feature::SUBSURFACE)) {
         Knob subsurface(settings, "subsurface");
         for (const auto& [name, method] : subsurfaceMethodNames)
             subsurface.add(name, {fmt::format("--subsurface={}", name)}, method == SubsurfaceMethod::diffusion);
@@ -124,7 +117,7 @@ std::vector<Setting> settingsFor(const Session& session, double brightness) {
 
 std::vector<std::string> referenceOptions(const Session& session) {
     std::vector<std::string> options{"--color=spectral", "--regularize=off", "--max-component-value=0"};
-    if (hasSubsurface(session.scene())) options.push_back("--subsurface=randomwalk");
+    if (session.packed().features.has(Feature::SUBSURFACE)) options.push_back("--subsurface=randomwalk");
     return options;
 }
 

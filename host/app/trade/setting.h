@@ -13,13 +13,13 @@ enum class Ladder { samples, targetErrors };
 
 /// One way to render a scene: options of `eikonal render` that differ from those of the user.
 struct Setting {
-    std::string knob;                    ///< "Russian roulette"; "as given" for the user's own options
-    std::string value;                   ///< "throughput"
-    std::vector<std::string> options;    ///< "--name=value"
-    bool addsBias = false;               ///< beyond that of the user's own options
-    bool isBiased = false;               ///< it converges to another image than the reference, by construction
+    std::string knob;                  ///< "Russian roulette"; "as given" for the user's own options
+    std::string value;                 ///< "throughput"
+    std::vector<std::string> options;  ///< "--name=value"
+    bool addsBias = false;             ///< beyond that of the user's own options
+    bool isBiased = false;             ///< it converges to another image than the reference, by construction
     Ladder ladder = Ladder::samples;
-    bool compiles = false;               ///< needs kernels that no other scene uses
+    bool compiles = false;  ///< needs kernels that no other scene uses
 
     std::string name() const { return value.empty() ? knob : knob + ": " + value; }
 };

@@ -17,9 +17,9 @@ Options renderOptions(const std::string& scene, const std::vector<std::string>& 
 struct TimedImage {
     FilmImage image;
     double renderSeconds = 0;
-    double meanSamples = 0;            ///< per pixel
-    double expectedError = 0;          ///< as --target-error estimates it
-    bool isFinished = true;            ///< false: interrupted
+    double meanSamples = 0;    ///< per pixel
+    double expectedError = 0;  ///< as --target-error estimates it
+    bool isFinished = true;    ///< false: interrupted
 };
 
 /// A session with the kernels and tables of one setting.
@@ -33,7 +33,7 @@ public:
 
     double compileSeconds() const { return session_.times().compile; }
     int compiledKernels() const { return session_.compiledStages(); }
-    double prepareSeconds() const { return prepareSeconds_; }   ///< to load, pack, build and upload the scene
+    double prepareSeconds() const { return prepareSeconds_; }  ///< to load, pack, build and upload the scene
     Session& session() { return session_; }
 
 private:

@@ -17,10 +17,10 @@ namespace {
 /// The budget's parts: references until the first share is spent, every ladder until the second, higher rungs until the third; what is left
 /// is for runs at full size.
 constexpr double referenceShare = 0.3, ladderShare = 0.75, higherShare = 0.85;
-constexpr int firstLookSize = 96;              // pixels along the longer side
+constexpr int firstLookSize = 96;  // pixels along the longer side
 constexpr double firstLookSamples = 4;
 constexpr int leastPixels = 48 * 48;
-constexpr int referenceSeeds = 1 << 20;        // the seeds of references begin here
+constexpr int referenceSeeds = 1 << 20;  // the seeds of references begin here
 constexpr double mostAdaptiveSamples = 65536;
 
 /// A size of the same shape with about `pixels` pixels, but not more than `full`.
@@ -60,9 +60,7 @@ void Study::save() {
     state_.save(stateFile());
 }
 
-std::string Study::stemOf(const Point& point) const {
-    return fmt::format("{}/points/{}-{:g}", request_.folder, point.setting, point.rung);
-}
+std::string Study::stemOf(const Point& point) const { return fmt::format("{}/points/{}-{:g}", request_.folder, point.setting, point.rung); }
 
 std::string Study::stemOfReference(int which) const { return fmt::format("{}/reference-{}.exr", request_.folder, which + 1); }
 
@@ -137,7 +135,7 @@ double Study::costOf(double samples) const { return samples * pixelsOf(state_.st
 References Study::loadReferences() const { return {readImage(stemOfReference(0)).image, readImage(stemOfReference(1)).image}; }
 
 void Study::renderReferences(double until) {
-    const double enough = 64 * std::max(state_.ladderTop(), rungs[std::size(rungs) - 1]);   // for points with as many samples
+    const double enough = 64 * std::max(state_.ladderTop(), rungs[std::size(rungs) - 1]);  // for points with as many samples
     if (state_.referenceSamples[1] >= enough || isOver(until)) return;
     const Setting setting{"reference", "", state_.reference, false, false, Ladder::samples, false};
     const double batch = std::exp2(std::clamp(std::floor(std::log2(0.05 * request_.budgetSeconds / costOf(1))), 2., 10.));

@@ -10,23 +10,26 @@
 namespace eikonal {
 
 /// How far a study is: `fraction` of its budget, and what it does.
-struct StudyProgress { double fraction, secondsLeft; std::string what; };
+struct StudyProgress {
+    double fraction, secondsLeft;
+    std::string what;
+};
 
 /// A study in a folder, which it creates. Everything measured is kept there after each session, so an interrupted study goes on where it
 /// was. Random numbers: renders of points have the seeds 1, 2, ..., those of references others, so none is in both.
 class Study {
 public:
     struct Request {
-        std::string scene;                       ///< its file
-        std::vector<std::string> options;        ///< the user's, "--name=value"
+        std::string scene;                 ///< its file
+        std::vector<std::string> options;  ///< the user's, "--name=value"
         std::string folder;
-        double budgetSeconds = 300;              ///< of all runs of this study
-        std::function<bool()> stop;              ///< asked often; true: end soon
+        double budgetSeconds = 300;  ///< of all runs of this study
+        std::function<bool()> stop;  ///< asked often; true: end soon
         std::function<void(const StudyProgress&)> progress;
     };
 
-    static constexpr int seeds = 8;              ///< of a point that is measured in full
-    static constexpr double rungs[] = {4, 16, 64};   ///< samples per pixel of every ladder; longer ones follow if there is time
+    static constexpr int seeds = 8;                 ///< of a point that is measured in full
+    static constexpr double rungs[] = {4, 16, 64};  ///< samples per pixel of every ladder; longer ones follow if there is time
 
     /// Reads what an earlier run left in the folder. Throws Error.
     explicit Study(Request request);

@@ -38,10 +38,22 @@ std::vector<const Point*> StudyState::ladderOf(size_t setting, int seeds) const 
 }
 
 void StudyState::save(const std::string& file) const {
-    Json json{{"scene", scene}, {"sceneHash", sceneHash}, {"version", version}, {"device", device}, {"baseOptions", baseOptions},
-              {"full", full}, {"studied", studied}, {"pathSeconds", pathSeconds}, {"prepareSeconds", prepareSeconds},
-              {"brightness", brightness}, {"spentSeconds", spentSeconds}, {"referenceSamples", referenceSamples},
-              {"referenceSeconds", referenceSeconds}, {"reference", reference}, {"settings", Json::array()}, {"points", Json::array()},
+    Json json{{"scene", scene},
+              {"sceneHash", sceneHash},
+              {"version", version},
+              {"device", device},
+              {"baseOptions", baseOptions},
+              {"full", full},
+              {"studied", studied},
+              {"pathSeconds", pathSeconds},
+              {"prepareSeconds", prepareSeconds},
+              {"brightness", brightness},
+              {"spentSeconds", spentSeconds},
+              {"referenceSamples", referenceSamples},
+              {"referenceSeconds", referenceSeconds},
+              {"reference", reference},
+              {"settings", Json::array()},
+              {"points", Json::array()},
               {"confirmations", Json::array()}};
     for (const Setting& s : settings) json["settings"].push_back(s);
     for (const Point& p : points) json["points"].push_back(p);
@@ -53,8 +65,9 @@ void StudyState::save(const std::string& file) const {
 /// Throws if a study of `found` cannot go on as one of `expected`.
 static void checkSame(const std::string& file, const char* what, const std::string& found, const std::string& expected) {
     if (found != expected)
-        throw Error(ExitCode::scene, fmt::format("\"{}\" is a study of another {}: \"{}\", not \"{}\"; remove its folder or choose another -o",
-                                                 file, what, found, expected));
+        throw Error(ExitCode::scene,
+                    fmt::format("\"{}\" is a study of another {}: \"{}\", not \"{}\"; remove its folder or choose another -o", file, what,
+                                found, expected));
 }
 
 std::optional<StudyState> StudyState::load(const std::string& file, const StudyState& expected) {
@@ -63,10 +76,13 @@ std::optional<StudyState> StudyState::load(const std::string& file, const StudyS
     StudyState s;
     try {
         const Json json = Json::parse(in);
-        for (const auto& [key, text] : {std::pair{"scene", &s.scene}, {"sceneHash", &s.sceneHash}, {"version", &s.version}, {"device", &s.device}})
+        for (const auto& [key, text] :
+             {std::pair{"scene", &s.scene}, {"sceneHash", &s.sceneHash}, {"version", &s.version}, {"device", &s.device}})
             json.at(key).get_to(*text);
-        for (const auto& [key, number] : {std::pair{"pathSeconds", &s.pathSeconds}, {"prepareSeconds", &s.prepareSeconds},
-                                          {"brightness", &s.brightness}, {"spentSeconds", &s.spentSeconds},
+        for (const auto& [key, number] : {std::pair{"pathSeconds", &s.pathSeconds},
+                                          {"prepareSeconds", &s.prepareSeconds},
+                                          {"brightness", &s.brightness},
+                                          {"spentSeconds", &s.spentSeconds},
                                           {"referenceSeconds", &s.referenceSeconds}})
             json.at(key).get_to(*number);
         json.at("baseOptions").get_to(s.baseOptions);
@@ -78,14 +94,15 @@ std::optional<StudyState> StudyState::load(const std::string& file, const StudyS
         for (const Json& j : json.at("points")) s.points.push_back(j.get<Point>());
         for (const Json& j : json.at("confirmations")) s.confirmations.push_back(j.get<Confirmation>());
     } catch (const nlohmann::json::exception& error) {
-        throw Error(ExitCode::scene, fmt::format("\"{}\" is not a study that can go on ({}); remove its folder or choose another -o", file,
-                                                 error.what()));
+        throw Error(ExitCode::scene,
+                    fmt::format("\"{}\" is not a study that can go on ({}); remove its folder or choose another -o", file, error.what()));
     }
     checkSame(file, "scene file", s.scene, expected.scene);
     checkSame(file, "scene (its content has changed)", s.sceneHash, expected.sceneHash);
     checkSame(file, "version", s.version, expected.version);
     checkSame(file, "device", s.device, expected.device);
-    checkSame(file, "set of options", fmt::format("{}", fmt::join(s.baseOptions, " ")), fmt::format("{}", fmt::join(expected.baseOptions, " ")));
+    checkSame(file, "set of options", fmt::format("{}", fmt::join(s.baseOptions, " ")),
+              fmt::format("{}", fmt::join(expected.baseOptions, " ")));
     return s;
 }
 

@@ -15,7 +15,7 @@ namespace eikonal {
 struct StudyState {
     /* What the figures belong to: a study does not go on if any of these differ */
     std::string scene, sceneHash, version, device;
-    std::vector<std::string> baseOptions;      ///< the user's options of `eikonal render`
+    std::vector<std::string> baseOptions;  ///< the user's options of `eikonal render`
 
     std::array<int, 2> full{}, studied{};      ///< width and height of the user's image, and of those that are measured
     double pathSeconds = 0;                    ///< of the user's options, from the first look
@@ -24,9 +24,9 @@ struct StudyState {
     double spentSeconds = 0;                   ///< in all runs of this study
     std::array<double, 2> referenceSamples{};  ///< per pixel
     double referenceSeconds = 0;
-    std::vector<std::string> reference;        ///< the options of references
+    std::vector<std::string> reference;  ///< the options of references
     std::vector<Setting> settings;
-    std::vector<Point> points;                 ///< of a setting, by ascending rung
+    std::vector<Point> points;  ///< of a setting, by ascending rung
     std::vector<Confirmation> confirmations;
 
     /// The largest rung, in samples per pixel.

@@ -15,7 +15,10 @@ bool isShown(const PlotPoint& p) { return p.x > 0 && p.y > 0 && std::isfinite(p.
 /// A logarithmic axis from `from` to `to` in drawing units.
 struct Axis {
     double low = 1e300, high = 0, from, to;
-    void include(double value) { low = std::min(low, value); high = std::max(high, value); }
+    void include(double value) {
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
     void widen() {
         if (high == 0) low = high = 1;
         low /= 1.15;
@@ -60,8 +63,8 @@ std::string drawCurve(const PlotCurve& curve, const Axis& x, const Axis& y) {
         marks += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"><title>{}</title></circle>", x.at(p.x), y.at(p.y),
                              radius, curve.color, escaped(p.title));
     }
-    return fmt::format("<g stroke=\"{}\" fill=\"none\" stroke-width=\"{}\"><path d=\"{}\"/>{}</g>", curve.color, curve.isBold ? 3 : 1.5, path,
-                       marks);
+    return fmt::format("<g stroke=\"{}\" fill=\"none\" stroke-width=\"{}\"><path d=\"{}\"/>{}</g>", curve.color, curve.isBold ? 3 : 1.5,
+                       path, marks);
 }
 
 }  // namespace
@@ -83,7 +86,10 @@ std::string asSvg(const Plot& plot) {
     Axis x{.from = left, .to = plot.width - right}, y{.from = plot.height - bottom, .to = top};
     for (const PlotCurve& curve : plot.curves)
         for (const PlotPoint& p : curve.points)
-            if (isShown(p)) { x.include(p.x); y.include(p.y); }
+            if (isShown(p)) {
+                x.include(p.x);
+                y.include(p.y);
+            }
     x.widen();
     y.widen();
     std::string svg = fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{} against {}\">", plot.width, plot.height,
@@ -91,7 +97,9 @@ std::string asSvg(const Plot& plot) {
     svg += drawGrid(plot, x, y);
     std::string front;
     for (const PlotPoint& p : plot.front)
-        if (isShown(p)) front += front.empty() ? fmt::format("M{:.1f} {:.1f}", x.at(p.x), y.at(p.y)) : fmt::format("H{:.1f}V{:.1f}", x.at(p.x), y.at(p.y));
+        if (isShown(p))
+            front +=
+                front.empty() ? fmt::format("M{:.1f} {:.1f}", x.at(p.x), y.at(p.y)) : fmt::format("H{:.1f}V{:.1f}", x.at(p.x), y.at(p.y));
     svg += fmt::format("<path d=\"{}\" fill=\"none\" stroke=\"currentColor\" stroke-dasharray=\"6 4\" stroke-opacity=\".6\"/>", front);
     for (const PlotCurve& curve : plot.curves)
         if (!curve.isBold) svg += drawCurve(curve, x, y);
