@@ -124,6 +124,16 @@ TEST(TradeModel, RecommendsTheFastBiasedSettingForLargeErrorsAndTheUnbiasedOneFo
     EXPECT_LE(chosen(Wish::Kind::error, 0.02).error, 0.0201);
 }
 
+TEST(TradeModel, PrefersWhatIsKnownToWhatIsExtrapolatedFar) {
+    std::vector<Setting> settings(2);
+    std::vector<MeasuredPoint> known{pointAt(4, 0, -1), pointAt(16, 0, -1), pointAt(64, 0, -1)}, glimpsed{pointAt(4, 0, -1, 9e-7)};
+    glimpsed[0].setting = 1;
+    const std::vector<SettingModel> models{fitModel(known, false, 1e6, 0, 1), fitModel(glimpsed, false, 1e6, 0, 1)};
+    EXPECT_GT(models[1].uncertaintyAt(4096), 3 * models[0].uncertaintyAt(4096));
+    EXPECT_EQ(recommend({Wish::Kind::error, 0.015}, models, settings).setting, 0u);
+    EXPECT_EQ(recommend({Wish::Kind::seconds, 4000}, models, settings).setting, 0u);
+}
+
 TEST(TradeModel, TheFrontHasWhatNothingElseBeats) {
     std::vector<MeasuredPoint> points(3);
     const double seconds[] = {1, 2, 3}, squares[] = {0.04, 0.09, 0.01};

@@ -50,6 +50,22 @@ MeasuredPoint measure(const Point& p, const Study& study, const References& refe
     return m;
 }
 
+/// Measures the rungs that are missing below a recommendation. Returns whether there were any.
+bool climbFurther(Study& study, const Findings& found) {
+    bool hasClimbed = false;
+    for (const Recommendation& r : found.recommendations) {
+        if (!r.isPossible || study.state().settings[r.setting].ladder != Ladder::samples) continue;
+        for (double rung : Study::rungs) {
+            const Point* known = study.state().find(r.setting, rung);
+            const bool isKnown = known && static_cast<int>(known->seeds.size()) == Study::seeds;
+            if (isKnown || rung > r.samples || !study.canAfford(rung)) continue;
+            study.climb(r.setting, rung, 0, Study::seeds);
+            hasClimbed = true;
+        }
+    }
+    return hasClimbed;
+}
+
 }  // namespace
 
 Findings analyse(Study& study, const std::vector<Wish>& wishes) {
@@ -91,7 +107,8 @@ void confirmRecommendations(Study& study, const std::vector<Wish>& wishes) {
     StudyState& state = study.state();
     const double budget = study.request().budgetSeconds;
     for (int round = 0; round < 8; ++round) {
-        const Findings found = analyse(study, wishes);
+        Findings found = analyse(study, wishes);
+        if (climbFurther(study, found)) found = analyse(study, wishes);
         std::vector<const SettingModel*> open;
         for (const SettingModel& m : found.models) {
             const bool isWanted = m.setting == 0 || std::ranges::any_of(found.recommendations, [&](const Recommendation& r) {

@@ -58,6 +58,12 @@ double MeasuredPoint::relativeError() const { return std::sqrt(std::max(error.sq
 
 double SettingModel::error(double samples) const { return std::sqrt(biasSquare + variance1 * std::pow(samples, slope.value)); }
 
+double SettingModel::uncertaintyAt(double samples) const {
+    const double steps = std::abs(std::log(samples / lastSamples)), square = error(samples) * error(samples);
+    const double noise = square > 0 ? (square - biasSquare) / square : 0;  // the part that the slope is of
+    return std::hypot(uncertainty, (slope.high - slope.low) / 4 * steps * noise);
+}
+
 std::optional<double> SettingModel::samplesForError(double error) const {
     const double left = error * error - biasSquare;
     if (left <= 0) return std::nullopt;
@@ -94,18 +100,21 @@ SettingModel fitModel(const std::vector<MeasuredPoint>& points, bool isBiased, d
 Recommendation recommend(const Wish& wish, const std::vector<SettingModel>& models, const std::vector<Setting>& settings) {
     Recommendation best;
     best.wish = wish;
+    double least = INFINITY;
     for (const SettingModel& m : models) {
-        const std::optional<double> samples = wish.kind == Wish::Kind::error ? m.samplesForError(wish.value) : m.samplesInTime(wish.value);
+        const bool isForError = wish.kind == Wish::Kind::error;
+        const std::optional<double> samples = isForError ? m.samplesForError(wish.value) : m.samplesInTime(wish.value);
         if (!samples) continue;
-        const double seconds = m.seconds(*samples), error = m.error(*samples);
-        /* Of nearly equal ones, the first: the user's own options before others */
-        const bool isBetter = wish.kind == Wish::Kind::error ? seconds < 0.95 * best.seconds : error < 0.975 * best.error;
-        if (best.isPossible && !isBetter) continue;
+        /* The less is known, the more it counts: errors by half of their uncertainty, times by what that error costs. Of nearly equal ones
+           the first: the user's own options before others */
+        const double seconds = m.seconds(*samples), error = m.error(*samples), uncertainty = m.uncertaintyAt(*samples);
+        const double cost = isForError ? seconds * (1 + uncertainty) : error * (1 + uncertainty / 2);
+        if (cost > (isForError ? 0.95 : 0.975) * least) continue;
+        least = cost;
         const bool isAdaptive = settings[m.setting].ladder == Ladder::targetErrors;
         const double extrapolation = *samples / m.lastSamples;
-        best = {
-            wish,    true,  m.setting,     *samples,     isAdaptive ? m.lastRung * std::pow(extrapolation, m.slope.value / 2) : *samples,
-            seconds, error, m.uncertainty, extrapolation};
+        const double rung = isAdaptive ? m.lastRung * std::pow(extrapolation, m.slope.value / 2) : *samples;
+        best = {wish, true, m.setting, *samples, rung, seconds, error, uncertainty, extrapolation};
     }
     return best;
 }

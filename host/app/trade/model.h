@@ -39,6 +39,8 @@ struct SettingModel {
     bool isExact = true;                            ///< false: the setting converges to another image
 
     double error(double samples) const;  ///< a root of relMSE
+    /// The relative half width of the 95 % interval of that: of what was measured, and of the slope over what is extrapolated.
+    double uncertaintyAt(double samples) const;
     double seconds(double samples) const { return fixedSeconds + secondsPerSample * samples; }
     /// The samples for an error, or in a time; nothing if it takes more than 2^24 or less than 1.
     std::optional<double> samplesForError(double error) const;

@@ -46,6 +46,10 @@ public:
     PointImages loadImages(const Point& point) const { return PointImages::load(stemOf(point), static_cast<int>(point.seeds.size())); }
     /// The options of a setting at a rung, for a render of this size; all of the image if not given.
     std::vector<std::string> optionsOf(const Setting& setting, double rung, std::optional<std::array<int, 2>> size = std::nullopt) const;
+    /// Renders a setting at a rung with the seeds from firstSeed on, below endSeed, that it does not have yet.
+    void climb(size_t setting, double rung, int firstSeed, int endSeed);
+    /// Whether all seeds of a rung take less than half of what is left of the budget.
+    bool canAfford(double rung) const { return !isInterrupted() && costOf(seeds * rung) < (request_.budgetSeconds - spent()) / 2; }
     /// Runs a setting at full size as a process of its own, and adds what it took to the state.
     void confirmAt(size_t setting, double rung);
     /// Seconds that all runs of this study have taken.
@@ -55,7 +59,6 @@ private:
     void lookAtScene();
     void chooseSize();
     void renderReferences(double until);
-    void climb(size_t setting, double rung, int firstSeed, int endSeed);
     void climbAll(double until);
     void climbHigher(double until);
     void addCombination();
