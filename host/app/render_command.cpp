@@ -105,6 +105,7 @@ Metadata metadataOf(const Options& o, const Session& session, const Film::Sample
     m.scene = o.scene.path;
     m.sceneHash = hash;
     m.device = session.context().device().name;
+    m.biasedChoices = describe(session.biasedChoices());
     m.commandLine = o.commandLine;
     return m;
 }

@@ -66,15 +66,13 @@ void addCompilerFlags(std::vector<Setting>& settings) {
         knob.add(flag, {fmt::format("--build-options={}", flag)}, true).compiles = true;
 }
 
-/// What makes the user's own options converge to another image than the reference: the option that removes each cause.
-std::vector<std::string> causesOfBias(const Session& session) {
-    const Scene& scene = session.scene();
-    std::vector<std::string> causes;
-    if (!session.packed().features.has(Feature::SPECTRAL)) causes.emplace_back("--color=spectral");
-    if (scene.integrator.regularize) causes.emplace_back("--regularize=off");
-    if (scene.film.maxComponentValue > 0) causes.emplace_back("--max-component-value=0");
-    if (session.packed().features.has(Feature::DIFFUSION)) causes.emplace_back("--subsurface=randomwalk");
-    return causes;
+/// The options that remove what makes the user's own image converge to another one than the reference. Depth and integrator are part of what
+/// the user wants.
+std::vector<std::string> remedies(const Session& session) {
+    std::vector<std::string> options;
+    for (const BiasedChoice& c : session.biasedChoices())
+        if (c.remedy.starts_with("--") && !c.remedy.starts_with("--integrator")) options.push_back(c.remedy);
+    return options;
 }
 
 }  // namespace
@@ -107,7 +105,7 @@ std::vector<Setting> settingsFor(const Session& session, double brightness) {
         if (kind != scene.sampler.kind) sampler.add(name, {fmt::format("--sampler={}", name)});
     Knob(settings, "adaptive sampling").add("on", {}).ladder = Ladder::targetErrors;
     addBiasedNoiseReduction(settings, brightness);
-    const std::vector<std::string> causes = causesOfBias(session);
+    const std::vector<std::string> causes = remedies(session);
     if (!causes.empty()) settings.push_back({"unbiased", "", causes, false, false, Ladder::samples, false});
     addCompilerFlags(settings);
     for (Setting& s : settings)
