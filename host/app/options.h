@@ -38,6 +38,8 @@ struct Options : SessionOptions {
     std::string image;                                ///< compare
     std::string reference;                            ///< compare; bench: a converged image, empty: none
     bool scatter = false;                             ///< compare: ignore the image's variance channel
+    std::string heatMap;                              ///< compare: if not empty, write the map of FLIP there
+    std::optional<double> failAbove;                  ///< compare: the largest mean of FLIP that is no failure
     CompileRequest compile;
     double budget = 300;                              ///< trade: seconds
     std::vector<Wish> wishes;                         ///< trade

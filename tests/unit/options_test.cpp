@@ -179,6 +179,8 @@ TEST(Options, OtherCommands) {
     EXPECT_TRUE(cache.clearCache && cache.warmCache);
     EXPECT_THAT(cache.scenes, testing::ElementsAre("a.pbrt", "b.pbrt"));
     EXPECT_EQ(parse("compare a.exr b.exr").reference, "b.exr");
+    EXPECT_EQ(parse("compare a.exr b.exr --fail-above 0.1").failAbove, 0.1);
+    EXPECT_EQ(parse("compare a.exr b.exr --heat-map c.png").heatMap, "c.png");
 }
 
 TEST(Options, HelpAndVersionAreTextToPrint) {

@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 namespace eikonal {
@@ -96,16 +98,21 @@ ErrorEstimate estimateError(const SeedSums& sums, std::span<const double> square
                             const References& references) {
     const double seeds = sums.seeds;
     ErrorEstimate e;
+    std::vector<double> variances(sums.squares.size());
     double biasOfMean = 0, fromReferences = 0, fromSeeds = 0;  // the last two: variances of the bias's square
     forEachValue(sums.mean, references, [&](double a, double first, double second, double weight, size_t i, int c) {
         const double variance = sums.seeds > 1 ? static_cast<double>(sums.squares[i][c]) / (seeds - 1) : 0;
         const double bias = a - (first + second) / 2, difference = (first - second) * (first - second) / 2;  // variance of a reference
         e.variance += weight * variance;
+        variances[i] += weight * variance;
         biasOfMean += weight * (a - first) * (a - second);
         fromReferences += weight * weight * (difference * difference / 3 + 2 * bias * bias * difference);
         const double overSeeds = variance / seeds;
         fromSeeds += weight * weight * (2 * overSeeds * overSeeds + 4 * bias * bias * overSeeds);
     });
+    const size_t few = std::max<size_t>(1, variances.size() / 1000);
+    std::ranges::nth_element(variances, variances.begin() + static_cast<std::ptrdiff_t>(few), std::greater());
+    if (e.variance > 0) e.concentration = std::accumulate(variances.begin(), variances.begin() + static_cast<std::ptrdiff_t>(few), 0.) / e.variance;
     e.biasSquare = around(biasOfMean - e.variance / seeds, 1.96 * std::sqrt(fromSeeds + fromReferences));
     const double square = biasOfMean + e.variance * (seeds - 1) / seeds, t = studentQuantile(sums.seeds - 1);
     e.square = around(square, std::sqrt(t * t * varianceOfMean(squaredErrors) + 1.96 * 1.96 * fromReferences));

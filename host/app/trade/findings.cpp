@@ -138,13 +138,20 @@ std::string commandOf(const Study& study, size_t index, double rung) {
     return text;
 }
 
+std::string caveats(const Recommendation& r) {
+    std::string text;
+    if (r.extrapolation > 8) text += fmt::format("; extrapolated from {:.2g} of the samples", 1 / r.extrapolation);
+    if (!r.isReliable) text += "; not reliable: a few bright pixels hold most of the variance";
+    return text;
+}
+
 std::string describe(const Study& study, const Recommendation& r) {
     if (!r.isPossible)
         return fmt::format("for {}: nothing that was measured {}", r.wish.text(),
                            r.wish.kind == Wish::Kind::error ? "converges so far" : "is so fast; use a lower --resolution");
     return fmt::format("for {}: {}   ({:.3g} s, error {:.2g} % +- {:.1g} %{})", r.wish.text(), commandOf(study, r.setting, r.rung),
                        r.seconds, r.error * 100, r.error * r.uncertainty * 100,
-                       r.extrapolation > 8 ? fmt::format("; extrapolated from {:.2g} of the samples", 1 / r.extrapolation) : "");
+                       caveats(r));
 }
 
 }  // namespace eikonal

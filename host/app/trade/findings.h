@@ -23,6 +23,8 @@ void confirmRecommendations(Study& study, const std::vector<Wish>& wishes);
 
 /// `eikonal render ...`: renders the user's image with a setting.
 std::string commandOf(const Study& study, size_t setting, double rung);
+/// What makes a recommendation less certain: "; extrapolated from ..."; empty: nothing.
+std::string caveats(const Recommendation& recommendation);
 /// "for 30 s: eikonal render ...: 28.9 s, error 1.3 %".
 std::string describe(const Study& study, const Recommendation& recommendation);
 

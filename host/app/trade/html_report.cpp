@@ -22,8 +22,8 @@ body{{font:15px/1.5 system-ui,sans-serif;margin:0 auto;max-width:1100px;padding:
 h1{{font-size:1.5rem;margin:.2em 0}} h2{{font-size:1.15rem;margin:2em 0 .4em;border-bottom:1px solid var(--line)}}
 code{{font:13px/1.4 ui-monospace,monospace;background:var(--soft);padding:.1em .3em;overflow-wrap:anywhere}}
 table{{border-collapse:collapse;font-size:13px}} .wide{{overflow-x:auto}}
-th,td{{text-align:right;padding:.2em .6em;border-bottom:1px solid var(--line);vertical-align:top}}
-th:first-child,td:first-child,td.text,th.text{{text-align:left}} tr.own{{font-weight:600}}
+th,td{{text-align:right;white-space:nowrap;padding:.2em .6em;border-bottom:1px solid var(--line);vertical-align:top}}
+th:first-child,td:first-child,td.text,th.text{{text-align:left;white-space:normal}} tr.own{{font-weight:600}}
 svg{{width:100%;height:auto}} .legend{{display:flex;flex-wrap:wrap;gap:.2em 1.2em;font-size:13px}}
 .legend i{{display:inline-block;width:1.4em;height:.25em;vertical-align:middle;margin-right:.4em}}
 .pictures{{display:grid;grid-template-columns:repeat(auto-fill,minmax(300px,1fr));gap:1rem}}
@@ -119,7 +119,7 @@ private:
             text_ += fmt::format("<tr><td>{}</td><td class=\"text\"><code>{}</code></td><td>{:.3g} s</td><td>{} &plusmn; {}{}</td></tr>\n",
                                  r.wish.text(), escaped(commandOf(study_, r.setting, r.rung)), r.seconds, percent(r.error),
                                  percent(r.error * r.uncertainty),
-                                 r.extrapolation > 8 ? fmt::format("<br>extrapolated {:.0f} x", r.extrapolation) : "");
+                                 caveats(r));
         }
         text_ += "</table></div>\n";
     }

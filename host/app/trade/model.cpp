@@ -93,6 +93,8 @@ SettingModel fitModel(const std::vector<MeasuredPoint>& points, bool isBiased, d
     m.lastRung = last.rung;
     m.lastSamples = last.samples;
     const Interval& square = last.error.square;
+    constexpr double concentrated = 0.25;   // where noise is spread over the image, 0.01 to 0.1
+    m.isReliable = std::ranges::none_of(points, [](const MeasuredPoint& p) { return p.error.concentration > concentrated; });
     m.uncertainty = square.value > 0 ? (square.high - square.low) / 4 / square.value : 1;
     return m;
 }
@@ -114,7 +116,7 @@ Recommendation recommend(const Wish& wish, const std::vector<SettingModel>& mode
         const bool isAdaptive = settings[m.setting].ladder == Ladder::targetErrors;
         const double extrapolation = *samples / m.lastSamples;
         const double rung = isAdaptive ? m.lastRung * std::pow(extrapolation, m.slope.value / 2) : *samples;
-        best = {wish, true, m.setting, *samples, rung, seconds, error, uncertainty, extrapolation};
+        best = {wish, true, m.setting, *samples, rung, seconds, error, uncertainty, m.isReliable, extrapolation};
     }
     return best;
 }

@@ -36,6 +36,7 @@ struct SettingModel {
     double fixedSeconds = 0, secondsPerSample = 0;  ///< of the user's whole image
     double lastRung = 0, lastSamples = 0;           ///< of the ladder
     double uncertainty = 0;                         ///< relative half width of the 95 % interval of the error at the last rung
+    bool isReliable = true;                ///< false: few bright samples hold much of the variance, so it may be far too low
     bool isExact = true;                            ///< false: the setting converges to another image
 
     double error(double samples) const;  ///< a root of relMSE

@@ -81,7 +81,7 @@ std::string asJson(const Study& study, const Findings& findings) {
                         {"samples", r.samples},
                         {"seconds", r.seconds},
                         {"error", r.error},
-                        {"uncertainty", r.uncertainty},
+                        {"uncertainty", r.uncertainty}, {"isReliable", r.isReliable},
                         {"extrapolation", r.extrapolation}});
         json["recommendations"].push_back(one);
     }
