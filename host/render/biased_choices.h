@@ -10,8 +10,8 @@
 namespace eikonal {
 
 struct BiasedChoice {
-    std::string what;      ///< "RGB colour"
-    std::string remedy;    ///< the options without it: "--color=spectral"
+    std::string what;    ///< "RGB colour"
+    std::string remedy;  ///< the options without it: "--color=spectral"
 };
 
 /// The biased choices of a scene that has been packed. buildOptions: of the OpenCL compiler, as the user gave them.

@@ -154,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(Commands, BadValues, testing::Values(
     BadValue{"", "eikonal render scene.pbrt -o image.exr"},
     BadValue{"rendr a.pbrt", "did you mean render?"},
     BadValue{"a.pbrt", "did you mean `eikonal render a.pbrt`?"},
-    BadValue{"frobnicate", "the commands are render, info, bench, cache, list-devices, compare"},
+    BadValue{"frobnicate", "the commands are render, info, bench, trade, cache, list-devices, compare"},
     BadValue{"render", "needs a scene"},
     BadValue{"render a.pbrt b.pbrt", "\"b.pbrt\""},
     BadValue{"render a.pbrt --sp 3", "did you mean --spp?"},

@@ -112,7 +112,8 @@ ErrorEstimate estimateError(const SeedSums& sums, std::span<const double> square
     });
     const size_t few = std::max<size_t>(1, variances.size() / 1000);
     std::ranges::nth_element(variances, variances.begin() + static_cast<std::ptrdiff_t>(few), std::greater());
-    if (e.variance > 0) e.concentration = std::accumulate(variances.begin(), variances.begin() + static_cast<std::ptrdiff_t>(few), 0.) / e.variance;
+    if (e.variance > 0)
+        e.concentration = std::accumulate(variances.begin(), variances.begin() + static_cast<std::ptrdiff_t>(few), 0.) / e.variance;
     e.biasSquare = around(biasOfMean - e.variance / seeds, 1.96 * std::sqrt(fromSeeds + fromReferences));
     const double square = biasOfMean + e.variance * (seeds - 1) / seeds, t = studentQuantile(sums.seeds - 1);
     e.square = around(square, std::sqrt(t * t * varianceOfMean(squaredErrors) + 1.96 * 1.96 * fromReferences));

@@ -33,10 +33,11 @@ struct SeedSums {
 
 /// The error of one render of a setting. Squares are relative (image/relative_error.h, with references.mean() as the reference).
 struct ErrorEstimate {
-    Interval square;      ///< relMSE: biasSquare + variance
-    Interval biasSquare;  ///< may be negative, by noise
-    double variance = 0;  ///< between seeds
-    Interval energy;      ///< mean of the image over that of the reference, - 1
+    Interval square;           ///< relMSE: biasSquare + variance
+    Interval biasSquare;       ///< may be negative, by noise
+    double variance = 0;       ///< between seeds
+    double concentration = 0;  ///< the share of it in the thousandth of the pixels with the most, at least one pixel
+    Interval energy;           ///< mean of the image over that of the reference, - 1
 };
 
 /// (image - first)(image - second), relative, averaged over pixels and channels: an unbiased estimate of the image's relMSE.

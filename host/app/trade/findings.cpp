@@ -150,8 +150,7 @@ std::string describe(const Study& study, const Recommendation& r) {
         return fmt::format("for {}: nothing that was measured {}", r.wish.text(),
                            r.wish.kind == Wish::Kind::error ? "converges so far" : "is so fast; use a lower --resolution");
     return fmt::format("for {}: {}   ({:.3g} s, error {:.2g} % +- {:.1g} %{})", r.wish.text(), commandOf(study, r.setting, r.rung),
-                       r.seconds, r.error * 100, r.error * r.uncertainty * 100,
-                       caveats(r));
+                       r.seconds, r.error * 100, r.error * r.uncertainty * 100, caveats(r));
 }
 
 }  // namespace eikonal

@@ -118,8 +118,7 @@ private:
             }
             text_ += fmt::format("<tr><td>{}</td><td class=\"text\"><code>{}</code></td><td>{:.3g} s</td><td>{} &plusmn; {}{}</td></tr>\n",
                                  r.wish.text(), escaped(commandOf(study_, r.setting, r.rung)), r.seconds, percent(r.error),
-                                 percent(r.error * r.uncertainty),
-                                 caveats(r));
+                                 percent(r.error * r.uncertainty), caveats(r));
         }
         text_ += "</table></div>\n";
     }

@@ -93,7 +93,7 @@ SettingModel fitModel(const std::vector<MeasuredPoint>& points, bool isBiased, d
     m.lastRung = last.rung;
     m.lastSamples = last.samples;
     const Interval& square = last.error.square;
-    constexpr double concentrated = 0.25;   // where noise is spread over the image, 0.01 to 0.1
+    constexpr double concentrated = 0.25;  // where noise is spread over the image, 0.01 to 0.1
     m.isReliable = std::ranges::none_of(points, [](const MeasuredPoint& p) { return p.error.concentration > concentrated; });
     m.uncertainty = square.value > 0 ? (square.high - square.low) / 4 / square.value : 1;
     return m;

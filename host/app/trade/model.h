@@ -36,7 +36,7 @@ struct SettingModel {
     double fixedSeconds = 0, secondsPerSample = 0;  ///< of the user's whole image
     double lastRung = 0, lastSamples = 0;           ///< of the ladder
     double uncertainty = 0;                         ///< relative half width of the 95 % interval of the error at the last rung
-    bool isReliable = true;                ///< false: few bright samples hold much of the variance, so it may be far too low
+    bool isReliable = true;                         ///< false: few bright samples hold much of the variance, so it may be far too low
     bool isExact = true;                            ///< false: the setting converges to another image
 
     double error(double samples) const;  ///< a root of relMSE
@@ -60,6 +60,7 @@ struct Recommendation {
     double samples = 0, rung = 0;   ///< rung: what its option says, samples or a target error
     double seconds = 0, error = 0;  ///< predicted
     double uncertainty = 0;         ///< relative, of the error
+    bool isReliable = true;         ///< SettingModel::isReliable
     double extrapolation = 1;       ///< samples over those of the longest ladder that was measured
 };
 Recommendation recommend(const Wish& wish, const std::vector<SettingModel>& models, const std::vector<Setting>& settings);

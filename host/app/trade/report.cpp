@@ -81,7 +81,8 @@ std::string asJson(const Study& study, const Findings& findings) {
                         {"samples", r.samples},
                         {"seconds", r.seconds},
                         {"error", r.error},
-                        {"uncertainty", r.uncertainty}, {"isReliable", r.isReliable},
+                        {"uncertainty", r.uncertainty},
+                        {"isReliable", r.isReliable},
                         {"extrapolation", r.extrapolation}});
         json["recommendations"].push_back(one);
     }

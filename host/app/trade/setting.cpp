@@ -66,8 +66,8 @@ void addCompilerFlags(std::vector<Setting>& settings) {
         knob.add(flag, {fmt::format("--build-options={}", flag)}, true).compiles = true;
 }
 
-/// The options that remove what makes the user's own image converge to another one than the reference. Depth and integrator are part of what
-/// the user wants.
+/// The options that remove what makes the user's own image converge to another one than the reference. Depth and integrator are part of
+/// what the user wants.
 std::vector<std::string> remedies(const Session& session) {
     std::vector<std::string> options;
     for (const BiasedChoice& c : session.biasedChoices())
