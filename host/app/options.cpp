@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace eikonal {
 namespace {
@@ -109,6 +110,11 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
         app->add_option("SCENE", s.path, "A pbrt-v4 scene (.pbrt) or a Wavefront OBJ (.obj), also compressed (.gz)")->type_name("");
     const std::string group = sceneGroup;
     value(app, "--spp", s.spp, "N", "Samples per pixel", integer(1))->group(group);
+    std::vector<std::pair<const char*, const Preset*>> qualities;
+    for (const Preset& preset : presets) qualities.emplace_back(preset.name, &preset);
+    value(app, "--quality", o.preset, "NAME", "Options that go together: draft, preview, final or reference; other options override them",
+          oneOf<const Preset*>(qualities))
+        ->group(group);
     value(app, "--seed", s.seed, "N", "Seed of the random numbers", integer(std::numeric_limits<int>::min()))->group(group);
     value(app, "--sampler", s.sampler, "NAME",
           "Random numbers: independent; paddedsobol: low discrepancy in each dimension; sobol: also over several dimensions together; "
@@ -356,6 +362,14 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
     if (o.scene.up && *o.scene.up == glm::dvec3(0)) throw UsageError("--up must not be 0,0,0");
 }
 
+/// `arguments` with the options of the preset that the user has not given.
+std::vector<std::string> withPreset(std::vector<std::string> arguments, const Preset& preset, const CLI::App* command) {
+    std::istringstream words(preset.options);
+    for (std::string word; words >> word;)
+        if (command->get_option(word.substr(0, word.find('=')))->count() == 0) arguments.push_back(word);
+    return arguments;
+}
+
 /// The options of scene and device that the user gave, as `render` takes them.
 std::vector<std::string> optionsForRender(const CLI::App* command) {
     std::vector<std::string> words;
@@ -403,6 +417,14 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         if (sub->parsed()) { command = sub; options.command = id; }
     if (const auto extra = command->remaining(); !extra.empty()) refuseExtra(parser, command, extra.front());
     if (const auto extra = parser.app.remaining(); !extra.empty()) refuseExtra(parser, &parser.app, extra.front());
+    if (options.preset) {
+        const std::vector<std::string> all = withPreset(arguments, *options.preset, command);
+        if (all.size() > arguments.size()) {
+            Options whole = parseOptions(all);
+            whole.commandLine = options.commandLine;
+            return whole;
+        }
+    }
     if (options.device.list) options.command = Command::listDevices;
     else if (command == &parser.app)
         throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));

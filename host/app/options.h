@@ -1,6 +1,7 @@
 #pragma once
 // The command line. Each option is declared once, in options.cpp, with its help text and its range check.
 
+#include "app/presets.h"
 #include "app/wish.h"
 #include "image/tone_map.h"
 #include "render/options.h"
@@ -27,6 +28,7 @@ struct Options : SessionOptions {
     std::string text;                                 ///< what Command::print prints
     std::string commandLine;                          ///< as the user gave it
     bool quiet = false;
+    const Preset* preset = nullptr;                   ///< --quality; its options are among the others. Null: none
     OutputOptions output;
     bool json = false;                                ///< info, compare, render: print JSON
     std::string jsonFile;                             ///< bench: if not empty, write JSON there
