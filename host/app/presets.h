@@ -10,6 +10,7 @@ struct Preset { const char *name, *options; };
 inline constexpr Preset presets[] = {{"draft", "--spp=8 --regularize=on"},
                                      {"preview", "--spp=32 --regularize=on"},
                                      {"final", "--spp=512"},
-                                     {"reference", "--spp=4096 --color=spectral --regularize=off --max-component-value=0 --subsurface=randomwalk"}};
+                                     {"reference",
+                                      "--spp=4096 --color=spectral --regularize=off --max-component-value=0 --subsurface=randomwalk"}};
 
 }  // namespace eikonal
