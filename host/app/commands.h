@@ -12,6 +12,8 @@ int renderCommand(const Options& options);
 int infoCommand(const Options& options);
 /// Measures a scene, stage by stage.
 int benchCommand(const Options& options);
+/// Measures the error and the time of a scene under many settings, and writes a page that compares them.
+int tradeCommand(const Options& options);
 /// Prints, warms or clears the cache of compiled kernels.
 int cacheCommand(const Options& options);
 /// Prints the OpenCL devices.

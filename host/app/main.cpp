@@ -18,6 +18,7 @@ static int run(const Options& options) {
         case Command::render: return renderCommand(options);
         case Command::info: return infoCommand(options);
         case Command::bench: return benchCommand(options);
+        case Command::trade: return tradeCommand(options);
         case Command::cache: return cacheCommand(options);
         case Command::listDevices: return listDevicesCommand(options);
         case Command::compileKernels: compileKernels(options.device, options.compile); return static_cast<int>(ExitCode::success);

@@ -62,6 +62,48 @@ double parseNumber(const std::string& option, const std::string& text, double lo
     refuse(option, fmt::format("a number between {} and {}", low, high), text);
 }
 
+double parseNumberFrom(const std::string& option, const std::string& text, double low, double high) {
+    const auto value = numberIn<double>(text);
+    if (value && *value >= low && *value < high) return *value;
+    refuse(option, std::isinf(high) ? fmt::format("a number of at least {}", low) : fmt::format("a number from {} to below {}", low, high),
+           text);
+}
+
+int parsePowerOfTwoOrZero(const std::string& option, const std::string& text, int high) {
+    const auto value = numberIn<int>(text);
+    if (value && *value >= 0 && *value <= high && (*value == 0 || std::has_single_bit(static_cast<unsigned>(*value)))) return *value;
+    refuse(option, fmt::format("0 or a power of two up to {}", high), text);
+}
+
+/// "90", "90s", "10m" or "1h" in seconds, or nothing.
+static std::optional<double> durationIn(const std::string& text) {
+    std::string digits = text;
+    double unit = 1;
+    for (const auto& [name, seconds] : {std::pair{'s', 1.}, {'m', 60.}, {'h', 3600.}})
+        if (!digits.empty() && digits.back() == name) {
+            digits.pop_back();
+            unit = seconds;
+            break;
+        }
+    const auto value = numberIn<double>(digits);
+    return value && *value > 0 ? std::optional(*value * unit) : std::nullopt;
+}
+
+double parseDuration(const std::string& option, const std::string& text) {
+    if (const auto seconds = durationIn(text)) return *seconds;
+    refuse(option, "a time greater than 0, like 90s, 10m or 1h", text);
+}
+
+std::string Wish::text() const { return kind == Kind::error ? fmt::format("{:g} %", value * 100) : fmt::format("{:g} s", value); }
+
+Wish parseWish(const std::string& option, const std::string& text) {
+    if (!text.empty() && text.back() == '%') {
+        const auto percent = numberIn<double>(text.substr(0, text.size() - 1));
+        if (percent && *percent > 0) return {Wish::Kind::error, *percent / 100};
+    } else if (const auto seconds = durationIn(text)) return {Wish::Kind::seconds, *seconds};
+    refuse(option, "a time like 30s or an error like 2%", text);
+}
+
 glm::dvec3 parseVector(const std::string& option, const std::string& text) {
     const auto v = numbersIn<double, 3>(text, ',');
     if (!v) refuse(option, "three numbers separated by commas, like 0,1,5", text);

@@ -1,6 +1,7 @@
 #pragma once
 // Parsers for option values. Each throws a UsageError that names the option, the text found, and what would have worked.
 
+#include "app/wish.h"
 #include "error.h"
 #include "render/options.h"
 #include "scene/film.h"
@@ -11,6 +12,10 @@ namespace eikonal {
 int parseInteger(const std::string& option, const std::string& text, int low, int high);
 /// A finite number in the open interval (low, high).
 double parseNumber(const std::string& option, const std::string& text, double low, double high);
+/// A finite number in [low, high).
+double parseNumberFrom(const std::string& option, const std::string& text, double low, double high);
+/// 0, or a power of two of at most `high`.
+int parsePowerOfTwoOrZero(const std::string& option, const std::string& text, int high);
 /// "x,y,z".
 glm::dvec3 parseVector(const std::string& option, const std::string& text);
 /// "800x600".
@@ -23,6 +28,11 @@ PixelBounds parsePixelBounds(const std::string& option, const std::string& text)
 unsigned parsePowerOfTwo(const std::string& option, const std::string& text);
 /// "all", or names separated by commas.
 Aovs parseAovs(const std::string& option, const std::string& text);
+
+/// A time greater than 0 in seconds: "90", "90s", "10m", "1h".
+double parseDuration(const std::string& option, const std::string& text);
+/// "30s", "2m" or "2%".
+Wish parseWish(const std::string& option, const std::string& text);
 
 /// The value that `text` names. `names` is a range of (name, value) pairs.
 template <class Names> auto parseName(const std::string& option, const std::string& text, const Names& names) {

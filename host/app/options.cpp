@@ -9,11 +9,13 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 namespace eikonal {
 namespace {
 
 constexpr int unlimited = std::numeric_limits<int>::max();
+constexpr const char *sceneGroup = "Scene (overrides the file)", *objGroup = "Camera of an OBJ", *deviceGroup = "Device";
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Declares an option whose value is read by `parse(option, text)`.
@@ -31,6 +33,9 @@ auto integer(int low, int high = unlimited) {
 }
 auto number(double low, double high = infinity) {
     return [=](const std::string& option, const std::string& text) { return parseNumber(option, text, low, high); };
+}
+auto numberFrom(double low, double high = infinity) {
+    return [=](const std::string& option, const std::string& text) { return parseNumberFrom(option, text, low, high); };
 }
 template <class Value> auto oneOf(std::vector<std::pair<const char*, Value>> names) {
     return [=](const std::string& option, const std::string& text) { return parseName(option, text, names); };
@@ -52,7 +57,7 @@ CLI::Option* addListDevices(CLI::App* app, Options& o) {
 
 void addDevice(CLI::App* app, Options& o) {
     DeviceOptions& d = o.device;
-    const std::string group = "Device";
+    const std::string group = deviceGroup;
     app->add_option("--device", d.device,
                     "The OpenCL device: its number in list-devices, or part of its name (default: a GPU if there is one)")
         ->type_name("NAME|INDEX")
@@ -103,8 +108,13 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     SceneOptions& s = o.scene;
     if (takesOne)
         app->add_option("SCENE", s.path, "A pbrt-v4 scene (.pbrt) or a Wavefront OBJ (.obj), also compressed (.gz)")->type_name("");
-    const std::string group = "Scene (overrides the file)";
+    const std::string group = sceneGroup;
     value(app, "--spp", s.spp, "N", "Samples per pixel", integer(1))->group(group);
+    std::vector<std::pair<const char*, const Preset*>> qualities;
+    for (const Preset& preset : presets) qualities.emplace_back(preset.name, &preset);
+    value(app, "--quality", o.preset, "NAME", "Options that go together: draft, preview, final or reference; other options override them",
+          oneOf<const Preset*>(qualities))
+        ->group(group);
     value(app, "--seed", s.seed, "N", "Seed of the random numbers", integer(std::numeric_limits<int>::min()))->group(group);
     value(app, "--sampler", s.sampler, "NAME",
           "Random numbers: independent; paddedsobol: low discrepancy in each dimension; sobol: also over several dimensions together; "
@@ -144,11 +154,23 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
           "Whether to guide light samples of an infinite light without an image: auto (default): in closed scenes; always; never",
           oneOf<EnvironmentGuide>({std::begin(environmentGuideNames), std::end(environmentGuideNames)}))
         ->group(group);
+    value(app, "--regularize", s.regularize, "on|off",
+          "Whether to widen narrow microfacets behind rough reflections (biased; pbrt's regularize)",
+          oneOf<bool>({{"on", true}, {"off", false}}))
+        ->group(group);
+    value(app, "--max-component-value", s.maxComponentValue, "X",
+          "Scale samples down to this value (biased; pbrt's maxcomponentvalue); 0: do not", numberFrom(0))
+        ->group(group);
+    value(app, "--threshold", s.treeThreshold, "X", "Integrator whitted: rays of a smaller weight are not traced (biased)",
+          numberFrom(0, 1))
+        ->group(group);
+    value(app, "--bundle", s.treeBundle, "N", "Integrator whitted: rays that leave a rough surface, 0 or a power of two",
+          [](const std::string& option, const std::string& text) { return parsePowerOfTwoOrZero(option, text, mostTreeRays); })
+        ->group(group);
     value(app, "--resolution", s.resolution, "WxH", "Pixels of the whole image", parseResolution)->group(group);
     value(app, "--cropwindow", s.cropWindow, "x0,x1,y0,y1", "Render a part, in fractions of the image", parseCropWindow)->group(group);
     value(app, "--pixelbounds", s.pixelBounds, "x0,x1,y0,y1", "Render a part, in pixels: x0 <= x < x1", parsePixelBounds)->group(group);
     app->add_flag("--strict", s.strict, "Features that are parsed but not rendered are errors instead of warnings")->group(group);
-    const std::string objGroup = "Camera of an OBJ";
     value(app, "--camera", s.camera, "x,y,z", "Position of the camera (default: chosen to show the model)", parseVector)->group(objGroup);
     value(app, "--look-at", s.lookAt, "x,y,z", "A point at the centre of the image", parseVector)->group(objGroup);
     value(app, "--up", s.up, "x,y,z", "Up direction of the image (default: 0,1,0)", parseVector)->group(objGroup);
@@ -179,7 +201,8 @@ void addOutput(CLI::App* app, Options& o) {
     value(app, "--target-error", out.targetError, "E",
           "Sample adaptively until the image's relative error is about E, such as 0.05; --spp is then the maximum per pixel", number(0))
         ->group(group);
-    app->add_flag("--stats", out.stats, "Print time and memory statistics");
+    app->add_flag("--stats", out.stats, "Print time and memory statistics")->group(group);
+    app->add_flag("--json", o.json, "Print one line of JSON at the end: files, samples, times, warnings")->group(group);
 }
 
 /// The commands of the program, bound to the options that they fill in.
@@ -228,6 +251,26 @@ struct Parser {
         addDevice(bench, options);
         addLogging(bench, options);
 
+        auto* trade = add("trade", Command::trade, "Measure error and time of a scene under many settings, and recommend some");
+        addScene(trade, options);
+        trade
+            ->add_option("-o,--outfile", options.output.files,
+                         "The page; a CSV and a JSON are written beside it (default: SCENE-trade.html)")
+            ->type_name("FILE.html")
+            ->type_size(1)
+            ->allow_extra_args(false);
+        value(trade, "--budget", options.budget, "TIME", "Time for all measurements, such as 90s, 10m or 1h (default: 5m)", parseDuration);
+        trade->add_option_function<std::vector<std::string>>(
+                 "--for", [this](const std::vector<std::string>& texts) {
+                     for (const std::string& text : texts) options.wishes.push_back(parseWish("--for", text));
+                 },
+                 "A wish to recommend a command for: a time (30s) or an error (2%); may be repeated (default: 1s, 10s, 60s, 10%, 5%, 2%)")
+            ->type_name("WISH")
+            ->type_size(1)
+            ->allow_extra_args(false);
+        addDevice(trade, options);
+        addLogging(trade, options);
+
         auto* cache = add("cache", Command::cache, "Print, warm or clear the cache of compiled kernels");
         cache->add_flag("--clear", options.clearCache, "Remove all compiled kernels");
         cache->add_flag("--warm", options.warmCache,
@@ -254,6 +297,9 @@ struct Parser {
         compare->add_flag("--json", options.json, "Print JSON");
         compare->add_flag("--scatter", options.scatter,
                           "Estimate standard errors from the spread of the differences in each block, not from the image's variance");
+        compare->add_option("--heat-map", options.heatMap, "Write the FLIP of each pixel as an image: black is equal, light yellow is 1")
+            ->type_name("FILE");
+        value(compare, "--fail-above", options.failAbove, "X", "Exit with status 1 if the mean FLIP is above X", number(0, 1));
     }
 };
 
@@ -295,7 +341,8 @@ std::vector<std::string> optionsOf(const CLI::App* app) {
 /// Checks that concern several options.
 void checkTogether(const Parser& parser, const CLI::App* command) {
     const Options& o = parser.options;
-    const bool needsScene = o.command == Command::render || o.command == Command::info || o.command == Command::bench;
+    const bool needsScene = o.command == Command::render || o.command == Command::info || o.command == Command::bench ||
+                            o.command == Command::trade;
     if (needsScene && o.scene.path.empty())
         throw UsageError(fmt::format("{0} needs a scene: eikonal {0} scene.pbrt\n{1}", command->get_name(), getHelp));
     if (o.command == Command::compare && o.reference.empty())
@@ -313,6 +360,33 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
         throw UsageError("--cropwindow and --pixelbounds both select a part of the image; give one of them");
     if (o.scene.camera && o.scene.lookAt && *o.scene.camera == *o.scene.lookAt) throw UsageError("--camera and --look-at must differ");
     if (o.scene.up && *o.scene.up == glm::dvec3(0)) throw UsageError("--up must not be 0,0,0");
+}
+
+/// `arguments` with the options of the preset that the user has not given.
+std::vector<std::string> withPreset(std::vector<std::string> arguments, const Preset& preset, const CLI::App* command) {
+    std::istringstream words(preset.options);
+    for (std::string word; words >> word;)
+        if (command->get_option(word.substr(0, word.find('=')))->count() == 0) arguments.push_back(word);
+    return arguments;
+}
+
+/// The options of scene and device that the user gave, as `render` takes them.
+std::vector<std::string> optionsForRender(const CLI::App* command) {
+    std::vector<std::string> words;
+    for (const CLI::Option* option : command->get_options()) {
+        const std::string& group = option->get_group();
+        const bool isRenders = group == sceneGroup || group == objGroup || group == deviceGroup;
+        if (option->count() == 0 || option->get_positional() || !isRenders) continue;
+        const std::string name = option->get_name();   // a long name: --name
+        const bool isFlag = option->get_items_expected_max() == 0;
+        for (const std::string& value : option->results()) words.push_back(isFlag ? name : name + "=" + value);
+    }
+    return words;
+}
+
+std::vector<Wish> usualWishes() {
+    using enum Wish::Kind;
+    return {{seconds, 1}, {seconds, 10}, {seconds, 60}, {error, 0.1}, {error, 0.05}, {error, 0.02}};
 }
 
 }  // namespace
@@ -343,10 +417,22 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         if (sub->parsed()) { command = sub; options.command = id; }
     if (const auto extra = command->remaining(); !extra.empty()) refuseExtra(parser, command, extra.front());
     if (const auto extra = parser.app.remaining(); !extra.empty()) refuseExtra(parser, &parser.app, extra.front());
+    if (options.preset) {
+        const std::vector<std::string> all = withPreset(arguments, *options.preset, command);
+        if (all.size() > arguments.size()) {
+            Options whole = parseOptions(all);
+            whole.commandLine = options.commandLine;
+            return whole;
+        }
+    }
     if (options.device.list) options.command = Command::listDevices;
     else if (command == &parser.app)
         throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
     checkTogether(parser, command);
+    if (options.command == Command::trade) {
+        options.passedOn = optionsForRender(command);
+        if (options.wishes.empty()) options.wishes = usualWishes();
+    }
     if (options.quiet) options.log = std::min(options.log, LogLevel::error);
     return options;
 }

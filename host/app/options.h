@@ -1,6 +1,8 @@
 #pragma once
 // The command line. Each option is declared once, in options.cpp, with its help text and its range check.
 
+#include "app/presets.h"
+#include "app/wish.h"
 #include "image/tone_map.h"
 #include "render/options.h"
 
@@ -10,7 +12,7 @@
 
 namespace eikonal {
 
-enum class Command { print, render, info, bench, cache, listDevices, compare, compileKernels };
+enum class Command { print, render, info, bench, trade, cache, listDevices, compare, compileKernels };
 
 struct OutputOptions {
     std::vector<std::string> files;                   ///< empty: the scene's name with .exr
@@ -26,8 +28,9 @@ struct Options : SessionOptions {
     std::string text;                                 ///< what Command::print prints
     std::string commandLine;                          ///< as the user gave it
     bool quiet = false;
+    const Preset* preset = nullptr;                   ///< --quality; its options are among the others. Null: none
     OutputOptions output;
-    bool json = false;                                ///< info: print JSON
+    bool json = false;                                ///< info, compare, render: print JSON
     std::string jsonFile;                             ///< bench: if not empty, write JSON there
     bool loop = false;                                ///< bench
     bool efficiency = false;                          ///< bench: each repeat has its own seed
@@ -37,7 +40,12 @@ struct Options : SessionOptions {
     std::string image;                                ///< compare
     std::string reference;                            ///< compare; bench: a converged image, empty: none
     bool scatter = false;                             ///< compare: ignore the image's variance channel
+    std::string heatMap;                              ///< compare: if not empty, write the map of FLIP there
+    std::optional<double> failAbove;                  ///< compare: the largest mean of FLIP that is no failure
     CompileRequest compile;
+    double budget = 300;                              ///< trade: seconds
+    std::vector<Wish> wishes;                         ///< trade
+    std::vector<std::string> passedOn;                ///< trade: its options that `render` has, "--name=value"
 };
 
 /// Parses the command line. `arguments` begins with the program's name. Throws a UsageError that says what would have worked.

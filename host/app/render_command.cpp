@@ -6,6 +6,7 @@
 #include "app/interrupt.h"
 #include "app/output.h"
 #include "app/progress_bar.h"
+#include "app/run_summary.h"
 #include "render/session.h"
 #include "app/statistics.h"
 #include "wait_notice.h"
@@ -104,6 +105,7 @@ Metadata metadataOf(const Options& o, const Session& session, const Film::Sample
     m.scene = o.scene.path;
     m.sceneHash = hash;
     m.device = session.context().device().name;
+    m.biasedChoices = describe(session.biasedChoices());
     m.commandLine = o.commandLine;
     return m;
 }
@@ -173,10 +175,14 @@ int renderCommand(const Options& o) {
     film.reset();   // frees what may be most of the memory in use
     selectAovs(image, aovs);
     if (session.scene().film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, packed);
-    writeAll(files, image, metadataOf(o, session, samples, renderSeconds, hash.get()), o.output.toneMapping, o.log < LogLevel::warning);
+    const Metadata metadata = metadataOf(o, session, samples, renderSeconds, hash.get());
+    writeAll(files, image, metadata, o.output.toneMapping, o.log < LogLevel::warning);
     const double writeSeconds = writeTime.seconds();
     say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()));
     if (o.output.stats) std::fputs(describeRun(session, session.profile(), samples, result, renderSeconds, writeSeconds).c_str(), stdout);
+    if (o.json)
+        std::fputs(
+            describeAsJson(session, files, metadata, samples, result, endedBy, writeSeconds, diagnostics.warnings()).c_str(), stdout);
     return endedBy ? 128 + endedBy : static_cast<int>(ExitCode::success);
 }
 

@@ -67,6 +67,8 @@ std::string describeRun(const Session& session, const Profile& profile, const Fi
     const auto [fewest, most, mean] = samples;
     text += fmt::format("Samples per pixel:\n  {} fewest, {:.1f} mean, {} most\n", fewest, mean, most);
     if (result.error) text += fmt::format("Relative error, expected:\n  {:.4g}\n", *result.error);
+    const std::string biased = describe(session.biasedChoices());
+    text += fmt::format("Biased choices:\n  {}\n", biased.empty() ? "none" : biased + "; `eikonal trade` measures their bias");
     text += fmt::format("Memory: {}\n", describe(session.plan()));
     return text;
 }

@@ -87,13 +87,18 @@ const BlockDifference& Comparison::worstBlock(double relative, double sigmas) co
     return *std::ranges::max_element(blocks, {}, [&](const BlockDifference& block) { return block.distance(relative, sigmas); });
 }
 
-Comparison compare(const FilmImage& image, const FilmImage& reference, int blockSize) {
+PixelBounds sharedPixels(const FilmImage& image, const FilmImage& reference) {
     if (image.width != reference.width || image.height != reference.height)
         throw Error(ExitCode::scene, fmt::format("images of {} x {} and {} x {} pixels cannot be compared", image.width, image.height,
                                                  reference.width, reference.height));
     const PixelBounds &a = image.bounds, &b = reference.bounds;
     const PixelBounds both{std::max(a.x0, b.x0), std::min(a.x1, b.x1), std::max(a.y0, b.y0), std::min(a.y1, b.y1)};
     if (both.x0 >= both.x1 || both.y0 >= both.y1) throw Error(ExitCode::scene, "the images have no pixel in common");
+    return both;
+}
+
+Comparison compare(const FilmImage& image, const FilmImage& reference, int blockSize) {
+    const PixelBounds both = sharedPixels(image, reference);
 
     const bool noiseKnown = !image.variance.empty();
     Comparison result;

@@ -34,6 +34,9 @@ struct Comparison {
     const BlockDifference& worstBlock(double relative, double sigmas) const;
 };
 
+/// The pixels that both images have. Throws Error (ExitCode::scene) if the sizes differ or no pixel is shared.
+PixelBounds sharedPixels(const FilmImage& image, const FilmImage& reference);
+
 /// Compares the pixels that both images have. Standard errors come from the images' variances; a channel's share is proportional to its
 /// brightness. A reference without variances is taken to be as noisy as the image. If the image has none, standard errors are estimated
 /// from the spread of the pixel differences within the block, which also contains real differences that vary between pixels. Throws Error

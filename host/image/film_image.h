@@ -65,6 +65,7 @@ struct Metadata {
     std::string scene;                       ///< the scene's file [scene]
     std::string sceneHash;                   ///< [sceneHash]
     std::string device;                      ///< the OpenCL device [device]
+    std::string biasedChoices;               ///< render/biased_choices.h [biasedChoices]
     std::string commandLine;                 ///< [commandLine]
     bool operator==(const Metadata&) const = default;
 };

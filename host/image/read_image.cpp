@@ -28,6 +28,7 @@ Metadata metadataOf(const ImageReader& file) {
             .scene = file.text("scene"),
             .sceneHash = file.text("sceneHash"),
             .device = file.text("device"),
+            .biasedChoices = file.text("biasedChoices"),
             .commandLine = file.text("commandLine")};
 }
 

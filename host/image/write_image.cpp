@@ -95,6 +95,7 @@ void addAttributes(EncodedImage& file, const Metadata& metadata) {
     addText("scene", metadata.scene);
     addText("sceneHash", metadata.sceneHash);
     addText("device", metadata.device);
+    addText("biasedChoices", metadata.biasedChoices);
     addText("commandLine", metadata.commandLine);
 }
 

@@ -26,6 +26,10 @@ struct SceneOptions {
     std::optional<int> rouletteDepth;                 ///< bounces before Russian roulette, >= 0
     std::optional<LightSampler> lightSampler;
     std::optional<EnvironmentGuide> environmentGuide;
+    std::optional<bool> regularize;
+    std::optional<double> maxComponentValue;          ///< of the film, >= 0; 0: no clamping
+    std::optional<double> treeThreshold;              ///< of the integrator whitted, in [0, 1)
+    std::optional<int> treeBundle;                    ///< of the integrator whitted: 0 or a power of two, at most mostTreeRays
     std::optional<std::array<int, 2>> resolution;     ///< width and height in pixels
     std::optional<std::array<double, 4>> cropWindow;  ///< x0 x1 y0 y1, fractions of the image
     std::optional<PixelBounds> pixelBounds;

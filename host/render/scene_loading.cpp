@@ -67,6 +67,10 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.colorMode) scene.colorMode = *o.colorMode;
     if (o.lightSampler) scene.integrator.lightSampler = *o.lightSampler;
     if (o.environmentGuide) scene.integrator.environmentGuide = *o.environmentGuide;
+    if (o.regularize) scene.integrator.regularize = *o.regularize;
+    if (o.maxComponentValue) scene.film.maxComponentValue = *o.maxComponentValue;
+    if (o.treeThreshold) scene.integrator.threshold = *o.treeThreshold;
+    if (o.treeBundle) scene.integrator.bundle = *o.treeBundle;
     if (o.cropWindow) { scene.film.cropWindow = o.cropWindow; scene.film.pixelBounds.reset(); }
     if (o.pixelBounds) { scene.film.pixelBounds = o.pixelBounds; scene.film.cropWindow.reset(); }
     return scene;

@@ -40,9 +40,8 @@ static void reportCacheFolder(Diagnostics& diagnostics) {
 
 /// Warns of compiler flags that reorder sums or ignore what is not finite.
 static void warnOfInexactFlags(const std::string& flags, Diagnostics& diagnostics) {
-    for (const char* flag : {"-cl-fast-relaxed-math", "-cl-unsafe-math-optimizations", "-cl-finite-math-only"})
-        if (flags.find(flag) != std::string::npos)
-            diagnostics.warnOnce("inexact flags", {},
+    for (const std::string& flag : inexactFlags(flags))
+        diagnostics.warnOnce("inexact flags", {},
                                  fmt::format("--build-options {} lets the compiler drop the compensation of sums, so images of many "
                                              "samples are off (by 0.3 % at 2^18), and samples that are not finite may not be found",
                                              flag));

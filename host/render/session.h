@@ -2,6 +2,7 @@
 // What it takes to render a scene, made ready step by step, with the time that each step took.
 
 #include "film/film.h"
+#include "render/biased_choices.h"
 #include "render/options.h"
 #include "pack/tables.h"
 #include "device/context.h"
@@ -83,6 +84,9 @@ public:
 
     /// What is rendered from now on has this seed: other noise. After prepare().
     void setSeed(int seed);
+
+    /// What makes the image converge to something other than the scene's light transport. After pack().
+    std::vector<BiasedChoice> biasedChoices() const { return eikonal::biasedChoices(scene_, packed_, options_.device.buildOptions); }
 
     const Scene& scene() const { return scene_; }
     const PackedScene& packed() const { return packed_; }

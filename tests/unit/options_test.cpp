@@ -60,6 +60,18 @@ TEST(Options, PbrtsSpellingsMeanWhatTheyMeanThere) {
     EXPECT_EQ((std::array{b.x0, b.x1, b.y0, b.y1}), (std::array{1, 20, 3, 40}));
 }
 
+TEST(Options, PresetsStandForOptionsThatOthersOverride) {
+    const Options draft = parse("render a.pbrt --quality draft");
+    EXPECT_EQ(draft.scene.spp, 8);
+    EXPECT_EQ(draft.scene.regularize, true);
+    EXPECT_EQ(draft.commandLine, "eikonal render a.pbrt --quality draft");
+    const Options mine = parse("render --regularize off a.pbrt --quality=draft --spp 3");
+    EXPECT_EQ(mine.scene.spp, 3);
+    EXPECT_EQ(mine.scene.regularize, false);
+    EXPECT_EQ(parse("info a.pbrt --quality reference").scene.colorMode, ColorMode::spectral);
+    EXPECT_THAT(messageOf("render a.pbrt --quality best"), HasSubstr("draft, preview, final, reference"));
+}
+
 TEST(Options, ValuesOfEveryKindAreRead) {
     const Options o = parse(
         "render a.obj --camera -1,2.5,3e1 --look-at=0,0,0 --up 0,0,1 --fov 35 --resolution 640x480 --sampler independent --integrator "
@@ -154,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(Commands, BadValues, testing::Values(
     BadValue{"", "eikonal render scene.pbrt -o image.exr"},
     BadValue{"rendr a.pbrt", "did you mean render?"},
     BadValue{"a.pbrt", "did you mean `eikonal render a.pbrt`?"},
-    BadValue{"frobnicate", "the commands are render, info, bench, cache, list-devices, compare"},
+    BadValue{"frobnicate", "the commands are render, info, bench, trade, cache, list-devices, compare"},
     BadValue{"render", "needs a scene"},
     BadValue{"render a.pbrt b.pbrt", "\"b.pbrt\""},
     BadValue{"render a.pbrt --sp 3", "did you mean --spp?"},
@@ -179,6 +191,8 @@ TEST(Options, OtherCommands) {
     EXPECT_TRUE(cache.clearCache && cache.warmCache);
     EXPECT_THAT(cache.scenes, testing::ElementsAre("a.pbrt", "b.pbrt"));
     EXPECT_EQ(parse("compare a.exr b.exr").reference, "b.exr");
+    EXPECT_EQ(parse("compare a.exr b.exr --fail-above 0.1").failAbove, 0.1);
+    EXPECT_EQ(parse("compare a.exr b.exr --heat-map c.png").heatMap, "c.png");
 }
 
 TEST(Options, HelpAndVersionAreTextToPrint) {

@@ -1,0 +1,16 @@
+#pragma once
+// The presets of --quality.
+
+namespace eikonal {
+
+/// `options`: what the preset stands for, "--name=value" separated by spaces; options that the user gives override them.
+struct Preset { const char *name, *options; };
+
+/// Points of the measured front of a set of scenes: tests/accuracy/presets.py measures them, docs/trade.md has its table.
+inline constexpr Preset presets[] = {{"draft", "--spp=8 --regularize=on"},
+                                     {"preview", "--spp=32 --regularize=on"},
+                                     {"final", "--spp=512"},
+                                     {"reference",
+                                      "--spp=4096 --color=spectral --regularize=off --max-component-value=0 --subsurface=randomwalk"}};
+
+}  // namespace eikonal

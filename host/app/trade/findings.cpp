@@ -1,0 +1,156 @@
+#include "app/trade/findings.h"
+
+#include "error.h"
+#include "image/flip.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal {
+namespace {
+
+/// Seconds besides rendering before any run at full size is known: the program's start.
+constexpr double usualStart = 0.3;
+
+double pixelsOf(const std::array<int, 2>& size) { return static_cast<double>(size[0]) * size[1]; }
+
+/// The run of a setting at full size with the most samples, or null.
+const Confirmation* longest(const StudyState& state, size_t setting) {
+    const Confirmation* best = nullptr;
+    for (const Confirmation& c : state.confirmations)
+        if (c.setting == setting && (!best || c.meanSamples > best->meanSamples)) best = &c;
+    return best;
+}
+
+std::string quoted(const std::string& word) {
+    const bool isPlain =
+        !word.empty() &&
+        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=./,:+%@") == std::string::npos;
+    if (isPlain) return word;
+    std::string text = "'";
+    for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + "'";
+}
+
+MeasuredPoint measure(const Point& p, const Study& study, const References& references, const FilmImage& reference) {
+    const PointImages images = study.loadImages(p);
+    MeasuredPoint m;
+    m.setting = p.setting;
+    m.rung = p.rung;
+    m.samples = p.meanSamples();
+    m.seeds = static_cast<int>(p.seeds.size());
+    m.secondsPerPath = p.medianSeconds() / (m.samples * static_cast<double>(images.first.pixelCount()));
+    m.compileSeconds = p.compileSeconds;
+    m.prepareSeconds = p.prepareSeconds;
+    m.compiledKernels = p.compiledKernels;
+    m.error = estimateError(p, images.sums, references);
+    m.flip = flipMean(images.first, reference, {});
+    return m;
+}
+
+/// Measures the rungs that are missing below a recommendation. Returns whether there were any.
+bool climbFurther(Study& study, const Findings& found) {
+    bool hasClimbed = false;
+    for (const Recommendation& r : found.recommendations) {
+        if (!r.isPossible || study.state().settings[r.setting].ladder != Ladder::samples) continue;
+        for (double rung : Study::rungs) {
+            const Point* known = study.state().find(r.setting, rung);
+            const bool isKnown = known && static_cast<int>(known->seeds.size()) == Study::seeds;
+            if (isKnown || rung > r.samples || !study.canAfford(rung)) continue;
+            study.climb(r.setting, rung, 0, Study::seeds);
+            hasClimbed = true;
+        }
+    }
+    return hasClimbed;
+}
+
+}  // namespace
+
+Findings analyse(Study& study, const std::vector<Wish>& wishes) {
+    const StudyState& state = study.state();
+    Findings found;
+    if (state.ladderOf(0).empty())
+        throw Error(ExitCode::scene,
+                    "the budget was spent before anything was measured; give more with --budget, or a smaller --resolution");
+    found.references = study.loadReferences();
+    const FilmImage reference = found.references.mean();
+    const double pixels = pixelsOf(state.full);
+    const Confirmation* own = longest(state, 0);
+    for (size_t setting = 0; setting < state.settings.size(); ++setting) {
+        const std::vector<const Point*> ladder = state.ladderOf(setting);
+        if (ladder.empty()) continue;
+        std::vector<MeasuredPoint> points;
+        for (const Point* p : ladder) points.push_back(measure(*p, study, found.references, reference));
+
+        /* Runs at full size correct the times: those of this setting, or else of the user's own */
+        const Confirmation* run = longest(state, setting);
+        const Confirmation* known = run ? run : own;
+        double pace = 1, fixed = usualStart + points.front().prepareSeconds;
+        if (known) {
+            const Point* same = state.ladderOf(known->setting).back();
+            const double measured = same->medianSeconds() / (same->meanSamples() * pixelsOf(state.studied));
+            pace = known->renderSeconds / (known->meanSamples * pixels) / measured;
+            fixed = std::max(known->fixedSeconds(), 0.);
+        }
+        for (MeasuredPoint& p : points) p.seconds = fixed + p.secondsPerPath * p.samples * pixels * pace;
+        found.models.push_back(fitModel(points, state.settings[setting].isBiased, pixels, fixed, pace));
+        found.points.insert(found.points.end(), points.begin(), points.end());
+    }
+    markFront(found.points);
+    for (const Wish& wish : wishes) found.recommendations.push_back(recommend(wish, found.models, state.settings));
+    return found;
+}
+
+void confirmRecommendations(Study& study, const std::vector<Wish>& wishes) {
+    StudyState& state = study.state();
+    const double budget = study.request().budgetSeconds;
+    for (int round = 0; round < 8; ++round) {
+        Findings found = analyse(study, wishes);
+        if (climbFurther(study, found)) found = analyse(study, wishes);
+        std::vector<const SettingModel*> open;
+        for (const SettingModel& m : found.models) {
+            const bool isWanted = m.setting == 0 || std::ranges::any_of(found.recommendations, [&](const Recommendation& r) {
+                                      return r.isPossible && r.setting == m.setting;
+                                  });
+            if (isWanted && !longest(state, m.setting)) open.push_back(&m);
+        }
+        if (open.empty()) return;
+        for (const SettingModel* m : open) {
+            const double left = budget - study.spent();
+            if (left <= 0 || study.isInterrupted()) return;
+            /* As many samples as fit into a part of what is left, but not more than a wish takes */
+            const Setting& s = state.settings[m->setting];
+            double samples = std::max(1., std::floor(std::min({left / 6, 20.}) / m->secondsPerSample));
+            samples = std::min(samples, std::max(m->lastSamples, 16.));
+            const double rung =
+                s.ladder == Ladder::samples ? samples : m->lastRung * std::pow(samples / m->lastSamples, m->slope.value / 2);
+            study.confirmAt(m->setting, rung);
+        }
+    }
+}
+
+std::string commandOf(const Study& study, size_t index, double rung) {
+    const Setting& setting = study.state().settings[index];
+    std::string text = "eikonal render " + quoted(study.request().scene);
+    for (const std::string& option : study.optionsOf(setting, rung)) text += " " + quoted(option);
+    return text;
+}
+
+std::string caveats(const Recommendation& r) {
+    std::string text;
+    if (r.extrapolation > 8) text += fmt::format("; extrapolated from {:.2g} of the samples", 1 / r.extrapolation);
+    if (!r.isReliable) text += "; not reliable: a few bright pixels hold most of the variance";
+    return text;
+}
+
+std::string describe(const Study& study, const Recommendation& r) {
+    if (!r.isPossible)
+        return fmt::format("for {}: nothing that was measured {}", r.wish.text(),
+                           r.wish.kind == Wish::Kind::error ? "converges so far" : "is so fast; use a lower --resolution");
+    return fmt::format("for {}: {}   ({:.3g} s, error {:.2g} % +- {:.1g} %{})", r.wish.text(), commandOf(study, r.setting, r.rung),
+                       r.seconds, r.error * 100, r.error * r.uncertainty * 100, caveats(r));
+}
+
+}  // namespace eikonal

@@ -1,0 +1,53 @@
+#pragma once
+// What has been measured of one setting at one rung of its ladder.
+
+#include "app/trade/error_estimate.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+#include <vector>
+
+namespace eikonal {
+
+/// One render of a point.
+struct SeedResult {
+    int seed = 0;
+    double renderSeconds = 0;
+    double meanSamples = 0;    ///< per pixel
+    double expectedError = 0;  ///< as --target-error estimates it
+    double squaredError = 0;   ///< squaredErrorOf its image
+    double mean = 0;           ///< meanOf its image
+};
+
+/// A setting, by its index, at `rung`: samples per pixel, or a target error.
+struct Point {
+    size_t setting = 0;
+    double rung = 0;
+    std::vector<SeedResult> seeds;
+    double prepareSeconds = 0;  ///< the least of its sessions
+    double compileSeconds = 0;  ///< the most of its sessions: with kernels that were not in the cache
+    int compiledKernels = 0;    ///< the most of its sessions
+    bool isSameImage = false;   ///< the same bits as the user's own options give: the setting has no effect on the image
+    std::string failure;        ///< why it cannot be rendered; empty: it can
+
+    double medianSeconds() const;  ///< of rendering
+    double meanSamples() const;
+};
+
+/// The sums of a point's images, and the image of its first seed, as files: sums.mean, sums.squares and first, each an EXR.
+struct PointImages {
+    SeedSums sums;
+    FilmImage first;
+
+    /// `stem`: a path without extension. Throws Error.
+    void save(const std::string& stem) const;
+    static PointImages load(const std::string& stem, int seeds);
+};
+
+ErrorEstimate estimateError(const Point& point, const SeedSums& sums, const References& references);
+
+void to_json(nlohmann::json& json, const Point& point);
+void from_json(const nlohmann::json& json, Point& point);
+
+}  // namespace eikonal

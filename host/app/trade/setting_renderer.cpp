@@ -1,0 +1,50 @@
+#include "app/trade/setting_renderer.h"
+
+#include "clock.h"
+#include "render/render.h"
+
+#include <cmath>
+
+namespace eikonal {
+
+Options renderOptions(const std::string& scene, const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"eikonal", "render", scene};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    return parseOptions(arguments);
+}
+
+static Options quiet(Options options) {
+    options.log = LogLevel::silent;
+    return options;
+}
+
+SettingRenderer::SettingRenderer(const std::string& scene, const std::vector<std::string>& options)
+    : options_(quiet(renderOptions(scene, options))), session_(options_, diagnostics_) {
+    const Stopwatch time;
+    session_.load();
+    session_.pack({});
+    session_.prepare();
+    prepareSeconds_ = time.seconds() - session_.times().compile;
+}
+
+TimedImage SettingRenderer::render(int seed, const std::function<bool()>& stop) {
+    session_.setSeed(seed);
+    Film film(session_.packed());
+    RenderControl control;
+    control.endSample = static_cast<unsigned>(session_.packed().samples);
+    control.targetError = options_.output.targetError;
+    control.stop = control.abandon = stop;
+    const Stopwatch time;
+    session_.survey(stop);
+    const RenderResult result = eikonal::render(session_.context(), session_.wave(), film, session_.profile(), control);
+    TimedImage timed;
+    timed.renderSeconds = time.seconds();
+    timed.isFinished = result.isFinished;
+    timed.meanSamples = film.samples().mean;
+    const PixelRect& pixels = film.pixels();
+    timed.expectedError = std::sqrt(film.relativeVariance(pixels) / (static_cast<double>(pixels.width()) * pixels.height()));
+    timed.image = session_.develop(film);
+    return timed;
+}
+
+}  // namespace eikonal

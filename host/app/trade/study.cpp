@@ -1,0 +1,184 @@
+#include "app/trade/study.h"
+
+#include "app/trade/setting_renderer.h"
+#include "clock.h"
+#include "error.h"
+#include "image/image_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace eikonal {
+namespace {
+
+/// The budget's parts: references until the first share is spent, every ladder until the second, higher rungs until the third; what is left
+/// is for runs at full size.
+constexpr double referenceShare = 0.3, ladderShare = 0.75, higherShare = 0.85;
+constexpr int firstLookSize = 96;  // pixels along the longer side
+constexpr double firstLookSamples = 4;
+constexpr int leastPixels = 48 * 48;
+constexpr int referenceSeeds = 1 << 20;  // the seeds of references begin here
+constexpr double mostAdaptiveSamples = 65536;
+
+/// A size of the same shape with about `pixels` pixels, but not more than `full`.
+std::array<int, 2> scaledTo(const std::array<int, 2>& full, double pixels) {
+    const double scale = std::sqrt(std::min(1., pixels / (static_cast<double>(full[0]) * full[1])));
+    if (scale > 0.8) return full;
+    return {std::max(1, static_cast<int>(std::lround(full[0] * scale))), std::max(1, static_cast<int>(std::lround(full[1] * scale)))};
+}
+
+double pixelsOf(const std::array<int, 2>& size) { return static_cast<double>(size[0]) * size[1]; }
+
+void checkBrightness(double mean, const std::string& scene) {
+    if (!(mean > 0) || !std::isfinite(mean))
+        throw Error(ExitCode::scene, fmt::format("the image of \"{}\" is black, so relative errors are undefined", scene));
+}
+
+}  // namespace
+
+Study::Study(Request request) : request_(std::move(request)) {
+    std::filesystem::create_directories(request_.folder + "/points");
+    const Stopwatch time;
+    clock_ = [time] { return time.seconds(); };
+    report("reading the scene");
+    lookAtScene();
+    save();
+}
+
+double Study::spent() const { return spentBefore_ + clock_(); }
+
+void Study::report(const std::string& what) const {
+    const double left = std::max(0., request_.budgetSeconds - spent());
+    if (request_.progress) request_.progress({std::min(1., spent() / request_.budgetSeconds), left, what});
+}
+
+void Study::save() {
+    state_.spentSeconds = spent();
+    state_.save(stateFile());
+}
+
+std::string Study::stemOf(const Point& point) const { return fmt::format("{}/points/{}-{:g}", request_.folder, point.setting, point.rung); }
+
+std::string Study::stemOfReference(int which) const { return fmt::format("{}/reference-{}.exr", request_.folder, which + 1); }
+
+std::vector<std::string> Study::optionsOf(const Setting& setting, double rung, std::optional<std::array<int, 2>> size) const {
+    std::vector<std::string> more = setting.options;
+    if (setting.ladder == Ladder::targetErrors) {
+        more.push_back(fmt::format("--target-error={:.3g}", rung));
+        more.push_back(fmt::format("--spp={:.0f}", mostAdaptiveSamples));
+    } else more.push_back(fmt::format("--spp={:.0f}", rung));
+    if (size && *size != state_.full) more.push_back(fmt::format("--resolution={}x{}", (*size)[0], (*size)[1]));
+    return overridden(request_.options, more);
+}
+
+void Study::lookAtScene() {
+    StudyState expected;
+    expected.scene = request_.scene;
+    expected.version = EIKONAL_VERSION;
+    expected.baseOptions = request_.options;
+    {
+        /* The size of the user's image, and what identifies the scene */
+        const Options options = renderOptions(request_.scene, request_.options);
+        Diagnostics diagnostics(LogLevel::silent);
+        Session session(options, diagnostics);
+        session.load();
+        session.pack({});
+        const settings& frame = session.packed().frame();
+        expected.full = {static_cast<int>(frame.width), static_cast<int>(frame.height)};
+        expected.sceneHash = sceneHash(session.packed());
+        expected.device = session.context().device().name;
+        const PixelRect& part = session.packed().pixels;
+        if (part.width() != expected.full[0] || part.height() != expected.full[1])
+            throw UsageError("trade measures whole images; give --resolution instead of a crop");
+    }
+    if (std::optional<StudyState> earlier = StudyState::load(stateFile(), expected)) {
+        state_ = std::move(*earlier);
+        spentBefore_ = state_.spentSeconds;
+        return;
+    }
+    state_ = expected;
+    /* The first session compiles, the second shows how long a scene takes to load */
+    const Setting given{"as given", "", {}, false, false, Ladder::samples, false};
+    const double longer = std::max(state_.full[0], state_.full[1]), scale = std::min(1., firstLookSize / longer);
+    const std::array<int, 2> small = scaledTo(state_.full, pixelsOf(state_.full) * scale * scale);
+    const std::vector<std::string> options = optionsOf(given, firstLookSamples, small);
+    { SettingRenderer first(request_.scene, options); }
+    SettingRenderer second(request_.scene, options);
+    state_.prepareSeconds = second.prepareSeconds();
+    const TimedImage look = second.render(referenceSeeds - 1, request_.stop);
+    if (isInterrupted()) return;
+    state_.brightness = meanOf(look.image);
+    checkBrightness(state_.brightness, request_.scene);
+    state_.pathSeconds = look.renderSeconds / (look.meanSamples * static_cast<double>(look.image.pixelCount()));
+    state_.settings = settingsFor(second.session(), state_.brightness);
+    state_.reference = referenceOptions(second.session());
+    chooseSize();
+}
+
+void Study::chooseSize() {
+    /* Each setting is rendered with all seeds at all rungs, each rung in two sessions; but about half of the settings prove to be without
+       effect, hopeless or done before the last rung */
+    constexpr double usualShare = 0.6;
+    double samples = 0, usual = 0;
+    for (double rung : rungs) samples += seeds * rung * usualShare;
+    for (const Setting& s : state_.settings) usual += s.compiles ? 0 : 1;
+    const double sessions = usual * static_cast<double>(std::size(rungs)) * 2 * state_.prepareSeconds;
+    const double seconds = std::max((ladderShare - referenceShare) * request_.budgetSeconds - sessions, 0.1 * request_.budgetSeconds);
+    state_.studied = scaledTo(state_.full, std::max<double>(leastPixels, seconds / (usual * samples * state_.pathSeconds)));
+}
+
+double Study::costOf(double samples) const { return samples * pixelsOf(state_.studied) * state_.pathSeconds; }
+
+References Study::loadReferences() const { return {readImage(stemOfReference(0)).image, readImage(stemOfReference(1)).image}; }
+
+void Study::renderReferences(double until) {
+    const double enough = 64 * std::max(state_.ladderTop(), rungs[std::size(rungs) - 1]);  // for points with as many samples
+    if (state_.referenceSamples[1] >= enough || isOver(until)) return;
+    const Setting setting{"reference", "", state_.reference, false, false, Ladder::samples, false};
+    const double batch = std::exp2(std::clamp(std::floor(std::log2(0.05 * request_.budgetSeconds / costOf(1))), 2., 10.));
+    SettingRenderer renderer(request_.scene, optionsOf(setting, batch, state_.studied));
+    while (!isOver(until) && state_.referenceSamples[1] < enough) {
+        for (size_t which : {0u, 1u}) {
+            report(fmt::format("reference {} of 2, {:.0f} samples", which + 1, state_.referenceSamples[which]));
+            const int seed = referenceSeeds + 2 * static_cast<int>(state_.referenceSamples[which]) + static_cast<int>(which);
+            const TimedImage render = renderer.render(seed, request_.stop);
+            if (!render.isFinished) return;
+            FilmImage image = render.image;
+            const double before = state_.referenceSamples[which], all = before + render.meanSamples;
+            if (before > 0) {
+                const FilmImage old = readImage(stemOfReference(static_cast<int>(which))).image;
+                for (size_t i = 0; i < image.color.size(); ++i)
+                    image.color[i] = glm::vec3((glm::dvec3(old.color[i]) * before + glm::dvec3(image.color[i]) * render.meanSamples) / all);
+            }
+            writeImage(stemOfReference(static_cast<int>(which)), image, {});
+            state_.referenceSamples[which] = all;
+            state_.referenceSeconds += render.renderSeconds;
+        }
+        save();
+    }
+}
+
+void Study::confirmAt(size_t setting, double rung) {
+    report(fmt::format("{} at full size", state_.settings[setting].name()));
+    Confirmation c = confirm(request_.scene, optionsOf(state_.settings[setting], rung), request_.folder);
+    c.setting = setting;
+    c.rung = rung;
+    state_.confirmations.push_back(c);
+    save();
+}
+
+void Study::run() {
+    const double budget = request_.budgetSeconds;
+    if (!isInterrupted()) renderReferences(referenceShare * budget);
+    if (state_.referenceSamples[1] == 0) return;
+    climbAll(ladderShare * budget);
+    addCombination();
+    climbAll(ladderShare * budget + 0.05 * budget);
+    climbHigher(higherShare * budget);
+    save();
+}
+
+}  // namespace eikonal

@@ -1,0 +1,109 @@
+#include "app/trade/study_state.h"
+
+#include "error.h"
+#include "image/atomic_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+
+namespace eikonal {
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Confirmation, setting, rung, wallSeconds, renderSeconds, compileSeconds, meanSamples)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, knob, value, options, addsBias, isBiased, ladder, compiles)
+
+using Json = nlohmann::json;
+
+double StudyState::ladderTop() const {
+    double top = 0;
+    for (const Point& p : points)
+        if (settings[p.setting].ladder == Ladder::samples) top = std::max(top, p.rung);
+    return top;
+}
+
+Point* StudyState::find(size_t setting, double rung) {
+    const auto found = std::ranges::find_if(points, [&](const Point& p) { return p.setting == setting && p.rung == rung; });
+    return found == points.end() ? nullptr : &*found;
+}
+
+std::vector<const Point*> StudyState::ladderOf(size_t setting, int seeds) const {
+    std::vector<const Point*> ladder;
+    for (const Point& p : points)
+        if (p.setting == setting && p.failure.empty() && static_cast<int>(p.seeds.size()) >= seeds) ladder.push_back(&p);
+    std::ranges::sort(ladder, {}, [](const Point* p) { return p->meanSamples(); });
+    return ladder;
+}
+
+void StudyState::save(const std::string& file) const {
+    Json json{{"scene", scene},
+              {"sceneHash", sceneHash},
+              {"version", version},
+              {"device", device},
+              {"baseOptions", baseOptions},
+              {"full", full},
+              {"studied", studied},
+              {"pathSeconds", pathSeconds},
+              {"prepareSeconds", prepareSeconds},
+              {"brightness", brightness},
+              {"spentSeconds", spentSeconds},
+              {"referenceSamples", referenceSamples},
+              {"referenceSeconds", referenceSeconds},
+              {"reference", reference},
+              {"settings", Json::array()},
+              {"points", Json::array()},
+              {"confirmations", Json::array()}};
+    for (const Setting& s : settings) json["settings"].push_back(s);
+    for (const Point& p : points) json["points"].push_back(p);
+    for (const Confirmation& c : confirmations) json["confirmations"].push_back(c);
+    const std::string text = json.dump(1) + "\n";
+    writeFileAtomically(file, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+}
+
+/// Throws if a study of `found` cannot go on as one of `expected`.
+static void checkSame(const std::string& file, const char* what, const std::string& found, const std::string& expected) {
+    if (found != expected)
+        throw Error(ExitCode::scene,
+                    fmt::format("\"{}\" is a study of another {}: \"{}\", not \"{}\"; remove its folder or choose another -o", file, what,
+                                found, expected));
+}
+
+std::optional<StudyState> StudyState::load(const std::string& file, const StudyState& expected) {
+    std::ifstream in(file);
+    if (!in) return std::nullopt;
+    StudyState s;
+    try {
+        const Json json = Json::parse(in);
+        for (const auto& [key, text] :
+             {std::pair{"scene", &s.scene}, {"sceneHash", &s.sceneHash}, {"version", &s.version}, {"device", &s.device}})
+            json.at(key).get_to(*text);
+        for (const auto& [key, number] : {std::pair{"pathSeconds", &s.pathSeconds},
+                                          {"prepareSeconds", &s.prepareSeconds},
+                                          {"brightness", &s.brightness},
+                                          {"spentSeconds", &s.spentSeconds},
+                                          {"referenceSeconds", &s.referenceSeconds}})
+            json.at(key).get_to(*number);
+        json.at("baseOptions").get_to(s.baseOptions);
+        json.at("full").get_to(s.full);
+        json.at("reference").get_to(s.reference);
+        json.at("studied").get_to(s.studied);
+        json.at("referenceSamples").get_to(s.referenceSamples);
+        for (const Json& j : json.at("settings")) s.settings.push_back(j.get<Setting>());
+        for (const Json& j : json.at("points")) s.points.push_back(j.get<Point>());
+        for (const Json& j : json.at("confirmations")) s.confirmations.push_back(j.get<Confirmation>());
+    } catch (const nlohmann::json::exception& error) {
+        throw Error(ExitCode::scene,
+                    fmt::format("\"{}\" is not a study that can go on ({}); remove its folder or choose another -o", file, error.what()));
+    }
+    checkSame(file, "scene file", s.scene, expected.scene);
+    checkSame(file, "scene (its content has changed)", s.sceneHash, expected.sceneHash);
+    checkSame(file, "version", s.version, expected.version);
+    checkSame(file, "device", s.device, expected.device);
+    checkSame(file, "set of options", fmt::format("{}", fmt::join(s.baseOptions, " ")),
+              fmt::format("{}", fmt::join(expected.baseOptions, " ")));
+    return s;
+}
+
+}  // namespace eikonal

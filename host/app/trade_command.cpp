@@ -1,0 +1,102 @@
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "app/progress_bar.h"
+#include "app/trade/findings.h"
+#include "app/trade/report.h"
+#include "clock.h"
+#include "image/atomic_file.h"
+#include "render/session.h"
+
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace eikonal {
+namespace {
+
+void write(const std::string& file, const std::string& text) {
+    writeFileAtomically(file, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+}
+
+/// One line on a terminal that is drawn over, otherwise a line every ten seconds.
+class StudyLine {
+public:
+    explicit StudyLine(bool silent) : silent_(silent) {}
+    ~StudyLine() {
+        if (drawn_) std::fputs("\r\033[K", stderr);
+    }
+    void show(const StudyProgress& p) {
+        if (silent_) return;
+        const std::string text = fmt::format("{:3.0f} % of the budget, {} left: {}", p.fraction * 100, clockTime(p.secondsLeft), p.what);
+        if (::isatty(STDERR_FILENO)) {
+            std::fprintf(stderr, "\r\033[K%s", text.substr(0, 100).c_str());
+            drawn_ = true;
+        } else if (time_.seconds() >= next_) {
+            std::fprintf(stderr, "%s\n", text.c_str());
+            next_ = time_.seconds() + 10;
+        }
+    }
+
+private:
+    const bool silent_;
+    bool drawn_ = false;
+    double next_ = 0;
+    const Stopwatch time_;
+};
+
+/// The page's name without its extension; `asked`: what -o says.
+std::string stemFor(const std::string& asked, const std::string& scene) {
+    std::filesystem::path page = asked;
+    if (asked.empty()) {
+        page = std::filesystem::path(scene).filename();
+        if (page.extension() == ".gz") page = page.stem();
+        page.replace_extension();
+        page += "-trade.html";
+    }
+    if (page.extension() != ".html" && page.extension() != ".htm")
+        throw UsageError(fmt::format("-o names a page, \"{}.html\" for example, not \"{}\"", page.stem().string(), page.string()));
+    return (page.parent_path() / page.stem()).string();
+}
+
+}  // namespace
+
+int tradeCommand(const Options& o) {
+    const std::string stem = stemFor(o.output.files.empty() ? "" : o.output.files.front(), o.scene.path);
+    for (const char* extension : {".html", ".csv", ".json"}) checkFileWritable(stem + extension, 0);
+    prepareOpenCl(o.device);
+    const Interrupt interrupt;
+    StudyLine line(o.log < LogLevel::warning);
+    Study::Request request{o.scene.path,
+                           o.passedOn,
+                           stem + ".study",
+                           o.budget,
+                           [] { return Interrupt::signal() != 0; },
+                           [&](const StudyProgress& p) { line.show(p); }};
+    {
+        /* Warns of what is wrong with the scene, once */
+        Diagnostics diagnostics(o.log, o.scene.strict);
+        Session session(o, diagnostics);
+        session.load(false);
+        session.pack({});
+    }
+    Study study(request);
+    study.run();
+    confirmRecommendations(study, o.wishes);
+    const Findings findings = analyse(study, o.wishes);
+    write(stem + ".html", asHtml(study, findings));
+    write(stem + ".csv", asCsv(study, findings));
+    write(stem + ".json", asJson(study, findings));
+    std::string text = fmt::format("wrote {0}.html, {0}.csv and {0}.json\n", stem);
+    for (const Recommendation& r : findings.recommendations) text += describe(study, r) + "\n";
+    std::fputs(text.c_str(), stdout);
+    if (Interrupt::signal()) {
+        std::fprintf(stderr, "interrupted; the same command goes on where it was, with what is in %s.study\n", stem.c_str());
+        return 128 + Interrupt::signal();
+    }
+    return static_cast<int>(ExitCode::success);
+}
+
+}  // namespace eikonal

@@ -1,0 +1,43 @@
+#include "render/biased_choices.h"
+
+#include "kinds/integrator_kind.h"
+
+#include <fmt/format.h>
+
+namespace eikonal {
+
+std::vector<std::string> inexactFlags(const std::string& buildOptions) {
+    std::vector<std::string> found;
+    for (const char* flag : {"-cl-fast-relaxed-math", "-cl-unsafe-math-optimizations", "-cl-finite-math-only"})
+        if (buildOptions.find(flag) != std::string::npos) found.emplace_back(flag);
+    return found;
+}
+
+/// What the integrator leaves out of the light transport equation; empty: nothing but paths of more than maxdepth bounces.
+static std::string partOfTransport(const Scene& scene) {
+    const IntegratorKind& kind = *scene.integrator.kind;
+    if (kind.surfaceQueue) return "ambient occlusion instead of light";
+    if (kind.splitsRays) return "a tree of rays instead of paths";
+    if (kind.mostDepth == 1) return "direct light only";
+    return !kind.countsMedia && !scene.media.empty() ? "no participating media" : "";
+}
+
+std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, const std::string& buildOptions) {
+    std::vector<BiasedChoice> choices;
+    if (!packed.features.has(Feature::SPECTRAL)) choices.push_back({"RGB colour", "--color=spectral"});
+    if (scene.integrator.regularize) choices.push_back({"regularised microfacets", "--regularize=off"});
+    if (scene.film.maxComponentValue > 0)
+        choices.push_back({fmt::format("samples clamped at {:g}", scene.film.maxComponentValue), "--max-component-value=0"});
+    if (packed.features.has(Feature::DIFFUSION)) choices.push_back({"subsurface scattering by diffusion", "--subsurface=randomwalk"});
+    if (const std::string part = partOfTransport(scene); !part.empty()) choices.push_back({part, "--integrator=volpath"});
+    for (const std::string& flag : inexactFlags(buildOptions)) choices.push_back({"compiler flag " + flag, "no --build-options"});
+    return choices;
+}
+
+std::string describe(const std::vector<BiasedChoice>& choices) {
+    std::string text;
+    for (const BiasedChoice& c : choices) text += fmt::format("{}{} (without it: {})", text.empty() ? "" : "; ", c.what, c.remedy);
+    return text;
+}
+
+}  // namespace eikonal

@@ -1,0 +1,26 @@
+#pragma once
+// Which choices make an image converge to something other than the scene's light transport.
+
+#include "pack/tables.h"
+#include "scene/scene.h"
+
+#include <string>
+#include <vector>
+
+namespace eikonal {
+
+struct BiasedChoice {
+    std::string what;    ///< "RGB colour"
+    std::string remedy;  ///< the options without it: "--color=spectral"
+};
+
+/// The biased choices of a scene that has been packed. buildOptions: of the OpenCL compiler, as the user gave them.
+std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, const std::string& buildOptions);
+
+/// Those of `buildOptions` that let the compiler reorder sums or ignore what is not finite.
+std::vector<std::string> inexactFlags(const std::string& buildOptions);
+
+/// "RGB colour (without it: --color=spectral); ..."; empty: none.
+std::string describe(const std::vector<BiasedChoice>& choices);
+
+}  // namespace eikonal

@@ -1,0 +1,199 @@
+// What `eikonal trade` computes from renders: true errors, models of settings, and recommendations.
+
+#include "app/option_values.h"
+#include "app/trade/error_estimate.h"
+#include "app/trade/model.h"
+#include "app/trade/study_state.h"
+#include "app/trade/svg_plot.h"
+#include "error.h"
+#include "temporary_folder.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace eikonal {
+namespace {
+
+constexpr int side = 32;
+
+/// An image of a scene whose true radiance is 1, times `factor`, with independent normal noise in each channel.
+FilmImage noisy(std::mt19937& random, double deviation, double factor = 1) {
+    FilmImage image(side, side);
+    std::normal_distribution<float> noise(0, static_cast<float>(deviation));
+    for (glm::vec3& c : image.color) c = glm::vec3(static_cast<float>(factor)) + glm::vec3(noise(random), noise(random), noise(random));
+    return image;
+}
+
+ErrorEstimate estimate(std::mt19937& random, int seeds, double deviation, double factor, const References& references) {
+    SeedSums sums;
+    std::vector<double> squares, means;
+    for (int i = 0; i < seeds; ++i) {
+        const FilmImage image = noisy(random, deviation, factor);
+        sums.add(image);
+        squares.push_back(squaredErrorOf(image, references));
+        means.push_back(meanOf(image));
+    }
+    return estimateError(sums, squares, means, references);
+}
+
+TEST(TradeError, SplitsIntoBiasAndVarianceWithoutTheReferencesNoise) {
+    /* relMSE divides by 1 + 0.01. The references' own variance of 0.0025 must not appear; but it makes the divisors noisy, which adds
+       2 x 0.1 x 0.0025 to the bias's square */
+    std::mt19937 random(1);
+    const References references{noisy(random, 0.05), noisy(random, 0.05)};
+    const ErrorEstimate e = estimate(random, 64, 0.2, 1.1, references);
+    EXPECT_NEAR(e.variance, 0.04 / 1.01, 0.001);
+    EXPECT_NEAR(e.biasSquare.value, 0.01 / 1.01, 0.001);
+    EXPECT_NEAR(e.square.value, 0.05 / 1.01, 0.002);
+    EXPECT_NEAR(e.energy.value, 0.1, 0.01);
+    EXPECT_NEAR(references.relativeError(), 0.05 / std::sqrt(2 * 1.01), 0.001);
+}
+
+TEST(TradeError, IntervalsHoldTheTruth) {
+    std::mt19937 random(2);
+    int square = 0, bias = 0, energy = 0;
+    constexpr int trials = 100;
+    for (int i = 0; i < trials; ++i) {
+        const References references{noisy(random, 0.02), noisy(random, 0.02)};
+        const ErrorEstimate e = estimate(random, 8, 0.3, 1.05, references);
+        const auto holds = [](const Interval& found, double truth) { return found.low <= truth && truth <= found.high; };
+        square += holds(e.square, (0.09 + 0.0025) / 1.01);
+        bias += holds(e.biasSquare, 0.0025 / 1.01);
+        energy += holds(e.energy, 0.05);
+    }
+    /* 95 of 100 are expected; fewer than 88 would happen once in 400 times */
+    EXPECT_GE(square, 88);
+    EXPECT_GE(bias, 88);
+    EXPECT_GE(energy, 88);
+}
+
+TEST(TradeError, OfAnUnbiasedSettingHasNoBias) {
+    std::mt19937 random(3);
+    const References references{noisy(random, 0.05), noisy(random, 0.05)};
+    const ErrorEstimate e = estimate(random, 8, 0.5, 1, references);
+    EXPECT_LE(e.biasSquare.low, 0);
+    EXPECT_LT(e.biasSquare.high, 0.01);
+}
+
+TEST(TradeError, OfImagesOfAnotherSizeIsRefused) {
+    const References references{FilmImage(4, 4), FilmImage(4, 4)};
+    EXPECT_THROW(squaredErrorOf(FilmImage(4, 5), references), Error);
+}
+
+MeasuredPoint pointAt(double samples, double bias, double slope, double secondsPerPath = 1e-6) {
+    MeasuredPoint p;
+    p.rung = p.samples = samples;
+    p.secondsPerPath = secondsPerPath;
+    p.error.variance = std::pow(samples, slope);
+    p.error.biasSquare = {bias, bias * 0.9, bias * 1.1};
+    p.error.square = {bias + p.error.variance, 0.9 * (bias + p.error.variance), 1.1 * (bias + p.error.variance)};
+    return p;
+}
+
+TEST(TradeModel, FollowsAPowerOfTheSamplesToABias) {
+    const std::vector<MeasuredPoint> points{pointAt(4, 0.01, -1.2), pointAt(16, 0.01, -1.2), pointAt(64, 0.01, -1.2),
+                                            pointAt(256, 0.01, -1.2)};
+    const SettingModel m = fitModel(points, true, 1e6, 2, 1.5);
+    EXPECT_NEAR(m.slope.value, -1.2, 0.02);
+    EXPECT_NEAR(m.error(256), std::sqrt(0.01 + std::pow(256, -1.2)), 0.002);
+    EXPECT_NEAR(m.error(1e9), 0.1, 0.002) << "the bias stays";
+    EXPECT_DOUBLE_EQ(m.seconds(100), 2 + 100 * 1e-6 * 1e6 * 1.5);
+    EXPECT_FALSE(m.samplesForError(0.09)) << "below the bias";
+    const SettingModel exact = fitModel(points, false, 1e6, 2, 1.5);
+    const double samples = exact.samplesForError(0.01).value();
+    EXPECT_NEAR(exact.error(samples), 0.01, 0.0001);
+    EXPECT_LE(exact.seconds(exact.samplesInTime(30).value()), 30);
+    EXPECT_FALSE(exact.samplesInTime(2.1)) << "one sample takes 3.5 seconds";
+}
+
+TEST(TradeModel, RecommendsTheFastBiasedSettingForLargeErrorsAndTheUnbiasedOneForSmall) {
+    std::vector<Setting> settings(2);
+    std::vector<MeasuredPoint> slow{pointAt(4, 0, -1, 1e-6), pointAt(64, 0, -1, 1e-6)},
+        fast{pointAt(4, 0.0025, -1, 2e-7), pointAt(64, 0.0025, -1, 2e-7)};
+    for (MeasuredPoint& p : fast) p.setting = 1;
+    const std::vector<SettingModel> models{fitModel(slow, false, 1e6, 0.5, 1), fitModel(fast, true, 1e6, 0.5, 1)};
+    const auto chosen = [&](Wish::Kind kind, double value) { return recommend({kind, value}, models, settings); };
+    EXPECT_EQ(chosen(Wish::Kind::error, 0.2).setting, 1u);
+    EXPECT_EQ(chosen(Wish::Kind::error, 0.02).setting, 0u);
+    EXPECT_EQ(chosen(Wish::Kind::seconds, 5).setting, 1u);
+    EXPECT_EQ(chosen(Wish::Kind::seconds, 3000).setting, 0u);
+    EXPECT_FALSE(chosen(Wish::Kind::seconds, 0.6).isPossible) << "a sample of the fast one takes 0.2 s after 0.5 s";
+    EXPECT_LE(chosen(Wish::Kind::error, 0.02).error, 0.0201);
+}
+
+TEST(TradeModel, PrefersWhatIsKnownToWhatIsExtrapolatedFar) {
+    std::vector<Setting> settings(2);
+    std::vector<MeasuredPoint> known{pointAt(4, 0, -1), pointAt(16, 0, -1), pointAt(64, 0, -1)}, glimpsed{pointAt(4, 0, -1, 9e-7)};
+    glimpsed[0].setting = 1;
+    const std::vector<SettingModel> models{fitModel(known, false, 1e6, 0, 1), fitModel(glimpsed, false, 1e6, 0, 1)};
+    EXPECT_GT(models[1].uncertaintyAt(4096), 3 * models[0].uncertaintyAt(4096));
+    EXPECT_EQ(recommend({Wish::Kind::error, 0.015}, models, settings).setting, 0u);
+    EXPECT_EQ(recommend({Wish::Kind::seconds, 4000}, models, settings).setting, 0u);
+}
+
+TEST(TradeModel, TheFrontHasWhatNothingElseBeats) {
+    std::vector<MeasuredPoint> points(3);
+    const double seconds[] = {1, 2, 3}, squares[] = {0.04, 0.09, 0.01};
+    for (size_t i = 0; i < 3; ++i) {
+        points[i].seconds = seconds[i];
+        points[i].error.square.value = squares[i];
+    }
+    markFront(points);
+    EXPECT_TRUE(points[0].isOnFront && !points[1].isOnFront && points[2].isOnFront);
+}
+
+TEST(TradeOptions, OfASettingReplaceTheUsers) {
+    EXPECT_THAT(overridden({"--max-depth=5", "--seed=3"}, {"--max-depth=1", "--spp=4"}),
+                testing::ElementsAre("--seed=3", "--max-depth=1", "--spp=4"));
+}
+
+TEST(TradeOptions, WishesAreTimesOrErrors) {
+    EXPECT_EQ(parseWish("--for", "2m"), (Wish{Wish::Kind::seconds, 120}));
+    EXPECT_EQ(parseWish("--for", "0.5%"), (Wish{Wish::Kind::error, 0.005}));
+    EXPECT_EQ(parseDuration("--budget", "1.5h"), 5400);
+    for (const char* text : {"", "s", "%", "-3s", "0%", "2 %x", "1d", "nan", "inf"})
+        EXPECT_THROW(parseWish("--for", text), UsageError) << text;
+}
+
+class TradeState : public TemporaryFolder {};
+
+TEST_F(TradeState, GoesOnOnlyWithWhatItBelongsTo) {
+    const std::string file = path("study.json");
+    StudyState state;
+    state.scene = "a.pbrt";
+    state.sceneHash = "1";
+    state.baseOptions = {"--max-depth=3"};
+    state.settings = {{"as given", "", {}}, {"depth", "1", {"--max-depth=1"}, true, true}};
+    state.points = {{.setting = 1, .rung = 4, .seeds = {{1, 0.5, 4, 0.1, 0.2, 0.3}}}};
+    state.referenceSamples = {64, 64};
+    state.save(file);
+    const StudyState loaded = StudyState::load(file, state).value();
+    EXPECT_EQ(loaded.settings[1].options, state.settings[1].options);
+    EXPECT_EQ(loaded.points[0].seeds[0].squaredError, 0.2);
+    EXPECT_EQ(loaded.ladderOf(1).size(), 1u);
+    StudyState other = state;
+    other.sceneHash = "2";
+    try {
+        StudyState::load(file, other);
+        FAIL() << "another scene";
+    } catch (const Error& error) { EXPECT_THAT(error.what(), testing::HasSubstr("content has changed")); }
+    EXPECT_FALSE(StudyState::load(path("none.json"), state));
+}
+
+TEST(TradeReport, PlotsAreValidWhateverTheyShow) {
+    Plot plot{.xLabel = "x < y & z",
+              .yLabel = "y",
+              .curves = {{"c", "red", {{1, 2, 1, 3, "\"a\""}, {-1, 2}, {NAN, 1}, {10, 0.1}}}},
+              .front = {{1, 2}}};
+    const std::string svg = asSvg(plot);
+    EXPECT_THAT(svg, testing::HasSubstr("x &lt; y &amp; z"));
+    EXPECT_THAT(svg, testing::Not(testing::HasSubstr("nan")));
+    EXPECT_EQ(std::count(svg.begin(), svg.end(), '<'), std::count(svg.begin(), svg.end(), '>'));
+    EXPECT_THAT(asSvg({}), testing::HasSubstr("</svg>")) << "nothing measured";
+}
+
+}  // namespace
+}  // namespace eikonal
