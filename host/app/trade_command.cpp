@@ -84,6 +84,10 @@ int tradeCommand(const Options& o) {
     }
     Study study(request);
     study.run();
+    if (study.isInterrupted() && study.state().ladderOf(0).empty()) {
+        std::fputs("interrupted before anything was measured\n", stderr);
+        return 128 + Interrupt::signal();
+    }
     confirmRecommendations(study, o.wishes);
     const Findings findings = analyse(study, o.wishes);
     write(stem + ".html", asHtml(study, findings));

@@ -58,7 +58,7 @@ TEST_F(Cli, TradeMeasuresSettingsAndRecommendsSome) {
 TEST_F(Cli, TradeGoesOnAfterAnInterruption) {
     const std::vector<std::string> command{"trade", "tiny.pbrt", "--budget", "1h", "-o", "page.html"};
     const Running running = start(command);
-    for (int i = 0; i < 600 && !exists("page.study/points/0-64.first.exr"); ++i) ::usleep(100'000);
+    for (int i = 0; i < 600 && !exists("page.study/points/0-16-8.first.exr"); ++i) ::usleep(100'000);
     ::kill(running.process, SIGINT);
     const Outcome run = wait(running);
     EXPECT_EQ(run.status, 128 + SIGINT);

@@ -168,7 +168,7 @@ TEST_F(TradeState, GoesOnOnlyWithWhatItBelongsTo) {
     state.baseOptions = {"--max-depth=3"};
     state.settings = {{"as given", "", {}}, {"depth", "1", {"--max-depth=1"}, true, true}};
     state.points = {{.setting = 1, .rung = 4, .seeds = {{1, 0.5, 4, 0.1, 0.2, 0.3}}}};
-    state.referenceSamples = {64, 64};
+    state.referenceSamples = 64;
     state.save(file);
     const StudyState loaded = StudyState::load(file, state).value();
     EXPECT_EQ(loaded.settings[1].options, state.settings[1].options);

@@ -102,8 +102,7 @@ private:
         text_ += fmt::format(
             "Errors are roots of relMSE, against a reference with an error of {} ({:.0f} samples, two independent halves). "
             "{:.0f} s were spent of {:.0f} s.</p>\n",
-            percent(found_.references.relativeError()), state_.referenceSamples[0] + state_.referenceSamples[1], state_.spentSeconds,
-            study_.request().budgetSeconds);
+            percent(found_.references.relativeError()), 2 * state_.referenceSamples, state_.spentSeconds, study_.request().budgetSeconds);
     }
 
     void writeWishes() {

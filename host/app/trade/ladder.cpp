@@ -84,15 +84,18 @@ void Study::climb(size_t setting, double rung, int firstSeed, int endSeed) {
             point.seeds.push_back({seed + 1, render.renderSeconds, render.meanSamples, render.expectedError,
                                    squaredErrorOf(render.image, references), meanOf(render.image)});
         }
-        if (point.seeds.empty()) return;
+        if (point.seeds.empty() || (known && point.seeds.size() == known->seeds.size())) return;
         images.save(stemOf(point));
         const Point* own = state_.find(0, rung);
         if (setting > 0 && s.ladder == Ladder::samples && !s.compiles && own && !own->seeds.empty())
             point.isSameImage = images.first.color == loadImages(*own).first.color;
     } catch (const Error& error) { point.failure = error.what(); }
+    /* The files of the old seeds stay until the state has the new ones */
+    const std::string old = known ? stemOf(*known) : "";
     if (known) *known = point;
     else state_.points.push_back(point);
     save();
+    if (!old.empty() && point.failure.empty()) PointImages::remove(old);
 }
 
 void Study::climbAll(double until) {
@@ -152,7 +155,7 @@ void Study::climbHigher(double until) {
         if (state_.settings[setting].compiles && spent() + 2 * own->compileSeconds + costOf(seeds * rungs[1]) < until)
             climb(setting, rungs[1], 0, seeds);
     /* Beyond that, errors would be about those of the references */
-    const double top = state_.referenceSamples[1] / 8;
+    const double top = state_.referenceSamples / 8;
     for (double rung = rungs[std::size(rungs) - 1] * 4; rung <= top; rung *= 4)
         for (size_t setting = 0; setting < state_.settings.size(); ++setting)
             if (state_.settings[setting].ladder == Ladder::samples && !state_.settings[setting].compiles &&

@@ -110,7 +110,7 @@ Recommendation recommend(const Wish& wish, const std::vector<SettingModel>& mode
         /* The less is known, the more it counts: errors by half of their uncertainty, times by what that error costs. Of nearly equal ones
            the first: the user's own options before others */
         const double seconds = m.seconds(*samples), error = m.error(*samples), uncertainty = m.uncertaintyAt(*samples);
-        const double doubt = settings[m.setting].compiles ? 0.1 : 0;   // flags that are not strict must be worth it
+        const double doubt = settings[m.setting].compiles ? 0.1 : 0;  // flags that are not strict must be worth it
         const double cost = (isForError ? seconds * (1 + uncertainty) : error * (1 + uncertainty / 2)) * (1 + doubt);
         if (cost > (isForError ? 0.95 : 0.975) * least) continue;
         least = cost;

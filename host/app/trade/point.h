@@ -42,6 +42,7 @@ struct PointImages {
 
     /// `stem`: a path without extension. Throws Error.
     void save(const std::string& stem) const;
+    static void remove(const std::string& stem);
     static PointImages load(const std::string& stem, int seeds);
 };
 

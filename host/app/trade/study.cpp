@@ -14,9 +14,9 @@
 namespace eikonal {
 namespace {
 
-/// The budget's parts: references until the first share is spent, every ladder until the second, higher rungs until the third; what is left
-/// is for runs at full size.
-constexpr double referenceShare = 0.3, ladderShare = 0.75, higherShare = 0.85;
+/// The parts of the budget that the first look leaves: references until the first share is spent, every ladder until the second, higher
+/// rungs until the third; what is left is for runs at full size.
+constexpr double referenceShare = 0.3, ladderShare = 0.75, combinationShare = 0.8, higherShare = 0.85;
 constexpr int firstLookSize = 96;  // pixels along the longer side
 constexpr double firstLookSamples = 4;
 constexpr int leastPixels = 48 * 48;
@@ -28,6 +28,14 @@ std::array<int, 2> scaledTo(const std::array<int, 2>& full, double pixels) {
     const double scale = std::sqrt(std::min(1., pixels / (static_cast<double>(full[0]) * full[1])));
     if (scale > 0.8) return full;
     return {std::max(1, static_cast<int>(std::lround(full[0] * scale))), std::max(1, static_cast<int>(std::lround(full[1] * scale)))};
+}
+
+/// The mean of two images that stand for different numbers of samples.
+FilmImage weighted(const FilmImage& a, double samplesOfA, const FilmImage& b, double samplesOfB) {
+    FilmImage image = a;
+    for (size_t i = 0; i < image.color.size(); ++i)
+        image.color[i] = glm::vec3((glm::dvec3(a.color[i]) * samplesOfA + glm::dvec3(b.color[i]) * samplesOfB) / (samplesOfA + samplesOfB));
+    return image;
 }
 
 double pixelsOf(const std::array<int, 2>& size) { return static_cast<double>(size[0]) * size[1]; }
@@ -45,8 +53,10 @@ Study::Study(Request request) : request_(std::move(request)) {
     clock_ = [time] { return time.seconds(); };
     report("reading the scene");
     lookAtScene();
-    save();
+    if (hasLooked()) save();
 }
+
+double Study::share(double part) const { return state_.lookSeconds + part * (request_.budgetSeconds - state_.lookSeconds); }
 
 double Study::spent() const { return spentBefore_ + clock_(); }
 
@@ -60,9 +70,13 @@ void Study::save() {
     state_.save(stateFile());
 }
 
-std::string Study::stemOf(const Point& point) const { return fmt::format("{}/points/{}-{:g}", request_.folder, point.setting, point.rung); }
+std::string Study::stemOf(const Point& point) const {
+    return fmt::format("{}/points/{}-{:g}-{}", request_.folder, point.setting, point.rung, point.seeds.size());
+}
 
-std::string Study::stemOfReference(int which) const { return fmt::format("{}/reference-{}.exr", request_.folder, which + 1); }
+std::string Study::stemOfReference(size_t which) const {
+    return fmt::format("{}/reference-{}-{:.0f}.exr", request_.folder, which + 1, state_.referenceSamples);
+}
 
 std::vector<std::string> Study::optionsOf(const Setting& setting, double rung, std::optional<std::array<int, 2>> size) const {
     std::vector<std::string> more = setting.options;
@@ -115,6 +129,7 @@ void Study::lookAtScene() {
     state_.pathSeconds = look.renderSeconds / (look.meanSamples * static_cast<double>(look.image.pixelCount()));
     state_.settings = settingsFor(second.session(), state_.brightness);
     state_.reference = referenceOptions(second.session());
+    state_.lookSeconds = spent();
     chooseSize();
 }
 
@@ -126,7 +141,7 @@ void Study::chooseSize() {
     for (double rung : rungs) samples += seeds * rung * usualShare;
     for (const Setting& s : state_.settings) usual += s.compiles ? 0 : 1;
     const double sessions = usual * static_cast<double>(std::size(rungs)) * 2 * state_.prepareSeconds;
-    const double seconds = std::max((ladderShare - referenceShare) * request_.budgetSeconds - sessions, 0.1 * request_.budgetSeconds);
+    const double seconds = std::max(share(ladderShare) - share(referenceShare) - sessions, 0.1 * (request_.budgetSeconds - spent()));
     state_.studied = scaledTo(state_.full, std::max<double>(leastPixels, seconds / (usual * samples * state_.pathSeconds)));
 }
 
@@ -136,29 +151,30 @@ References Study::loadReferences() const { return {readImage(stemOfReference(0))
 
 void Study::renderReferences(double until) {
     const double enough = 64 * std::max(state_.ladderTop(), rungs[std::size(rungs) - 1]);  // for points with as many samples
-    if (state_.referenceSamples[1] >= enough || isOver(until)) return;
+    if (state_.referenceSamples >= enough || (state_.referenceSamples > 0 && isOver(until))) return;
     const Setting setting{"reference", "", state_.reference, false, false, Ladder::samples, false};
-    const double batch = std::exp2(std::clamp(std::floor(std::log2(0.05 * request_.budgetSeconds / costOf(1))), 2., 10.));
+    const double seconds = std::max(until - spent(), 1.), most = seconds / 8 / costOf(1);  // several batches, so that time is kept
+    const double batch = std::exp2(std::clamp(std::floor(std::log2(most)), 2., 10.));
     SettingRenderer renderer(request_.scene, optionsOf(setting, batch, state_.studied));
-    while (!isOver(until) && state_.referenceSamples[1] < enough) {
+    do {
+        const double before = state_.referenceSamples;
+        std::array<FilmImage, 2> images;
         for (size_t which : {0u, 1u}) {
-            report(fmt::format("reference {} of 2, {:.0f} samples", which + 1, state_.referenceSamples[which]));
-            const int seed = referenceSeeds + 2 * static_cast<int>(state_.referenceSamples[which]) + static_cast<int>(which);
-            const TimedImage render = renderer.render(seed, request_.stop);
+            report(fmt::format("reference {} of 2, {:.0f} samples", which + 1, before));
+            const TimedImage render =
+                renderer.render(referenceSeeds + 2 * static_cast<int>(before) + static_cast<int>(which), request_.stop);
             if (!render.isFinished) return;
-            FilmImage image = render.image;
-            const double before = state_.referenceSamples[which], all = before + render.meanSamples;
-            if (before > 0) {
-                const FilmImage old = readImage(stemOfReference(static_cast<int>(which))).image;
-                for (size_t i = 0; i < image.color.size(); ++i)
-                    image.color[i] = glm::vec3((glm::dvec3(old.color[i]) * before + glm::dvec3(image.color[i]) * render.meanSamples) / all);
-            }
-            writeImage(stemOfReference(static_cast<int>(which)), image, {});
-            state_.referenceSamples[which] = all;
+            images[which] = render.image;
+            if (before > 0) images[which] = weighted(readImage(stemOfReference(which)).image, before, render.image, batch);
             state_.referenceSeconds += render.renderSeconds;
         }
+        /* Files of the old number of samples stay until the state has the new one */
+        const std::array<std::string, 2> old{stemOfReference(0), stemOfReference(1)};
+        state_.referenceSamples += batch;
+        for (size_t which : {0u, 1u}) writeImage(stemOfReference(which), images[which], {});
         save();
-    }
+        for (const std::string& file : old) std::filesystem::remove(file);
+    } while (!isOver(until) && state_.referenceSamples < enough);
 }
 
 void Study::confirmAt(size_t setting, double rung) {
@@ -171,13 +187,15 @@ void Study::confirmAt(size_t setting, double rung) {
 }
 
 void Study::run() {
-    const double budget = request_.budgetSeconds;
-    if (!isInterrupted()) renderReferences(referenceShare * budget);
-    if (state_.referenceSamples[1] == 0) return;
-    climbAll(ladderShare * budget);
+    if (!hasLooked()) return;
+    if (!isInterrupted()) renderReferences(share(referenceShare));
+    if (state_.referenceSamples == 0 || isInterrupted()) return;
+    /* Whatever the budget is, the user's own options are measured */
+    for (size_t i : {0u, 1u}) climb(0, rungs[i], 0, seeds);
+    climbAll(share(ladderShare));
     addCombination();
-    climbAll(ladderShare * budget + 0.05 * budget);
-    climbHigher(higherShare * budget);
+    climbAll(share(combinationShare));
+    climbHigher(share(higherShare));
     save();
 }
 

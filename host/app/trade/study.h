@@ -36,6 +36,8 @@ public:
 
     /// Measures until the work is done, the budget is spent, or `stop` says so. Throws an Error if the scene cannot be rendered.
     void run();
+    /// Whether the first look at the scene has ended; otherwise it was interrupted, and nothing is kept.
+    bool hasLooked() const { return !state_.settings.empty(); }
     bool isInterrupted() const { return request_.stop && request_.stop(); }
 
     StudyState& state() { return state_; }
@@ -66,11 +68,13 @@ private:
     std::vector<double> rungsOf(const Setting& setting) const;
     double costOf(double samples) const;
     bool isOver(double until) const { return spent() >= until || isInterrupted(); }
+    /// Seconds of the study at which a part of what the first look leaves of the budget is spent.
+    double share(double part) const;
     void save();
     void report(const std::string& what) const;
     std::string stateFile() const { return request_.folder + "/study.json"; }
     std::string stemOf(const Point& point) const;
-    std::string stemOfReference(int which) const;
+    std::string stemOfReference(size_t which) const;
 
     Request request_;
     StudyState state_;

@@ -49,6 +49,7 @@ void StudyState::save(const std::string& file) const {
               {"prepareSeconds", prepareSeconds},
               {"brightness", brightness},
               {"spentSeconds", spentSeconds},
+              {"lookSeconds", lookSeconds},
               {"referenceSamples", referenceSamples},
               {"referenceSeconds", referenceSeconds},
               {"reference", reference},
@@ -83,6 +84,7 @@ std::optional<StudyState> StudyState::load(const std::string& file, const StudyS
                                           {"prepareSeconds", &s.prepareSeconds},
                                           {"brightness", &s.brightness},
                                           {"spentSeconds", &s.spentSeconds},
+                                          {"lookSeconds", &s.lookSeconds},
                                           {"referenceSeconds", &s.referenceSeconds}})
             json.at(key).get_to(*number);
         json.at("baseOptions").get_to(s.baseOptions);
