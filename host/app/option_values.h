@@ -11,6 +11,8 @@ namespace eikonal {
 int parseInteger(const std::string& option, const std::string& text, int low, int high);
 /// A finite number in the open interval (low, high).
 double parseNumber(const std::string& option, const std::string& text, double low, double high);
+/// A number greater than 0, or a percentage: "0.02" or "2%".
+double parseShare(const std::string& option, const std::string& text);
 /// "x,y,z".
 glm::dvec3 parseVector(const std::string& option, const std::string& text);
 /// "800x600".

@@ -1,6 +1,7 @@
 #pragma once
 // The command line. Each option is declared once, in options.cpp, with its help text and its range check.
 
+#include "film/noise.h"
 #include "image/tone_map.h"
 #include "render/options.h"
 
@@ -17,7 +18,8 @@ struct OutputOptions {
     Aovs aovs;
     ToneMapping toneMapping;
     std::optional<double> timeLimit;                  ///< seconds of rendering
-    std::optional<double> targetError;                ///< target of adaptive sampling: root mean relative squared error, > 0
+    std::optional<double> targetError;                ///< target of adaptive sampling, > 0
+    ErrorMetric errorMetric = ErrorMetric::relmseRoot;
     bool stats = false;
 };
 
