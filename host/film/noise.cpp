@@ -22,7 +22,8 @@ NoiseSums& NoiseSums::operator+=(const NoiseSums& other) {
 
 VarianceDecay decayOf(const NoiseSums& sums) {
     if (!(sums.quarter > 0)) return {};
-    const double ratio = std::clamp(sums.half / sums.quarter, 0.2, 0.55);   // independent samples: 1/2
+    /* Independent samples: 1/2; 1/n^2: 1/4. Quarters of a few samples have yet to become well spread, so the first steps fall faster */
+    const double ratio = std::clamp(sums.half / sums.quarter, sums.fewest < 64 ? 0.3 : 0.25, 0.55);
     const double geometric = ratio / (1 - ratio), mixture = 5.0 / 3 - 1 / (3 * ratio);
     return {(geometric + mixture) / 2, std::max(std::log2(1 / ratio), 1.0)};
 }

@@ -31,7 +31,8 @@ struct VarianceDecay {
     double exponent = 1;   ///< near n, V falls as n^-exponent
 };
 /// V(n) is the sum of all later steps V(m) - V(2m), m = n, 2n, 4n ..., which the last two steps extrapolate. If the ratio of steps stays
-/// what it is, this is a geometric series; if V is a mixture of 1/n and 1/n^2, the ratio rises. The mean of both is taken.
+/// what it is, this is a geometric series; if V is a mixture of 1/n and 1/n^2, the ratio rises. The mean of both is taken. A ratio below
+/// that of 1/n^2 does not last.
 VarianceDecay decayOf(const NoiseSums& sums);
 
 /// V(n) / V(m), where m is the largest power of two that is at most n. The samples are aligned runs of 2^b samples, one for each bit of
