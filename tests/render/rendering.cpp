@@ -151,7 +151,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
         result = render(device(), wave, film, profile, control);
         control.firstSample = result.samples;
     }
-    return {film.develop(scene), film.invalid(), result, roulette};
+    return {film.develop(scene), film.invalid(), result, roulette, film.error(ErrorMetric::mseRoot)};
 }
 
 FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {

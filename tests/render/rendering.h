@@ -51,6 +51,7 @@ struct Rendered {
     Film::Invalid invalid;
     RenderResult result;
     Roulette roulette;
+    ErrorEstimate error;   ///< absolute: ErrorMetric::mseRoot
 };
 
 /// The scene of a pbrt text; throws for whatever the reader or the packer complains about.

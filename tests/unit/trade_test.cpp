@@ -1,7 +1,7 @@
 // What `eikonal trade` computes from renders: true errors, models of settings, and recommendations.
 
 #include "app/option_values.h"
-#include "app/trade/error_estimate.h"
+#include "app/trade/true_error.h"
 #include "app/trade/model.h"
 #include "app/trade/study_state.h"
 #include "app/trade/svg_plot.h"
@@ -27,7 +27,7 @@ FilmImage noisy(std::mt19937& random, double deviation, double factor = 1) {
     return image;
 }
 
-ErrorEstimate estimate(std::mt19937& random, int seeds, double deviation, double factor, const References& references) {
+TrueError estimate(std::mt19937& random, int seeds, double deviation, double factor, const References& references) {
     SeedSums sums;
     std::vector<double> squares, means;
     for (int i = 0; i < seeds; ++i) {
@@ -36,7 +36,7 @@ ErrorEstimate estimate(std::mt19937& random, int seeds, double deviation, double
         squares.push_back(squaredErrorOf(image, references));
         means.push_back(meanOf(image));
     }
-    return estimateError(sums, squares, means, references);
+    return estimateTrueError(sums, squares, means, references);
 }
 
 TEST(TradeError, SplitsIntoBiasAndVarianceWithoutTheReferencesNoise) {
@@ -44,7 +44,7 @@ TEST(TradeError, SplitsIntoBiasAndVarianceWithoutTheReferencesNoise) {
        2 x 0.1 x 0.0025 to the bias's square */
     std::mt19937 random(1);
     const References references{noisy(random, 0.05), noisy(random, 0.05)};
-    const ErrorEstimate e = estimate(random, 64, 0.2, 1.1, references);
+    const TrueError e = estimate(random, 64, 0.2, 1.1, references);
     EXPECT_NEAR(e.variance, 0.04 / 1.01, 0.001);
     EXPECT_NEAR(e.biasSquare.value, 0.01 / 1.01, 0.001);
     EXPECT_NEAR(e.square.value, 0.05 / 1.01, 0.002);
@@ -58,7 +58,7 @@ TEST(TradeError, IntervalsHoldTheTruth) {
     constexpr int trials = 100;
     for (int i = 0; i < trials; ++i) {
         const References references{noisy(random, 0.02), noisy(random, 0.02)};
-        const ErrorEstimate e = estimate(random, 8, 0.3, 1.05, references);
+        const TrueError e = estimate(random, 8, 0.3, 1.05, references);
         const auto holds = [](const Interval& found, double truth) { return found.low <= truth && truth <= found.high; };
         square += holds(e.square, (0.09 + 0.0025) / 1.01);
         bias += holds(e.biasSquare, 0.0025 / 1.01);
@@ -73,7 +73,7 @@ TEST(TradeError, IntervalsHoldTheTruth) {
 TEST(TradeError, OfAnUnbiasedSettingHasNoBias) {
     std::mt19937 random(3);
     const References references{noisy(random, 0.05), noisy(random, 0.05)};
-    const ErrorEstimate e = estimate(random, 8, 0.5, 1, references);
+    const TrueError e = estimate(random, 8, 0.5, 1, references);
     EXPECT_LE(e.biasSquare.low, 0);
     EXPECT_LT(e.biasSquare.high, 0.01);
 }

@@ -45,7 +45,7 @@ MeasuredPoint measure(const Point& p, const Study& study, const References& refe
     m.compileSeconds = p.compileSeconds;
     m.prepareSeconds = p.prepareSeconds;
     m.compiledKernels = p.compiledKernels;
-    m.error = estimateError(p, images.sums, references);
+    m.error = estimateTrueError(p, images.sums, references);
     m.flip = flipMean(images.first, reference, {});
     return m;
 }

@@ -52,7 +52,7 @@ bool Study::isWorthClimbing(size_t setting, double rung) {
             best = std::min(best, costOfError(p, meanSquaredError(p)));
     if (costOfError(*below, meanSquaredError(*below)) > hopeless * best) return false;
     /* More samples would only reduce what noise is left beside the bias */
-    const ErrorEstimate error = estimateError(*below, loadImages(*below).sums, loadReferences());
+    const TrueError error = estimateTrueError(*below, loadImages(*below).sums, loadReferences());
     return !state_.settings[setting].isBiased || error.variance > error.biasSquare.value / 4;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Predicts time and error of a setting at any number of samples, and chooses settings for a wish.
 
-#include "app/trade/error_estimate.h"
+#include "app/trade/true_error.h"
 #include "app/trade/setting.h"
 #include "app/wish.h"
 
@@ -21,7 +21,7 @@ struct MeasuredPoint {
     double seconds = 0;         ///< of the user's whole image, predicted: the whole command with compiled kernels
     double compileSeconds = 0, prepareSeconds = 0;
     int compiledKernels = 0;
-    ErrorEstimate error;
+    TrueError error;
     double flip = 0;               ///< FLIP of one render, tone-mapped
     bool isOnFront = false;        ///< no other point has less error in less time
     double relativeError() const;  ///< the root of relMSE, at least 0

@@ -44,13 +44,13 @@ PointImages PointImages::load(const std::string& stem, int seeds) {
     return images;
 }
 
-ErrorEstimate estimateError(const Point& point, const SeedSums& sums, const References& references) {
+TrueError estimateTrueError(const Point& point, const SeedSums& sums, const References& references) {
     std::vector<double> squaredErrors, means;
     for (const SeedResult& s : point.seeds) {
         squaredErrors.push_back(s.squaredError);
         means.push_back(s.mean);
     }
-    return estimateError(sums, squaredErrors, means, references);
+    return estimateTrueError(sums, squaredErrors, means, references);
 }
 
 void to_json(nlohmann::json& json, const Point& p) {

@@ -49,7 +49,7 @@ std::string asCsv(const Study& study, const Findings& findings) {
     };
     for (const MeasuredPoint& p : findings.points) {
         const Setting& s = study.state().settings[p.setting];
-        const ErrorEstimate& e = p.error;
+        const TrueError& e = p.error;
         csv += fmt::format(
             "{},{},{},{:g},{},{:.6g},{:.6g},{:.4g},{:.4g},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{"
             "}\n",

@@ -1,4 +1,4 @@
-#include "app/trade/error_estimate.h"
+#include "app/trade/true_error.h"
 
 #include "error.h"
 #include "image/relative_error.h"
@@ -94,10 +94,10 @@ double squaredErrorOf(const FilmImage& image, const References& references) {
     return sum;
 }
 
-ErrorEstimate estimateError(const SeedSums& sums, std::span<const double> squaredErrors, std::span<const double> means,
+TrueError estimateTrueError(const SeedSums& sums, std::span<const double> squaredErrors, std::span<const double> means,
                             const References& references) {
     const double seeds = sums.seeds;
-    ErrorEstimate e;
+    TrueError e;
     std::vector<double> variances(sums.squares.size());
     double biasOfMean = 0, fromReferences = 0, fromSeeds = 0;  // the last two: variances of the bias's square
     forEachValue(sums.mean, references, [&](double a, double first, double second, double weight, size_t i, int c) {
