@@ -56,13 +56,6 @@ DualColor DualColor::constant(double value) {
 }
 
 DualColor DualColor::emission(const Spectrum& light) {
-    if (light.kind() == Spectrum::Kind::rgb && light.space() == ColorSpace::srgb) {
-        /* A scene may have very many lights: from the table */
-        static const std::array<double, bands> white = lightInBands(whiteSpectrum(ColorSpace::srgb));
-        DualColor result = texel(light.color(), false);
-        for (size_t i = 0; i < white.size(); ++i) result.spectrum[i] *= white[i];
-        return result;
-    }
     DualColor result;
     DenseCurve curve = light.dense();
     if (light.kind() == Spectrum::Kind::rgb) {

@@ -141,14 +141,23 @@ const ColorSet& SceneColors::ofMaterial(int material) {
     return *known;
 }
 
+DualColor SceneColors::emission(const Spectrum& light) const {
+    constexpr size_t few = 256;
+    const bool isTabulated = light.kind() == Spectrum::Kind::rgb && light.space() == ColorSpace::srgb &&
+                             scene_.lights.size() + scene_.areaLights.size() > few;
+    if (!isTabulated) return DualColor::emission(light);
+    const DualColor color = DualColor::texel(light.color(), false);
+    return {.spectrum = (color * DualColor::white()).spectrum, .rgb = color.rgb};
+}
+
 ColorSet SceneColors::ofLight(const Light& light) const {
-    if (light.image == none) return {{DualColor::emission(light.spectrum) * light.scale}};
+    if (light.image == none) return {{emission(light.spectrum) * light.scale}};
     return map(ofImage(light.image, true),
                [&](const DualColor& c) { return DualColor{.spectrum = (c * DualColor::white()).spectrum, .rgb = c.rgb} * light.scale; });
 }
 
 ColorSet SceneColors::ofLight(const AreaLight& light) const {
-    const DualColor L = DualColor::emission(light.L) * light.scale;
+    const DualColor L = emission(light.L) * light.scale;
     if (light.image == none) return {{L}};
     return map(ofImage(light.image, true), [&](const DualColor& c) { return c * L; });
 }

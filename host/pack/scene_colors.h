@@ -24,6 +24,7 @@ public:
     ColorSet ofLight(const AreaLight& light) const;
 
 private:
+    DualColor emission(const Spectrum& light) const;
     enum class Use { reflectance, coefficient };
     const ColorSet& ofTexture(int texture, Use use);
     ColorSet ofInput(const Input& input, Use use);

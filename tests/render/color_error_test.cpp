@@ -13,11 +13,11 @@
 namespace eikonal {
 namespace {
 
-/// Of the image's mean, the channel that is most off.
+/// Of the image's mean, the channel that is most off, as it is defined for the prediction: a channel may be negative, outside of sRGB.
 double measured(const std::string& text) {
     const glm::dvec3 rgb = estimate(render(packScene(text, ColorMode::rgb)).image).mean,
                      spectral = estimate(render(packScene(text, ColorMode::spectral)).image).mean;
-    const glm::dvec3 off = glm::abs(rgb - spectral) / spectral;
+    const glm::dvec3 off = glm::abs(rgb - spectral) / glm::max(spectral, 0.02 * std::max({spectral.x, spectral.y, spectral.z}));
     return std::max({off.x, off.y, off.z});
 }
 
