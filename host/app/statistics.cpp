@@ -64,6 +64,8 @@ std::string describeRun(const Session& session, const Profile& profile, const Fi
         paths / seconds * 1e-6, rays, rays / seconds * 1e-6, shadowRays, shadowRays / seconds * 1e-6, rays / std::max(paths, 1.0));
     text += fmt::format("Russian roulette{}:\n  {}\n", session.isRouletteChosen() ? ", chosen for this scene" : "",
                         asOptions(session.roulette()));
+    const ColorChoice& color = session.packed().color;
+    text += fmt::format("Colour:\n  {}: {}\n", nameOf(color), color.why);
     const auto [fewest, most, mean] = samples;
     text += fmt::format("Samples per pixel:\n  {} fewest, {:.1f} mean, {} most\n", fewest, mean, most);
     text += fmt::format("Error, estimated:\n  {}\n", error);

@@ -54,7 +54,8 @@ struct Rendered {
     ErrorEstimate error;   ///< absolute: ErrorMetric::mseRoot
 };
 
-/// The scene of a pbrt text; throws for whatever the reader or the packer complains about.
+/// The scene of a pbrt text; throws for whatever the reader or the packer complains about. automatic: in RGB, unless spectra are given:
+/// tests often use colours as saturated as can be.
 PackedScene packScene(const std::string& text, ColorMode color = ColorMode::automatic);
 /// Renders on the tests' device (device(), below).
 Rendered render(PackedScene scene, const RenderSetup& setup = {});
