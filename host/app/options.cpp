@@ -303,7 +303,7 @@ struct Parser {
                           "Estimate standard errors from the spread of the differences in each block, not from the image's variance");
         compare->add_option("--heat-map", options.heatMap, "Write the FLIP of each pixel as an image: black is equal, light yellow is 1")
             ->type_name("FILE");
-        value(compare, "--fail-above", options.failAbove, "X", "Exit with status 1 if the mean FLIP is above X", number(0, 1));
+        value(compare, "--fail-above", options.failAbove, "X", "Exit with status 1 if the mean FLIP is above X", numberFrom(0, 1));
     }
 };
 

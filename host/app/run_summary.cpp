@@ -30,6 +30,7 @@ std::string describeAsJson(const Session& session, const std::vector<std::string
                        {"upload", t.upload},    {"render", metadata.renderSeconds.value_or(0)},
                        {"write", writeSeconds}, {"all", secondsSinceStart()}};
     json["compiledKernels"] = session.compiledStages();
+    json["biasedChoices"] = nlohmann::ordered_json::array();
     for (const BiasedChoice& c : session.biasedChoices()) json["biasedChoices"].push_back({{"what", c.what}, {"remedy", c.remedy}});
     json["warnings"] = warnings;
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

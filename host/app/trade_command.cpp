@@ -30,7 +30,11 @@ public:
     }
     void show(const StudyProgress& p) {
         if (silent_) return;
-        const std::string text = fmt::format("{:3.0f} % of the budget, {} left: {}", p.fraction * 100, clockTime(p.secondsLeft), p.what);
+        constexpr int width = 20;
+        const auto filled = static_cast<size_t>(p.fraction * width);
+        const std::string bar = std::string(filled, '#') + std::string(width - filled, '-');
+        const std::string text =
+            fmt::format("[{}] {:3.0f} % of the budget, {} left: {}", bar, p.fraction * 100, clockTime(p.secondsLeft), p.what);
         if (::isatty(STDERR_FILENO)) {
             std::fprintf(stderr, "\r\033[K%s", text.substr(0, 100).c_str());
             drawn_ = true;

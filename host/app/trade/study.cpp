@@ -48,7 +48,9 @@ void checkBrightness(double mean, const std::string& scene) {
 }  // namespace
 
 Study::Study(Request request) : request_(std::move(request)) {
-    std::filesystem::create_directories(request_.folder + "/points");
+    std::error_code failure;
+    std::filesystem::create_directories(request_.folder + "/points", failure);
+    if (failure) throw Error(ExitCode::scene, fmt::format("cannot create the folder \"{}\": {}", request_.folder, failure.message()));
     const Stopwatch time;
     clock_ = [time] { return time.seconds(); };
     report("reading the scene");
@@ -82,7 +84,8 @@ std::vector<std::string> Study::optionsOf(const Setting& setting, double rung, s
     std::vector<std::string> more = setting.options;
     if (setting.ladder == Ladder::targetErrors) {
         more.push_back(fmt::format("--target-error={:.3g}", rung));
-        more.push_back(fmt::format("--spp={:.0f}", mostAdaptiveSamples));
+        /* Measured ones end where they would take far more than other points do */
+        more.push_back(fmt::format("--spp={:.0f}", size ? 16 * rungs[std::size(rungs) - 1] : mostAdaptiveSamples));
     } else more.push_back(fmt::format("--spp={:.0f}", rung));
     if (size && *size != state_.full) more.push_back(fmt::format("--resolution={}x{}", (*size)[0], (*size)[1]));
     return overridden(request_.options, more);
@@ -106,7 +109,7 @@ void Study::lookAtScene() {
         expected.device = session.context().device().name;
         const PixelRect& part = session.packed().pixels;
         if (part.width() != expected.full[0] || part.height() != expected.full[1])
-            throw UsageError("trade measures whole images; give --resolution instead of a crop");
+            throw UsageError("trade measures whole images: give no crop, and --cropwindow 0,1,0,1 if the scene has one");
     }
     if (std::optional<StudyState> earlier = StudyState::load(stateFile(), expected)) {
         state_ = std::move(*earlier);
@@ -147,7 +150,25 @@ void Study::chooseSize() {
 
 double Study::costOf(double samples) const { return samples * pixelsOf(state_.studied) * state_.pathSeconds; }
 
-References Study::loadReferences() const { return {readImage(stemOfReference(0)).image, readImage(stemOfReference(1)).image}; }
+/// What `load` reads from the study's folder. Adds to its errors what the user can do.
+template <class F>
+static auto fromFolder(const std::string& folder, F&& load) {
+    try {
+        return load();
+    } catch (const Error& error) {
+        throw Error(ExitCode::scene, fmt::format("{}; remove \"{}\" to begin the study anew", error.what(), folder));
+    }
+}
+
+References Study::loadReferences() const {
+    return fromFolder(request_.folder, [&] {
+        return References{readImage(stemOfReference(0)).image, readImage(stemOfReference(1)).image};
+    });
+}
+
+PointImages Study::loadImages(const Point& point) const {
+    return fromFolder(request_.folder, [&] { return PointImages::load(stemOf(point), static_cast<int>(point.seeds.size())); });
+}
 
 void Study::renderReferences(double until) {
     const double enough = 64 * std::max(state_.ladderTop(), rungs[std::size(rungs) - 1]);  // for points with as many samples
@@ -179,7 +200,13 @@ void Study::renderReferences(double until) {
 
 void Study::confirmAt(size_t setting, double rung) {
     report(fmt::format("{} at full size", state_.settings[setting].name()));
-    Confirmation c = confirm(request_.scene, optionsOf(state_.settings[setting], rung), request_.folder);
+    Confirmation c;
+    try {
+        c = confirm(request_.scene, optionsOf(state_.settings[setting], rung), request_.folder);
+    } catch (const Error& error) {
+        if (isInterrupted()) return;
+        c.failure = error.what();
+    }
     c.setting = setting;
     c.rung = rung;
     state_.confirmations.push_back(c);
@@ -191,7 +218,7 @@ void Study::run() {
     if (!isInterrupted()) renderReferences(share(referenceShare));
     if (state_.referenceSamples == 0 || isInterrupted()) return;
     /* Whatever the budget is, the user's own options are measured */
-    for (size_t i : {0u, 1u}) climb(0, rungs[i], 0, seeds);
+    for (size_t i : {0u, 1u}) climb(0, rungs[i], seedsInASession);
     climbAll(share(ladderShare));
     addCombination();
     climbAll(share(combinationShare));
