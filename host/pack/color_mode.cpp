@@ -69,7 +69,7 @@ template <class Thing> std::string firstMeasured(MeasuredInputs& inputs, const s
     return {};
 }
 
-std::string percent(double error) { return error > 1 ? "more than 100 %" : fmt::format("about {:.1f} %", 100 * error); }
+std::string percent(double error) { return error > 1 ? "more than 100 %" : fmt::format("{:.2g} %", 100 * error); }
 
 }  // namespace
 
@@ -93,10 +93,11 @@ ColorChoice chooseColor(const Scene& scene, const std::vector<std::shared_ptr<co
     if (std::string need = needOfWavelengths(scene); !need.empty()) return {true, std::move(need)};
     if (!scene.integrator.kind->countsMaterials()) return {false, "the integrator does not look at colours"};
     const RgbError error = predictRgbError(scene, images);
-    if (error.worst >= mostRgbError.inPart) return {true, fmt::format("{}: in RGB it would be {} off", error.cause, percent(error.worst))};
-    if (error.mean >= mostRgbError.inMean) return {true, fmt::format("in RGB the mean of the image would be {} off", percent(error.mean))};
-    return {false, fmt::format("it is {} off in the mean of the image, and at most {} in a part of it", percent(error.mean),
-                               percent(error.worst))};
+    if (error.worst >= mostRgbError.inPart) return {true, fmt::format("{}: in RGB a channel could be off by up to {} (a bound that ignores visibility)", error.cause,
+                                   percent(error.worst))};
+    if (error.mean >= mostRgbError.inMean) return {true, fmt::format("in RGB the mean of the image would be off by {}", percent(error.mean))};
+    return {false, fmt::format("predicted to be off by {} in the mean of the image, and by at most {} in a part of it",
+                               percent(error.mean), percent(error.worst))};
 }
 
 }  // namespace eikonal
