@@ -7,6 +7,7 @@
 #include "image/atomic_file.h"
 #include "image/image_file.h"
 #include "image/seed_variance.h"
+#include "render/render.h"
 #include "median.h"
 
 #include <fmt/format.h>

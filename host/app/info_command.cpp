@@ -41,6 +41,7 @@ std::string asText(const Options& o, const PackedScene& packed, const MemoryPlan
         first = false;
     }
     if (first) text += "nothing";
+    text += fmt::format("\n  color      {}: {}", nameOf(packed.color), packed.color.why);
     text += fmt::format("\n  hierarchy  {} levels, built in {:.2f} s\n  memory     {}\n  requires\n", packed.counts.bvhDepth,
                         packed.counts.buildSeconds, describe(plan));
     for (const auto& [feature, why] : packed.reasons)
@@ -58,6 +59,7 @@ nlohmann::ordered_json asJson(const Options& o, const PackedScene& packed, const
     json["samples"] = packed.samples;
     json["maxDepth"] = packed.frame().max_depth;
     for (const Count& c : countsOf(packed.counts)) json["counts"][c.key] = c.value;
+    json["color"] = {{"mode", nameOf(packed.color)}, {"why", packed.color.why}};
     json["memory"] = {{"tables", plan.tables}, {"queues", plan.queues}, {"film", plan.film}};
     json["features"] = nlohmann::ordered_json::array();
     for (const auto& [feature, why] : packed.reasons)

@@ -104,6 +104,13 @@ Wish parseWish(const std::string& option, const std::string& text) {
     refuse(option, "a time like 30s or an error like 2%", text);
 }
 
+double parseShare(const std::string& option, const std::string& text) {
+    const bool isPercentage = text.ends_with('%');
+    const auto value = numberIn<double>(isPercentage ? text.substr(0, text.size() - 1) : text);
+    if (!value || !(*value > 0) || std::isinf(*value)) refuse(option, "a number greater than 0 like 0.02, or a percentage like 2%", text);
+    return isPercentage ? *value / 100 : *value;
+}
+
 glm::dvec3 parseVector(const std::string& option, const std::string& text) {
     const auto v = numbersIn<double, 3>(text, ',');
     if (!v) refuse(option, "three numbers separated by commas, like 0,1,5", text);

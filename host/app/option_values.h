@@ -16,6 +16,8 @@ double parseNumber(const std::string& option, const std::string& text, double lo
 double parseNumberFrom(const std::string& option, const std::string& text, double low, double high);
 /// 0, or a power of two of at most `high`.
 int parsePowerOfTwoOrZero(const std::string& option, const std::string& text, int high);
+/// A number greater than 0, or a percentage: "0.02" or "2%".
+double parseShare(const std::string& option, const std::string& text);
 /// "x,y,z".
 glm::dvec3 parseVector(const std::string& option, const std::string& text);
 /// "800x600".

@@ -198,8 +198,12 @@ void addOutput(CLI::App* app, Options& o) {
     value(app, "--time-limit", out.timeLimit, "SECONDS", "Stop rendering after this time, but not before every pixel has a sample",
           number(0))
         ->group(group);
-    value(app, "--target-error", out.targetError, "E",
-          "Sample adaptively until the image's relative error is about E, such as 0.05; --spp is then the maximum per pixel", number(0))
+    value(app, "--target-error,--max-error", out.targetError, "E",
+          "Sample adaptively until the image's error is about E, such as 0.05 or 5%; --spp is then the maximum per pixel", parseShare)
+        ->group(group);
+    value(app, "--error-metric", out.errorMetric, "NAME",
+          "What the error is: relmse-root (default): relative to each pixel; mse-root: absolute; nrmse: relative to the image's mean",
+          oneOf<ErrorMetric>({std::begin(errorMetricNames), std::end(errorMetricNames)}))
         ->group(group);
     app->add_flag("--stats", out.stats, "Print time and memory statistics")->group(group);
     app->add_flag("--json", o.json, "Print one line of JSON at the end: files, samples, times, warnings")->group(group);
@@ -299,7 +303,7 @@ struct Parser {
                           "Estimate standard errors from the spread of the differences in each block, not from the image's variance");
         compare->add_option("--heat-map", options.heatMap, "Write the FLIP of each pixel as an image: black is equal, light yellow is 1")
             ->type_name("FILE");
-        value(compare, "--fail-above", options.failAbove, "X", "Exit with status 1 if the mean FLIP is above X", number(0, 1));
+        value(compare, "--fail-above", options.failAbove, "X", "Exit with status 1 if the mean FLIP is above X", numberFrom(0, 1));
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include "app/presets.h"
 #include "app/wish.h"
+#include "film/noise.h"
 #include "image/tone_map.h"
 #include "render/options.h"
 
@@ -19,7 +20,8 @@ struct OutputOptions {
     Aovs aovs;
     ToneMapping toneMapping;
     std::optional<double> timeLimit;                  ///< seconds of rendering
-    std::optional<double> targetError;                ///< target of adaptive sampling: root mean relative squared error, > 0
+    std::optional<double> targetError;                ///< target of adaptive sampling, > 0
+    ErrorMetric errorMetric = ErrorMetric::relmseRoot;
     bool stats = false;
 };
 

@@ -6,7 +6,8 @@ namespace eikonal {
 /// `options`: what the preset stands for, "--name=value" separated by spaces; options that the user gives override them.
 struct Preset { const char *name, *options; };
 
-/// Points of the measured front of a set of scenes: tests/accuracy/presets.py measures them, docs/trade.md has its table.
+/// tests/accuracy/presets.py measures them on a set of scenes, beside the settings that `eikonal trade` finds there; docs/trade.md has its
+/// tables.
 inline constexpr Preset presets[] = {{"draft", "--spp=8 --regularize=on"},
                                      {"preview", "--spp=32 --regularize=on"},
                                      {"final", "--spp=512"},

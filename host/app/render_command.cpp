@@ -9,6 +9,7 @@
 #include "app/run_summary.h"
 #include "render/session.h"
 #include "app/statistics.h"
+#include "names.h"
 #include "wait_notice.h"
 #include "eikonal/film.h"
 #include "film/projection.h"
@@ -59,6 +60,7 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film, Deadline
     RenderControl control;
     control.endSample = samples;
     control.targetError = o.output.targetError;
+    control.errorMetric = o.output.errorMetric;
     control.progress = [&](const Progress& p) {
         deadline.isWhole = p.samples > 0;
         bar.show(p);
@@ -77,8 +79,8 @@ void reportShortfall(const Options& o, const Film::Samples& samples, const Film:
                                                           : fmt::format("{} to {}", samples.fewest, samples.most),
                            wanted));
     else if (result.error && *result.error > *o.output.targetError)
-        say(o, fmt::format("the relative error is about {:.2g}, not {:g}: a pixel gets at most {} samples; increase --spp", *result.error,
-                           *o.output.targetError, wanted));
+        say(o, fmt::format("the error is more than {:g} %: a pixel gets at most {} samples; increase --spp", 100 * *o.output.targetError,
+                           wanted));
     if (invalid.count)
         diagnostics.warn(
             {}, fmt::format("{} sample{} not finite or brighter than {:.0e}, and count{} as black; the first is in pixel ({}, {})",
@@ -94,11 +96,17 @@ void reportUnresolvedRays(uint count, Diagnostics& diagnostics) {
                                          count, count == 1 ? "" : "s"));
 }
 
-Metadata metadataOf(const Options& o, const Session& session, const Film::Samples& samples, double seconds, const std::string& hash) {
+Metadata metadataOf(const Options& o, const Session& session, const Film::Samples& samples, const ErrorEstimate& error, double seconds,
+                    const std::string& hash) {
     Metadata m;
     m.samples = static_cast<int>(samples.fewest);
     if (samples.most > samples.fewest) m.meanSamples = samples.mean;
     m.targetError = o.output.targetError;
+    m.error = error.error;
+    m.errorLow = error.low;
+    m.errorHigh = error.high;
+    m.errorMetric = nameIn(errorMetricNames, o.output.errorMetric);
+    m.errorDoubt = error.doubt;
     m.renderSeconds = seconds;
     m.seed = session.scene().sampler.seed;
     m.version = "Eikonal " EIKONAL_VERSION;
@@ -168,6 +176,8 @@ int renderCommand(const Options& o) {
     const int endedBy = result.isFinished ? 0 : Interrupt::signal();
     const Film::Samples samples = film->samples();
     reportShortfall(o, samples, film->invalid(), result, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
+    const ErrorEstimate error = film->error(o.output.errorMetric);
+    say(o, describe(error, o.output.errorMetric));
     reportUnresolvedRays(session.unresolvedRays(), diagnostics);
 
     const Stopwatch writeTime;
@@ -175,11 +185,14 @@ int renderCommand(const Options& o) {
     film.reset();   // frees what may be most of the memory in use
     selectAovs(image, aovs);
     if (session.scene().film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, packed);
-    const Metadata metadata = metadataOf(o, session, samples, renderSeconds, hash.get());
+    const Metadata metadata = metadataOf(o, session, samples, error, renderSeconds, hash.get());
     writeAll(files, image, metadata, o.output.toneMapping, o.log < LogLevel::warning);
     const double writeSeconds = writeTime.seconds();
     say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()));
-    if (o.output.stats) std::fputs(describeRun(session, session.profile(), samples, result, renderSeconds, writeSeconds).c_str(), stdout);
+    if (o.output.stats) {
+        const std::string described = describe(error, o.output.errorMetric);
+        std::fputs(describeRun(session, session.profile(), samples, described, renderSeconds, writeSeconds).c_str(), stdout);
+    }
     if (o.json)
         std::fputs(
             describeAsJson(session, files, metadata, samples, result, endedBy, writeSeconds, diagnostics.warnings()).c_str(), stdout);

@@ -20,12 +20,17 @@ std::string describeAsJson(const Session& session, const std::vector<std::string
                                 {"commandLine", metadata.commandLine},
                                 {"samples", {{"fewest", samples.fewest}, {"mean", samples.mean}, {"most", samples.most}}}};
     if (endedBy) json["signal"] = endedBy;
-    if (result.error) json["error"] = *result.error;
+    if (metadata.error) {
+        json["error"] = {
+            {"metric", metadata.errorMetric}, {"value", *metadata.error}, {"low", *metadata.errorLow}, {"high", *metadata.errorHigh}};
+        if (!metadata.errorDoubt.empty()) json["error"]["doubt"] = metadata.errorDoubt;
+    }
     json["seconds"] = {{"read", t.load},        {"pack", t.pack},
                        {"build", t.build},      {"compile", t.compile},
                        {"upload", t.upload},    {"render", metadata.renderSeconds.value_or(0)},
                        {"write", writeSeconds}, {"all", secondsSinceStart()}};
     json["compiledKernels"] = session.compiledStages();
+    json["biasedChoices"] = nlohmann::ordered_json::array();
     for (const BiasedChoice& c : session.biasedChoices()) json["biasedChoices"].push_back({{"what", c.what}, {"remedy", c.remedy}});
     json["warnings"] = warnings;
     return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

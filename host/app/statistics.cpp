@@ -27,7 +27,7 @@ std::string asOptions(const Roulette& roulette) {
                        roulette.depth);
 }
 
-std::string describeRun(const Session& session, const Profile& profile, const Film::Samples& samples, const RenderResult& result,
+std::string describeRun(const Session& session, const Profile& profile, const Film::Samples& samples, const std::string& error,
                         double renderSeconds, double writeSeconds) {
     const SessionTimes& t = session.times();
     std::string text;
@@ -64,9 +64,11 @@ std::string describeRun(const Session& session, const Profile& profile, const Fi
         paths / seconds * 1e-6, rays, rays / seconds * 1e-6, shadowRays, shadowRays / seconds * 1e-6, rays / std::max(paths, 1.0));
     text += fmt::format("Russian roulette{}:\n  {}\n", session.isRouletteChosen() ? ", chosen for this scene" : "",
                         asOptions(session.roulette()));
+    const ColorChoice& color = session.packed().color;
+    text += fmt::format("Colour:\n  {}: {}\n", nameOf(color), color.why);
     const auto [fewest, most, mean] = samples;
     text += fmt::format("Samples per pixel:\n  {} fewest, {:.1f} mean, {} most\n", fewest, mean, most);
-    if (result.error) text += fmt::format("Relative error, expected:\n  {:.4g}\n", *result.error);
+    text += fmt::format("Error, estimated:\n  {}\n", error);
     const std::string biased = describe(session.biasedChoices());
     text += fmt::format("Biased choices:\n  {}\n", biased.empty() ? "none" : biased + "; `eikonal trade` measures their bias");
     text += fmt::format("Memory: {}\n", describe(session.plan()));

@@ -2,7 +2,6 @@
 // Statistics of a render, as text.
 
 #include "film/film.h"
-#include "render/render.h"
 #include "render/session.h"
 
 namespace eikonal {
@@ -13,8 +12,8 @@ std::string readableBytes(double bytes);
 std::string describe(const MemoryPlan& plan);
 /// "--roulette root --roulette-scale 1.5 --roulette-depth 3".
 std::string asOptions(const Roulette& roulette);
-/// What --stats prints: time and memory by part. The caller measures `renderSeconds` and `writeSeconds`.
-std::string describeRun(const Session& session, const Profile& profile, const Film::Samples& samples, const RenderResult& result,
+/// What --stats prints: time and memory by part. error: describe(ErrorEstimate). The caller measures `renderSeconds` and `writeSeconds`.
+std::string describeRun(const Session& session, const Profile& profile, const Film::Samples& samples, const std::string& error,
                         double renderSeconds, double writeSeconds);
 
 }  // namespace eikonal

@@ -30,7 +30,11 @@ public:
     }
     void show(const StudyProgress& p) {
         if (silent_) return;
-        const std::string text = fmt::format("{:3.0f} % of the budget, {} left: {}", p.fraction * 100, clockTime(p.secondsLeft), p.what);
+        constexpr int width = 20;
+        const auto filled = static_cast<size_t>(p.fraction * width);
+        const std::string bar = std::string(filled, '#') + std::string(width - filled, '-');
+        const std::string text =
+            fmt::format("[{}] {:3.0f} % of the budget, {} left: {}", bar, p.fraction * 100, clockTime(p.secondsLeft), p.what);
         if (::isatty(STDERR_FILENO)) {
             std::fprintf(stderr, "\r\033[K%s", text.substr(0, 100).c_str());
             drawn_ = true;
@@ -84,6 +88,10 @@ int tradeCommand(const Options& o) {
     }
     Study study(request);
     study.run();
+    if (study.isInterrupted() && study.state().ladderOf(0).empty()) {
+        std::fputs("interrupted before anything was measured\n", stderr);
+        return 128 + Interrupt::signal();
+    }
     confirmRecommendations(study, o.wishes);
     const Findings findings = analyse(study, o.wishes);
     write(stem + ".html", asHtml(study, findings));

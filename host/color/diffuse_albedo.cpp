@@ -140,6 +140,12 @@ double diffuseAlbedo(double rho, double g, double eta) {
     return solveSeries(again, first).at(straight, 0);
 }
 
+double halfSpaceAlbedo(double rho, double g) {
+    rho = std::clamp(rho, 0.0, 1.0);
+    const double s = std::sqrt((1 - rho) / std::max(1 - g * rho, 1e-9));
+    return std::max((1 - s) * (1 - 0.139 * s) / (1 + 1.17 * s), 0.0);
+}
+
 double boundaryTransmittance(double eta) {
     constexpr int steps = 4096;
     double sum = 0;

@@ -11,6 +11,10 @@ namespace eikonal {
 /// doubling (van de Hulst 1980; Prahl 1995, "The Adding-Doubling Method").
 double diffuseAlbedo(double rho, double g, double eta);
 
+/// The same without a boundary, for diffuse light, in closed form and within 0.02: rho may be any number, and is clamped to [0, 1] (van de
+/// Hulst 1980).
+double halfSpaceAlbedo(double rho, double g);
+
 /// The transmittance of a smooth dielectric boundary for diffuse light. eta: index on the far side over this side.
 double boundaryTransmittance(double eta);
 

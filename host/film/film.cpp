@@ -1,6 +1,6 @@
 #include "film/film.h"
 
-#include "color/luminance.h"
+#include "film/planes.h"
 #include "film/projection.h"
 
 #include <algorithm>
@@ -63,49 +63,6 @@ void Film::download(const Context& context, const Buffer& buffer, const Batch& b
 
 const uint* Film::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
 const float* Film::floats(const char* field) const { return reinterpret_cast<const float*>(numbers(field)); }
-
-/// Estimates of a pixel, and their variance.
-struct Film::Planes {
-    size_t n;
-    const float *sum, *weight, *squareWeight, *mean, *spread;
-    const uint* count;
-
-    explicit Planes(const Film& f)
-        : n(f.plane()),
-          sum(f.floats("sum")),
-          weight(f.floats("weight")),
-          squareWeight(f.floats("square_weight")),
-          mean(f.floats("mean")),
-          spread(f.floats("spread")),
-          count(f.numbers("count")) {}
-
-    glm::vec3 color(size_t i) const { return glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0); }
-
-    /// Variance of a pixel's mean luminance, estimated from the spread of its samples; 0 if there are too few.
-    /* The mean is a ratio of two sums, sum(w L) / sum(w): its variance is that of sum(w (L - mean)), over the square of sum(w). */
-    float variance(size_t i, glm::vec3 color) const {
-        const double samples = count[i], weights = weight[i];
-        if (samples < 2 || weights == 0) return 0;
-        const double aside = luminance(color) - mean[i];
-        const double spreads = std::max(spread[i], 0.0f) + squareWeight[i] * aside * aside;
-        return static_cast<float>(
-            std::min(spreads * samples / (samples - 1) / (weights * weights), static_cast<double>(std::numeric_limits<float>::max())));
-    }
-};
-
-double Film::relativeVariance(const PixelRect& part) const {
-    const Planes planes(*this);
-    double sum = 0;
-    for (int y = part.y0; y < part.y1; ++y)
-        for (int x = part.x0; x < part.x1; ++x) {
-            const size_t i =
-                static_cast<size_t>(y - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(x - pixels_.x0);
-            const glm::vec3 color = planes.color(i);
-            const double brightness = luminance(color);
-            sum += planes.variance(i, color) / (brightness * brightness + 0.01);
-        }
-    return sum;
-}
 
 /// A sum of directions, normalised.
 static glm::vec3 meanDirection(const float* sum, size_t n, size_t i) {

@@ -6,6 +6,7 @@
 #include "device/layout.h"
 #include "image/film_image.h"
 #include "film/batch.h"
+#include "film/noise.h"
 
 #include <memory>
 
@@ -36,9 +37,10 @@ public:
     /// The fewest, most and mean samples per pixel.
     struct Samples { unsigned fewest = 0, most = 0; double mean = 0; };
     Samples samples() const;
-    /// The sum over the pixels of `part` of the expected relative squared error: variance of the mean luminance / (luminance^2 + 0.01). The
-    /// variance is that of independent samples; Sobol' samples have less.
-    double relativeVariance(const PixelRect& part) const;
+    /// What the samples of the pixels of `part`, a part of pixels(), say about their error; see noise.h. decay: of the variance.
+    NoiseSums noise(const PixelRect& part, ErrorMetric metric, double decay = 1) const;
+    /// The error of the image.
+    ErrorEstimate error(ErrorMetric metric) const;
 
 private:
     struct Free { void operator()(void* p) const { std::free(p); } };
@@ -46,6 +48,7 @@ private:
     void developSpectrum(FilmImage& image, const PackedScene& scene) const;
     size_t plane() const { return static_cast<size_t>(pixels_.width()) * static_cast<size_t>(pixels_.height()); }
     struct Planes;
+    double expectedLuminance(const Planes& planes, int x, int y) const;
     const float* floats(const char* field) const;
     const uint* numbers(const char* field) const;
     int width_, height_;

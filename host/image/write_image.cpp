@@ -89,6 +89,11 @@ void addAttributes(EncodedImage& file, const Metadata& metadata) {
     if (metadata.samples) add("samplesPerPixel", *metadata.samples);
     if (metadata.meanSamples) add("meanSamplesPerPixel", static_cast<float>(*metadata.meanSamples));
     if (metadata.targetError) add("targetError", static_cast<float>(*metadata.targetError));
+    if (metadata.error) add("errorEstimate", static_cast<float>(*metadata.error));
+    if (metadata.errorLow) add("errorLow", static_cast<float>(*metadata.errorLow));
+    if (metadata.errorHigh) add("errorHigh", static_cast<float>(*metadata.errorHigh));
+    addText("errorMetric", metadata.errorMetric);
+    addText("errorDoubt", metadata.errorDoubt);
     if (metadata.renderSeconds) add("renderTimeSeconds", static_cast<float>(*metadata.renderSeconds));
     if (metadata.seed) add("seed", *metadata.seed);
     addText("Software", metadata.version);

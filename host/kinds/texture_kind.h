@@ -1,6 +1,7 @@
 #pragma once
 // The host's side of each kind of texture: one file in host/kinds/texture/ for each line of TEXTURES (include/eikonal/textures.h).
 
+#include "color/color_set.h"
 #include "eikonal/texture.h"
 #include "eikonal/textures.h"
 #include "feature_set.h"
@@ -32,6 +33,8 @@ struct TextureTraits {
     bool takesCoefficients = false;
     /// Whether its value equals its operand, so that it needs no instruction.
     bool isItsOperand = false;
+    /// The colours that it has, from those of its operands; for predictions (pack/scene_colors.h). Null: those of its operands.
+    ColorSet (*colors)(const Texture&, std::span<const ColorSet> operands) = nullptr;
 };
 
 /* One for each kind, defined in the kind's file. */

@@ -1,7 +1,12 @@
 #include "pack/color_mode.h"
 
+#include "error.h"
+#include "kinds/integrator_kind.h"
 #include "kinds/material_kind.h"
 #include "kinds/medium_kind.h"
+#include "pack/rgb_error.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
@@ -64,6 +69,8 @@ template <class Thing> std::string firstMeasured(MeasuredInputs& inputs, const s
     return {};
 }
 
+std::string percent(double error) { return error > 1 ? "more than 100 %" : fmt::format("{:.2g} %", 100 * error); }
+
 }  // namespace
 
 std::string needOfWavelengths(const Scene& scene) {
@@ -75,6 +82,22 @@ std::string needOfWavelengths(const Scene& scene) {
           firstMeasured(inputs, scene.areaLights, "an area light"), firstMeasured(inputs, scene.media, "a medium")})
         if (!need.empty()) return need;
     return {};
+}
+
+ColorChoice chooseColor(const Scene& scene, const std::vector<std::shared_ptr<const ImageData>>& images) {
+    if (scene.colorMode == ColorMode::spectral || (scene.colorMode == ColorMode::rgb && !scene.film.spectrum))
+        return {scene.colorMode == ColorMode::spectral, "--color"};
+    if (scene.colorMode == ColorMode::rgb)
+        throw SceneError(scene.film.where,
+                         "film \"spectral\" stores spectra, which --color rgb does not compute; use --color spectral or --color auto");
+    if (std::string need = needOfWavelengths(scene); !need.empty()) return {true, std::move(need)};
+    if (!scene.integrator.kind->countsMaterials()) return {false, "the integrator does not look at colours"};
+    const RgbError error = predictRgbError(scene, images);
+    if (error.worst >= mostRgbError.inPart) return {true, fmt::format("{}: in RGB a channel could be off by up to {} (a bound that ignores visibility)", error.cause,
+                                   percent(error.worst))};
+    if (error.mean >= mostRgbError.inMean) return {true, fmt::format("in RGB the mean of the image would be off by {}", percent(error.mean))};
+    return {false, fmt::format("predicted to be off by {} in the mean of the image, and by at most {} in a part of it",
+                               percent(error.mean), percent(error.worst))};
 }
 
 }  // namespace eikonal

@@ -59,17 +59,6 @@ PackedTextures packTextures(const Scene& scene, std::span<const int> textures, D
     return result;
 }
 
-/// Whether to render at wavelengths; if so, requires the feature.
-static bool packColorMode(const Scene& scene, RequiredFeatures& required) {
-    const std::string need = scene.colorMode == ColorMode::automatic ? needOfWavelengths(scene) : "--color";
-    const bool spectral = scene.colorMode != ColorMode::rgb && !need.empty();
-    if (spectral) required.require(Feature::SPECTRAL, need);
-    else if (scene.film.spectrum)
-        throw SceneError(scene.film.where,
-                         "film \"spectral\" stores spectra, which --color rgb does not compute; use --color spectral or --color auto");
-    return spectral;
-}
-
 /// Hands each part the tables that it writes and the parts that it uses, then runs them in order.
 static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     SceneTables& tables = packed.tables;
@@ -102,14 +91,17 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     Packing result;
     PackedScene& packed = result.scene;
     const Box bounds = worldBounds(scene);
+    const std::vector<std::shared_ptr<const ImageData>> images = loadImages(scene.images);
+    packed.color = chooseColor(scene, images);
+    if (packed.color.spectral) packed.require(Feature::SPECTRAL, packed.color.why);
     const PackContext context{.scene = scene,
                               .diagnostics = diagnostics,
                               .required = packed,
                               .space = spaceOf(bounds),
                               .bounds = bounds,
                               .hasMedia = scene.integrator.kind->countsMedia && mediaAreUsed(scene),
-                              .spectral = packColorMode(scene, packed),
-                              .images = loadImages(scene.images)};
+                              .spectral = packed.color.spectral,
+                              .images = images};
     packed.worldScale = 1 / context.space.scale;
     packed.worldCenter = context.space.center;
     packed.pixels = renderedPixels(scene.film, diagnostics);

@@ -4,6 +4,7 @@
 #include "bvh/uninitialized.h"
 #include "eikonal/scene.h"
 #include "feature_set.h"
+#include "pack/color_choice.h"
 #include "pack/scene_constants.h"
 #include "scene/integrator.h"
 
@@ -77,6 +78,7 @@ struct PackedScene : RequiredFeatures {
     PixelRect pixels;                        ///< the pixels to render, of width x height (settings)
     int samples = 16;                        ///< per pixel
     bool isAlwaysGuided = false;             ///< with ENVIRONMENT_GUIDE: use the guide even in open scenes
+    ColorChoice color;                       ///< RGB or wavelengths, and why
     std::optional<Roulette> roulette;        ///< unset: chosen by pilot paths; until then the settings have the default
     double worldScale = 1;                   ///< world units in one unit of scene space
     glm::dvec3 worldCenter{0};               ///< the origin of scene space, world space

@@ -22,10 +22,14 @@ static unsigned doubled(unsigned samples, double wanted, unsigned most) {
     return static_cast<unsigned>(std::min<double>(n, most));
 }
 
-std::vector<unsigned> planSamples(std::span<const BlockNoise> blocks, double target, unsigned most) {
+std::vector<unsigned> planSamples(std::span<const BlockNoise> blocks, double target, unsigned most, double decay) {
     const auto plan = [&](double factor) {
         std::vector<BlockNoise> planned(blocks.begin(), blocks.end());
-        for (BlockNoise& b : planned) b.samples = doubled(b.samples, factor * b.suspected, most);
+        for (BlockNoise& b : planned) {
+            const double before = b.samples;
+            b.samples = doubled(b.samples, factor * b.suspected, most);
+            b.variance *= std::pow(before / b.samples, decay - 1);
+        }
         return planned;
     };
     /* Bisect for the least factor that meets the target; the error falls as the factor grows */
@@ -62,22 +66,32 @@ void suspectNoise(std::span<BlockNoise> blocks, int across) {
         }
 }
 
-AdaptiveSampling::AdaptiveSampling(const PixelRect& rect, unsigned samples, unsigned most, double targetError)
-    : rect_(rect), most_(most), targetError_(targetError), across_((rect.width() + blockSize.width() - 1) / blockSize.width()) {
+AdaptiveSampling::AdaptiveSampling(const PixelRect& rect, unsigned samples, unsigned most, double targetError, ErrorMetric metric)
+    : rect_(rect),
+      most_(most),
+      metric_(metric),
+      targetError_(targetError),
+      across_((rect.width() + blockSize.width() - 1) / blockSize.width()) {
     for (int y = rect.y0; y < rect.y1; y += blockSize.height())
         for (int x = rect.x0; x < rect.x1; x += blockSize.width()) blocks_.push_back({x, y, 0, samples});
 }
 
 std::vector<Block> AdaptiveSampling::nextPass(const Film& film) {
-    std::vector<BlockNoise> noise(blocks_.size());
-    tbb::parallel_for(size_t(0), blocks_.size(), [&](size_t i) {
-        const PixelRect part = blocks_[i].within(rect_, blockSize);
-        const unsigned samples = blocks_[i].samples, pixels = static_cast<unsigned>(part.width() * part.height());
-        noise[i] = {samples, pixels, film.relativeVariance(part) * samples / pixels, 0};
-    });
-    error_ = std::sqrt(expectedError(noise));
+    std::vector<NoiseSums> sums(blocks_.size());
+    tbb::parallel_for(size_t(0), blocks_.size(), [&](size_t i) { sums[i] = film.noise(blocks_[i].within(rect_, blockSize), metric_); });
+    NoiseSums image;
+    for (const NoiseSums& s : sums) image += s;
+    const VarianceDecay decay = decayOf(image);
+    error_ = estimateError(image, decay, metric_).error;
+    std::vector<BlockNoise> noise;
+    for (size_t i = 0; i < blocks_.size(); ++i) {
+        const unsigned samples = blocks_[i].samples;
+        noise.push_back({samples, static_cast<unsigned>(sums[i].pixels), sums[i].half * decay.share * samples / sums[i].pixels, 0});
+    }
     suspectNoise(noise, across_);
-    const std::vector<unsigned> planned = planSamples(noise, targetError_ * targetError_, most_);
+    /* What the squared error, which the blocks' variances add up to, has to come down to */
+    const double relative = error_ > 0 ? targetError_ / error_ : 1;
+    const std::vector<unsigned> planned = planSamples(noise, relative * relative * expectedError(noise), most_, decay.exponent);
     plannedSamples_ = 0;
     std::vector<Block> pass;
     for (size_t i = 0; i < blocks_.size(); ++i) {

@@ -12,7 +12,7 @@ namespace eikonal {
 struct BlockNoise {
     unsigned samples = 0;   ///< per pixel
     unsigned pixels = 0;
-    double variance = 0;    ///< mean relative squared error of the block's pixels if each had a single sample
+    double variance = 0;    ///< mean squared error of the block's pixels, as the metric weights it, times `samples`
     double suspected = 0;   ///< standard deviation that sample counts are proportional to; at least sqrt(variance)
 };
 
@@ -20,8 +20,9 @@ struct BlockNoise {
 double expectedError(std::span<const BlockNoise> blocks);
 
 /// Samples per pixel of each block that bring the expected squared error down to `target` at the least cost. The best counts are
-/// proportional to the suspected standard deviation (Neyman 1934). Each is the block's samples times a power of two, or `most`.
-std::vector<unsigned> planSamples(std::span<const BlockNoise> blocks, double target, unsigned most);
+/// proportional to the suspected standard deviation (Neyman 1934). Each is the block's samples times a power of two, or `most`. The squared
+/// error of a block falls as samples^-decay.
+std::vector<unsigned> planSamples(std::span<const BlockNoise> blocks, double target, unsigned most, double decay = 1);
 
 /// Sets `suspected` of all blocks; a row has `across` blocks. A block that has missed rare bright paths has a low variance so far, and
 /// would get too few samples and stay too dark. So a block's estimate is at least the mean of it and its neighbours, and at least half
@@ -31,8 +32,8 @@ void suspectNoise(std::span<BlockNoise> blocks, int across);
 /// Plans the next pass from the film's contents alone, so decisions are deterministic.
 class AdaptiveSampling {
 public:
-    /// samples: that every pixel already has. most: per pixel. targetError: square root of the target for the relative squared error.
-    AdaptiveSampling(const PixelRect& rect, unsigned samples, unsigned most, double targetError);
+    /// samples: that every pixel already has. most: per pixel.
+    AdaptiveSampling(const PixelRect& rect, unsigned samples, unsigned most, double targetError, ErrorMetric metric);
 
     static constexpr BlockSize blockSize{4, 4};
     static constexpr unsigned firstSamples = 16;   ///< samples per pixel before the first decision
@@ -41,12 +42,13 @@ public:
     /// `most` samples.
     std::vector<Block> nextPass(const Film& film);
 
-    double error() const { return error_; }                     ///< expected, at the last call of nextPass; a square root
+    double error() const { return error_; }                     ///< expected, at the last call of nextPass
     double plannedSamples() const { return plannedSamples_; }   ///< expected total over all pixels, at the last call of nextPass
 
 private:
     PixelRect rect_;
     unsigned most_;
+    ErrorMetric metric_;
     double targetError_, error_ = 0, plannedSamples_ = 0;
     int across_;
     std::vector<Block> blocks_;         ///< with the samples taken so far

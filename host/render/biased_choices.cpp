@@ -24,7 +24,10 @@ static std::string partOfTransport(const Scene& scene) {
 
 std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, const std::string& buildOptions) {
     std::vector<BiasedChoice> choices;
-    if (!packed.features.has(Feature::SPECTRAL)) choices.push_back({"RGB colour", "--color=spectral"});
+    if (!packed.features.has(Feature::SPECTRAL)) {
+        const bool isPredicted = scene.colorMode == ColorMode::automatic;
+        choices.push_back({"RGB colour" + (isPredicted ? ", " + packed.color.why : ""), "--color=spectral"});
+    }
     if (scene.integrator.regularize) choices.push_back({"regularised microfacets", "--regularize=off"});
     if (scene.film.maxComponentValue > 0)
         choices.push_back({fmt::format("samples clamped at {:g}", scene.film.maxComponentValue), "--max-component-value=0"});

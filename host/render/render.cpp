@@ -70,7 +70,7 @@ public:
         if (stopped_) return {false, samples_, {}};
         if (!control_.targetError) return {true, samples_, {}};
 
-        AdaptiveSampling adaptive(rect, samples_, end, *control_.targetError);
+        AdaptiveSampling adaptive(rect, samples_, end, *control_.targetError, control_.errorMetric);
         for (;;) {
             const std::vector<Block> blocks = adaptive.nextPass(film_);
             if (blocks.empty()) return {true, samples_, adaptive.error()};

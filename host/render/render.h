@@ -22,6 +22,7 @@ struct Progress {
 struct RenderControl {
     unsigned firstSample = 0, endSample = 1;          ///< sample range of each pixel
     std::optional<double> targetError;                ///< set: sampling is adaptive (adaptive.h), and endSample is the maximum per pixel
+    ErrorMetric errorMetric = ErrorMetric::relmseRoot;
     std::function<void(const Progress&)> progress;    ///< called after each batch of paths; may be empty
     std::function<bool()> stop;                       ///< checked before each batch; true: no further batch begins; may be empty
     /// Asked every few milliseconds, by another thread; true: batches in flight are abandoned; may be empty

@@ -15,6 +15,17 @@ CONTRACT_BEGIN
     F(q, float,    square_weight, ALWAYS)   /* sum of weight^2 */ \
     F(q, float,    mean,          ALWAYS)   /* of luminance, weighted by weight^2 */ \
     F(q, float,    spread,        ALWAYS)   /* sum of weight^2 * (luminance - mean)^2, at most MOST_SPREAD */ \
+    F(q, float,    quarter0,      ALWAYS)   /* sums of weight * luminance over quarters of 2^k samples (kernels/film/quarters.clh) */ \
+    F(q, float,    quarter1,      ALWAYS) \
+    F(q, float,    quarter2,      ALWAYS) \
+    F(q, float,    quarter3,      ALWAYS) \
+    F(q, float,    weight0,       FILTER)   /* sums of their weights, which differ from the number of samples with a filter only */ \
+    F(q, float,    weight1,       FILTER) \
+    F(q, float,    weight2,       FILTER) \
+    F(q, float,    weight3,       FILTER) \
+    F(q, float,    low_mean,      ALWAYS)   /* of the last 2^k samples: mean luminance of all quarters but the brightest */ \
+    F(q, float,    half_square,   ALWAYS)   /* squared distance of their mean from that of half of them */ \
+    F(q, float,    quarter_square, ALWAYS)  /* the same for each half and its quarters, averaged over both halves */ \
     F(q, uint,     count,         ALWAYS)   /* samples */ \
     F(q, uint,     invalid,       ALWAYS)   /* samples not finite or above MOST_RADIANCE, counted as black */ \
     F(q, rgb,      albedo,       AOVS)     /* sum of weight * value; the same for the next two */ \

@@ -8,6 +8,7 @@
 #include "film/pixel.clh"
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
+#include "film/quarters.clh"
 
 /* One step of the majority vote: if one id has a majority, it is the final candidate (Boyer and Moore 1991). */
 typedef struct { uint id, lead; } candidate;
@@ -51,7 +52,9 @@ FN film_item add_sample(film_item f, path_item p, rgb L, sampled_wavelengths col
     add_compensated(&f.sum, &f.compensation, mul(L, p.weight));
     add_compensated(&f.weight, &f.weight_excess, p.weight);
     f = add_luminance(f, luminance(L), square(p.weight));
+    f = add_to_quarters(f, p.weight * luminance(L), p.weight);
     f.count += 1;
+    f = note_squares(f);
     if (HAS_AOVS)
         add_compensated(&f.albedo, &f.albedo_compensation, mul(color_seen(colors, frame->albedo_curves, p.albedo), p.weight));
     f.normal = mul_add(p.normal, p.weight, f.normal);

@@ -28,16 +28,7 @@ MEAN_LIMIT, MEAN_LIMIT_AT_WAVELENGTHS = 0.01, 0.005
 # Why a scene differs that is rendered: found out by hand, shown in docs/accuracy.md. And how far off the mean of a channel and the worst
 # block may be for that reason: what was found, and half as much again.
 REASONS = {
-    "light-projection": ("RGB: yellow and blue light on tiles, see below", 0.012, 4),
-    "material-diffuse-imagemap": ("RGB: the dark channel of a saturated yellow, see below", 0.01, 1.5),
     "material-dielectric-dispersive": ("colour noise of the reference, see below", 0.005, 1.5),
-    "medium-absorb": ("RGB: exp(-x) per channel, see below", 0.022, 4),
-    "medium-in-glass": ("RGB: exp(-x) per channel, see below", 0.034, 15),
-    "material-hair": ("RGB: absorption in hair per channel, see below", 0.015, 1.5),
-    "material-coateddiffuse-medium": ("RGB: absorption between the layers per channel, see below", 0.012, 1.5),
-    "material-subsurface": ("RGB: absorption in the body per channel, see below", 0.015, 1.5),
-    "texture-bilerp": ("RGB: the dark channels of saturated colours, see below", 0.05, 8),
-    "medium-rgbgrid": ("RGB: exp(-x) per channel, saturated, see below", 0.03, 8),
 }
 
 
@@ -66,9 +57,6 @@ def ratio(value, reference):
     return value / reference if reference else 1.0 if value == 0 else float("inf")
 
 
-# At wavelengths, what RGB does explains nothing.
-REASONS_AT_WAVELENGTHS = {name: reason for name, reason in REASONS.items() if not reason[0].startswith("RGB")}
-
 # What pbrt-v4's better images are, where references/ has one.
 BETTER = {
     "light-infinite-portal": "of 16384 samples",
@@ -81,11 +69,11 @@ BETTER = {
 NOISY_REFERENCES = ["light-infinite-portal", "medium-camera-inside"]
 
 
-def explanation(reasons, name, worst_mean, worst_block):
+def explanation(name, worst_mean, worst_block):
     """Why a scene may differ so far; nothing if no reason is known, and that it is too far if one is."""
-    if name not in reasons:
+    if name not in REASONS:
         return None, ""
-    reason, mean_bound, block_bound = reasons[name]
+    reason, mean_bound, block_bound = REASONS[name]
     if worst_mean <= mean_bound and worst_block <= block_bound:
         return reason, ""
     return None, f": more than explained by \"{reason}\" (mean within {mean_bound:.1%}, worst block {block_bound})"
@@ -110,8 +98,7 @@ def judge(name, log, numbers, better=None, mean_limit=MEAN_LIMIT):
 
     ratios, block = distances(numbers), numbers["worstBlock"]
     worst_mean = max(abs(r - 1) for r in ratios)
-    reasons = REASONS if mean_limit == MEAN_LIMIT else REASONS_AT_WAVELENGTHS
-    reason, beyond = explanation(reasons, name, worst_mean, block["distance"]) if numbers["invalidPixels"] == 0 else (None, ": not finite")
+    reason, beyond = explanation(name, worst_mean, block["distance"]) if numbers["invalidPixels"] == 0 else (None, ": not finite")
     if missing:
         kind, verdict = "missing", "not rendered yet: " + ", ".join(missing)
     elif agrees(numbers, mean_limit):

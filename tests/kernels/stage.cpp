@@ -1,5 +1,6 @@
 #include "stage.h"
 
+#include "pack/color_mode.h"
 #include "pack/pack.h"
 #include "read/pbrt/read_pbrt.h"
 
@@ -10,7 +11,7 @@ namespace eikonal {
 PackedScene packText(const std::string& text, ColorMode color) {
     Diagnostics diagnostics(LogLevel::silent, true);
     Scene scene = readPbrtText(text, "test.pbrt", ".", diagnostics);
-    scene.colorMode = color;
+    scene.colorMode = color == ColorMode::automatic && needOfWavelengths(scene).empty() ? ColorMode::rgb : color;
     PackedScene packed = packScene(scene, diagnostics);
     if (!diagnostics.warnings().empty()) throw std::invalid_argument("a test's scene gives a warning: " + diagnostics.warnings().front());
     return packed;

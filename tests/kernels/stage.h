@@ -24,7 +24,8 @@ namespace eikonal {
 /// What new_x() and the benches fill memory with: a word that no stage may leave in an item that is alive.
 constexpr uint poison = 0x7fc0deadu;
 
-/// The scene of some pbrt text. Throws for anything that the reader or the packer complains about.
+/// The scene of some pbrt text. Throws for anything that the reader or the packer complains about. automatic: in RGB, unless spectra are
+/// given.
 PackedScene packText(const std::string& text, ColorMode color = ColorMode::automatic);
 
 /// A scene on the device, a queue of each kind, and any stage to run over them.

@@ -24,6 +24,8 @@ TEST_F(Cli, TheTimeLimitLeavesAWholeImage) {
     const FilmFile exr = readImage(path("a.exr"));
     EXPECT_GE(exr.metadata.samples.value_or(0), 1);
     EXPECT_LT(exr.metadata.samples.value_or(0), 100000000);
+    EXPECT_THAT(run.error, testing::ContainsRegex("error about [0-9.e-]+ % .relmse-root., 95 % within [0-9.e-]+ to [0-9.e-]+ %"));
+    EXPECT_GT(exr.metadata.error.value_or(0), 0);
     EXPECT_GE(*std::min_element(exr.image.sampleCount.begin(), exr.image.sampleCount.end()), 1);
 }
 
@@ -37,6 +39,11 @@ TEST_P(Signals, LeaveTheImageSoFar) {
     const Outcome run = wait(running);
     EXPECT_EQ(run.status, 128 + GetParam());
     EXPECT_THAT(run.error, HasSubstr("interrupted: "));
+    EXPECT_THAT(run.error, HasSubstr("\nerror about "));
+    const Metadata metadata = readImage(path("a.exr")).metadata;
+    EXPECT_LT(metadata.errorLow.value(), metadata.error.value());
+    EXPECT_GT(metadata.errorHigh.value(), metadata.error.value());
+    EXPECT_EQ(metadata.errorMetric, "relmse-root");
     EXPECT_LT(run.seconds, 10);
     EXPECT_GT(image("a.exr").color[6 * 16 + 8].r, 0.1f);
 }

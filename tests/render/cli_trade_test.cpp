@@ -39,6 +39,8 @@ TEST_F(Cli, TradeMeasuresSettingsAndRecommendsSome) {
         EXPECT_LE(point["relativeMse"]["low"], point["relativeMse"]["value"]);
         own += point["setting"] == "as given" && point["seeds"] == 8;
     }
+    for (const auto& point : jsonIn(read(path("page.study/study.json")))["points"])
+        for (size_t i = 0; i < point["seeds"].size(); ++i) EXPECT_EQ(point["seeds"][i]["seed"], i + 1) << point["setting"];
     EXPECT_GE(own, 3) << "rungs of the options as given, with all seeds";
     EXPECT_EQ(json["recommendations"].size(), 2u);
     const std::string csv = read(path("page.csv"));
@@ -58,7 +60,7 @@ TEST_F(Cli, TradeMeasuresSettingsAndRecommendsSome) {
 TEST_F(Cli, TradeGoesOnAfterAnInterruption) {
     const std::vector<std::string> command{"trade", "tiny.pbrt", "--budget", "1h", "-o", "page.html"};
     const Running running = start(command);
-    for (int i = 0; i < 600 && !exists("page.study/points/0-64.first.exr"); ++i) ::usleep(100'000);
+    for (int i = 0; i < 600 && !exists("page.study/points/0-16-4.first.exr"); ++i) ::usleep(100'000);
     ::kill(running.process, SIGINT);
     const Outcome run = wait(running);
     EXPECT_EQ(run.status, 128 + SIGINT);

@@ -178,11 +178,20 @@ TEST_P(Equality, ACropHasThePixelsOfTheWhole) {
 // Adaptive sampling decides from what the film holds after whole passes, and the film is the same however the passes were cut.
 TEST_P(Equality, WaveSizeDoesNotShowInAdaptiveSampling) {
     PackedScene scene = packScene(text);
-    scene.samples = 128;
     RenderSetup setup = plain();
-    setup.targetError = 0.12;
-    const Rendered adaptive = render(scene, setup);
-    const auto [fewest, most] = std::ranges::minmax(adaptive.image.sampleCount);
+    setup.targetError = 1e-9;
+    scene.samples = 16;
+    const double first = render(scene, setup).result.error.value();
+    scene.samples = 512;
+    /* An error that some of the blocks need more samples for */
+    Rendered adaptive;
+    float fewest = 0, most = 0;
+    for (double share = 0.99; share > 0.1 && fewest == most; share *= 0.9) {
+        setup.targetError = share * first;
+        adaptive = render(scene, setup);
+        fewest = std::ranges::min(adaptive.image.sampleCount);
+        most = std::ranges::max(adaptive.image.sampleCount);
+    }
     ASSERT_LT(fewest, most) << "nothing to decide";
     for (unsigned paths : {64u, 1000u, 65472u}) {
         setup.shape.wavePaths = paths;
@@ -190,7 +199,7 @@ TEST_P(Equality, WaveSizeDoesNotShowInAdaptiveSampling) {
     }
 
     /* A pixel with n samples is that pixel of a render of n */
-    for (int n = 16; n <= 128; n *= 2) {
+    for (int n = 16; n <= 512; n *= 2) {
         scene.samples = n;
         const FilmImage uniform = render(scene, plain()).image;
         for (size_t i = 0; i < uniform.pixelCount(); ++i)

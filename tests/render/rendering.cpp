@@ -3,6 +3,7 @@
 #include "kind_features.h"
 #include "device/cache.h"
 #include "kinds/medium_kind.h"
+#include "pack/color_mode.h"
 #include "pack/environment_guide.h"
 #include "render/path_loop.h"
 #include "render/roulette_pilot.h"
@@ -49,7 +50,7 @@ std::string sceneText(const View& view, const std::string& world) {
 PackedScene packScene(const std::string& text, ColorMode color) {
     Diagnostics diagnostics(LogLevel::silent, true);
     Scene scene = readPbrtText(text, "test.pbrt", ".", diagnostics);
-    scene.colorMode = color;
+    scene.colorMode = color == ColorMode::automatic && needOfWavelengths(scene).empty() ? ColorMode::rgb : color;
     PackedScene packed = packScene(scene, diagnostics);
     if (!diagnostics.warnings().empty())
         throw std::invalid_argument("the scene of a test gives a warning: " + diagnostics.warnings().front());
@@ -151,7 +152,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
         result = render(device(), wave, film, profile, control);
         control.firstSample = result.samples;
     }
-    return {film.develop(scene), film.invalid(), result, roulette};
+    return {film.develop(scene), film.invalid(), result, roulette, film.error(ErrorMetric::mseRoot)};
 }
 
 FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {

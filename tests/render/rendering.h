@@ -51,9 +51,11 @@ struct Rendered {
     Film::Invalid invalid;
     RenderResult result;
     Roulette roulette;
+    ErrorEstimate error;   ///< absolute: ErrorMetric::mseRoot
 };
 
-/// The scene of a pbrt text; throws for whatever the reader or the packer complains about.
+/// The scene of a pbrt text; throws for whatever the reader or the packer complains about. automatic: in RGB, unless spectra are given:
+/// tests often use colours as saturated as can be.
 PackedScene packScene(const std::string& text, ColorMode color = ColorMode::automatic);
 /// Renders on the tests' device (device(), below).
 Rendered render(PackedScene scene, const RenderSetup& setup = {});

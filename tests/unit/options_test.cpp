@@ -107,6 +107,16 @@ TEST(Options, ValuesOfEveryKindAreRead) {
     EXPECT_THAT(o.output.files, testing::ElementsAre("a.exr", "b.png"));
 }
 
+TEST(Options, AnErrorIsANumberOrAPercentageUnderEitherName) {
+    for (const char* line : {"--max-error 0.02", "--max-error 2%", "--target-error 0.02", "--target-error=2%"})
+        EXPECT_DOUBLE_EQ(parse("render a.pbrt " + std::string(line)).output.targetError.value(), 0.02) << line;
+    EXPECT_EQ(parse("render a.pbrt").output.errorMetric, ErrorMetric::relmseRoot);
+    EXPECT_EQ(parse("render a.pbrt --error-metric nrmse").output.errorMetric, ErrorMetric::nrmse);
+    for (const char* bad : {"0", "-1%", "%", "2%%", "inf", "two"})
+        EXPECT_THAT(messageOf("render a.pbrt --max-error " + std::string(bad)), HasSubstr("or a percentage like 2%")) << bad;
+    EXPECT_THAT(messageOf("render a.pbrt --error-metric mse"), HasSubstr("relmse-root, mse-root, nrmse"));
+}
+
 TEST(Options, AllAovsAtOnce) {
     const Aovs a = parse("render a.pbrt --aov all").output.aovs;
     for (const AovName& each : aovNames) EXPECT_TRUE(a.*each.asked) << each.name;

@@ -80,7 +80,7 @@ TEST_F(Pack, SpectraAskForWavelengths) {
     const auto isSpectral = [&](const std::string& text) { return pack(text + "\nShape \"sphere\"").features.has(Feature::SPECTRAL); };
     const std::string green = "Texture \"green\" \"spectrum\" \"constant\" \"spectrum value\" [400 .1 550 .8 700 .2]\n",
                       use = "Material \"diffuse\" \"texture reflectance\" ";
-    EXPECT_FALSE(isSpectral("LightSource \"infinite\" \"rgb L\" [1 2 3] Material \"diffuse\" \"rgb reflectance\" [.1 .2 .3]"));
+    EXPECT_FALSE(isSpectral("LightSource \"infinite\" \"rgb L\" [1 1 1] Material \"diffuse\" \"rgb reflectance\" [.1 .2 .3]"));
     EXPECT_FALSE(isSpectral("Material \"conductor\" \"spectrum eta\" \"metal-Au-eta\" \"spectrum k\" \"metal-Au-k\""));
     EXPECT_FALSE(isSpectral(green));
     EXPECT_TRUE(isSpectral(green + use + "\"green\""));

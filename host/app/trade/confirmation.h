@@ -13,6 +13,7 @@ struct Confirmation {
     double wallSeconds = 0;     ///< of the process
     double renderSeconds = 0;   ///< of that: rendering
     double compileSeconds = 0;  ///< of that: kernels
+    std::string failure;        ///< why it failed; empty: it did not
     double meanSamples = 0;     ///< per pixel
 
     /// What it takes besides rendering, with compiled kernels.

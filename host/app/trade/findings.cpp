@@ -1,5 +1,6 @@
 #include "app/trade/findings.h"
 
+#include "app/trade/pictures.h"
 #include "error.h"
 #include "image/flip.h"
 
@@ -20,7 +21,7 @@ double pixelsOf(const std::array<int, 2>& size) { return static_cast<double>(siz
 const Confirmation* longest(const StudyState& state, size_t setting) {
     const Confirmation* best = nullptr;
     for (const Confirmation& c : state.confirmations)
-        if (c.setting == setting && (!best || c.meanSamples > best->meanSamples)) best = &c;
+        if (c.setting == setting && c.failure.empty() && (!best || c.meanSamples > best->meanSamples)) best = &c;
     return best;
 }
 
@@ -34,7 +35,7 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-MeasuredPoint measure(const Point& p, const Study& study, const References& references, const FilmImage& reference) {
+MeasuredPoint measure(const Point& p, const Study& study, const References& references) {
     const PointImages images = study.loadImages(p);
     MeasuredPoint m;
     m.setting = p.setting;
@@ -45,8 +46,7 @@ MeasuredPoint measure(const Point& p, const Study& study, const References& refe
     m.compileSeconds = p.compileSeconds;
     m.prepareSeconds = p.prepareSeconds;
     m.compiledKernels = p.compiledKernels;
-    m.error = estimateError(p, images.sums, references);
-    m.flip = flipMean(images.first, reference, {});
+    m.error = estimateTrueError(p, images.sums, references);
     return m;
 }
 
@@ -59,7 +59,7 @@ bool climbFurther(Study& study, const Findings& found) {
             const Point* known = study.state().find(r.setting, rung);
             const bool isKnown = known && static_cast<int>(known->seeds.size()) == Study::seeds;
             if (isKnown || rung > r.samples || !study.canAfford(rung)) continue;
-            study.climb(r.setting, rung, 0, Study::seeds);
+            study.climb(r.setting, rung, Study::seeds);
             hasClimbed = true;
         }
     }
@@ -68,28 +68,33 @@ bool climbFurther(Study& study, const Findings& found) {
 
 }  // namespace
 
-Findings analyse(Study& study, const std::vector<Wish>& wishes) {
+Findings analyse(Study& study, const std::vector<Wish>& wishes, bool withFlip) {
     const StudyState& state = study.state();
     Findings found;
-    if (state.ladderOf(0).empty())
+    constexpr int leastSeeds = 2;  // for a variance
+    if (state.ladderOf(0, leastSeeds).empty())
         throw Error(ExitCode::scene,
                     "the budget was spent before anything was measured; give more with --budget, or a smaller --resolution");
     found.references = study.loadReferences();
     const FilmImage reference = found.references.mean();
+    found.mapping.exposure = exposureFor(meanOf(reference));
     const double pixels = pixelsOf(state.full);
     const Confirmation* own = longest(state, 0);
     for (size_t setting = 0; setting < state.settings.size(); ++setting) {
-        const std::vector<const Point*> ladder = state.ladderOf(setting);
+        const std::vector<const Point*> ladder = state.ladderOf(setting, leastSeeds);
         if (ladder.empty()) continue;
         std::vector<MeasuredPoint> points;
-        for (const Point* p : ladder) points.push_back(measure(*p, study, found.references, reference));
+        for (const Point* p : ladder) {
+            points.push_back(measure(*p, study, found.references));
+            if (withFlip) points.back().flip = flipMean(study.loadImages(*p).first, reference, found.mapping);
+        }
 
         /* Runs at full size correct the times: those of this setting, or else of the user's own */
         const Confirmation* run = longest(state, setting);
         const Confirmation* known = run ? run : own;
         double pace = 1, fixed = usualStart + points.front().prepareSeconds;
         if (known) {
-            const Point* same = state.ladderOf(known->setting).back();
+            const Point* same = state.ladderOf(known->setting, leastSeeds).back();
             const double measured = same->medianSeconds() / (same->meanSamples() * pixelsOf(state.studied));
             pace = known->renderSeconds / (known->meanSamples * pixels) / measured;
             fixed = std::max(known->fixedSeconds(), 0.);
@@ -99,7 +104,10 @@ Findings analyse(Study& study, const std::vector<Wish>& wishes) {
         found.points.insert(found.points.end(), points.begin(), points.end());
     }
     markFront(found.points);
-    for (const Wish& wish : wishes) found.recommendations.push_back(recommend(wish, found.models, state.settings));
+    for (const Wish& wish : wishes) {
+        found.recommendations.push_back(recommend(wish, found.models, state.settings));
+        found.recommendations.back().referenceError = found.references.relativeError();
+    }
     return found;
 }
 
@@ -107,14 +115,15 @@ void confirmRecommendations(Study& study, const std::vector<Wish>& wishes) {
     StudyState& state = study.state();
     const double budget = study.request().budgetSeconds;
     for (int round = 0; round < 8; ++round) {
-        Findings found = analyse(study, wishes);
-        if (climbFurther(study, found)) found = analyse(study, wishes);
+        Findings found = analyse(study, wishes, false);
+        if (climbFurther(study, found)) found = analyse(study, wishes, false);
         std::vector<const SettingModel*> open;
         for (const SettingModel& m : found.models) {
             const bool isWanted = m.setting == 0 || std::ranges::any_of(found.recommendations, [&](const Recommendation& r) {
                                       return r.isPossible && r.setting == m.setting;
                                   });
-            if (isWanted && !longest(state, m.setting)) open.push_back(&m);
+            const bool isTried = std::ranges::any_of(state.confirmations, [&](const Confirmation& c) { return c.setting == m.setting; });
+            if (isWanted && !isTried) open.push_back(&m);
         }
         if (open.empty()) return;
         for (const SettingModel* m : open) {
@@ -131,16 +140,24 @@ void confirmRecommendations(Study& study, const std::vector<Wish>& wishes) {
     }
 }
 
-std::string commandOf(const Study& study, size_t index, double rung) {
-    const Setting& setting = study.state().settings[index];
+static std::string command(const Study& study, const std::vector<std::string>& options) {
     std::string text = "eikonal render " + quoted(study.request().scene);
-    for (const std::string& option : study.optionsOf(setting, rung)) text += " " + quoted(option);
+    for (const std::string& option : options) text += " " + quoted(option);
     return text;
+}
+
+std::string commandOf(const Study& study, size_t setting, double rung) {
+    return command(study, study.optionsOf(study.state().settings[setting], rung));
+}
+
+std::string measuredCommand(const Study& study, size_t setting, double rung) {
+    return command(study, overridden(study.optionsOf(study.state().settings[setting], rung, study.state().studied), {"--seed=1"}));
 }
 
 std::string caveats(const Recommendation& r) {
     std::string text;
-    if (r.extrapolation > 8) text += fmt::format("; extrapolated from {:.2g} of the samples", 1 / r.extrapolation);
+    if (r.extrapolation > 8) text += fmt::format("; extrapolated: {:.0f} times the samples that were measured", r.extrapolation);
+    if (r.error < r.referenceError) text += fmt::format("; below the references' error of {:.2g} %", r.referenceError * 100);
     if (!r.isReliable) text += "; not reliable: a few bright pixels hold most of the variance";
     return text;
 }
@@ -148,7 +165,7 @@ std::string caveats(const Recommendation& r) {
 std::string describe(const Study& study, const Recommendation& r) {
     if (!r.isPossible)
         return fmt::format("for {}: nothing that was measured {}", r.wish.text(),
-                           r.wish.kind == Wish::Kind::error ? "converges so far" : "is so fast; use a lower --resolution");
+                           r.wish.kind == Wish::Kind::error ? "reaches this error" : "is so fast; use a lower --resolution");
     return fmt::format("for {}: {}   ({:.3g} s, error {:.2g} % +- {:.1g} %{})", r.wish.text(), commandOf(study, r.setting, r.rung),
                        r.seconds, r.error * 100, r.error * r.uncertainty * 100, caveats(r));
 }

@@ -53,7 +53,7 @@ size_t knobIndex(const std::vector<std::string>& knobs, const Setting& s) {
 
 std::string percent(double value) { return fmt::format("{:.2g} %", value * 100); }
 
-/// A root of a square that may be negative by noise: "1.2 %", "0 % to 0.4 %" if zero is within the interval.
+/// A root of a square that may be negative by noise: "1.2 %", or "< 0.4 %" if zero is within the interval.
 std::string biasText(const Interval& square) {
     if (square.low <= 0) return fmt::format("&lt; {}", percent(std::sqrt(std::max(square.high, 0.))));
     return percent(std::sqrt(square.value));
@@ -61,6 +61,11 @@ std::string biasText(const Interval& square) {
 
 std::string energyText(const Interval& energy) {
     return fmt::format("{:+.2f} &plusmn; {:.2f} %", energy.value * 100, (energy.high - energy.low) / 2 * 100);
+}
+
+std::string slopeText(const SettingModel& m) {
+    if (m.rungs < 2) return "&ndash;";
+    return fmt::format("{:.2f} &plusmn; {:.2f}", m.slope.value, (m.slope.high - m.slope.low) / 2);
 }
 
 class Page {
@@ -71,12 +76,10 @@ public:
           found_(findings),
           reference_(findings.references.mean()),
           knobs_(knobsOf(state_)),
-          rung_(commonRung(findings, state_)) {
-        mapping_.exposure = exposureFor(meanOf(reference_));
-    }
+          rung_(commonRung(findings, state_)) {}
 
     std::string text() {
-        text_ = fmt::format(head, escaped("The trade of " + state_.scene));
+        text_ = fmt::format(head, escaped("Accuracy against time: " + state_.scene));
         writeSummary();
         writeWishes();
         writePlot();
@@ -102,8 +105,7 @@ private:
         text_ += fmt::format(
             "Errors are roots of relMSE, against a reference with an error of {} ({:.0f} samples, two independent halves). "
             "{:.0f} s were spent of {:.0f} s.</p>\n",
-            percent(found_.references.relativeError()), state_.referenceSamples[0] + state_.referenceSamples[1], state_.spentSeconds,
-            study_.request().budgetSeconds);
+            percent(found_.references.relativeError()), 2 * state_.referenceSamples, state_.spentSeconds, study_.request().budgetSeconds);
     }
 
     void writeWishes() {
@@ -113,7 +115,7 @@ private:
         for (const Recommendation& r : found_.recommendations) {
             if (!r.isPossible) {
                 text_ += fmt::format("<tr><td>{}</td><td class=\"text\" colspan=\"3\">nothing that was measured {}</td></tr>\n",
-                                     r.wish.text(), r.wish.kind == Wish::Kind::error ? "converges so far" : "is so fast");
+                                     r.wish.text(), r.wish.kind == Wish::Kind::error ? "reaches this error" : "is so fast");
                 continue;
             }
             text_ += fmt::format("<tr><td>{}</td><td class=\"text\"><code>{}</code></td><td>{:.3g} s</td><td>{} &plusmn; {}{}</td></tr>\n",
@@ -158,7 +160,8 @@ private:
             "given: above 1 is "
             "better. Bias is what more samples do not remove; energy is the mean of the image against the reference's. The slope is that "
             "of the "
-            "logarithm of the variance over that of the samples: -1 for independent samples.</p>\n<div class=\"wide\"><table>"
+            "logarithm of the variance over that of the samples, from at least two rungs and a normal prior of -1.05 &plusmn; 0.2: -1 for "
+            "independent samples.</p>\n<div class=\"wide\"><table>"
             "<tr><th>setting</th><th>error</th><th>bias</th><th>energy</th><th>FLIP</th><th>seconds</th><th>efficiency</th><th>slope</th>"
             "<th>samples</th><th>seeds</th></tr>\n",
             rung_);
@@ -170,11 +173,10 @@ private:
                 own->error.square.value * own->secondsPerPath * own->samples / (p->error.square.value * p->secondsPerPath * p->samples);
             text_ += fmt::format(
                 "<tr{}><td>{}</td><td>{} &plusmn; {}</td><td>{}</td><td>{}</td><td>{:.3f}</td><td>{:.3g}</td><td>{:.2f}</td>"
-                "<td>{:.2f} &plusmn; {:.2f}</td><td>{:.4g}</td><td>{}</td></tr>\n",
+                "<td>{}</td><td>{:.4g}</td><td>{}</td></tr>\n",
                 setting == 0 ? " class=\"own\"" : "", escaped(state_.settings[setting].name()), percent(p->relativeError()),
                 percent(p->relativeError() * (p->error.square.high - p->error.square.low) / 4 / p->error.square.value),
-                biasText(p->error.biasSquare), energyText(p->error.energy), p->flip, p->seconds, gain, m->slope.value,
-                (m->slope.high - m->slope.low) / 2, p->samples, p->seeds);
+                biasText(p->error.biasSquare), energyText(p->error.energy), p->flip, p->seconds, gain, slopeText(*m), p->samples, p->seeds);
         }
         text_ += "</table></div>\n";
     }
@@ -186,7 +188,7 @@ private:
             "blue: too dark, full colour at 25 %); then FLIP of the render (the brighter, the more visible).</p>\n<div "
             "class=\"pictures\">\n";
         text_ += fmt::format("<figure><div><img alt=\"reference\" src=\"{}\"></div><figcaption>reference</figcaption></figure>\n",
-                             picture(reference_, mapping_));
+                             picture(reference_, found_.mapping));
         for (size_t setting = 0; setting < state_.settings.size(); ++setting) {
             const MeasuredPoint* p = representative(found_, state_, setting, rung_);
             if (!p) continue;
@@ -198,14 +200,14 @@ private:
             text_ += fmt::format(
                 "<figure><div><img alt=\"render\" src=\"{}\"><img alt=\"bias\" src=\"{}\"><img alt=\"FLIP\" src=\"{}\"></div>"
                 "<figcaption>{}, {:.4g} samples</figcaption></figure>\n",
-                picture(images.first, mapping_), differencePicture(images.sums.mean, reference_, 0.25), heatPicture(images.first),
+                picture(images.first, found_.mapping), differencePicture(images.sums.mean, reference_, 0.25), heatPicture(images.first),
                 escaped(state_.settings[setting].name()), p->samples);
         }
         text_ += "</div>\n";
     }
 
     std::string heatPicture(const FilmImage& image) const {
-        const std::vector<float> flip = flipMap(image, reference_, mapping_);
+        const std::vector<float> flip = flipMap(image, reference_, found_.mapping);
         FilmImage heat = reference_;
         for (size_t i = 0; i < heat.color.size(); ++i) heat.color[i] = heatColor(flip[i]);
         return storedPicture(heat);
@@ -223,7 +225,7 @@ private:
                 "<tr><td><code>{}</code></td><td>{:.3g} ({:.2g} to {:.2g})</td><td>{:.2g} ({:.2g} to "
                 "{:.2g})</td><td>{:.3g}</td><td>{:.3g}</td>"
                 "<td>{:.2g}</td><td>{}</td><td>{:.3g}</td><td>{}</td></tr>\n",
-                escaped(commandOf(study_, p.setting, p.rung)), p.error.square.value, p.error.square.low, p.error.square.high,
+                escaped(measuredCommand(study_, p.setting, p.rung)), p.error.square.value, p.error.square.low, p.error.square.high,
                 p.error.biasSquare.value, p.error.biasSquare.low, p.error.biasSquare.high, p.error.variance,
                 p.secondsPerPath * p.samples * pixels, p.prepareSeconds,
                 p.compiledKernels ? fmt::format("{:.2g} ({} kernels)", p.compileSeconds, p.compiledKernels) : "cached", p.seconds,
@@ -264,7 +266,7 @@ private:
     const FilmImage reference_;
     const std::vector<std::string> knobs_;
     const double rung_;
-    ToneMapping mapping_;
+
     std::string text_;
 };
 

@@ -14,8 +14,7 @@
 namespace eikonal {
 namespace {
 
-constexpr int seedsInASession = Study::seeds / 2;  // so that each point is measured at two times
-constexpr double hopeless = 4;                     // settings that need so many times the best one's time are not measured at higher rungs
+constexpr double hopeless = 4;  // settings that need so many times the best one's time are not measured at higher rungs
 constexpr double worthCombining = 1.05;
 
 /// relMSE x seconds at a point: the inverse of efficiency.
@@ -25,6 +24,14 @@ double meanSquaredError(const Point& p) {
     double sum = 0;
     for (const SeedResult& s : p.seeds) sum += s.squaredError;
     return sum / static_cast<double>(p.seeds.size());
+}
+
+/// That, less two standard errors.
+double leastSquaredError(const Point& p) {
+    const double mean = meanSquaredError(p), n = static_cast<double>(p.seeds.size());
+    double squares = 0;
+    for (const SeedResult& s : p.seeds) squares += (s.squaredError - mean) * (s.squaredError - mean);
+    return n > 1 ? std::max(0., mean - 2 * std::sqrt(squares / (n - 1) / n)) : mean;
 }
 
 }  // namespace
@@ -45,18 +52,21 @@ bool Study::isWorthClimbing(size_t setting, double rung) {
     const Point* known = state_.find(setting, rung);
     if (setting == 0 || rung == rungs[0] || (known && !known->seeds.empty())) return true;
     const Point* below = state_.find(setting, rung / 4);
-    if (!below || below->seeds.empty() || below->isSameImage) return false;
+    if (!below || below->seeds.empty() || below->isSameImage || !below->failure.empty()) return false;
+    /* Settings that add bias compete with all, others only with their like: low noise is no merit where bias pays for it */
     double best = std::numeric_limits<double>::infinity();
-    for (const Point& p : state_.points)
-        if (!p.seeds.empty() && p.rung == below->rung && state_.settings[p.setting].ladder == Ladder::samples)
-            best = std::min(best, costOfError(p, meanSquaredError(p)));
-    if (costOfError(*below, meanSquaredError(*below)) > hopeless * best) return false;
+    for (const Point& p : state_.points) {
+        const Setting& s = state_.settings[p.setting];
+        const bool competes = s.ladder == Ladder::samples && (state_.settings[setting].addsBias || !s.addsBias);
+        if (competes && !p.seeds.empty() && p.rung == below->rung) best = std::min(best, costOfError(p, meanSquaredError(p)));
+    }
+    if (costOfError(*below, leastSquaredError(*below)) > hopeless * best) return false;
     /* More samples would only reduce what noise is left beside the bias */
-    const ErrorEstimate error = estimateError(*below, loadImages(*below).sums, loadReferences());
+    const TrueError error = estimateTrueError(*below, loadImages(*below).sums, loadReferences());
     return !state_.settings[setting].isBiased || error.variance > error.biasSquare.value / 4;
 }
 
-void Study::climb(size_t setting, double rung, int firstSeed, int endSeed) {
+void Study::climb(size_t setting, double rung, int endSeed) {
     const Setting& s = state_.settings[setting];
     Point* known = state_.find(setting, rung);
     if (known && (!known->failure.empty() || static_cast<int>(known->seeds.size()) >= endSeed)) return;
@@ -70,29 +80,40 @@ void Study::climb(size_t setting, double rung, int firstSeed, int endSeed) {
         point.setting = setting;
         point.rung = rung;
     }
+    const References references = loadReferences();
+    /* The user's own options are measured whatever it takes; other points end with the budget */
+    const auto stop = [&] { return isInterrupted() || (setting > 0 && spent() > request_.budgetSeconds); };
     try {
-        const References references = loadReferences();
         SettingRenderer renderer(request_.scene, optionsOf(s, rung, state_.studied));
         point.prepareSeconds = point.seeds.empty() ? renderer.prepareSeconds() : std::min(point.prepareSeconds, renderer.prepareSeconds());
         point.compileSeconds = std::max(point.compileSeconds, renderer.compileSeconds());
         point.compiledKernels = std::max(point.compiledKernels, renderer.compiledKernels());
-        for (int seed = std::max(firstSeed, static_cast<int>(point.seeds.size())); seed < endSeed; ++seed) {
-            const TimedImage render = renderer.render(seed + 1, request_.stop);
+        while (static_cast<int>(point.seeds.size()) < endSeed) {
+            const int seed = static_cast<int>(point.seeds.size()) + 1;
+            const TimedImage render = renderer.render(seed, stop);
             if (!render.isFinished) break;
             if (images.sums.seeds == 0) images.first = render.image;
             images.sums.add(render.image);
-            point.seeds.push_back({seed + 1, render.renderSeconds, render.meanSamples, render.expectedError,
+            point.seeds.push_back({seed, render.renderSeconds, render.meanSamples, render.expectedError,
                                    squaredErrorOf(render.image, references), meanOf(render.image)});
         }
-        if (point.seeds.empty()) return;
+    } catch (const Error& error) {
+        if (known) point = *known;  // of which there are files
+        point.failure = error.what();
+    }
+    if (point.failure.empty()) {
+        if (point.seeds.empty() || (known && point.seeds.size() == known->seeds.size())) return;
         images.save(stemOf(point));
         const Point* own = state_.find(0, rung);
         if (setting > 0 && s.ladder == Ladder::samples && !s.compiles && own && !own->seeds.empty())
             point.isSameImage = images.first.color == loadImages(*own).first.color;
-    } catch (const Error& error) { point.failure = error.what(); }
+    }
+    /* The files of the old seeds stay until the state has the new ones */
+    const std::string old = known ? stemOf(*known) : "";
     if (known) *known = point;
     else state_.points.push_back(point);
     save();
+    if (!old.empty() && point.failure.empty()) PointImages::remove(old);
 }
 
 void Study::climbAll(double until) {
@@ -103,19 +124,19 @@ void Study::climbAll(double until) {
                 const std::vector<double> ladder = rungsOf(s);
                 if (s.compiles || i >= ladder.size() || isOver(until)) continue;
                 if (s.ladder == Ladder::samples && !isWorthClimbing(setting, ladder[i])) continue;
-                climb(setting, ladder[i], end - seedsInASession, end);
+                climb(setting, ladder[i], end);
             }
 }
 
 void Study::addCombination() {
-    if (std::ranges::any_of(state_.settings, [](const Setting& s) { return s.knob == "combination"; })) return;
+    if (isInterrupted() || std::ranges::any_of(state_.settings, [](const Setting& s) { return s.knob == "combination"; })) return;
     const Point* own = state_.find(0, rungs[std::size(rungs) - 1]);
     if (!own || own->seeds.empty()) return;
     const double usual = costOfError(*own, meanSquaredError(*own));
     /* The best value of each knob that adds no bias, if it is better than the user's; with what makes the user's options unbiased */
     Setting combination{"combination", "", {}, false, false, Ladder::samples, false};
-    const auto unbiased = std::ranges::find(state_.settings, std::string("unbiased"), &Setting::knob);
-    const bool isBiased = unbiased != state_.settings.end();
+    const auto unbiased = std::ranges::find(state_.settings, false, &Setting::isBiased);
+    const bool isBiased = state_.settings.front().isBiased && unbiased != state_.settings.end();
     if (isBiased) combination = {"combination", "unbiased", unbiased->options, false, false, Ladder::samples, false};
     int knobs = isBiased ? 1 : 0;
     for (size_t first = 1; first < state_.settings.size();) {
@@ -149,15 +170,15 @@ void Study::climbHigher(double until) {
     const Point* own = state_.find(0, rungs[1]);
     if (!own) return;
     for (size_t setting = 0; setting < state_.settings.size(); ++setting)
-        if (state_.settings[setting].compiles && spent() + 2 * own->compileSeconds + costOf(seeds * rungs[1]) < until)
-            climb(setting, rungs[1], 0, seeds);
+        if (state_.settings[setting].compiles && !isOver(until) && spent() + 2 * own->compileSeconds + costOf(seeds * rungs[1]) < until)
+            climb(setting, rungs[1], seeds);
     /* Beyond that, errors would be about those of the references */
-    const double top = state_.referenceSamples[1] / 8;
+    const double top = state_.referenceSamples / 8;
     for (double rung = rungs[std::size(rungs) - 1] * 4; rung <= top; rung *= 4)
         for (size_t setting = 0; setting < state_.settings.size(); ++setting)
-            if (state_.settings[setting].ladder == Ladder::samples && !state_.settings[setting].compiles &&
+            if (state_.settings[setting].ladder == Ladder::samples && !state_.settings[setting].compiles && !isOver(until) &&
                 isWorthClimbing(setting, rung) && spent() + costOf(seeds * rung) < until)
-                climb(setting, rung, 0, seeds);
+                climb(setting, rung, seeds);
 }
 
 }  // namespace eikonal

@@ -90,6 +90,7 @@ SettingModel fitModel(const std::vector<MeasuredPoint>& points, bool isBiased, d
     m.variance1 = std::exp(line.intercept);
     m.fixedSeconds = fixedSeconds;
     m.secondsPerSample = last.secondsPerPath * pixels * pace;
+    m.rungs = points.size();
     m.lastRung = last.rung;
     m.lastSamples = last.samples;
     const Interval& square = last.error.square;
@@ -107,17 +108,27 @@ Recommendation recommend(const Wish& wish, const std::vector<SettingModel>& mode
         const bool isForError = wish.kind == Wish::Kind::error;
         const std::optional<double> samples = isForError ? m.samplesForError(wish.value) : m.samplesInTime(wish.value);
         if (!samples) continue;
-        /* The less is known, the more it counts: errors by half of their uncertainty, times by what that error costs. Of nearly equal ones
-           the first: the user's own options before others */
+        /* The less is known, the more it counts, but an error far below the wish may be uncertain. Of nearly equal ones the first: the
+           user's own options before others */
         const double seconds = m.seconds(*samples), error = m.error(*samples), uncertainty = m.uncertaintyAt(*samples);
-        const double doubt = settings[m.setting].compiles ? 0.1 : 0;   // flags that are not strict must be worth it
-        const double cost = (isForError ? seconds * (1 + uncertainty) : error * (1 + uncertainty / 2)) * (1 + doubt);
+        const double risk = std::min(1., uncertainty * (isForError ? error / wish.value : 0.5));
+        const double doubt = settings[m.setting].compiles ? 0.1 : 0;  // flags that are not strict must be worth it
+        const double cost = (isForError ? seconds : error) * (1 + risk) * (1 + doubt);
         if (cost > (isForError ? 0.95 : 0.975) * least) continue;
         least = cost;
         const bool isAdaptive = settings[m.setting].ladder == Ladder::targetErrors;
         const double extrapolation = *samples / m.lastSamples;
         const double rung = isAdaptive ? m.lastRung * std::pow(extrapolation, m.slope.value / 2) : *samples;
-        best = {wish, true, m.setting, *samples, rung, seconds, error, uncertainty, m.isReliable, extrapolation};
+        best = {.wish = wish,
+                .isPossible = true,
+                .setting = m.setting,
+                .samples = *samples,
+                .rung = rung,
+                .seconds = seconds,
+                .error = error,
+                .uncertainty = uncertainty,
+                .isReliable = m.isReliable,
+                .extrapolation = extrapolation};
     }
     return best;
 }

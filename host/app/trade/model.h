@@ -1,7 +1,7 @@
 #pragma once
 // Predicts time and error of a setting at any number of samples, and chooses settings for a wish.
 
-#include "app/trade/error_estimate.h"
+#include "app/trade/true_error.h"
 #include "app/trade/setting.h"
 #include "app/wish.h"
 
@@ -21,7 +21,7 @@ struct MeasuredPoint {
     double seconds = 0;         ///< of the user's whole image, predicted: the whole command with compiled kernels
     double compileSeconds = 0, prepareSeconds = 0;
     int compiledKernels = 0;
-    ErrorEstimate error;
+    TrueError error;
     double flip = 0;               ///< FLIP of one render, tone-mapped
     bool isOnFront = false;        ///< no other point has less error in less time
     double relativeError() const;  ///< the root of relMSE, at least 0
@@ -35,6 +35,7 @@ struct SettingModel {
     Interval slope;                                 ///< of the variance over the samples; -1: independent samples
     double fixedSeconds = 0, secondsPerSample = 0;  ///< of the user's whole image
     double lastRung = 0, lastSamples = 0;           ///< of the ladder
+    size_t rungs = 0;                               ///< of the ladder that have been measured; with one, the slope is a guess
     double uncertainty = 0;                         ///< relative half width of the 95 % interval of the error at the last rung
     bool isReliable = true;                         ///< false: few bright samples hold much of the variance, so it may be far too low
     bool isExact = true;                            ///< false: the setting converges to another image
@@ -60,6 +61,7 @@ struct Recommendation {
     double samples = 0, rung = 0;   ///< rung: what its option says, samples or a target error
     double seconds = 0, error = 0;  ///< predicted
     double uncertainty = 0;         ///< relative, of the error
+    double referenceError = 0;      ///< of the references that errors were measured by
     bool isReliable = true;         ///< SettingModel::isReliable
     double extrapolation = 1;       ///< samples over those of the longest ladder that was measured
 };

@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+
 namespace eikonal {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeedResult, seed, renderSeconds, meanSamples, expectedError, squaredError, mean)
@@ -19,6 +21,10 @@ double Point::meanSamples() const {
     double sum = 0;
     for (const SeedResult& s : seeds) sum += s.meanSamples;
     return seeds.empty() ? 0 : sum / static_cast<double>(seeds.size());
+}
+
+void PointImages::remove(const std::string& stem) {
+    for (const char* part : {".mean.exr", ".squares.exr", ".first.exr"}) std::filesystem::remove(stem + part);
 }
 
 void PointImages::save(const std::string& stem) const {
@@ -38,13 +44,13 @@ PointImages PointImages::load(const std::string& stem, int seeds) {
     return images;
 }
 
-ErrorEstimate estimateError(const Point& point, const SeedSums& sums, const References& references) {
+TrueError estimateTrueError(const Point& point, const SeedSums& sums, const References& references) {
     std::vector<double> squaredErrors, means;
     for (const SeedResult& s : point.seeds) {
         squaredErrors.push_back(s.squaredError);
         means.push_back(s.mean);
     }
-    return estimateError(sums, squaredErrors, means, references);
+    return estimateTrueError(sums, squaredErrors, means, references);
 }
 
 void to_json(nlohmann::json& json, const Point& p) {

@@ -1,7 +1,7 @@
 #pragma once
 // What has been measured of one setting at one rung of its ladder.
 
-#include "app/trade/error_estimate.h"
+#include "app/trade/true_error.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -42,10 +42,11 @@ struct PointImages {
 
     /// `stem`: a path without extension. Throws Error.
     void save(const std::string& stem) const;
+    static void remove(const std::string& stem);
     static PointImages load(const std::string& stem, int seeds);
 };
 
-ErrorEstimate estimateError(const Point& point, const SeedSums& sums, const References& references);
+TrueError estimateTrueError(const Point& point, const SeedSums& sums, const References& references);
 
 void to_json(nlohmann::json& json, const Point& point);
 void from_json(const nlohmann::json& json, Point& point);

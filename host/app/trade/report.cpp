@@ -39,7 +39,8 @@ static Json asJson(const Interval& i) { return {{"value", i.value}, {"low", i.lo
 
 std::string asCsv(const Study& study, const Findings& findings) {
     std::string csv =
-        "knob,value,command,samples,seeds,seconds,renderSecondsPerPath,prepareSeconds,compileSeconds,compiledKernels,relMSE,relMSELow,"
+        "knob,value,command,measuredCommand,samples,seeds,seconds,renderSecondsPerPath,prepareSeconds,compileSeconds,compiledKernels,"
+        "relMSE,relMSELow,"
         "relMSEHigh,"
         "biasSquare,biasSquareLow,biasSquareHigh,variance,energy,energyLow,energyHigh,flip,isOnFront\n";
     const auto quote = [](const std::string& text) {
@@ -49,13 +50,15 @@ std::string asCsv(const Study& study, const Findings& findings) {
     };
     for (const MeasuredPoint& p : findings.points) {
         const Setting& s = study.state().settings[p.setting];
-        const ErrorEstimate& e = p.error;
+        const TrueError& e = p.error;
         csv += fmt::format(
-            "{},{},{},{:g},{},{:.6g},{:.6g},{:.4g},{:.4g},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{"
+            "{},{},{},{},{:g},{},{:.6g},{:.6g},{:.4g},{:.4g},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:."
+            "6g},{"
             "}\n",
-            quote(s.knob), quote(s.value), quote(commandOf(study, p.setting, p.rung)), p.samples, p.seeds, p.seconds, p.secondsPerPath,
-            p.prepareSeconds, p.compileSeconds, p.compiledKernels, e.square.value, e.square.low, e.square.high, e.biasSquare.value,
-            e.biasSquare.low, e.biasSquare.high, e.variance, e.energy.value, e.energy.low, e.energy.high, p.flip, p.isOnFront ? 1 : 0);
+            quote(s.knob), quote(s.value), quote(commandOf(study, p.setting, p.rung)), quote(measuredCommand(study, p.setting, p.rung)),
+            p.samples, p.seeds, p.seconds, p.secondsPerPath, p.prepareSeconds, p.compileSeconds, p.compiledKernels, e.square.value,
+            e.square.low, e.square.high, e.biasSquare.value, e.biasSquare.low, e.biasSquare.high, e.variance, e.energy.value, e.energy.low,
+            e.energy.high, p.flip, p.isOnFront ? 1 : 0);
     }
     return csv;
 }
@@ -98,6 +101,7 @@ std::string asJson(const Study& study, const Findings& findings) {
         const Setting& s = state.settings[p.setting];
         json["points"].push_back({{"setting", s.name()},
                                   {"command", commandOf(study, p.setting, p.rung)},
+                                  {"measuredCommand", measuredCommand(study, p.setting, p.rung)},
                                   {"samples", p.samples},
                                   {"seeds", p.seeds},
                                   {"seconds", p.seconds},
@@ -112,6 +116,7 @@ std::string asJson(const Study& study, const Findings& findings) {
                                   {"flip", p.flip},
                                   {"isOnFront", p.isOnFront}});
     }
+    json["failures"] = Json::array();
     for (const Point& p : state.points)
         if (!p.failure.empty()) json["failures"].push_back({{"setting", state.settings[p.setting].name()}, {"reason", p.failure}});
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

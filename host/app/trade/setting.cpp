@@ -106,7 +106,7 @@ std::vector<Setting> settingsFor(const Session& session, double brightness) {
     Knob(settings, "adaptive sampling").add("on", {}).ladder = Ladder::targetErrors;
     addBiasedNoiseReduction(settings, brightness);
     const std::vector<std::string> causes = remedies(session);
-    if (!causes.empty()) settings.push_back({"unbiased", "", causes, false, false, Ladder::samples, false});
+    if (causes.size() > 1) settings.push_back({"unbiased", "", causes, false, false, Ladder::samples, false});
     addCompilerFlags(settings);
     for (Setting& s : settings)
         s.isBiased |= std::ranges::any_of(causes, [&](const std::string& c) { return std::ranges::find(s.options, c) == s.options.end(); });

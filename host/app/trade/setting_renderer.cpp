@@ -3,8 +3,6 @@
 #include "clock.h"
 #include "render/render.h"
 
-#include <cmath>
-
 namespace eikonal {
 
 Options renderOptions(const std::string& scene, const std::vector<std::string>& options) {
@@ -41,8 +39,7 @@ TimedImage SettingRenderer::render(int seed, const std::function<bool()>& stop) 
     timed.renderSeconds = time.seconds();
     timed.isFinished = result.isFinished;
     timed.meanSamples = film.samples().mean;
-    const PixelRect& pixels = film.pixels();
-    timed.expectedError = std::sqrt(film.relativeVariance(pixels) / (static_cast<double>(pixels.width()) * pixels.height()));
+    timed.expectedError = film.error(ErrorMetric::relmseRoot).error;
     timed.image = session_.develop(film);
     return timed;
 }

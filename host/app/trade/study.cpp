@@ -14,9 +14,9 @@
 namespace eikonal {
 namespace {
 
-/// The budget's parts: references until the first share is spent, every ladder until the second, higher rungs until the third; what is left
-/// is for runs at full size.
-constexpr double referenceShare = 0.3, ladderShare = 0.75, higherShare = 0.85;
+/// The parts of the budget that the first look leaves: references until the first share is spent, every ladder until the second, higher
+/// rungs until the third; what is left is for runs at full size.
+constexpr double referenceShare = 0.3, ladderShare = 0.75, combinationShare = 0.8, higherShare = 0.85;
 constexpr int firstLookSize = 96;  // pixels along the longer side
 constexpr double firstLookSamples = 4;
 constexpr int leastPixels = 48 * 48;
@@ -30,6 +30,14 @@ std::array<int, 2> scaledTo(const std::array<int, 2>& full, double pixels) {
     return {std::max(1, static_cast<int>(std::lround(full[0] * scale))), std::max(1, static_cast<int>(std::lround(full[1] * scale)))};
 }
 
+/// The mean of two images that stand for different numbers of samples.
+FilmImage weighted(const FilmImage& a, double samplesOfA, const FilmImage& b, double samplesOfB) {
+    FilmImage image = a;
+    for (size_t i = 0; i < image.color.size(); ++i)
+        image.color[i] = glm::vec3((glm::dvec3(a.color[i]) * samplesOfA + glm::dvec3(b.color[i]) * samplesOfB) / (samplesOfA + samplesOfB));
+    return image;
+}
+
 double pixelsOf(const std::array<int, 2>& size) { return static_cast<double>(size[0]) * size[1]; }
 
 void checkBrightness(double mean, const std::string& scene) {
@@ -40,13 +48,17 @@ void checkBrightness(double mean, const std::string& scene) {
 }  // namespace
 
 Study::Study(Request request) : request_(std::move(request)) {
-    std::filesystem::create_directories(request_.folder + "/points");
+    std::error_code failure;
+    std::filesystem::create_directories(request_.folder + "/points", failure);
+    if (failure) throw Error(ExitCode::scene, fmt::format("cannot create the folder \"{}\": {}", request_.folder, failure.message()));
     const Stopwatch time;
     clock_ = [time] { return time.seconds(); };
     report("reading the scene");
     lookAtScene();
-    save();
+    if (hasLooked()) save();
 }
+
+double Study::share(double part) const { return state_.lookSeconds + part * (request_.budgetSeconds - state_.lookSeconds); }
 
 double Study::spent() const { return spentBefore_ + clock_(); }
 
@@ -60,15 +72,20 @@ void Study::save() {
     state_.save(stateFile());
 }
 
-std::string Study::stemOf(const Point& point) const { return fmt::format("{}/points/{}-{:g}", request_.folder, point.setting, point.rung); }
+std::string Study::stemOf(const Point& point) const {
+    return fmt::format("{}/points/{}-{:g}-{}", request_.folder, point.setting, point.rung, point.seeds.size());
+}
 
-std::string Study::stemOfReference(int which) const { return fmt::format("{}/reference-{}.exr", request_.folder, which + 1); }
+std::string Study::stemOfReference(size_t which) const {
+    return fmt::format("{}/reference-{}-{:.0f}.exr", request_.folder, which + 1, state_.referenceSamples);
+}
 
 std::vector<std::string> Study::optionsOf(const Setting& setting, double rung, std::optional<std::array<int, 2>> size) const {
     std::vector<std::string> more = setting.options;
     if (setting.ladder == Ladder::targetErrors) {
         more.push_back(fmt::format("--target-error={:.3g}", rung));
-        more.push_back(fmt::format("--spp={:.0f}", mostAdaptiveSamples));
+        /* Measured ones end where they would take far more than other points do */
+        more.push_back(fmt::format("--spp={:.0f}", size ? 16 * rungs[std::size(rungs) - 1] : mostAdaptiveSamples));
     } else more.push_back(fmt::format("--spp={:.0f}", rung));
     if (size && *size != state_.full) more.push_back(fmt::format("--resolution={}x{}", (*size)[0], (*size)[1]));
     return overridden(request_.options, more);
@@ -92,7 +109,7 @@ void Study::lookAtScene() {
         expected.device = session.context().device().name;
         const PixelRect& part = session.packed().pixels;
         if (part.width() != expected.full[0] || part.height() != expected.full[1])
-            throw UsageError("trade measures whole images; give --resolution instead of a crop");
+            throw UsageError("trade measures whole images: give no crop, and --cropwindow 0,1,0,1 if the scene has one");
     }
     if (std::optional<StudyState> earlier = StudyState::load(stateFile(), expected)) {
         state_ = std::move(*earlier);
@@ -115,6 +132,7 @@ void Study::lookAtScene() {
     state_.pathSeconds = look.renderSeconds / (look.meanSamples * static_cast<double>(look.image.pixelCount()));
     state_.settings = settingsFor(second.session(), state_.brightness);
     state_.reference = referenceOptions(second.session());
+    state_.lookSeconds = spent();
     chooseSize();
 }
 
@@ -126,44 +144,69 @@ void Study::chooseSize() {
     for (double rung : rungs) samples += seeds * rung * usualShare;
     for (const Setting& s : state_.settings) usual += s.compiles ? 0 : 1;
     const double sessions = usual * static_cast<double>(std::size(rungs)) * 2 * state_.prepareSeconds;
-    const double seconds = std::max((ladderShare - referenceShare) * request_.budgetSeconds - sessions, 0.1 * request_.budgetSeconds);
+    const double seconds = std::max(share(ladderShare) - share(referenceShare) - sessions, 0.1 * (request_.budgetSeconds - spent()));
     state_.studied = scaledTo(state_.full, std::max<double>(leastPixels, seconds / (usual * samples * state_.pathSeconds)));
 }
 
 double Study::costOf(double samples) const { return samples * pixelsOf(state_.studied) * state_.pathSeconds; }
 
-References Study::loadReferences() const { return {readImage(stemOfReference(0)).image, readImage(stemOfReference(1)).image}; }
+/// What `load` reads from the study's folder. Adds to its errors what the user can do.
+template <class F>
+static auto fromFolder(const std::string& folder, F&& load) {
+    try {
+        return load();
+    } catch (const Error& error) {
+        throw Error(ExitCode::scene, fmt::format("{}; remove \"{}\" to begin the study anew", error.what(), folder));
+    }
+}
+
+References Study::loadReferences() const {
+    return fromFolder(request_.folder, [&] {
+        return References{readImage(stemOfReference(0)).image, readImage(stemOfReference(1)).image};
+    });
+}
+
+PointImages Study::loadImages(const Point& point) const {
+    return fromFolder(request_.folder, [&] { return PointImages::load(stemOf(point), static_cast<int>(point.seeds.size())); });
+}
 
 void Study::renderReferences(double until) {
     const double enough = 64 * std::max(state_.ladderTop(), rungs[std::size(rungs) - 1]);  // for points with as many samples
-    if (state_.referenceSamples[1] >= enough || isOver(until)) return;
+    if (state_.referenceSamples >= enough || (state_.referenceSamples > 0 && isOver(until))) return;
     const Setting setting{"reference", "", state_.reference, false, false, Ladder::samples, false};
-    const double batch = std::exp2(std::clamp(std::floor(std::log2(0.05 * request_.budgetSeconds / costOf(1))), 2., 10.));
+    const double seconds = std::max(until - spent(), 1.), most = seconds / 8 / costOf(1);  // several batches, so that time is kept
+    const double batch = std::exp2(std::clamp(std::floor(std::log2(most)), 2., 10.));
     SettingRenderer renderer(request_.scene, optionsOf(setting, batch, state_.studied));
-    while (!isOver(until) && state_.referenceSamples[1] < enough) {
+    do {
+        const double before = state_.referenceSamples;
+        std::array<FilmImage, 2> images;
         for (size_t which : {0u, 1u}) {
-            report(fmt::format("reference {} of 2, {:.0f} samples", which + 1, state_.referenceSamples[which]));
-            const int seed = referenceSeeds + 2 * static_cast<int>(state_.referenceSamples[which]) + static_cast<int>(which);
-            const TimedImage render = renderer.render(seed, request_.stop);
+            report(fmt::format("reference {} of 2, {:.0f} samples", which + 1, before));
+            const TimedImage render =
+                renderer.render(referenceSeeds + 2 * static_cast<int>(before) + static_cast<int>(which), request_.stop);
             if (!render.isFinished) return;
-            FilmImage image = render.image;
-            const double before = state_.referenceSamples[which], all = before + render.meanSamples;
-            if (before > 0) {
-                const FilmImage old = readImage(stemOfReference(static_cast<int>(which))).image;
-                for (size_t i = 0; i < image.color.size(); ++i)
-                    image.color[i] = glm::vec3((glm::dvec3(old.color[i]) * before + glm::dvec3(image.color[i]) * render.meanSamples) / all);
-            }
-            writeImage(stemOfReference(static_cast<int>(which)), image, {});
-            state_.referenceSamples[which] = all;
+            images[which] = render.image;
+            if (before > 0) images[which] = weighted(readImage(stemOfReference(which)).image, before, render.image, batch);
             state_.referenceSeconds += render.renderSeconds;
         }
+        /* Files of the old number of samples stay until the state has the new one */
+        const std::array<std::string, 2> old{stemOfReference(0), stemOfReference(1)};
+        state_.referenceSamples += batch;
+        for (size_t which : {0u, 1u}) writeImage(stemOfReference(which), images[which], {});
         save();
-    }
+        for (const std::string& file : old) std::filesystem::remove(file);
+    } while (!isOver(until) && state_.referenceSamples < enough);
 }
 
 void Study::confirmAt(size_t setting, double rung) {
     report(fmt::format("{} at full size", state_.settings[setting].name()));
-    Confirmation c = confirm(request_.scene, optionsOf(state_.settings[setting], rung), request_.folder);
+    Confirmation c;
+    try {
+        c = confirm(request_.scene, optionsOf(state_.settings[setting], rung), request_.folder);
+    } catch (const Error& error) {
+        if (isInterrupted()) return;
+        c.failure = error.what();
+    }
     c.setting = setting;
     c.rung = rung;
     state_.confirmations.push_back(c);
@@ -171,13 +214,15 @@ void Study::confirmAt(size_t setting, double rung) {
 }
 
 void Study::run() {
-    const double budget = request_.budgetSeconds;
-    if (!isInterrupted()) renderReferences(referenceShare * budget);
-    if (state_.referenceSamples[1] == 0) return;
-    climbAll(ladderShare * budget);
+    if (!hasLooked()) return;
+    if (!isInterrupted()) renderReferences(share(referenceShare));
+    if (state_.referenceSamples == 0 || isInterrupted()) return;
+    /* Whatever the budget is, the user's own options are measured */
+    for (size_t i : {0u, 1u}) climb(0, rungs[i], seedsInASession);
+    climbAll(share(ladderShare));
     addCombination();
-    climbAll(ladderShare * budget + 0.05 * budget);
-    climbHigher(higherShare * budget);
+    climbAll(share(combinationShare));
+    climbHigher(share(higherShare));
     save();
 }
 

@@ -28,6 +28,7 @@ public:
         std::function<void(const StudyProgress&)> progress;
     };
 
+    static constexpr int seedsInASession = 4;       ///< so that each point is measured at two times, in turn with the others
     static constexpr int seeds = 8;                 ///< of a point that is measured in full
     static constexpr double rungs[] = {4, 16, 64};  ///< samples per pixel of every ladder; longer ones follow if there is time
 
@@ -36,6 +37,8 @@ public:
 
     /// Measures until the work is done, the budget is spent, or `stop` says so. Throws an Error if the scene cannot be rendered.
     void run();
+    /// Whether the first look at the scene has ended; otherwise it was interrupted, and nothing is kept.
+    bool hasLooked() const { return !state_.settings.empty(); }
     bool isInterrupted() const { return request_.stop && request_.stop(); }
 
     StudyState& state() { return state_; }
@@ -43,11 +46,11 @@ public:
     const Request& request() const { return request_; }
     References loadReferences() const;
     /// Images of a point that has been measured.
-    PointImages loadImages(const Point& point) const { return PointImages::load(stemOf(point), static_cast<int>(point.seeds.size())); }
+    PointImages loadImages(const Point& point) const;
     /// The options of a setting at a rung, for a render of this size; all of the image if not given.
     std::vector<std::string> optionsOf(const Setting& setting, double rung, std::optional<std::array<int, 2>> size = std::nullopt) const;
-    /// Renders a setting at a rung with the seeds from firstSeed on, below endSeed, that it does not have yet.
-    void climb(size_t setting, double rung, int firstSeed, int endSeed);
+    /// Renders a setting at a rung with the seeds up to endSeed that it does not have yet. Seeds are 1, 2, 3 ... without gaps.
+    void climb(size_t setting, double rung, int endSeed);
     /// Whether all seeds of a rung take less than half of what is left of the budget.
     bool canAfford(double rung) const { return !isInterrupted() && costOf(seeds * rung) < (request_.budgetSeconds - spent()) / 2; }
     /// Runs a setting at full size as a process of its own, and adds what it took to the state.
@@ -66,11 +69,13 @@ private:
     std::vector<double> rungsOf(const Setting& setting) const;
     double costOf(double samples) const;
     bool isOver(double until) const { return spent() >= until || isInterrupted(); }
+    /// Seconds of the study at which a part of what the first look leaves of the budget is spent.
+    double share(double part) const;
     void save();
     void report(const std::string& what) const;
     std::string stateFile() const { return request_.folder + "/study.json"; }
     std::string stemOf(const Point& point) const;
-    std::string stemOfReference(int which) const;
+    std::string stemOfReference(size_t which) const;
 
     Request request_;
     StudyState state_;

@@ -17,12 +17,13 @@ struct StudyState {
     std::string scene, sceneHash, version, device;
     std::vector<std::string> baseOptions;  ///< the user's options of `eikonal render`
 
-    std::array<int, 2> full{}, studied{};      ///< width and height of the user's image, and of those that are measured
-    double pathSeconds = 0;                    ///< of the user's options, from the first look
-    double prepareSeconds = 0;                 ///< to load the scene, with compiled kernels
-    double brightness = 0;                     ///< the image's mean
-    double spentSeconds = 0;                   ///< in all runs of this study
-    std::array<double, 2> referenceSamples{};  ///< per pixel
+    std::array<int, 2> full{}, studied{};  ///< width and height of the user's image, and of those that are measured
+    double pathSeconds = 0;                ///< of the user's options, from the first look
+    double prepareSeconds = 0;             ///< to load the scene, with compiled kernels
+    double brightness = 0;                 ///< the image's mean
+    double spentSeconds = 0;               ///< in all runs of this study
+    double lookSeconds = 0;                ///< of that: the first look at the scene
+    double referenceSamples = 0;           ///< per pixel, of each of the two references
     double referenceSeconds = 0;
     std::vector<std::string> reference;  ///< the options of references
     std::vector<Setting> settings;

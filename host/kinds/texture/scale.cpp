@@ -9,6 +9,10 @@ static bool read(const pbrt::TextureReading& in, Texture& texture) {
     return true;
 }
 
-const TextureTraits scale_texture{.parameters = {"map tex = 1; floatmap scale = 1"}, .read = read};
+static ColorSet colors(const Texture&, std::span<const ColorSet> operands) {
+    return combine(operands[0], operands[1], std::multiplies<DualColor>());
+}
+
+const TextureTraits scale_texture{.parameters = {"map tex = 1; floatmap scale = 1"}, .read = read, .colors = colors};
 
 }  // namespace eikonal

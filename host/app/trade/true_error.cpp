@@ -1,4 +1,4 @@
-#include "app/trade/error_estimate.h"
+#include "app/trade/true_error.h"
 
 #include "error.h"
 #include "image/relative_error.h"
@@ -18,8 +18,24 @@ void checkSize(const FilmImage& image, size_t pixels) {
         throw Error(ExitCode::scene, fmt::format("a render of {} pixels cannot be compared with one of {}", image.pixelCount(), pixels));
 }
 
-/// Calls f(a, first, second, weight, pixel, channel) for each channel of each pixel; weight turns squares into relative ones, over the
-/// number of values.
+/// One channel of one pixel: an image's value, those of both references, and the weight that makes squares relative and a sum of all values
+/// a mean. The references' noise is also in the weight, which correlates with the products: see relativeProduct.
+struct Value {
+    double a, first, second, mean, weight, count;
+    double bias() const { return a - (first + second) / 2; }
+    double noise() const { return (first - second) * (first - second) / 2; }  ///< the variance of a reference, from two values
+
+    /// (a - first)(a - second), relative. With w(r) = 1 / (r^2 + c) at r = (first + second) / 2, whose variance is noise() / 2, the product
+    /// is too large by 2 bias r w^2 noise, and by the product times w''(r) noise() / 4; where the noise is as large as the value, these
+    /// series do not hold and are left out.
+    double relativeProduct() const {
+        const double r = (first + second) / 2, w = weight * count, product = (a - first) * (a - second);
+        const double correlated = 2 * bias() * r * w * w * noise(), curved = product * w * w * (4 * r * r * w - 1) * noise() / 2;
+        return w * noise() > 0.1 ? w * product / count : (w * product - correlated - curved) / count;
+    }
+};
+
+/// Calls f(value, pixel, channel) for each channel of each pixel.
 template <class F>
 void forEachValue(const FilmImage& a, const References& r, F&& f) {
     checkSize(a, r.first.pixelCount());
@@ -28,7 +44,7 @@ void forEachValue(const FilmImage& a, const References& r, F&& f) {
     for (size_t i = 0; i < a.pixelCount(); ++i)
         for (int c = 0; c < 3; ++c) {
             const double first = r.first.color[i][c], second = r.second.color[i][c];
-            f(static_cast<double>(a.color[i][c]), first, second, relativeSquare(1, (first + second) / 2, mean) / count, i, c);
+            f(Value{a.color[i][c], first, second, mean, relativeSquare(1, (first + second) / 2, mean) / count, count}, i, c);
         }
 }
 
@@ -68,7 +84,7 @@ FilmImage References::mean() const {
 
 double References::relativeError() const {
     double square = 0;
-    forEachValue(first, *this, [&](double, double a, double b, double weight, size_t, int) { square += weight * (a - b) * (a - b) / 4; });
+    forEachValue(first, *this, [&](const Value& v, size_t, int) { square += v.weight * v.noise() / 2; });
     return std::sqrt(square);
 }
 
@@ -89,38 +105,44 @@ void SeedSums::add(const FilmImage& image) {
 
 double squaredErrorOf(const FilmImage& image, const References& references) {
     double sum = 0;
-    forEachValue(image, references,
-                 [&](double a, double first, double second, double weight, size_t, int) { sum += weight * (a - first) * (a - second); });
+    forEachValue(image, references, [&](const Value& v, size_t, int) { sum += v.relativeProduct(); });
     return sum;
 }
 
-ErrorEstimate estimateError(const SeedSums& sums, std::span<const double> squaredErrors, std::span<const double> means,
+TrueError estimateTrueError(const SeedSums& sums, std::span<const double> squaredErrors, std::span<const double> means,
                             const References& references) {
     const double seeds = sums.seeds;
-    ErrorEstimate e;
+    TrueError e;
     std::vector<double> variances(sums.squares.size());
-    double biasOfMean = 0, fromReferences = 0, fromSeeds = 0;  // the last two: variances of the bias's square
-    forEachValue(sums.mean, references, [&](double a, double first, double second, double weight, size_t i, int c) {
-        const double variance = sums.seeds > 1 ? static_cast<double>(sums.squares[i][c]) / (seeds - 1) : 0;
-        const double bias = a - (first + second) / 2, difference = (first - second) * (first - second) / 2;  // variance of a reference
-        e.variance += weight * variance;
-        variances[i] += weight * variance;
-        biasOfMean += weight * (a - first) * (a - second);
-        fromReferences += weight * weight * (difference * difference / 3 + 2 * bias * bias * difference);
-        const double overSeeds = variance / seeds;
-        fromSeeds += weight * weight * (2 * overSeeds * overSeeds + 4 * bias * bias * overSeeds);
+    double biasOfMean = 0, fromReferences = 0, fromSeeds = 0, meanNoise = 0;      // the last three: variances
+    double deviationOfReferences = 0, deviationOfSeeds = 0, deviationOfMean = 0;  // of the pixel so far
+    forEachValue(sums.mean, references, [&](const Value& v, size_t i, int c) {
+        const double variance = sums.seeds > 1 ? static_cast<double>(sums.squares[i][c]) / (seeds - 1) : 0, overSeeds = variance / seeds;
+        const double noise = v.noise(), biasSquare = std::max(v.bias() * v.bias() - overSeeds - noise / 2, 0.);
+        e.variance += v.weight * variance;
+        variances[i] += v.weight * variance;
+        biasOfMean += v.relativeProduct();
+        /* The channels of a pixel may err together, so their standard deviations add up; pixels are independent */
+        deviationOfReferences += v.weight * std::sqrt(noise * noise / 3 + 2 * biasSquare * noise);
+        deviationOfSeeds += v.weight * std::sqrt(2 * overSeeds * overSeeds + 4 * biasSquare * overSeeds);
+        deviationOfMean += std::sqrt(noise / 2) / v.count;
+        if (c < 2) return;
+        fromReferences += deviationOfReferences * deviationOfReferences;
+        fromSeeds += deviationOfSeeds * deviationOfSeeds;
+        meanNoise += deviationOfMean * deviationOfMean;
+        deviationOfReferences = deviationOfSeeds = deviationOfMean = 0;
     });
     const size_t few = std::max<size_t>(1, variances.size() / 1000);
-    std::ranges::nth_element(variances, variances.begin() + static_cast<std::ptrdiff_t>(few), std::greater());
-    if (e.variance > 0)
-        e.concentration = std::accumulate(variances.begin(), variances.begin() + static_cast<std::ptrdiff_t>(few), 0.) / e.variance;
+    const auto most = variances.begin() + static_cast<std::ptrdiff_t>(std::min(few, variances.size()));
+    std::ranges::partial_sort(variances, most, std::greater());
+    if (e.variance > 0) e.concentration = std::accumulate(variances.begin(), most, 0.) / e.variance;
     e.biasSquare = around(biasOfMean - e.variance / seeds, 1.96 * std::sqrt(fromSeeds + fromReferences));
     const double square = biasOfMean + e.variance * (seeds - 1) / seeds, t = studentQuantile(sums.seeds - 1);
     e.square = around(square, std::sqrt(t * t * varianceOfMean(squaredErrors) + 1.96 * 1.96 * fromReferences));
-    const double first = meanOf(references.first), second = meanOf(references.second), reference = (first + second) / 2;
+    const double reference = (meanOf(references.first) + meanOf(references.second)) / 2;
     if (reference > 0)
         e.energy = around(meanOf(sums.mean) / reference - 1,
-                          std::hypot(t * std::sqrt(varianceOfMean(means)), 1.96 * (first - second) / 2) / reference);
+                          std::hypot(t * std::sqrt(varianceOfMean(means)), 1.96 * std::sqrt(meanNoise)) / reference);
     return e;
 }
 

@@ -32,7 +32,7 @@ struct SeedSums {
 };
 
 /// The error of one render of a setting. Squares are relative (image/relative_error.h, with references.mean() as the reference).
-struct ErrorEstimate {
+struct TrueError {
     Interval square;           ///< relMSE: biasSquare + variance
     Interval biasSquare;       ///< may be negative, by noise
     double variance = 0;       ///< between seeds
@@ -45,7 +45,7 @@ double squaredErrorOf(const FilmImage& image, const References& references);
 
 /// `squaredErrors`: squaredErrorOf each of the renders in `sums`, which are at least 2. `means`: the mean of each over pixels and channels.
 /// Throws an Error (ExitCode::scene) if sizes differ. Intervals treat pixels as independent given the seeds.
-ErrorEstimate estimateError(const SeedSums& sums, std::span<const double> squaredErrors, std::span<const double> means,
+TrueError estimateTrueError(const SeedSums& sums, std::span<const double> squaredErrors, std::span<const double> means,
                             const References& references);
 
 /// The mean over pixels and channels.

@@ -1,0 +1,89 @@
+// Film::noise and Film::error: what the pixels' quarters of samples say about their error.
+
+#include "film/planes.h"
+
+#include <tbb/parallel_for.h>
+
+#include <bit>
+#include <cmath>
+#include <vector>
+
+namespace eikonal {
+
+/// Radius of the neighbourhood of a pixel, for its luminance.
+constexpr int reach = 3;
+/// Where a few samples make a pixel bright, it is more often brighter than the truth than darker.
+constexpr double most = 0.75;
+
+/// The luminance that squared errors are relative to. A pixel whose mean is due to a few samples is brighter than the truth, and its error
+/// would seem small. It is replaced by the mean of its neighbours, but at least that of its three darker quarters, and at most `most` of
+/// the way from there to its own.
+double Film::expectedLuminance(const Planes& planes, int x, int y) const {
+    const auto at = [&](int u, int v) {
+        return static_cast<size_t>(v - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(u - pixels_.x0);
+    };
+    const size_t i = at(x, y);
+    const glm::vec3 color = planes.color(i);
+    const double own = luminance(color), low = std::clamp<double>(planes.lowMean[i], std::min(0.0, own), own);
+    /* The part of the mean that is in doubt: all of it where half of it is noise */
+    const double doubt = own > 0 ? std::min(4 * planes.variance(i, color) / (own * own), 1.0) : 0;
+    if (doubt < 0.01) return own;
+    double around = 0;
+    int count = 0;
+    for (int v = std::max(y - reach, pixels_.y0); v <= std::min(y + reach, pixels_.y1 - 1); ++v)
+        for (int u = std::max(x - reach, pixels_.x0); u <= std::min(x + reach, pixels_.x1 - 1); ++u) {
+            if (u == x && v == y) continue;
+            around += luminance(planes.color(at(u, v)));
+            ++count;
+        }
+    return own - doubt * (own - std::clamp(count ? around / count : own, low, low + most * (own - low)));
+}
+
+NoiseSums Film::noise(const PixelRect& part, ErrorMetric metric, double decay) const {
+    const Planes planes(*this);
+    NoiseSums sums;
+    unsigned samples = 0;
+    double scale = 1;
+    for (int y = part.y0; y < part.y1; ++y)
+        for (int x = part.x0; x < part.x1; ++x) {
+            const size_t i =
+                static_cast<size_t>(y - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(x - pixels_.x0);
+            if (planes.count[i] != samples) {
+                samples = planes.count[i];
+                scale = varianceScale(samples, decay);
+            }
+            /* Too few samples for quarters: take them as independent */
+            const glm::vec3 color = planes.color(i);
+            const double independent = samples < 4 ? planes.variance(i, color) : 0;
+            double half = samples < 4 ? independent : planes.halfSquare[i] * scale,
+                   quarter = samples < 4 ? 2 * independent : planes.quarterSquare[i] * scale;
+            if (metric == ErrorMetric::relmseRoot && half + quarter > 0) {
+                const double r = expectedLuminance(planes, x, y), weight = 1 / (r * r + 0.01);
+                half *= weight;
+                quarter *= weight;
+            }
+            sums += {1, luminance(color), half, quarter, half * half, samples};
+        }
+    return sums;
+}
+
+ErrorEstimate Film::error(ErrorMetric metric) const {
+    const auto total = [&](double decay) {
+        std::vector<NoiseSums> rows(static_cast<size_t>(pixels_.height()));
+        tbb::parallel_for(size_t(0), rows.size(), [&](size_t row) {
+            const int y = pixels_.y0 + static_cast<int>(row);
+            rows[row] = noise({pixels_.x0, y, pixels_.x1, y + 1}, metric, decay);
+        });
+        NoiseSums sums;
+        for (const NoiseSums& row : rows) sums += row;
+        return sums;
+    };
+    const NoiseSums sums = total(1);
+    const VarianceDecay decay = decayOf(sums);
+    /* The exponent matters only between powers of two */
+    const uint* counts = numbers("count");
+    const bool isEven = std::all_of(counts, counts + plane(), [](uint n) { return std::has_single_bit(n); });
+    return estimateError(isEven ? sums : total(decay.exponent), decay, metric);
+}
+
+}  // namespace eikonal

@@ -1,0 +1,68 @@
+#include "film/noise.h"
+
+#include "names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace eikonal {
+
+NoiseSums& NoiseSums::operator+=(const NoiseSums& other) {
+    fewest = pixels > 0 ? std::min(fewest, other.fewest) : other.fewest;
+    pixels += other.pixels;
+    brightness += other.brightness;
+    half += other.half;
+    quarter += other.quarter;
+    squares += other.squares;
+    return *this;
+}
+
+VarianceDecay decayOf(const NoiseSums& sums) {
+    if (!(sums.quarter > 0)) return {};
+    /* Independent samples: 1/2; 1/n^2: 1/4. Quarters of a few samples have yet to become well spread, so the first steps fall faster */
+    const double ratio = std::clamp(sums.half / sums.quarter, sums.fewest < 64 ? 0.3 : 0.25, 0.55);
+    const double geometric = ratio / (1 - ratio), mixture = 5.0 / 3 - 1 / (3 * ratio);
+    return {(geometric + mixture) / 2, std::max(std::log2(1 / ratio), 1.0)};
+}
+
+double varianceScale(unsigned n, double exponent) {
+    double sum = 0;
+    for (unsigned rest = n, bit = 0; rest != 0; rest &= rest - 1) {
+        bit = static_cast<unsigned>(std::countr_zero(rest));
+        const double m = std::exp2(bit);
+        sum += m / n * (m / n) * std::pow(std::bit_floor(n) / m, exponent);
+    }
+    return sum;
+}
+
+/// Estimates in which fewer pixels hold the error are not reliable.
+constexpr double leastPixels = 8;
+/// Relative standard deviation of an error estimate from many pixels, whose model of the decay is not exact.
+constexpr double modelDeviation = 0.07;
+
+ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, ErrorMetric metric) {
+    ErrorEstimate e;
+    if (sums.pixels == 0) return e;
+    const double mean = sums.brightness / sums.pixels;
+    e.error = std::sqrt(std::max(sums.half, 0.0) * decay.share / sums.pixels);
+    if (metric == ErrorMetric::nrmse) e.error = mean > 0 ? e.error / mean : 0;
+    /* A half square is the square of one normal number, so its variance is 2/3 of the expectation of its square */
+    const double deviation = sums.half > 0 ? std::sqrt(2.0 / 3 * sums.squares) / sums.half / 2 : 0;
+    const double factor = std::exp(1.96 * std::hypot(deviation, modelDeviation));
+    e.low = e.error / factor;
+    e.high = e.error * factor;
+    if (sums.fewest < 4) e.doubt = fmt::format("a pixel has only {} sample{}", sums.fewest, sums.fewest == 1 ? "" : "s");
+    else if (sums.brightness == 0) e.doubt = "no sample has found light";
+    else if (sums.half * sums.half < leastPixels * sums.squares && sums.pixels > leastPixels) e.doubt = "very few pixels hold most of it";
+    return e;
+}
+
+std::string describe(const ErrorEstimate& e, ErrorMetric metric) {
+    return fmt::format("error about {:.3g} % ({}), 95 % within {:.3g} to {:.3g} %{}{}", 100 * e.error, nameIn(errorMetricNames, metric),
+                       100 * e.low, 100 * e.high, e.doubt.empty() ? "" : "; not reliable: ", e.doubt);
+}
+
+}  // namespace eikonal

@@ -1,0 +1,44 @@
+#pragma once
+// The film's fields that estimate a pixel and its noise.
+
+#include "color/luminance.h"
+#include "film/film.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace eikonal {
+
+/// Estimates of a pixel, and their variance.
+struct Film::Planes {
+    size_t n;
+    const float *sum, *weight, *squareWeight, *mean, *spread, *halfSquare, *quarterSquare, *lowMean;
+    const uint* count;
+
+    explicit Planes(const Film& f)
+        : n(f.plane()),
+          sum(f.floats("sum")),
+          weight(f.floats("weight")),
+          squareWeight(f.floats("square_weight")),
+          mean(f.floats("mean")),
+          spread(f.floats("spread")),
+          halfSquare(f.floats("half_square")),
+          quarterSquare(f.floats("quarter_square")),
+          lowMean(f.floats("low_mean")),
+          count(f.numbers("count")) {}
+
+    glm::vec3 color(size_t i) const { return glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0); }
+
+    /// Variance of a pixel's mean luminance if its samples were independent; 0 if there are too few.
+    /* The mean is a ratio of two sums, sum(w L) / sum(w): its variance is that of sum(w (L - mean)), over the square of sum(w). */
+    float variance(size_t i, glm::vec3 color) const {
+        const double samples = count[i], weights = weight[i];
+        if (samples < 2 || weights == 0) return 0;
+        const double aside = luminance(color) - mean[i];
+        const double spreads = std::max(spread[i], 0.0f) + squareWeight[i] * aside * aside;
+        return static_cast<float>(
+            std::min(spreads * samples / (samples - 1) / (weights * weights), static_cast<double>(std::numeric_limits<float>::max())));
+    }
+};
+
+}  // namespace eikonal

@@ -1,0 +1,26 @@
+#pragma once
+// How much of an image, roughly, each part of the scene may fill.
+
+#include "scene/scene.h"
+
+#include <map>
+#include <vector>
+
+namespace eikonal {
+
+/// What is known of shapes from their bounding boxes alone.
+struct Extent {
+    double area = 0;     ///< of surface, world space
+    double sight = 0;    ///< solid angle that is seen from the camera, as a part of the sphere; at most 1 for each shape
+    double chord = 0;    ///< the mean length of a line through the largest
+    Extent& operator+=(const Extent& b);
+};
+
+struct SceneExtents {
+    std::map<int, Extent> materials, areaLights, media;   ///< by index in the scene; of media: the shapes that they are in
+    double radius = 1;                                    ///< of the scene
+};
+
+SceneExtents extentsOf(const Scene& scene);
+
+}  // namespace eikonal
