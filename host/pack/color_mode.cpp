@@ -44,7 +44,7 @@ public:
 
 private:
     const Scene& scene_;
-    std::vector<std::optional<bool>> known_;   ///< of each texture
+    std::vector<std::optional<bool>> known_;  ///< of each texture
 };
 
 /// Except a metal's eta and k, which RGB rendering replaces with indices that reflect alike (color/spectrum.h).
@@ -60,10 +60,14 @@ bool isMeasured(MeasuredInputs& inputs, const Material& m) {
 bool isMeasured(const AreaLight& light) { return isMeasured(light.L); }
 
 /// Of those that are enough by themselves.
-template <class Thing> bool isMeasured(MeasuredInputs&, const Thing& thing) { return isMeasured(thing); }
+template <class Thing>
+bool isMeasured(MeasuredInputs&, const Thing& thing) {
+    return isMeasured(thing);
+}
 
 /// The first of a list that is given as a spectrum, in words.
-template <class Thing> std::string firstMeasured(MeasuredInputs& inputs, const std::vector<Thing>& things, const char* what) {
+template <class Thing>
+std::string firstMeasured(MeasuredInputs& inputs, const std::vector<Thing>& things, const char* what) {
     for (const Thing& thing : things)
         if (isMeasured(inputs, thing)) return thing.where.toString() + ": " + what + " given as a spectrum";
     return {};
@@ -93,11 +97,13 @@ ColorChoice chooseColor(const Scene& scene, const std::vector<std::shared_ptr<co
     if (std::string need = needOfWavelengths(scene); !need.empty()) return {true, std::move(need)};
     if (!scene.integrator.kind->countsMaterials()) return {false, "the integrator does not look at colours"};
     const RgbError error = predictRgbError(scene, images);
-    if (error.worst >= mostRgbError.inPart) return {true, fmt::format("{}: in RGB a channel could be off by up to {} (a bound that ignores visibility)", error.cause,
-                                   percent(error.worst))};
-    if (error.mean >= mostRgbError.inMean) return {true, fmt::format("in RGB the mean of the image would be off by {}", percent(error.mean))};
-    return {false, fmt::format("predicted to be off by {} in the mean of the image, and by at most {} in a part of it",
-                               percent(error.mean), percent(error.worst))};
+    if (error.worst >= mostRgbError.inPart)
+        return {true, fmt::format("{}: in RGB a channel could be off by up to {} (a bound that ignores visibility)", error.cause,
+                                  percent(error.worst))};
+    if (error.mean >= mostRgbError.inMean)
+        return {true, fmt::format("in RGB the mean of the image would be off by {}", percent(error.mean))};
+    return {false, fmt::format("predicted to be off by {} in the mean of the image, and by at most {} in a part of it", percent(error.mean),
+                               percent(error.worst))};
 }
 
 }  // namespace eikonal

@@ -24,7 +24,7 @@ void Wave::trace(const BatchStream& stream) {
         rays = shade(counts);                           // miss, emission -> path;  hit, scatter -> next ray, shadow;  shadow -> path
         queues_.swapRays();                             // next ray -> ray
         if (isInterrupted()) break;
-        if (!goesOn(counts, rays, stream)) rays = 0;    // only pilot paths stop here (roulette_pilot.cpp)
+        if (!goesOn(counts, rays, stream)) rays = 0;    // only the short test paths of roulette_pilot.cpp stop here
         batches_.finish(counts, stream);                // batches without rays: stream.traced, which calls resolve (path -> film)
         rays = generate(rays, stream);                  // pixels -> ray, path
     }
@@ -67,7 +67,7 @@ WaveCounts Wave::intersect(unsigned slots) {
 unsigned Wave::shade(const WaveCounts& counts) {
     for (const Stage& stage : stages_.over(next_miss, next_emission)) launcher_.launch(stage, {0, counts[stage.over]});
     const Segments segments(counts, shape_.group());
-    /* One pass, or one for each ray that a hit may split into */
+    /* One pass, or one for each ray that a hit may split into; each binds its slots of the next ray queue */
     for (const Bindings& pass : splitting_.passes(segments.slots(), queues_.rays())) {
         for (const Stage& stage : stages_.over(Segments::first, Segments::last)) launcher_.launch(stage, segments[stage.over], pass);
         for (const Stage& stage : stages_.over(each_shadow)) launcher_.launch(stage, {0, segments.slots()});
@@ -80,7 +80,7 @@ bool Wave::goesOn(const WaveCounts& counts, unsigned rays, const BatchStream& st
     return !stream.watch || !raysOf(counts) || stream.watch(queues_.items(Queue::ray, 0, rays), batches_.oldestPaths());
 }
 
-/// Adds the paths of the finished batch to its pixels: path -> film.
+/// Adds the paths of the finished batch, which is the oldest in flight, to its pixels: path -> film.
 void Wave::resolve(const Batch& batch, const Buffer& film) {
     Bindings arguments = batches_.oldestArguments();
     arguments.set("film", film);

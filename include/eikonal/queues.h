@@ -18,7 +18,7 @@
     F(q, uint,     path,       ALWAYS)       /* index of its path state */ \
     F(q, uint,     seed,       ALWAYS)       /* hash of its pixel: selects the random sequence */ \
     F(q, uint,     sample,     ALWAYS)       /* index in that sequence */ \
-    F(q, uint,     depth,      ALWAYS)       /* scattering events so far (null interfaces are none): scattering_events(depth) */ \
+    F(q, uint,     depth,      ALWAYS)       /* scattering events so far (no null interfaces); where rays split, in its lower half */ \
     F(q, spectrum, beta,       ALWAYS)       /* throughput: contribution of the path so far over its density */ \
     F(q, float,    time,       MOTION)       /* in [0, 1], from start to end of all motion */ \
     F(q, uint,     has_nonspecular_vertex, AOVS) /* 1 once the path has met anything but mirrors and clear glass */ \
@@ -120,7 +120,8 @@
     F(q, uint,     sample,     MEDIA_OR_LIGHT_PATTERN) \
     F(q, uint,     depth,      MEDIA)
 
-/* What persists from camera to film, by path index. A path has one item in a queue, so stages add to L without atomics. */
+/* What persists from camera to film, by path index. A path has one item in a queue (where rays
+   split, each has a state of its own), so stages add to L without atomics. */
 #define PATH_FIELDS(F, q) \
     F(q, uint,     seed,       SPECTRAL) \
     F(q, uint,     sample,     SPECTRAL) \

@@ -18,9 +18,10 @@ STAGE(generate_rays, GENERATE_RAYS) {
     camera_tables tables = BIND_CAMERA;
     FOR_EACH_SLOT_OF_GROUP(i, count) {
         uint of_batch = begun + (uint)i;
-        pixel_sample at = LOCATE_PATH(of_batch);
+        pixel_sample at = LOCATE_PATH(of_batch);  /* in_image: 0 beyond the edge of the image, and behind the last path of the batch */
         camera_path p = start_path(tables, frame, at.x, at.y, at.sample, first_path + of_batch, at.in_image);
         store_ray(ray, capacity, first + i, p.ray);
+        /* At p.ray.path; a sum where rays do not split (shade/ray_tree.clh) */
         store_path(path, path_capacity, state_to_start(p.ray.path, first_path, begun + i), p.path);
     }
 }

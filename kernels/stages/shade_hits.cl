@@ -13,7 +13,7 @@ STAGE(shade_hits, SHADE_HITS) {
     light_tables light_set = BIND_LIGHTS;
     bsdf_tables bsdf_set = BIND_BSDFS;
     color_tables color_set = BIND_COLORS;
-    BEGIN_WALKS /* Layered BSDFs: all slots walk between their layers, in step */
+    WALK_LAYERS /* Layered BSDFs: first all slots walk between their layers, in step; shade_slot reads where the walks ended */
     FOR_EACH_SLOT_OF_GROUP(at, count) {
         size_t i = first + at, to = slot_of_next_ray(i, shading_pass, pass_slots);
         int alive = at < count;
@@ -26,6 +26,7 @@ STAGE(shade_hits, SHADE_HITS) {
         BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
         /* Store the rays of SHADE_BSDF; for layered BSDFs, those with which the walks ended */
         shade_slot(light_set, color_set, frame, h, b, shading_pass, alive, next_ray, to, shadow, walk, capacity, i);
+        /* At max_depth a hit comes here for its albedo alone (within, uncounted: feature_fields.h) */
         if (HAS_AOVS && !may_scatter(frame->max_depth, h.depth, h.within, h.uncounted)) {
             STORE_FIELD(ray, float, t_max, next_ray, capacity, to, -1.0f);
             STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
