@@ -15,7 +15,8 @@ void Wave::warmUp() {
     launcher_.warmUp(stages_, batches_.noPaths());
 }
 
-/// The wavefront loop. `rays`: slots of the ray queue that may hold a ray.
+/// The wavefront loop. `stream` supplies the batches of paths, and is told of each that has ended (traced). `rays`: slots of the ray queue
+/// that may hold a ray.
 void Wave::trace(const BatchStream& stream) {
     counter_.begin();
     unsigned rays = generate(0, stream);                // pixels -> ray, path

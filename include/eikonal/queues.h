@@ -29,8 +29,8 @@
     F(q, spectrum, r_u,        MEDIA)        /* rescaled path probability of unidirectional sampling, per channel (pbrt-v4's r_u) */ \
     SUBSURFACE_TRAVEL_FIELDS(F, q)
 
-/* A ray to trace: filled by generate_rays, shading and route_intersections, drained by intersect_rays, read up to route_intersections.
-   Sparse: slots may be dead. Slot i belongs to slot i of hit or scatter (ray splitting: see shade_hits.cl); camera rays follow. */
+/* A ray to trace: filled by generate_rays, shading and route_intersections, traced by intersect_rays, read up to route_intersections.
+   Sparse: slots may be dead. Slot i comes from slot i of hit or scatter (ray splitting: see shade_hits.cl); camera rays follow. */
 #define RAY_FIELDS(F, q) \
     TRAVEL_FIELDS(F, q) \
     F(q, vec3,     o,          ALWAYS)       /* origin, already offset from the surface */ \

@@ -79,7 +79,7 @@ enum stage_items {
     no_queue                   /* of a kernel of SURVEYS */
 };
 
-/* Indices of `counts`. At each next_queue: how many items go there. At count_of_batches + b: how many live rays batch b has. */
+/* Indices of `counts`. At each next_queue: how many items go there. At count_of_batches + b: how many rays of batch b were live. */
 enum wave_count { count_of_batches = next_queues, wave_counts = count_of_batches + MOST_BATCHES };
 
 CONTRACT_END

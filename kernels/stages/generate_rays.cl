@@ -21,7 +21,7 @@ STAGE(generate_rays, GENERATE_RAYS) {
         pixel_sample at = LOCATE_PATH(of_batch);  /* in_image: 0 beyond the edge of the image, and behind the last path of the batch */
         camera_path p = start_path(tables, frame, at.x, at.y, at.sample, first_path + of_batch, at.in_image);
         store_ray(ray, capacity, first + i, p.ray);
-        /* At p.ray.path; a sum where rays do not split (shade/ray_tree.clh) */
+        /* At p.ray.path. Where rays do not split that is first_path + begun + i, computed so that the compiler sees neighbours */
         store_path(path, path_capacity, state_to_start(p.ray.path, first_path, begun + i), p.path);
     }
 }
