@@ -1,13 +1,11 @@
 #include "render/kernel_workers.h"
 
+#include "child_process.h"
 #include "render/session.h"
 
 #include <fmt/format.h>
 
-#include <fcntl.h>
-#include <spawn.h>
 #include <sys/prctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -31,21 +29,6 @@ Features featuresOf(const std::string& bits) {
     for (size_t i = 0; i < std::min(bits.size(), featureCount()); ++i)
         if (bits[i] == '1') features.require(static_cast<Feature>(i));
     return features;
-}
-
-/// Starts this program with other arguments and no output. Returns its process id, or 0 on failure.
-pid_t startSelf(const std::vector<std::string>& arguments) {
-    std::vector<char*> words;
-    for (const std::string& a : arguments) words.push_back(const_cast<char*>(a.c_str()));
-    words.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-        posix_spawn_file_actions_addopen(&actions, stream, "/dev/null", O_RDWR, 0);
-    pid_t process = 0;
-    const int status = posix_spawn(&process, "/proc/self/exe", &actions, nullptr, words.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    return status == 0 ? process : 0;
 }
 
 /// Makes this process end when `parent` ends for any reason, since its kernels are then useless. Returns whether the parent still runs.
@@ -92,7 +75,7 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
         if (o.wavePaths) arguments.insert(arguments.end(), {"--wave-paths", std::to_string(*o.wavePaths)});
         if (const pid_t process = startSelf(arguments)) processes.push_back(process);
     }
-    for (const pid_t process : processes) ::waitpid(process, nullptr, 0);
+    for (const pid_t process : processes) exitStatusOf(process);
 }
 
 void compileKernels(const DeviceOptions& o, const CompileRequest& request) {
