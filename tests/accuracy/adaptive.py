@@ -19,6 +19,8 @@ import sys
 import numpy as np
 import OpenImageIO as oiio
 
+import page
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "adaptive.md"
 BEGIN, END = "<!-- table: made by tests/accuracy/adaptive.py -->\n", "<!-- end of the table -->\n"
@@ -118,8 +120,7 @@ def main():
     if o.print:
         print(text, end="")
         return
-    head, rest = PAGE.read_text().split(BEGIN)
-    PAGE.write_text(head + BEGIN + text + END + rest.split(END)[1])
+    page.put(PAGE, BEGIN, text, END)
 
 
 if __name__ == "__main__":

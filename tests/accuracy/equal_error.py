@@ -24,6 +24,7 @@ import OpenImageIO as oiio
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 from blur import blur
+import page
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "accuracy.md"
@@ -111,8 +112,7 @@ def main():
     if o.print:
         print(text, end="")
     else:
-        head, rest = PAGE.read_text().split(BEGIN)
-        PAGE.write_text(head + BEGIN + text + END + rest.split(END)[1])
+        page.put(PAGE, BEGIN, text, END)
 
 
 if __name__ == "__main__":

@@ -21,6 +21,8 @@ import sys
 import numpy as np
 import OpenImageIO as oiio
 
+import page
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "accuracy.md"
 BEGIN, END = "<!-- table: made by tests/accuracy/error_asked.py -->\n", "<!-- end of the table of errors asked for -->\n"
@@ -136,8 +138,7 @@ def main():
     if o.print:
         print(text, end="")
         return
-    head, rest = PAGE.read_text().split(BEGIN)
-    PAGE.write_text(head + BEGIN + text + END + rest.split(END)[1])
+    page.put(PAGE, BEGIN, text, END)
 
 
 if __name__ == "__main__":

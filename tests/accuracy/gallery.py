@@ -18,6 +18,8 @@ import re
 import subprocess
 import sys
 
+import page
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "accuracy.md"
 BEGIN, END = "<!-- table: made by tests/accuracy/gallery.py -->\n", "<!-- end of table -->\n"
@@ -159,9 +161,7 @@ def main():
     if o.only or o.print:
         print(text, end="")
     else:
-        page = PAGE.read_text()
-        head, rest = page.split(begin)
-        PAGE.write_text(head + begin + text + end + rest.split(end)[1])
+        page.put(PAGE, begin, text, end)
         print(text.splitlines()[0])
     sys.exit(any(row[0] in ("unexplained", "failed") for row in rows))
 

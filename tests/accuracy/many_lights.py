@@ -20,6 +20,8 @@ import tempfile
 import numpy as np
 import OpenImageIO as oiio
 
+import page
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "lights.md"
 BEGIN, END = "<!-- tables: made by tests/accuracy/many_lights.py -->\n", "<!-- end of tables -->\n"
@@ -117,9 +119,7 @@ def main():
     if o.print:
         print(text, end="")
     else:
-        page = PAGE.read_text()
-        head, rest = page.split(BEGIN)
-        PAGE.write_text(head + BEGIN + text + END + rest.split(END)[1])
+        page.put(PAGE, BEGIN, text, END)
     sys.exit(not agree)
 
 

@@ -18,6 +18,7 @@ import OpenImageIO as oiio
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import gallery
+import page
 
 SCENES = ["material-diffuse", "material-conductor-rough", "light-blackbody", "medium-absorb", "film-sensor"]
 BEGIN, END = "<!-- table: made by tests/accuracy/spectral.py -->\n", "<!-- end of the table of colour -->\n"
@@ -72,8 +73,7 @@ def main():
     if o.print:
         print(text, end="")
         return
-    head, rest = gallery.PAGE.read_text().split(BEGIN)
-    gallery.PAGE.write_text(head + BEGIN + text + END + rest.split(END)[1])
+    page.put(gallery.PAGE, BEGIN, text, END)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,7 @@
+"""Tables in the pages of docs/ that a script makes."""
+
+
+def put(page, begin, text, end):
+    """Replaces what stands between the marks `begin` and `end` of a page by `text`."""
+    head, rest = page.read_text().split(begin)
+    page.write_text(head + begin + text + end + rest.split(end)[1])
