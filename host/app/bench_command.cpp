@@ -209,8 +209,7 @@ int benchCommand(const Options& o) {
     if (o.efficiency) addEfficiency(json, repeats, images, reference ? &*reference : nullptr);
     std::fputs(asTable(json).c_str(), stdout);
     if (!o.jsonFile.empty()) {
-        const std::string text = json.dump(2) + "\n";
-        writeFileAtomically(o.jsonFile, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+        writeTextAtomically(o.jsonFile, json.dump(2) + "\n");
     }
     return static_cast<int>(ExitCode::success);
 }

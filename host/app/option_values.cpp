@@ -75,6 +75,13 @@ int parsePowerOfTwoOrZero(const std::string& option, const std::string& text, in
     refuse(option, fmt::format("0 or a power of two up to {}", high), text);
 }
 
+/// "2%" as 0.02, or nothing.
+static std::optional<double> percentageIn(const std::string& text) {
+    if (!text.ends_with('%')) return std::nullopt;
+    const auto value = numberIn<double>(text.substr(0, text.size() - 1));
+    return value && *value > 0 ? std::optional(*value / 100) : std::nullopt;
+}
+
 /// "90", "90s", "10m" or "1h" in seconds, or nothing.
 static std::optional<double> durationIn(const std::string& text) {
     std::string digits = text;
@@ -97,18 +104,15 @@ double parseDuration(const std::string& option, const std::string& text) {
 std::string Wish::text() const { return kind == Kind::error ? fmt::format("{:g} %", value * 100) : fmt::format("{:g} s", value); }
 
 Wish parseWish(const std::string& option, const std::string& text) {
-    if (!text.empty() && text.back() == '%') {
-        const auto percent = numberIn<double>(text.substr(0, text.size() - 1));
-        if (percent && *percent > 0) return {Wish::Kind::error, *percent / 100};
-    } else if (const auto seconds = durationIn(text)) return {Wish::Kind::seconds, *seconds};
+    if (const auto error = percentageIn(text)) return {Wish::Kind::error, *error};
+    if (const auto seconds = durationIn(text)) return {Wish::Kind::seconds, *seconds};
     refuse(option, "a time like 30s or an error like 2%", text);
 }
 
 double parseShare(const std::string& option, const std::string& text) {
-    const bool isPercentage = text.ends_with('%');
-    const auto value = numberIn<double>(isPercentage ? text.substr(0, text.size() - 1) : text);
-    if (!value || !(*value > 0) || std::isinf(*value)) refuse(option, "a number greater than 0 like 0.02, or a percentage like 2%", text);
-    return isPercentage ? *value / 100 : *value;
+    if (const auto share = percentageIn(text)) return *share;
+    if (const auto value = numberIn<double>(text); value && *value > 0) return *value;
+    refuse(option, "a number greater than 0 like 0.02, or a percentage like 2%", text);
 }
 
 glm::dvec3 parseVector(const std::string& option, const std::string& text) {

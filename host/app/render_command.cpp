@@ -177,7 +177,8 @@ int renderCommand(const Options& o) {
     const Film::Samples samples = film->samples();
     reportShortfall(o, samples, film->invalid(), result, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
     const ErrorEstimate error = film->error(o.output.errorMetric);
-    say(o, describe(error, o.output.errorMetric));
+    const std::string described = describe(error, o.output.errorMetric);
+    say(o, described);
     reportUnresolvedRays(session.unresolvedRays(), diagnostics);
 
     const Stopwatch writeTime;
@@ -189,10 +190,8 @@ int renderCommand(const Options& o) {
     writeAll(files, image, metadata, o.output.toneMapping, o.log < LogLevel::warning);
     const double writeSeconds = writeTime.seconds();
     say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()));
-    if (o.output.stats) {
-        const std::string described = describe(error, o.output.errorMetric);
+    if (o.output.stats)
         std::fputs(describeRun(session, session.profile(), samples, described, renderSeconds, writeSeconds).c_str(), stdout);
-    }
     if (o.json)
         std::fputs(
             describeAsJson(session, files, metadata, samples, result, endedBy, writeSeconds, diagnostics.warnings()).c_str(), stdout);

@@ -47,6 +47,9 @@ private:
     void developAovs(FilmImage& image, const PackedScene& scene) const;
     void developSpectrum(FilmImage& image, const PackedScene& scene) const;
     size_t plane() const { return static_cast<size_t>(pixels_.width()) * static_cast<size_t>(pixels_.height()); }
+    size_t index(int x, int y) const {
+        return static_cast<size_t>(y - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(x - pixels_.x0);
+    }
     struct Planes;
     double expectedLuminance(const Planes& planes, int x, int y) const;
     const float* floats(const char* field) const;

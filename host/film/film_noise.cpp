@@ -19,10 +19,7 @@ constexpr double most = 0.75;
 /// would seem small. It is replaced by the mean of its neighbours, but at least that of its three darker quarters, and at most `most` of
 /// the way from there to its own.
 double Film::expectedLuminance(const Planes& planes, int x, int y) const {
-    const auto at = [&](int u, int v) {
-        return static_cast<size_t>(v - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(u - pixels_.x0);
-    };
-    const size_t i = at(x, y);
+    const size_t i = index(x, y);
     const glm::vec3 color = planes.color(i);
     const double own = luminance(color), low = std::clamp<double>(planes.lowMean[i], std::min(0.0, own), own);
     /* The part of the mean that is in doubt: all of it where half of it is noise */
@@ -33,7 +30,7 @@ double Film::expectedLuminance(const Planes& planes, int x, int y) const {
     for (int v = std::max(y - reach, pixels_.y0); v <= std::min(y + reach, pixels_.y1 - 1); ++v)
         for (int u = std::max(x - reach, pixels_.x0); u <= std::min(x + reach, pixels_.x1 - 1); ++u) {
             if (u == x && v == y) continue;
-            around += luminance(planes.color(at(u, v)));
+            around += luminance(planes.color(index(u, v)));
             ++count;
         }
     return own - doubt * (own - std::clamp(count ? around / count : own, low, low + most * (own - low)));
@@ -46,8 +43,7 @@ NoiseSums Film::noise(const PixelRect& part, ErrorMetric metric, double decay) c
     double scale = 1;
     for (int y = part.y0; y < part.y1; ++y)
         for (int x = part.x0; x < part.x1; ++x) {
-            const size_t i =
-                static_cast<size_t>(y - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(x - pixels_.x0);
+            const size_t i = index(x, y);
             if (planes.count[i] != samples) {
                 samples = planes.count[i];
                 scale = varianceScale(samples, decay);

@@ -94,6 +94,10 @@ void writeFileAtomically(const std::string& path, std::span<const unsigned char>
     file.moveTo(place);
 }
 
+void writeTextAtomically(const std::string& path, const std::string& text) {
+    writeFileAtomically(path, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
+}
+
 void checkFileWritable(const std::string& path, std::uint64_t bytes) {
     const fs::path place = target(path), folder = folderOf(place);
     checkPlace(path, place);

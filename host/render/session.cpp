@@ -42,9 +42,9 @@ static void reportCacheFolder(Diagnostics& diagnostics) {
 static void warnOfInexactFlags(const std::string& flags, Diagnostics& diagnostics) {
     for (const std::string& flag : inexactFlags(flags))
         diagnostics.warnOnce("inexact flags", {},
-                                 fmt::format("--build-options {} lets the compiler drop the compensation of sums, so images of many "
-                                             "samples are off (by 0.3 % at 2^18), and samples that are not finite may not be found",
-                                             flag));
+                             fmt::format("--build-options {} lets the compiler drop the compensation of sums, so images of many "
+                                         "samples are off (by 0.3 % at 2^18), and samples that are not finite may not be found",
+                                         flag));
 }
 
 std::string cacheFolderFor(const DeviceOptions& options) { return options.cache ? ProgramCache::defaultFolder() : std::string(); }
