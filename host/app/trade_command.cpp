@@ -5,7 +5,6 @@
 #include "app/trade/report.h"
 #include "clock.h"
 #include "image/atomic_file.h"
-#include "render/session.h"
 
 #include <fmt/format.h>
 
@@ -16,10 +15,6 @@
 
 namespace eikonal {
 namespace {
-
-void write(const std::string& file, const std::string& text) {
-    writeFileAtomically(file, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
-}
 
 /// One line on a terminal that is drawn over, otherwise a line every ten seconds.
 class StudyLine {
@@ -70,7 +65,6 @@ std::string stemFor(const std::string& asked, const std::string& scene) {
 int tradeCommand(const Options& o) {
     const std::string stem = stemFor(o.output.files.empty() ? "" : o.output.files.front(), o.scene.path);
     for (const char* extension : {".html", ".csv", ".json"}) checkFileWritable(stem + extension, 0);
-    prepareOpenCl(o.device);
     const Interrupt interrupt;
     StudyLine line(o.log < LogLevel::warning);
     Study::Request request{o.scene.path,
@@ -78,14 +72,8 @@ int tradeCommand(const Options& o) {
                            stem + ".study",
                            o.budget,
                            [] { return Interrupt::signal() != 0; },
-                           [&](const StudyProgress& p) { line.show(p); }};
-    {
-        /* Warns of what is wrong with the scene, once */
-        Diagnostics diagnostics(o.log, o.scene.strict);
-        Session session(o, diagnostics);
-        session.load(false);
-        session.pack({});
-    }
+                           [&](const StudyProgress& p) { line.show(p); },
+                           o.log};
     Study study(request);
     study.run();
     if (study.isInterrupted() && study.state().ladderOf(0).empty()) {
@@ -93,10 +81,11 @@ int tradeCommand(const Options& o) {
         return 128 + Interrupt::signal();
     }
     confirmRecommendations(study, o.wishes);
-    const Findings findings = analyse(study, o.wishes);
-    write(stem + ".html", asHtml(study, findings));
-    write(stem + ".csv", asCsv(study, findings));
-    write(stem + ".json", asJson(study, findings));
+    Findings findings = measureErrors(study, true);
+    predict(study, o.wishes, findings);
+    writeTextAtomically(stem + ".html", asHtml(study, findings));
+    writeTextAtomically(stem + ".csv", asCsv(study, findings));
+    writeTextAtomically(stem + ".json", asJson(study, findings));
     std::string text = fmt::format("wrote {0}.html, {0}.csv and {0}.json\n", stem);
     for (const Recommendation& r : findings.recommendations) text += describe(study, r) + "\n";
     std::fputs(text.c_str(), stdout);

@@ -15,8 +15,6 @@ namespace {
 /// Seconds besides rendering before any run at full size is known: the program's start.
 constexpr double usualStart = 0.3;
 
-double pixelsOf(const std::array<int, 2>& size) { return static_cast<double>(size[0]) * size[1]; }
-
 /// The run of a setting at full size with the most samples, or null.
 const Confirmation* longest(const StudyState& state, size_t setting) {
     const Confirmation* best = nullptr;
@@ -35,8 +33,7 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-MeasuredPoint measure(const Point& p, const Study& study, const References& references) {
-    const PointImages images = study.loadImages(p);
+MeasuredPoint measure(const Point& p, const PointImages& images, const References& references) {
     MeasuredPoint m;
     m.setting = p.setting;
     m.rung = p.rung;
@@ -68,7 +65,7 @@ bool climbFurther(Study& study, const Findings& found) {
 
 }  // namespace
 
-Findings analyse(Study& study, const std::vector<Wish>& wishes, bool withFlip) {
+Findings measureErrors(const Study& study, bool withFlip) {
     const StudyState& state = study.state();
     Findings found;
     constexpr int leastSeeds = 2;  // for a variance
@@ -78,45 +75,53 @@ Findings analyse(Study& study, const std::vector<Wish>& wishes, bool withFlip) {
     found.references = study.loadReferences();
     const FilmImage reference = found.references.mean();
     found.mapping.exposure = exposureFor(meanOf(reference));
-    const double pixels = pixelsOf(state.full);
-    const Confirmation* own = longest(state, 0);
-    for (size_t setting = 0; setting < state.settings.size(); ++setting) {
-        const std::vector<const Point*> ladder = state.ladderOf(setting, leastSeeds);
-        if (ladder.empty()) continue;
-        std::vector<MeasuredPoint> points;
-        for (const Point* p : ladder) {
-            points.push_back(measure(*p, study, found.references));
-            if (withFlip) points.back().flip = flipMean(study.loadImages(*p).first, reference, found.mapping);
+    for (size_t setting = 0; setting < state.settings.size(); ++setting)
+        for (const Point* p : state.ladderOf(setting, leastSeeds)) {
+            const PointImages images = study.loadImages(*p);
+            found.points.push_back(measure(*p, images, found.references));
+            if (withFlip) found.points.back().flip = flipMean(images.first, reference, found.mapping);
         }
+    return found;
+}
 
+void predict(const Study& study, const std::vector<Wish>& wishes, Findings& found) {
+    const StudyState& state = study.state();
+    const double pixels = pixelsOf(state.full);
+    const auto ladderOf = [&](size_t setting) { return std::ranges::equal_range(found.points, setting, {}, &MeasuredPoint::setting); };
+    const Confirmation* own = longest(state, 0);
+    found.models.clear();
+    for (size_t setting = 0; setting < state.settings.size(); ++setting) {
+        const auto points = ladderOf(setting);
+        if (points.empty()) continue;
         /* Runs at full size correct the times: those of this setting, or else of the user's own */
         const Confirmation* run = longest(state, setting);
         const Confirmation* known = run ? run : own;
         double pace = 1, fixed = usualStart + points.front().prepareSeconds;
         if (known) {
-            const Point* same = state.ladderOf(known->setting, leastSeeds).back();
-            const double measured = same->medianSeconds() / (same->meanSamples() * pixelsOf(state.studied));
-            pace = known->renderSeconds / (known->meanSamples * pixels) / measured;
+            pace = known->renderSeconds / (known->meanSamples * pixels) / ladderOf(known->setting).back().secondsPerPath;
             fixed = std::max(known->fixedSeconds(), 0.);
         }
         for (MeasuredPoint& p : points) p.seconds = fixed + p.secondsPerPath * p.samples * pixels * pace;
-        found.models.push_back(fitModel(points, state.settings[setting].isBiased, pixels, fixed, pace));
-        found.points.insert(found.points.end(), points.begin(), points.end());
+        found.models.push_back(fitModel({points.begin(), points.end()}, state.settings[setting].isBiased, pixels, fixed, pace));
     }
     markFront(found.points);
+    found.recommendations.clear();
     for (const Wish& wish : wishes) {
         found.recommendations.push_back(recommend(wish, found.models, state.settings));
         found.recommendations.back().referenceError = found.references.relativeError();
     }
-    return found;
 }
 
 void confirmRecommendations(Study& study, const std::vector<Wish>& wishes) {
-    StudyState& state = study.state();
+    const StudyState& state = study.state();
     const double budget = study.request().budgetSeconds;
+    Findings found = measureErrors(study, false);
     for (int round = 0; round < 8; ++round) {
-        Findings found = analyse(study, wishes, false);
-        if (climbFurther(study, found)) found = analyse(study, wishes, false);
+        predict(study, wishes, found);
+        if (climbFurther(study, found)) {
+            found = measureErrors(study, false);
+            predict(study, wishes, found);
+        }
         std::vector<const SettingModel*> open;
         for (const SettingModel& m : found.models) {
             const bool isWanted = m.setting == 0 || std::ranges::any_of(found.recommendations, [&](const Recommendation& r) {

@@ -17,9 +17,11 @@ struct Findings {
     std::vector<Recommendation> recommendations;
 };
 
-/// Analyses what has been measured. withFlip: also by FLIP, which takes time. Throws an Error (ExitCode::scene) if there is not even a
-/// point of the user's own options.
-Findings analyse(Study& study, const std::vector<Wish>& wishes, bool withFlip = true);
+/// The errors of what has been measured, with FLIP or without. Reads the images of all points. Throws an Error (ExitCode::scene) if there
+/// is not even a point of the user's own options.
+Findings measureErrors(const Study& study, bool withFlip);
+/// Fills in what follows from the errors, and from the runs at full size so far: times, models, the front and recommendations.
+void predict(const Study& study, const std::vector<Wish>& wishes, Findings& findings);
 
 /// Runs the settings that would be recommended at full size, until the budget is spent or the recommendations stay the same.
 void confirmRecommendations(Study& study, const std::vector<Wish>& wishes);

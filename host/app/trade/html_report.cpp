@@ -219,7 +219,7 @@ private:
             "<tr><th>command</th><th>relMSE</th><th>bias&sup2;</th><th>variance</th><th>render s</th><th>load s</th><th>compile "
             "s</th><th>all, warm</th>"
             "<th>on the front</th></tr>\n";
-        const double pixels = static_cast<double>(state_.studied[0]) * state_.studied[1];
+        const double pixels = pixelsOf(state_.studied);
         for (const MeasuredPoint& p : found_.points)
             text_ += fmt::format(
                 "<tr><td><code>{}</code></td><td>{:.3g} ({:.2g} to {:.2g})</td><td>{:.2g} ({:.2g} to "

@@ -1,5 +1,6 @@
 #include "app/trade/pictures.h"
 
+#include "color/luminance.h"
 #include "image/encode_png.h"
 
 #include <algorithm>
@@ -36,8 +37,6 @@ std::string asPng(const FilmImage& size, F&& color) {
     return "data:image/png;base64," + base64(encodePng(png));
 }
 
-double luminanceOf(const glm::vec3& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
-
 }  // namespace
 
 double exposureFor(double mean) {
@@ -55,9 +54,9 @@ std::string storedPicture(const FilmImage& image) {
 
 std::string differencePicture(const FilmImage& image, const FilmImage& reference, double range) {
     double mean = 0;
-    for (const glm::vec3& c : reference.color) mean += luminanceOf(c) / static_cast<double>(reference.color.size());
+    for (const glm::vec3& c : reference.color) mean += luminance(c) / static_cast<double>(reference.color.size());
     return asPng(image, [&](size_t i) {
-        const double expected = luminanceOf(reference.color[i]), difference = luminanceOf(image.color[i]) - expected;
+        const double expected = luminance(reference.color[i]), difference = luminance(image.color[i]) - expected;
         const double t = std::clamp(difference / (std::abs(expected) + 0.1 * mean) / range, -1., 1.);
         const float strength = static_cast<float>(std::sqrt(std::abs(t)));
         const glm::vec3 grey(0.88f), full = t > 0 ? glm::vec3(0.75f, 0.05f, 0.1f) : glm::vec3(0.05f, 0.2f, 0.75f);

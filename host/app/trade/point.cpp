@@ -3,13 +3,9 @@
 #include "image/image_file.h"
 #include "median.h"
 
-#include <nlohmann/json.hpp>
-
 #include <filesystem>
 
 namespace eikonal {
-
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeedResult, seed, renderSeconds, meanSamples, expectedError, squaredError, mean)
 
 double Point::medianSeconds() const {
     std::vector<double> seconds;
@@ -51,29 +47,6 @@ TrueError estimateTrueError(const Point& point, const SeedSums& sums, const Refe
         means.push_back(s.mean);
     }
     return estimateTrueError(sums, squaredErrors, means, references);
-}
-
-void to_json(nlohmann::json& json, const Point& p) {
-    json = {{"setting", p.setting},
-            {"rung", p.rung},
-            {"prepareSeconds", p.prepareSeconds},
-            {"compileSeconds", p.compileSeconds},
-            {"compiledKernels", p.compiledKernels},
-            {"isSameImage", p.isSameImage},
-            {"failure", p.failure},
-            {"seeds", nlohmann::json::array()}};
-    for (const SeedResult& s : p.seeds) json["seeds"].push_back(s);
-}
-
-void from_json(const nlohmann::json& json, Point& p) {
-    json.at("setting").get_to(p.setting);
-    json.at("rung").get_to(p.rung);
-    json.at("prepareSeconds").get_to(p.prepareSeconds);
-    json.at("compileSeconds").get_to(p.compileSeconds);
-    json.at("compiledKernels").get_to(p.compiledKernels);
-    json.at("isSameImage").get_to(p.isSameImage);
-    json.at("failure").get_to(p.failure);
-    for (const auto& s : json.at("seeds")) p.seeds.push_back(s.get<SeedResult>());
 }
 
 }  // namespace eikonal

@@ -3,8 +3,6 @@
 
 #include "app/trade/true_error.h"
 
-#include <nlohmann/json_fwd.hpp>
-
 #include <string>
 #include <vector>
 
@@ -47,8 +45,5 @@ struct PointImages {
 };
 
 TrueError estimateTrueError(const Point& point, const SeedSums& sums, const References& references);
-
-void to_json(nlohmann::json& json, const Point& point);
-void from_json(const nlohmann::json& json, Point& point);
 
 }  // namespace eikonal

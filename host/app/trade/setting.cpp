@@ -66,15 +66,6 @@ void addCompilerFlags(std::vector<Setting>& settings) {
         knob.add(flag, {fmt::format("--build-options={}", flag)}, true).compiles = true;
 }
 
-/// The options that remove what makes the user's own image converge to another one than the reference. Depth and integrator are part of
-/// what the user wants.
-std::vector<std::string> remedies(const Session& session) {
-    std::vector<std::string> options;
-    for (const BiasedChoice& c : session.biasedChoices())
-        if (c.remedy.starts_with("--") && !c.remedy.starts_with("--integrator")) options.push_back(c.remedy);
-    return options;
-}
-
 }  // namespace
 
 std::vector<Setting> settingsFor(const Session& session, double brightness) {
@@ -105,7 +96,7 @@ std::vector<Setting> settingsFor(const Session& session, double brightness) {
         if (kind != scene.sampler.kind) sampler.add(name, {fmt::format("--sampler={}", name)});
     Knob(settings, "adaptive sampling").add("on", {}).ladder = Ladder::targetErrors;
     addBiasedNoiseReduction(settings, brightness);
-    const std::vector<std::string> causes = remedies(session);
+    const std::vector<std::string> causes = referenceOptions(session);
     if (causes.size() > 1) settings.push_back({"unbiased", "", causes, false, false, Ladder::samples, false});
     addCompilerFlags(settings);
     for (Setting& s : settings)
@@ -114,8 +105,9 @@ std::vector<Setting> settingsFor(const Session& session, double brightness) {
 }
 
 std::vector<std::string> referenceOptions(const Session& session) {
-    std::vector<std::string> options{"--color=spectral", "--regularize=off", "--max-component-value=0"};
-    if (session.packed().features.has(Feature::SUBSURFACE)) options.push_back("--subsurface=randomwalk");
+    std::vector<std::string> options;
+    for (const BiasedChoice& c : session.biasedChoices())
+        if (c.remedy.starts_with("--") && !c.remedy.starts_with("--integrator")) options.push_back(c.remedy);
     return options;
 }
 

@@ -28,7 +28,8 @@ struct Setting {
 /// this scene. `brightness`: the image's mean, > 0; clamping is tried at multiples of it.
 std::vector<Setting> settingsFor(const Session& session, double brightness);
 
-/// The options whose images converge to the reference: the scene's own light transport, without the approximations that have a switch.
+/// The options whose images converge to the reference: those that avoid the biased choices of the user's own. Depth and integrator are
+/// part of what the user wants.
 std::vector<std::string> referenceOptions(const Session& session);
 
 /// `base` without the options that `more` sets, followed by `more`.

@@ -38,8 +38,6 @@ FilmImage weighted(const FilmImage& a, double samplesOfA, const FilmImage& b, do
     return image;
 }
 
-double pixelsOf(const std::array<int, 2>& size) { return static_cast<double>(size[0]) * size[1]; }
-
 void checkBrightness(double mean, const std::string& scene) {
     if (!(mean > 0) || !std::isfinite(mean))
         throw Error(ExitCode::scene, fmt::format("the image of \"{}\" is black, so relative errors are undefined", scene));
@@ -48,14 +46,15 @@ void checkBrightness(double mean, const std::string& scene) {
 }  // namespace
 
 Study::Study(Request request) : request_(std::move(request)) {
-    std::error_code failure;
-    std::filesystem::create_directories(request_.folder + "/points", failure);
-    if (failure) throw Error(ExitCode::scene, fmt::format("cannot create the folder \"{}\": {}", request_.folder, failure.message()));
     const Stopwatch time;
     clock_ = [time] { return time.seconds(); };
     report("reading the scene");
     lookAtScene();
-    if (hasLooked()) save();
+    if (!hasLooked()) return;
+    std::error_code failure;
+    std::filesystem::create_directories(request_.folder + "/points", failure);
+    if (failure) throw Error(ExitCode::scene, fmt::format("cannot create the folder \"{}\": {}", request_.folder, failure.message()));
+    save();
 }
 
 double Study::share(double part) const { return state_.lookSeconds + part * (request_.budgetSeconds - state_.lookSeconds); }
@@ -98,8 +97,9 @@ void Study::lookAtScene() {
     expected.baseOptions = request_.options;
     {
         /* The size of the user's image, and what identifies the scene */
-        const Options options = renderOptions(request_.scene, request_.options);
-        Diagnostics diagnostics(LogLevel::silent);
+        Options options = renderOptions(request_.scene, request_.options);
+        options.log = request_.log;
+        Diagnostics diagnostics(options.log, options.scene.strict);
         Session session(options, diagnostics);
         session.load();
         session.pack({});

@@ -2,6 +2,7 @@
 // Measures error and time of a scene under many settings, within a budget of time.
 
 #include "app/trade/study_state.h"
+#include "diagnostics.h"
 
 #include <functional>
 #include <optional>
@@ -26,6 +27,7 @@ public:
         double budgetSeconds = 300;  ///< of all runs of this study
         std::function<bool()> stop;  ///< asked often; true: end soon
         std::function<void(const StudyProgress&)> progress;
+        LogLevel log = LogLevel::warning;  ///< of warnings about the scene, which are printed once
     };
 
     static constexpr int seedsInASession = 4;       ///< so that each point is measured at two times, in turn with the others

@@ -12,8 +12,13 @@
 
 namespace eikonal {
 
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeedResult, seed, renderSeconds, meanSamples, expectedError, squaredError, mean)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Point, setting, rung, seeds, prepareSeconds, compileSeconds, compiledKernels, isSameImage, failure)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Confirmation, setting, rung, wallSeconds, renderSeconds, compileSeconds, meanSamples, failure)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, knob, value, options, addsBias, isBiased, ladder, compiles)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StudyState, scene, sceneHash, version, device, baseOptions, full, studied, pathSeconds, prepareSeconds,
+                                   brightness, spentSeconds, lookSeconds, referenceSamples, referenceSeconds, reference, settings, points,
+                                   confirmations)
 
 using Json = nlohmann::json;
 
@@ -37,31 +42,7 @@ std::vector<const Point*> StudyState::ladderOf(size_t setting, int seeds) const 
     return ladder;
 }
 
-void StudyState::save(const std::string& file) const {
-    Json json{{"scene", scene},
-              {"sceneHash", sceneHash},
-              {"version", version},
-              {"device", device},
-              {"baseOptions", baseOptions},
-              {"full", full},
-              {"studied", studied},
-              {"pathSeconds", pathSeconds},
-              {"prepareSeconds", prepareSeconds},
-              {"brightness", brightness},
-              {"spentSeconds", spentSeconds},
-              {"lookSeconds", lookSeconds},
-              {"referenceSamples", referenceSamples},
-              {"referenceSeconds", referenceSeconds},
-              {"reference", reference},
-              {"settings", Json::array()},
-              {"points", Json::array()},
-              {"confirmations", Json::array()}};
-    for (const Setting& s : settings) json["settings"].push_back(s);
-    for (const Point& p : points) json["points"].push_back(p);
-    for (const Confirmation& c : confirmations) json["confirmations"].push_back(c);
-    const std::string text = json.dump(1) + "\n";
-    writeFileAtomically(file, {reinterpret_cast<const unsigned char*>(text.data()), text.size()});
-}
+void StudyState::save(const std::string& file) const { writeTextAtomically(file, Json(*this).dump(1) + "\n"); }
 
 /// Throws if a study of `found` cannot go on as one of `expected`.
 static void checkSame(const std::string& file, const char* what, const std::string& found, const std::string& expected) {
@@ -76,25 +57,7 @@ std::optional<StudyState> StudyState::load(const std::string& file, const StudyS
     if (!in) return std::nullopt;
     StudyState s;
     try {
-        const Json json = Json::parse(in);
-        for (const auto& [key, text] :
-             {std::pair{"scene", &s.scene}, {"sceneHash", &s.sceneHash}, {"version", &s.version}, {"device", &s.device}})
-            json.at(key).get_to(*text);
-        for (const auto& [key, number] : {std::pair{"pathSeconds", &s.pathSeconds},
-                                          {"prepareSeconds", &s.prepareSeconds},
-                                          {"brightness", &s.brightness},
-                                          {"spentSeconds", &s.spentSeconds},
-                                          {"lookSeconds", &s.lookSeconds},
-                                          {"referenceSeconds", &s.referenceSeconds}})
-            json.at(key).get_to(*number);
-        json.at("baseOptions").get_to(s.baseOptions);
-        json.at("full").get_to(s.full);
-        json.at("reference").get_to(s.reference);
-        json.at("studied").get_to(s.studied);
-        json.at("referenceSamples").get_to(s.referenceSamples);
-        for (const Json& j : json.at("settings")) s.settings.push_back(j.get<Setting>());
-        for (const Json& j : json.at("points")) s.points.push_back(j.get<Point>());
-        for (const Json& j : json.at("confirmations")) s.confirmations.push_back(j.get<Confirmation>());
+        s = Json::parse(in).get<StudyState>();
     } catch (const nlohmann::json::exception& error) {
         throw Error(ExitCode::scene,
                     fmt::format("\"{}\" is not a study that can go on ({}); remove its folder or choose another -o", file, error.what()));

@@ -12,6 +12,9 @@
 
 namespace eikonal {
 
+/// Pixels of an image of this width and height.
+inline double pixelsOf(const std::array<int, 2>& size) { return static_cast<double>(size[0]) * size[1]; }
+
 struct StudyState {
     /* What the figures belong to: a study does not go on if any of these differ */
     std::string scene, sceneHash, version, device;
