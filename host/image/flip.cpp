@@ -1,5 +1,6 @@
 #include "image/flip.h"
 
+#include "color/observer.h"
 #include "color/transfer.h"
 #include "image/compare.h"
 
@@ -16,26 +17,29 @@ namespace {
 constexpr double pi = std::numbers::pi;
 using Plane = std::vector<glm::dvec3>;
 
-/// XYZ of linear sRGB (IEC 61966-2-1); the columns are the primaries.
-const glm::dmat3 xyzFromRgb(0.4123908, 0.2126390, 0.0193308, 0.3575843, 0.7151687, 0.1191948, 0.1804808, 0.0721923, 0.9505322);
-const glm::dmat3 rgbFromXyz = glm::inverse(xyzFromRgb);
-const glm::dvec3 white = xyzFromRgb * glm::dvec3(1);
+const glm::dvec3& white() {
+    static const glm::dvec3 xyz = xyzFromRgb(ColorSpace::srgb) * glm::dvec3(1);
+    return xyz;
+}
+
+/// XYZ of linear sRGB, relative to its white.
+glm::dvec3 relativeXyz(const glm::dvec3& rgb) { return xyzFromRgb(ColorSpace::srgb) * rgb / white(); }
 
 /// The opponent space YCxCz, in which contrast sensitivity is known.
 glm::dvec3 opponentFromStored(const glm::vec3& stored) {
     const glm::dvec3 rgb(linearFromSrgb(stored.x), linearFromSrgb(stored.y), linearFromSrgb(stored.z));
-    const glm::dvec3 v = xyzFromRgb * rgb / white;
+    const glm::dvec3 v = relativeXyz(rgb);
     return {116 * v.y - 16, 500 * (v.x - v.y), 200 * (v.y - v.z)};
 }
 
 glm::dvec3 rgbFromOpponent(const glm::dvec3& c) {
     const double y = (c.x + 16) / 116;
-    return glm::clamp(rgbFromXyz * (glm::dvec3(y + c.y / 500, y, y - c.z / 200) * white), 0., 1.);
+    return glm::clamp(rgbFromXyz(ColorSpace::srgb) * (glm::dvec3(y + c.y / 500, y, y - c.z / 200) * white()), 0., 1.);
 }
 
 /// CIELAB with the Hunt effect: chroma counts less where it is dark.
 glm::dvec3 huntLab(const glm::dvec3& rgb) {
-    glm::dvec3 f = xyzFromRgb * rgb / white;
+    glm::dvec3 f = relativeXyz(rgb);
     constexpr double delta = 6. / 29;
     for (int c = 0; c < 3; ++c) f[c] = f[c] > delta * delta * delta ? std::cbrt(f[c]) : f[c] / (3 * delta * delta) + 4. / 29;
     const double lightness = 116 * f.y - 16;
