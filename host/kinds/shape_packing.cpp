@@ -24,7 +24,8 @@ void addVertices(const ShapePacking& in) {
     packed.first_vertex = static_cast<uint>(tables.positions.size());
     packed.first_index = static_cast<uint>(tables.indices.size());
     if (s.reverseOrientation != swapsHandedness(m)) packed.flags |= shape_reversed;
-    for (const glm::vec3& p : mesh.positions) tables.positions.push_back(toVec3(transformPoint(m, p)));
+    const glm::dmat4 placed = fromPositions(m, mesh.origin);
+    for (const glm::vec3& p : mesh.positions) tables.positions.push_back(toVec3(transformPoint(placed, p)));
     tables.indices.insert(tables.indices.end(), mesh.indices.begin(), mesh.indices.end());
     if (!mesh.normals.empty()) {
         packed.first_normal = static_cast<uint>(tables.normals.size());
@@ -65,7 +66,8 @@ object_space newRound(const ShapePacking& in) {
 
 Box meshBounds(const Shape& s, const glm::dmat4& m) {
     Box box;
-    for (const glm::vec3& p : s.mesh->positions) box.grow(transformPoint(m, p));
+    const glm::dmat4 placed = fromPositions(m, s.mesh->origin);
+    for (const glm::vec3& p : s.mesh->positions) box.grow(transformPoint(placed, p));
     return box;
 }
 

@@ -17,7 +17,7 @@ struct PackContext {
     Diagnostics& diagnostics;
     RequiredFeatures& required;
     SceneSpace space{};
-    Box bounds{};             ///< of everything placed in the scene, world space
+    Box bounds{};             ///< of what the space is chosen for, world space (pack/scene_bounds.h)
     bool hasMedia = false;    ///< whether a ray can be inside a medium of the scene
     bool spectral = false;    ///< rendering at sampled wavelengths, not in RGB
     std::vector<std::shared_ptr<const ImageData>> images{};   ///< of scene.images

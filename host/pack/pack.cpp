@@ -1,13 +1,12 @@
 #include "pack/pack.h"
 
 #include "kinds/integrator_kind.h"
-#include "kinds/shape_kind.h"
 #include "pack/camera.h"
 #include "pack/color_mode.h"
 #include "pack/geometry.h"
 #include "pack/integrator.h"
-#include "pack/motion.h"
 #include "pack/sampler.h"
+#include "pack/scene_bounds.h"
 #include "read/formats/image.h"
 
 #include <algorithm>
@@ -22,31 +21,6 @@ static bool mediaAreUsed(const Scene& scene) {
     if (std::any_of(scene.shapes.begin(), scene.shapes.end(), names)) return true;
     return std::any_of(scene.objects.begin(), scene.objects.end(),
                        [&](const Object& o) { return std::any_of(o.shapes.begin(), o.shapes.end(), names); });
-}
-
-/// World bounds of a static or moving box.
-static Box reachOf(const Box& box, const glm::dmat4& start, const std::optional<glm::dmat4>& end, TimeSpan seen) {
-    return end ? boundsInMotion({Motion(start, *end)}, box, seen) : transformed(box, start);
-}
-static Box reachOf(const Shape& s, TimeSpan seen) {
-    const auto bound = s.kind->traits.bound;
-    if (!s.worldFromObjectAtEnd) return bound(s, s.worldFromObject);
-    return reachOf(bound(s, glm::dmat4(1)), s.worldFromObject, s.worldFromObjectAtEnd, seen);
-}
-
-static Box worldBounds(const Scene& scene) {
-    const TimeSpan seen = timesSeen(scene);
-    Box box;
-    for (const Shape& s : scene.shapes) box.grow(reachOf(s, seen));
-    std::vector<Box> objects;
-    for (const Object& o : scene.objects) {
-        Box b;
-        for (const Shape& s : o.shapes) b.grow(reachOf(s, seen));
-        objects.push_back(b);
-    }
-    for (const Instance& i : scene.instances)
-        box.grow(reachOf(objects[static_cast<size_t>(i.object)], i.worldFromObject, i.worldFromObjectAtEnd, seen));
-    return box;
 }
 
 PackedTextures packTextures(const Scene& scene, std::span<const int> textures, Diagnostics& diagnostics) {
@@ -90,7 +64,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     const auto start = std::chrono::steady_clock::now();
     Packing result;
     PackedScene& packed = result.scene;
-    const Box bounds = worldBounds(scene);
+    const SceneBounds bounds = boundsOf(scene);
     const std::vector<std::shared_ptr<const ImageData>> images = loadImages(scene.images);
     packed.color = chooseColor(scene, images);
     if (packed.color.spectral) packed.require(Feature::SPECTRAL, packed.color.why);
@@ -98,7 +72,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
                               .diagnostics = diagnostics,
                               .required = packed,
                               .space = spaceOf(bounds),
-                              .bounds = bounds,
+                              .bounds = bounds.near,
                               .hasMedia = scene.integrator.kind->countsMedia && mediaAreUsed(scene),
                               .spectral = packed.color.spectral,
                               .images = images};

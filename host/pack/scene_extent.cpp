@@ -1,7 +1,7 @@
 #include "pack/scene_extent.h"
 
 #include "kinds/shape_kind.h"
-#include "pack/space.h"
+#include "pack/scene_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,10 +25,7 @@ double chordOf(const Box& box) {
 
 Extent extentOf(const Box& box, glm::dvec3 eye) {
     if (box.empty()) return {};
-    const double distance = glm::length(box.center() - eye), seen = areaOf(box) / 2;
-    const bool surrounds = glm::all(glm::lessThanEqual(box.low, eye)) && glm::all(glm::greaterThanEqual(box.high, eye));
-    const double sight = surrounds ? 1 : seen / (4 * std::numbers::pi * std::max(distance * distance, 1e-300));
-    return {areaOf(box), std::min(sight, 1.0), chordOf(box)};
+    return {areaOf(box), sightOf(box, eye), chordOf(box)};
 }
 
 class Collector {
@@ -40,18 +37,19 @@ public:
         extents_.materials[shape.material] += extent;
         if (shape.areaLight != none) extents_.areaLights[shape.areaLight] += extent;
         if (shape.interface && shape.interface->inside != none) extents_.media[shape.interface->inside] += extent;
-        whole_.grow(box);
+        if (!box.empty()) boxes_.push_back({box, extent.sight});
     }
     /// Media around the camera or outside of shapes fill the scene.
-    void addSurroundings(int medium) {
-        if (medium != none) extents_.media[medium] += {areaOf(whole_), 1, chordOf(whole_)};
+    void finish(int surroundings) {
+        const Box whole = nearBox(boxes_, eye_);
+        if (surroundings != none) extents_.media[surroundings] += {areaOf(whole), 1, chordOf(whole)};
+        extents_.radius = whole.empty() ? 1 : std::max(whole.radius(), 1e-300);
     }
-    double radius() const { return whole_.empty() ? 1 : std::max(whole_.radius(), 1e-300); }
 
 private:
     SceneExtents& extents_;
     glm::dvec3 eye_;
-    Box whole_;
+    std::vector<PlacedBox> boxes_;
 };
 
 }  // namespace
@@ -61,6 +59,12 @@ Extent& Extent::operator+=(const Extent& b) {
     sight += b.sight;
     chord = std::max(chord, b.chord);
     return *this;
+}
+
+double sightOf(const Box& box, glm::dvec3 eye) {
+    const double distance = glm::length(box.center() - eye), seen = areaOf(box) / 2;
+    const bool surrounds = glm::all(glm::lessThanEqual(box.low, eye)) && glm::all(glm::greaterThanEqual(box.high, eye));
+    return surrounds ? 1 : std::min(seen / (4 * std::numbers::pi * std::max(distance * distance, 1e-300)), 1.0);
 }
 
 SceneExtents extentsOf(const Scene& scene) {
@@ -78,8 +82,7 @@ SceneExtents extentsOf(const Scene& scene) {
         for (size_t s = 0; s < object.shapes.size(); ++s)
             all.add(object.shapes[s], transformed(boxes[static_cast<size_t>(i.object)][s], i.worldFromObject));
     }
-    all.addSurroundings(scene.camera.medium);
-    extents.radius = all.radius();
+    all.finish(scene.camera.medium);
     return extents;
 }
 

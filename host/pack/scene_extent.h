@@ -1,6 +1,7 @@
 #pragma once
 // How much of an image, roughly, each part of the scene may fill.
 
+#include "pack/space.h"
 #include "scene/scene.h"
 
 #include <map>
@@ -16,9 +17,12 @@ struct Extent {
     Extent& operator+=(const Extent& b);
 };
 
+/// The solid angle of a box that is seen from a point, as a part of the sphere; 1 inside.
+double sightOf(const Box& box, glm::dvec3 eye);
+
 struct SceneExtents {
     std::map<int, Extent> materials, areaLights, media;   ///< by index in the scene; of media: the shapes that they are in
-    double radius = 1;                                    ///< of the scene
+    double radius = 1;                                    ///< of the scene without distant shapes (pack/scene_bounds.h)
 };
 
 SceneExtents extentsOf(const Scene& scene);

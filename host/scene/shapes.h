@@ -20,7 +20,8 @@ struct ShapeKind;   // kinds/shape_kind.h
 
 /// A mesh of triangles (3 indices per face) or bilinear patches (4 per face: corners (0,0) (1,0) (0,1) (1,1) in (u, v)).
 struct Mesh {
-    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> positions;    ///< relative to `origin`
+    glm::dvec3 origin{0};                ///< object space; not zero for meshes far from the object's origin, whose details floats would lose
     std::vector<glm::vec3> normals;      ///< one per position, or empty
     std::vector<glm::vec3> tangents;     ///< shading tangents of triangles; one per position, or empty: from the texture coordinates
     std::vector<glm::vec2> uvs;          ///< one per position, or empty
@@ -35,6 +36,7 @@ struct CurveSegment {
 };
 struct Curve {
     curve_type type = curve_flat;
+    glm::dvec3 origin{0};               ///< object space: added to all points of the segments
     std::vector<CurveSegment> segments;
     int splitDepth = 3;                 ///< a segment becomes 2^splitDepth elements, or more if it bends strongly
 };

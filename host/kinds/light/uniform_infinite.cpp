@@ -10,7 +10,7 @@ namespace eikonal {
 
 /// The corners of a portal. Throws SceneError if they do not form a rectangle.
 static std::array<glm::dvec3, 4> readPortal(const pbrt::Arguments& arguments) {
-    const std::vector<glm::vec3> corners = arguments.vectors3("portal");
+    const std::vector<glm::dvec3> corners = arguments.points3("portal");
     if (corners.size() != 4)
         throw SceneError(arguments.whereOf("portal"), "a portal has 4 corners; here are " + std::to_string(corners.size()));
     const std::array<glm::dvec3, 4> p{corners[0], corners[1], corners[2], corners[3]};

@@ -16,9 +16,10 @@ static bool read(const pbrt::ShapeReading& in, pbrt::PendingShape& pending) {
 
 static Box bound(const Shape& s, const glm::dmat4& m) {
     Box box;
+    const glm::dmat4 placed = fromPositions(m, s.curve->origin);
     for (const CurveSegment& segment : s.curve->segments) {
         const double half = 0.5 * std::max(segment.width[0], segment.width[1]);
-        for (const glm::dvec3 p : segment.points) box.grow(transformed({p - half, p + half}, m));
+        for (const glm::dvec3 p : segment.points) box.grow(transformed({p - half, p + half}, placed));
     }
     return box;
 }
@@ -27,28 +28,29 @@ static Box bound(const Shape& s, const glm::dmat4& m) {
 /// which the kernel applies to each ray.
 static size_t pack(const ShapePacking& in) {
     const Curve& description = *in.description.curve;
+    const glm::dmat4 m = fromPositions(in.m, description.origin);
     GeometryTables& tables = in.tables;
     in.context.require(Feature::STRIPS, in.description.where.toString());
     if (in.description.reverseOrientation != isMirrored(in)) in.packed.flags |= shape_reversed;
     in.packed.first_index = static_cast<uint>(tables.curve_segments.size());
     in.packed.splits = curveSplits(description);
-    const double scale = swapsHandedness(in.m) ? 0 : uniformScale(in.m);
+    const double scale = swapsHandedness(m) ? 0 : uniformScale(m);
     if (scale == 0) {
         in.packed.object_space = static_cast<uint>(tables.object_spaces.size());
         object_space maps{};
-        maps.scene_from_object = toAffine(in.m);
-        maps.object_from_scene = toAffine(glm::inverse(in.m));
+        maps.scene_from_object = toAffine(m);
+        maps.object_from_scene = toAffine(glm::inverse(m));
         tables.object_spaces.push_back(maps);
     }
     const uint parts = 1u << in.packed.splits;
     uint element = in.packed.first_element;
     for (const CurveSegment& segment : description.segments) {
-        const curve c = packSegment(segment, description.type, scale > 0 ? in.m : glm::dmat4(1), scale > 0 ? scale : 1);
+        const curve c = packSegment(segment, description.type, scale > 0 ? m : glm::dmat4(1), scale > 0 ? scale : 1);
         tables.curve_segments.push_back(c);
         for (uint part = 0; part < parts; ++part, ++element) {
             if (c.width[0] <= 0 && c.width[1] <= 0) continue;
             const Box box = boundsOfPart(c, part, in.packed.splits);
-            addBox(in.group, scale > 0 ? box : transformed(box, in.m), element);
+            addBox(in.group, scale > 0 ? box : transformed(box, m), element);
         }
     }
     in.counts.curves += description.segments.size();

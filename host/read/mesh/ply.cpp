@@ -3,6 +3,7 @@
 
 #include "read/mesh/ply.h"
 
+#include "read/mesh/origin.h"
 #include "read/mesh/ply_values.h"
 
 namespace eikonal {
@@ -32,20 +33,27 @@ void readVertices(Values& values, const Element& element, Mesh& mesh) {
         if (uv[0] == notFound && scalar(u) != notFound && scalar(v) != notFound) uv = {scalar(u), scalar(v)};
     const bool hasUvs = uv[0] != notFound;
 
-    mesh.positions.resize(element.count);
+    const bool isDouble = std::ranges::any_of(position, [&](int p) { return element.properties[p].type == Type::float64; });
+    std::vector<glm::dvec3> points(isDouble ? element.count : 0);
+    mesh.positions.resize(isDouble ? 0 : element.count);
     if (hasNormals) mesh.normals.resize(element.count);
     if (hasUvs) mesh.uvs.resize(element.count);
-    std::vector<float> row(element.properties.size());
+    std::vector<double> row(element.properties.size());
     for (std::size_t i = 0; i < element.count; ++i) {
         for (std::size_t p = 0; p < row.size(); ++p) {
             const Property& property = element.properties[p];
             if (property.isList) skipProperty(values, property);
-            else row[p] = static_cast<float>(values.next(property.type));
+            else row[p] = values.next(property.type);
         }
-        mesh.positions[i] = {row[position[0]], row[position[1]], row[position[2]]};
+        const glm::dvec3 p(row[position[0]], row[position[1]], row[position[2]]);
+        if (isDouble) points[i] = p;
+        else mesh.positions[i] = p;
         if (hasNormals) mesh.normals[i] = {row[normal[0]], row[normal[1]], row[normal[2]]};
         if (hasUvs) mesh.uvs[i] = {row[uv[0]], row[uv[1]]};
     }
+    if (!isDouble) return;
+    mesh.origin = originOf(points);
+    mesh.positions = positionsFrom(mesh.origin, points);
 }
 
 struct Faces { std::vector<std::uint32_t> triangles, quads; std::size_t dropped = 0; };

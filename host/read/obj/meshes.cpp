@@ -1,5 +1,7 @@
 #include "read/obj/meshes.h"
 
+#include "read/mesh/origin.h"
+
 #include "read/obj/polygon.h"
 
 #include <algorithm>
@@ -12,7 +14,7 @@ namespace {
 
 bool isFinite(const glm::dvec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
 
-/// The centre of the model if float rounding (2^-24 of the distance to the origin) exceeds a millionth of the model's size, else zero.
+/// The origin of all meshes of the model (read/mesh/origin.h).
 glm::dvec3 chooseOffset(const ObjGeometry& geometry) {
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
     for (const ObjCorner& corner : geometry.corners) {
@@ -21,10 +23,7 @@ glm::dvec3 chooseOffset(const ObjGeometry& geometry) {
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
-    const glm::dvec3 farthest = glm::max(glm::abs(low), glm::abs(high)), size = high - low;
-    constexpr double farAway = 16;
-    return std::max({farthest.x, farthest.y, farthest.z}) > farAway * std::max({size.x, size.y, size.z}) ? (low + high) / 2.
-                                                                                                         : glm::dvec3(0);
+    return originOf(low, high);
 }
 
 /// The vertices of a mesh; equal corners share one.

@@ -124,15 +124,17 @@ template <class T> std::optional<T> Arguments::single(const std::string& name) c
     return static_cast<T>(all->front());
 }
 
-template <class V> std::vector<V> Arguments::vectors(const std::string& name) const {
-    const std::vector<float>* all = values<float>(name);
+/// A list of points or vectors V, whose components are `Stored` in the parameter.
+template <class V, class Stored> std::vector<V> Arguments::vectors(const std::string& name) const {
+    const std::vector<Stored>* all = values<Stored>(name);
     if (!all) return {};
-    constexpr size_t components = sizeof(V) / sizeof(float);
+    static_assert(std::is_same_v<typename V::value_type, Stored>);
+    constexpr size_t components = sizeof(V) / sizeof(Stored);
     if (all->size() % components)
         throw SceneError(whereOf(name), "\"" + given(name)->declaration() + "\" has " + std::to_string(all->size()) +
                                             " values; a multiple of " + std::to_string(components) + " is expected");
     std::vector<V> result(all->size() / components);
-    std::memcpy(static_cast<void*>(result.data()), all->data(), all->size() * sizeof(float));
+    std::memcpy(static_cast<void*>(result.data()), all->data(), all->size() * sizeof(Stored));
     return result;
 }
 
@@ -154,7 +156,9 @@ std::string Arguments::text(const std::string& name) const { return single<std::
 glm::dvec3 Arguments::vector(const std::string& name) const { return vector(name, glm::dvec3(0)); }
 glm::dvec3 Arguments::vector(const std::string& name, glm::dvec3 fallback) const {
     if (!has(name)) return fallback;
-    const std::vector<glm::vec3> all = vectors3(name);
+    std::vector<glm::dvec3> all;
+    if (given(name)->type == ParameterType::point3) all = points3(name);
+    else for (const glm::vec3& v : vectors3(name)) all.push_back(v);
     if (all.size() != 1)
         throw SceneError(whereOf(name),
                          "\"" + given(name)->declaration() + "\" has " + std::to_string(3 * all.size()) + " values; three are expected");
@@ -173,8 +177,9 @@ std::vector<std::string> Arguments::texts(const std::string& name) const {
     const auto* all = values<std::string>(name);
     return all ? *all : std::vector<std::string>();
 }
-std::vector<glm::vec2> Arguments::vectors2(const std::string& name) const { return vectors<glm::vec2>(name); }
-std::vector<glm::vec3> Arguments::vectors3(const std::string& name) const { return vectors<glm::vec3>(name); }
+std::vector<glm::vec2> Arguments::vectors2(const std::string& name) const { return vectors<glm::vec2, float>(name); }
+std::vector<glm::vec3> Arguments::vectors3(const std::string& name) const { return vectors<glm::vec3, float>(name); }
+std::vector<glm::dvec3> Arguments::points3(const std::string& name) const { return vectors<glm::dvec3, double>(name); }
 
 std::vector<glm::vec3> Arguments::colors(const std::string& name) const {
     const std::vector<double> all = numbers(name);

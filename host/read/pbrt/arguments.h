@@ -42,6 +42,8 @@ public:
     std::vector<std::string> texts(const std::string& name) const;
     std::vector<glm::vec2> vectors2(const std::string& name) const;
     std::vector<glm::vec3> vectors3(const std::string& name) const;
+    /// As they are written, not rounded to single precision.
+    std::vector<glm::dvec3> points3(const std::string& name) const;
     /// RGB colours in space(), no component negative.
     std::vector<glm::vec3> colors(const std::string& name) const;
 
@@ -56,7 +58,7 @@ private:
     void checkRanges();
     template <class T> const std::vector<T>* values(const std::string& name) const;
     template <class T> std::optional<T> single(const std::string& name) const;
-    template <class V> std::vector<V> vectors(const std::string& name) const;
+    template <class V, class Stored> std::vector<V> vectors(const std::string& name) const;
 
     Reading* reading_;
     const Kind* kind_;

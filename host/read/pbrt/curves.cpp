@@ -1,5 +1,7 @@
 #include "read/pbrt/curves.h"
 
+#include "read/mesh/origin.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -54,10 +56,13 @@ std::shared_ptr<Curve> readCurve(Reading& reading, const Arguments& arguments) {
     if (basis != "bezier" && basis != "bspline")
         throw SceneError(arguments.whereOf("basis"), title + " has the basis \"" + basis + "\"; it can be \"bezier\" or \"bspline\"");
     if (!arguments.has("P")) throw SceneError(arguments.where(), title + " needs its control points, \"point3 P\"");
-    const std::vector<glm::vec3> points = arguments.vectors3("P");
+    const std::vector<glm::dvec3> given = arguments.points3("P");
+    const glm::dvec3 origin = originOf(given);
+    const std::vector<glm::vec3> points = positionsFrom(origin, given);
     const size_t count = countSegments(arguments, points.size(), basis, degree);
 
     auto curve = std::make_shared<Curve>();
+    curve->origin = origin;
     curve->type = typeOf(reading, arguments);
     curve->splitDepth = arguments.integer("splitdepth");
     std::vector<glm::vec3> normals = arguments.vectors3("N");

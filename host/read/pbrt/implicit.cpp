@@ -30,7 +30,7 @@ ImplicitSurface readImplicit(Reading& reading, const Arguments& arguments) {
     const std::string text = arguments.text("F");
     surface.F = std::make_shared<const Expression>(readExpression(text, arguments.given("F")->whereText, constants));
 
-    const std::vector<glm::vec3> corners = arguments.vectors3("bounds");
+    const std::vector<glm::dvec3> corners = arguments.points3("bounds");
     if (corners.size() != 2)
         throw SceneError(arguments.whereOf("bounds"),
                          title + " needs a box that bounds it, given by two corners, as in \"point3 bounds\" [-1 -1 -1  1 1 1]");

@@ -1,6 +1,7 @@
 #include "read/pbrt/meshes.h"
 
 #include "read/mesh/loop_subdivision.h"
+#include "read/mesh/origin.h"
 
 #include <tbb/parallel_for.h>
 
@@ -11,7 +12,9 @@ namespace eikonal::pbrt {
 std::shared_ptr<Mesh> readMesh(Reading& reading, const Arguments& arguments, int corners) {
     const std::string title = arguments.kind().title();
     auto mesh = std::make_shared<Mesh>();
-    mesh->positions = arguments.vectors3("P");
+    const std::vector<glm::dvec3> points = arguments.points3("P");
+    mesh->origin = originOf(points);
+    mesh->positions = positionsFrom(mesh->origin, points);
     if (mesh->positions.empty()) throw SceneError(arguments.where(), title + " needs its vertices, \"point3 P\"");
 
     // The indices given, or those of the only possible face.
@@ -68,6 +71,7 @@ std::shared_ptr<Mesh> readSubdividedMesh(Reading& reading, const Arguments& argu
     if (result.droppedFaces > 0)
         reading.diagnostics.warn(arguments.whereOf("indices"),
                                  std::to_string(result.droppedFaces) + " faces that name a vertex twice are skipped");
+    result.mesh.origin = control->origin;
     return std::make_shared<Mesh>(std::move(result.mesh));
 }
 

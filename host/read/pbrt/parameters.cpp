@@ -62,6 +62,7 @@ template <class Add> void readEach(TokenStream& tokens, const Token& first, Add&
 Values readValues(TokenStream& tokens, Parameter& parameter) {
     const Token first = tokens.next();
     if (parameter.type == ParameterType::integer) return readNumbers<int>(tokens, first, parameter);
+    if (parameter.type == ParameterType::point3) return readNumbers<double>(tokens, first, parameter);
     if (isGeometric(parameter.type)) return readNumbers<float>(tokens, first, parameter);
     if (parameter.type == ParameterType::boolean) {
         std::vector<bool> flags;

@@ -1,0 +1,35 @@
+#include "read/mesh/origin.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace eikonal {
+
+glm::dvec3 originOf(const glm::dvec3& low, const glm::dvec3& high) {
+    const glm::dvec3 farthest = glm::max(glm::abs(low), glm::abs(high)), size = high - low;
+    constexpr double farAway = 16;
+    return std::max({farthest.x, farthest.y, farthest.z}) > farAway * std::max({size.x, size.y, size.z}) ? (low + high) / 2.
+                                                                                                         : glm::dvec3(0);
+}
+
+glm::dvec3 originOf(std::span<const glm::dvec3> points) {
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
+    bool roundingLoses = false;
+    for (const glm::dvec3& p : points) {
+        if (!std::isfinite(p.x + p.y + p.z)) continue;
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+        roundingLoses = roundingLoses || glm::dvec3(glm::vec3(p)) != p;
+    }
+    return roundingLoses ? originOf(low, high) : glm::dvec3(0);
+}
+
+std::vector<glm::vec3> positionsFrom(const glm::dvec3& origin, std::span<const glm::dvec3> points) {
+    std::vector<glm::vec3> positions;
+    positions.reserve(points.size());
+    for (const glm::dvec3& p : points) positions.emplace_back(p - origin);
+    return positions;
+}
+
+}  // namespace eikonal
