@@ -65,7 +65,8 @@ Box nearBox(std::span<const PlacedBox> boxes, glm::dvec3 eye) {
     /* Nested boxes: add one after the other, from the nearest to the farthest */
     std::vector<size_t> order(boxes.size());
     std::iota(order.begin(), order.end(), size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return reachFrom(eye, boxes[a].box) < reachFrom(eye, boxes[b].box); });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](size_t a, size_t b) { return reachFrom(eye, boxes[a].box) < reachFrom(eye, boxes[b].box); });
     std::vector<Box> nested;
     double least = costAt(all.center());
     Box box;

@@ -21,7 +21,7 @@ struct ShapeKind;   // kinds/shape_kind.h
 /// A mesh of triangles (3 indices per face) or bilinear patches (4 per face: corners (0,0) (1,0) (0,1) (1,1) in (u, v)).
 struct Mesh {
     std::vector<glm::vec3> positions;    ///< relative to `origin`
-    glm::dvec3 origin{0};                ///< object space; not zero for meshes far from the object's origin, whose details floats would lose
+    glm::dvec3 origin{0};                ///< object space; not zero where floats would lose details (read/mesh/origin.h)
     std::vector<glm::vec3> normals;      ///< one per position, or empty
     std::vector<glm::vec3> tangents;     ///< shading tangents of triangles; one per position, or empty: from the texture coordinates
     std::vector<glm::vec2> uvs;          ///< one per position, or empty

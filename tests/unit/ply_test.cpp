@@ -203,5 +203,19 @@ TEST_F(Ply, namesAFileThatIsNotThere) {
     EXPECT_THAT([&] { loadPly(folder_.string(), where_); }, testing::ThrowsMessage<SceneError>(HasSubstr("Is a directory")));
 }
 
+TEST_F(Ply, DoublesFarFromTheOriginKeepTheirDigits) {
+    const auto loadAs = [&](const std::string& type) {
+        const std::string header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty " + type + " x\nproperty " + type +
+                                   " y\nproperty " + type + " z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n";
+        return load(header + "10000000.125 0 0  10000001.375 0 0  10000000.25 1 0\n3 0 1 2\n");
+    };
+    const PlyMesh doubles = loadAs("double"), floats = loadAs("float");
+    const Mesh &exact = *doubles.triangles, &rounded = *floats.triangles;
+    EXPECT_EQ(exact.origin.x + exact.positions[1].x, 10000001.375);
+    EXPECT_EQ(exact.origin.x + exact.positions[2].x, 10000000.25);
+    EXPECT_EQ(rounded.origin, glm::dvec3(0));
+    EXPECT_EQ(rounded.positions[1].x, 10000001.f);
+}
+
 }  // namespace
 }  // namespace eikonal

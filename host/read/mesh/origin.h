@@ -1,7 +1,7 @@
 #pragma once
 // Positions are kept in single precision, relative to an origin: far from the origin of their object they would lose digits.
 
-#include "scene/basics.h"
+#include <glm/glm.hpp>
 
 #include <span>
 #include <vector>

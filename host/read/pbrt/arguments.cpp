@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <ranges>
 #include <stdexcept>
 
@@ -179,7 +181,17 @@ std::vector<std::string> Arguments::texts(const std::string& name) const {
 }
 std::vector<glm::vec2> Arguments::vectors2(const std::string& name) const { return vectors<glm::vec2, float>(name); }
 std::vector<glm::vec3> Arguments::vectors3(const std::string& name) const { return vectors<glm::vec3, float>(name); }
-std::vector<glm::dvec3> Arguments::points3(const std::string& name) const { return vectors<glm::dvec3, double>(name); }
+std::vector<glm::dvec3> Arguments::points3(const std::string& name) const {
+    std::vector<glm::dvec3> points = vectors<glm::dvec3, double>(name);
+    constexpr double most = std::numeric_limits<float>::max();
+    for (const glm::dvec3& p : points)
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::abs(p[axis]) > most)
+                throw SceneError(whereOf(name), "\"" + given(name)->declaration() + "\" has a coordinate " + shown(p[axis]) +
+                                                    ", which is too large for a floating-point number; at most " + shown(most) +
+                                                    " would work");
+    return points;
+}
 
 std::vector<glm::vec3> Arguments::colors(const std::string& name) const {
     const std::vector<double> all = numbers(name);

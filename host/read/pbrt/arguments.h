@@ -42,7 +42,7 @@ public:
     std::vector<std::string> texts(const std::string& name) const;
     std::vector<glm::vec2> vectors2(const std::string& name) const;
     std::vector<glm::vec3> vectors3(const std::string& name) const;
-    /// As they are written, not rounded to single precision.
+    /// As they are written, not rounded to single precision. Throws SceneError for coordinates that no float can hold.
     std::vector<glm::dvec3> points3(const std::string& name) const;
     /// RGB colours in space(), no component negative.
     std::vector<glm::vec3> colors(const std::string& name) const;

@@ -19,7 +19,7 @@ using Values = std::variant<std::vector<bool>, std::vector<double>, std::vector<
 struct Parameter {
     ParameterType type;
     std::string name;
-    Values values;          ///< bool; float, rgb, blackbody, spectrum, point3: double; integer; point2, vectors, normals: float; others: string
+    Values values;          ///< bool; numbers, colours, point3: double; integer; point2, vectors, normals: float; others: string
     ColorSpace space = ColorSpace::srgb;  ///< the colour space of its colours
     SourceLocation where;
     SourceLocation whereText;  ///< strings: place of the first character of the first string
