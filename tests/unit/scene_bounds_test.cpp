@@ -26,14 +26,15 @@ TEST(SceneBounds, DistantShapesDoNotCount) {
     }
 }
 
-// Moving the origin would help the near ones and hurt the one that is seen as well.
+// Both are seen as well: an origin near the first helps it, and hurts the other by as much.
 TEST(SceneBounds, WhatFillsTheImageCounts) {
-    const PlacedBox boxes[] = {seen(cube({0, 0, 1e5}, 1), 0.5), seen(cube({0, 0, 0}, 1), 0.5)};
-    expectBox(nearBox(boxes, {0, 0, 0}), cube({0, 0, 0}, 1));
+    const PlacedBox equal[] = {seen(cube({0, 0, 1e5}, 1), 0.5), seen(cube({0, 0, 0}, 1), 0.5)};
     const PlacedBox large[] = {seen(cube({0, 0, 1e6}, 1e5), 0.1), seen(cube({0, 0, 3e5}, 1e4), 0.1)};
-    Box all = large[0].box;
-    all.grow(large[1].box);
-    expectBox(nearBox(large, {0, 0, 0}), all);
+    for (const std::span<const PlacedBox> boxes : {std::span(equal), std::span(large)}) {
+        Box all = boxes[0].box;
+        all.grow(boxes[1].box);
+        expectBox(nearBox(boxes, {0, 0, 0}), all);
+    }
 }
 
 TEST(SceneBounds, EmptyAndPointlikeScenes) {
