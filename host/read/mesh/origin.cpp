@@ -15,14 +15,15 @@ glm::dvec3 originOf(const glm::dvec3& low, const glm::dvec3& high) {
 
 glm::dvec3 originOf(std::span<const glm::dvec3> points) {
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high = -low;
-    bool roundingLoses = false;
     for (const glm::dvec3& p : points) {
         if (!std::isfinite(p.x + p.y + p.z)) continue;
         low = glm::min(low, p);
         high = glm::max(high, p);
-        roundingLoses = roundingLoses || glm::dvec3(glm::vec3(p)) != p;
     }
-    return roundingLoses ? originOf(low, high) : glm::dvec3(0);
+    const glm::dvec3 origin = originOf(low, high);
+    if (origin == glm::dvec3(0)) return origin;
+    const bool areFloats = std::ranges::all_of(points, [](const glm::dvec3& p) { return glm::dvec3(glm::vec3(p)) == p; });
+    return areFloats ? glm::dvec3(0) : origin;
 }
 
 std::vector<glm::vec3> positionsFrom(const glm::dvec3& origin, std::span<const glm::dvec3> points) {
