@@ -63,7 +63,7 @@ constexpr int cosines = ENERGY_COSINES;
 double azimuthAt(double node, uint nodes) { return nodes > 1 ? std::atan2(node, nodes - 1 - node) : 0; }
 double cosineAt(double node, double width) {
     const double c = node * node / ((cosines - 1.) * (cosines - 1.));
-    return std::max(c * width / (1 + width - c), 1e-6);
+    return std::clamp(c * width / (1 + width - c), 1e-6, 1.);
 }
 double widthTowards(const Facets& f, double phi) { return std::hypot(f.x * std::cos(phi), f.y * std::sin(phi)); }
 
