@@ -39,7 +39,7 @@ struct Kept { double all = 0, transmitted = 0; };
 
 /// n: far index over near index; 0: all light is reflected. Averages over a lattice of visible normals, denser where they are steep.
 Kept keptFrom(const Facets& facets, const dvec3& wo, double n) {
-    constexpr int points = 1597, generator = 987;   // Fibonacci numbers
+    constexpr int points = 2584, generator = 1597;   // Fibonacci numbers
     const double lambda = facets.lambda(wo);
     const auto shadowing = [&](const dvec3& wi) { return (1 + lambda) / (1 + lambda + facets.lambda(wi)); };
     Kept kept;
@@ -62,8 +62,8 @@ constexpr int cosines = ENERGY_COSINES;
 /// The azimuth and the cosine of a node, or of a place between nodes.
 double azimuthAt(double node, uint nodes) { return nodes > 1 ? std::atan2(node, nodes - 1 - node) : 0; }
 double cosineAt(double node, double width) {
-    const double c = node * node / ((cosines - 1.) * (cosines - 1.));
-    return std::clamp(c * width / (1 + width - c), 1e-6, 1.);
+    const double x = node * node / ((cosines - 1.) * (cosines - 1.)), a = width + 0.3;
+    return std::clamp(x * a / (1 + a - x), 1e-6, 1.);
 }
 double widthTowards(const Facets& f, double phi) { return std::hypot(f.x * std::cos(phi), f.y * std::sin(phi)); }
 

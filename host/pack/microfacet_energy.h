@@ -1,7 +1,7 @@
 #pragma once
 // Tables of the light that microfacets lose because they scatter it once (include/eikonal/microfacet_energy.h).
 
-#include "pack/context.h"
+#include "pack/tables.h"
 
 #include <map>
 #include <optional>

@@ -8,8 +8,8 @@
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
 
-/* Words of a record before its directions, and nodes along the cosine c: at (c (1 + a) / (c + a))^(1/2) = 0 ... 1, where a is the width in
-   the direction of the azimuth. */
+/* Words of a record before its directions, and nodes along the cosine c: at (c (1 + a) / (c + a))^(1/2) = 0 ... 1, where a - 0.3 is the
+   width in the direction of the azimuth. */
 enum energy_record { energy_average, energy_transmitted, energy_directions, ENERGY_COSINES = 65 };
 
 /* Of a surface whose widths, and index, may vary. An axis of 1 node is constant. */

@@ -68,8 +68,9 @@ static const std::vector<CompensatedSurface>& compensatedSurfaces(const BsdfKind
             for (float eta : indices) surfaces.push_back({alpha, alpha, eta, alpha < 0.15f ? extreme : smooth});
         return surfaces;
     };
-    static const std::vector<CompensatedSurface> metals = withTables({{.3f, .9f, 0, smooth}, {1, .25f, 0, smooth}, {.0011f, .0011f, 0, extreme},
-                                                                      {1, .01f, 0, extreme}, {4, 4, 0, extreme}}, {0}),
+    static const std::vector<CompensatedSurface> metals = withTables({{.3f, .9f, 0, smooth}, {1, .25f, 0, smooth},
+                                                                      {.0011f, .0011f, 0, extreme}, {1, .01f, 0, extreme},
+                                                                      {4, 4, 0, extreme}}, {0}),
         glasses = withTables({{.4f, .8f, 1.2f, smooth}, {.9f, .3f, 2.2f, smooth}, {.5f, .5f, .5f, smooth}, {.0011f, .0011f, 1.5f, extreme},
                               {.01f, .01f, 1.0001f, extreme}, {1, 1, .9999f, extreme}, {.3f, .3f, 3, extreme}, {1, 1, .3f, extreme},
                               {1, .01f, 1.5f, extreme}}, tableIndices);
