@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Measures every BSDF over roughness, index and angle, and writes the tables into docs/bsdfs.md.
 
-    tests/accuracy/bsdf_table.py             under a minute
+    tests/accuracy/bsdf_table.py             about four minutes
     tests/accuracy/bsdf_table.py --print     prints the tables instead
 
 The numbers are those of the device: tests/kernels/bsdf_table_test.cpp, which needs a build with tests (`./dev test`).
