@@ -72,7 +72,7 @@ std::vector<VectorCase> cases() {
         {"shade_hits_compensated_conductor", "shade_hits compensated_conductor",
          sphereOf("\"conductor\" \"float roughness\" 0.3 \"bool energycompensation\" true")},
         {"shade_hits_compensated_dielectric", "shade_hits compensated_dielectric",
-         sphereOf("\"dielectric\" \"float uroughness\" 0.3 \"bool energycompensation\" true")},
+         sphereOf("\"dielectric\" \"float roughness\" 0.3 \"bool energycompensation\" true")},
         {"shade_hits_specular_conductor", "shade_hits specular_conductor", sphereOf("\"conductor\" \"float roughness\" 0")},
         {"shade_hits_dielectric", "shade_hits dielectric", sphereOf("\"dielectric\" \"float roughness\" 0.3")},
         {"shade_hits_specular_dielectric", "shade_hits specular_dielectric", sphereOf("\"dielectric\"")},
