@@ -75,6 +75,26 @@ void InputWriter::widths(uint alongSlot, uint acrossSlot, const char* alongName,
     if (u.texture != v.texture || (u.texture == none && u.value.value() != v.value.value())) require(Feature::ANISOTROPY);
 }
 
+void InputWriter::lostEnergy(uint slot, const char* index) {
+    const Input &u = get("uroughness"), &v = get("vroughness");
+    const auto widthOfInput = [&](const Input& in) {
+        return in.texture == none ? std::optional<double>(widthOf(in.value.value())) : std::nullopt;
+    };
+    MicrofacetSurface surface{widthOfInput(u), widthOfInput(v)};
+    surface.isotropic = u.texture == v.texture && (u.texture != none || *surface.alphaX == *surface.alphaY);
+    if (index) {
+        const Input& in = get(index);
+        const auto indexOf = [](double value) { return value > 0 ? value : 1; };
+        surface.lowestIndex = surface.highestIndex = indexOf(in.value.value());
+        if (isSpectral() && !in.value.isFlat())
+            for (const double value : in.value.dense()) {
+                surface.lowestIndex = std::min(surface.lowestIndex, indexOf(value));
+                surface.highestIndex = std::max(surface.highestIndex, indexOf(value));
+            }
+    }
+    addInteger(slot, in_.energy.table(surface));
+}
+
 bool InputWriter::isSmooth() const {
     for (const char* name : {"uroughness", "vroughness"})
         if (get(name).texture != none || widthOf(get(name).value.value()) >= MIN_ALPHA) return false;

@@ -2,6 +2,7 @@
 // Writes the parameters of a material's BSDF.
 
 #include "pack/measured.h"
+#include "pack/microfacet_energy.h"
 #include "pack/textures.h"
 
 #include <string>
@@ -15,6 +16,7 @@ struct MaterialPacking {
     ColorPacker& colors;
     TexturePacker& textures;
     MeasuredPacker& measured;
+    MicrofacetEnergyPacker& energy;
 };
 
 /// Collects the inputs of one material's BSDF; kinds of materials are packed with it.
@@ -54,6 +56,10 @@ public:
     void width(uint slot, const char* name);
     /// Both widths; requires anisotropy if they differ.
     void widths(uint alongSlot, uint acrossSlot, const char* alongName = "uroughness", const char* acrossName = "vroughness");
+    /// The table of the energy that microfacets of these roughnesses lose. index: the name of a dielectric's; null: all light is reflected.
+    void lostEnergy(uint slot, const char* index = nullptr);
+    /// Whether the material asks for the light that its microfacets scatter more than once.
+    bool compensatesEnergy() const { return description_.compensatesEnergy; }
     /// Whether both roughnesses are so small that the surface is specular everywhere.
     bool isSmooth() const;
 

@@ -40,8 +40,9 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     ColorPacker colors(context, tables);
     TexturePacker textures(context, tables, colors);
     MeasuredPacker measured(context, tables, packed.constants, colors);
+    MicrofacetEnergyPacker energy(tables, packed.constants);
     MediumPacker media(context, tables, colors);
-    MaterialPacker materials({context, tables, colors, textures, measured}, media);
+    MaterialPacker materials({context, tables, colors, textures, measured, energy}, media);
     LightPacker lights(context, tables, frame, colors, textures);
 
     if (context.spectral) {

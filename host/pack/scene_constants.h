@@ -12,7 +12,8 @@ namespace eikonal {
     C(MEASURED_FILES,            measuredFiles,           1)  /* size of `measured_files`, at least 1 */ \
     C(MEASURED_ANGLE_STEPS,      measuredAngleSteps,      0)  /* bisection steps in the longest list of angles */ \
     C(MEASURED_FACET_STEPS,      measuredFacetSteps,      0)  /* in the longest side of the grids that facets are sampled from */ \
-    C(MEASURED_BRIGHTNESS_STEPS, measuredBrightnessSteps, 0)  /* in the longest side of the brightness grids */
+    C(MEASURED_BRIGHTNESS_STEPS, measuredBrightnessSteps, 0)  /* in the longest side of the brightness grids */ \
+    C(ENERGY_TABLES,             energyTables,            1)  /* size of `energy_tables`, at least 1 */
 
 struct SceneConstants {
 #define MEMBER(MACRO, name, value) int name = value;

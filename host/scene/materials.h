@@ -37,6 +37,7 @@ struct Material {
     std::string name;                       ///< empty for an unnamed material
     std::map<std::string, Input> inputs;    ///< "scale" is multiplied in
     bool remapRoughness = true;             ///< roughness r gives microfacet width sqrt(r); otherwise r itself
+    bool compensatesEnergy = false;         ///< light that microfacets scatter more than once is not lost
     std::array<int, 2> mixed{none, none};   ///< mix: in Scene::materials
     std::shared_ptr<const Medium> interior; ///< subsurface: the homogeneous medium inside the body
     std::shared_ptr<const DiffusionProfile> diffusion;   ///< subsurface: the profile of that medium

@@ -20,6 +20,11 @@
     F(q, float,    alpha_x,       ALWAYS)    /* microfacet widths along and across the tangent, at least MIN_ALPHA */ \
     F(q, float,    alpha_y,       ALWAYS)
 
+/* The same metal with the light that bounces more than once between its microfacets. */
+#define COMPENSATED_CONDUCTOR_PARAMETERS(F, q) \
+    F(q, uint,     energy,        ALWAYS)    /* in `energy_tables` */ \
+    CONDUCTOR_PARAMETERS(F, q)
+
 /* A polished metal. */
 #define SPECULAR_CONDUCTOR_PARAMETERS(F, q) \
     F(q, spectrum, eta,           ALWAYS) \
@@ -30,6 +35,11 @@
     F(q, float,    eta,           ALWAYS)    /* index inside over index outside */ \
     F(q, float,    alpha_x,       ALWAYS) \
     F(q, float,    alpha_y,       ALWAYS)
+
+/* The same interface with the light that meets its microfacets more than once. */
+#define COMPENSATED_DIELECTRIC_PARAMETERS(F, q) \
+    F(q, uint,     energy,        ALWAYS)    /* in `energy_tables` */ \
+    DIELECTRIC_PARAMETERS(F, q)
 
 /* A smooth dielectric interface. */
 #define SPECULAR_DIELECTRIC_PARAMETERS(F, q) \
@@ -110,7 +120,9 @@
     B(principled,           BSDF_PRINCIPLED,           PRINCIPLED_PARAMETERS) \
     B(hair,                 BSDF_HAIR,                 HAIR_PARAMETERS) \
     B(measured,             BSDF_MEASURED,             MEASURED_PARAMETERS) \
-    B(subsurface_exit,            BSDF_SUBSURFACE_EXIT,            SUBSURFACE_EXIT_PARAMETERS)
+    B(subsurface_exit,            BSDF_SUBSURFACE_EXIT,            SUBSURFACE_EXIT_PARAMETERS) \
+    B(compensated_conductor,      BSDF_COMPENSATED_CONDUCTOR,      COMPENSATED_CONDUCTOR_PARAMETERS) \
+    B(compensated_dielectric,     BSDF_COMPENSATED_DIELECTRIC,     COMPENSATED_DIELECTRIC_PARAMETERS)
 
 /* Narrower microfacets are treated as a mirror (pbrt-v4's limit for "effectively smooth"). */
 #define MIN_ALPHA 1e-3f

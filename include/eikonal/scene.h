@@ -7,6 +7,7 @@
 #include "eikonal/light.h"
 #include "eikonal/measured.h"
 #include "eikonal/medium.h"
+#include "eikonal/microfacet_energy.h"
 #include "eikonal/motion.h"
 #include "eikonal/portable.h"
 #include "eikonal/shape.h"
@@ -113,7 +114,9 @@ typedef struct {
 /* Read by shading: tables of BSDFs, besides their parameters. */
 #define BSDF_TABLES(T) \
     T(measured,       measured_files) \
-    T(float,          measured_values)
+    T(float,          measured_values) \
+    T(energy_table,   energy_tables) \
+    T(float,          energy_values)
 
 #define MEDIUM_TABLES(T) \
     T(medium,         media) \

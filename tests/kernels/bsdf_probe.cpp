@@ -7,8 +7,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <bit>
 #include <filesystem>
+#include <map>
 
 namespace eikonal {
 
@@ -57,22 +59,79 @@ static float drawFloat(const BsdfParameter& p, Range range, Random& random) {
     return smooth ? random.unit() : pick(random, {0, 1});
 }
 
+/// Surfaces whose microfacets' lost energy is in tables, one for each, in this order: those of tests, and isotropic ones of tables.
+struct CompensatedSurface { float alphaX, alphaY, eta; Range range; };
+static const std::vector<CompensatedSurface>& compensatedSurfaces(const BsdfKind& kind) {
+    using enum Range;
+    static const auto withTables = [](std::vector<CompensatedSurface> surfaces, const std::vector<float>& indices) {
+        for (float alpha : tableWidths)
+            for (float eta : indices) surfaces.push_back({alpha, alpha, eta, alpha < 0.15f ? extreme : smooth});
+        return surfaces;
+    };
+    static const std::vector<CompensatedSurface> metals = withTables({{.3f, .9f, 0, smooth}, {1, .25f, 0, smooth},
+                                                                      {.0011f, .0011f, 0, extreme}, {1, .01f, 0, extreme},
+                                                                      {4, 4, 0, extreme}}, {0}),
+        glasses = withTables({{.4f, .8f, 1.2f, smooth}, {.9f, .3f, 2.2f, smooth}, {.5f, .5f, .5f, smooth}, {.0011f, .0011f, 1.5f, extreme},
+                              {.01f, .01f, 1.0001f, extreme}, {1, 1, .9999f, extreme}, {.3f, .3f, 3, extreme}, {1, 1, .3f, extreme},
+                              {1, .01f, 1.5f, extreme}}, tableIndices);
+    return kind.name == "compensated_conductor" ? metals : glasses;
+}
+static bool isCompensated(const BsdfKind& kind) { return kind.parameters.front().name == "energy"; }
+
 std::vector<uint> drawParameters(const BsdfKind& kind, Range range, Random& random) {
     std::vector<uint> words;
+    uint compensated = 0;
+    if (isCompensated(kind))
+        do compensated = random.below(static_cast<uint>(compensatedSurfaces(kind).size()));
+        while (compensatedSurfaces(kind)[compensated].range != range);
     float room = 1;   /* what reflectance leaves for transmittance */
     for (const BsdfParameter& p : kind.parameters)
         for (size_t w = 0; w < p.words; ++w) {
+            if (p.name == "energy") {
+                words.push_back(compensated);
+                continue;
+            }
             if (p.type == "uint") {
                 words.push_back(p.name == "file" ? 0 : p.name == "samples" ? 1 : range == Range::smooth ? 10 : 1 + random.below(100));
                 continue;
             }
             float value = drawFloat(p, range, random);
+            if (isCompensated(kind)) {
+                const CompensatedSurface& surface = compensatedSurfaces(kind)[compensated];
+                if (p.name == "alpha_x") value = surface.alphaX;
+                if (p.name == "alpha_y") value = surface.alphaY;
+                if (p.name == "eta" && p.type == "float") value = surface.eta;
+            }
             /* Total reflection from outside cuts the density off, which the tests' grids of directions do not resolve */
             if (kind.name == "subsurface_exit" && p.name == "eta" && range == Range::smooth) value = std::max(value, 1 / value);
             if (p.name == "transmittance") value *= room;
             else if (p.name == "reflectance") room = std::min(room, 1 - value);
             words.push_back(std::bit_cast<uint>(value));
         }
+    return words;
+}
+
+std::vector<uint> parametersOf(const BsdfKind& kind, const std::function<float(const BsdfParameter&)>& valueOf) {
+    std::vector<uint> words;
+    const auto named = [&](const char* name) {
+        for (const BsdfParameter& p : kind.parameters)
+            if (p.name == name) return valueOf(p);
+        return 0.0f;
+    };
+    for (const BsdfParameter& p : kind.parameters) {
+        const float value = valueOf(p);
+        uint word = p.type == "uint" ? static_cast<uint>(value) : std::bit_cast<uint>(value);
+        if (p.name == "energy") {
+            const auto& all = compensatedSurfaces(kind);
+            const float eta = kind.name == "compensated_conductor" ? 0 : named("eta");
+            const auto found = std::ranges::find_if(all, [&](const CompensatedSurface& s) {
+                return s.alphaX == named("alpha_x") && s.alphaY == named("alpha_y") && s.eta == eta;
+            });
+            if (found == all.end()) throw std::runtime_error("no table of lost energy for these parameters");
+            word = static_cast<uint>(found - all.begin());
+        }
+        words.insert(words.end(), p.words, word);
+    }
     return words;
 }
 
@@ -107,19 +166,36 @@ static PackedScene packMeasured(ColorMode color) {
     std::filesystem::remove(file);
     return scene;
 }
-static const PackedScene& measuredScene(bool spectral) {
-    static const PackedScene inRgb = packMeasured(ColorMode::rgb), atWavelengths = packMeasured(ColorMode::spectral);
-    return spectral ? atWavelengths : inRgb;
+/// A scene with the tables of lost energy of a kind.
+static PackedScene packCompensated(const BsdfKind& kind) {
+    std::string text = "WorldBegin\n";
+    for (const CompensatedSurface& s : compensatedSurfaces(kind)) {
+        text += fmt::format("Material \"{}\" \"bool energycompensation\" true \"bool remaproughness\" false "
+                            "\"float uroughness\" {} \"float vroughness\" {}",
+                            s.eta > 0 ? "dielectric" : "conductor", s.alphaX, s.alphaY);
+        if (s.eta > 0) text += fmt::format(" \"float eta\" {}", s.eta);
+        text += "\nShape \"sphere\"\n";
+    }
+    return packText(text, kind.spectral ? ColorMode::spectral : ColorMode::rgb);
 }
-static const DeviceScene& measuredTables(bool spectral) {
-    static const DeviceScene inRgb(testContext(), measuredScene(false)), atWavelengths(testContext(), measuredScene(true));
-    return spectral ? atWavelengths : inRgb;
+static PackedScene packTables(const BsdfKind& kind) {
+    return isCompensated(kind) ? packCompensated(kind) : packMeasured(kind.spectral ? ColorMode::spectral : ColorMode::rgb);
+}
+/// One scene serves all probes of a kind, or of all kinds that are not compensated.
+struct ProbedScene {
+    explicit ProbedScene(const BsdfKind& kind) : packed(packTables(kind)), tables(testContext(), packed) {}
+    PackedScene packed;
+    DeviceScene tables;
+};
+static const ProbedScene& probedScene(const BsdfKind& kind) {
+    static std::map<std::pair<std::string, bool>, ProbedScene> scenes;
+    return scenes.try_emplace({isCompensated(kind) ? kind.name : "", kind.spectral}, kind).first->second;
 }
 
 static FunctionText probeText(const BsdfKind& kind) {
     const std::string& name = kind.name;
     FunctionText text;
-    text.constants = measuredScene(kind.spectral).constants;
+    text.constants = probedScene(kind).packed.constants;
     text.features = (kind.spectral ? Features::allSpectral() : Features::all()).without(Feature::ENVIRONMENT_GUIDE);
     text.include = fmt::format("bsdf/{}.clh", name);
     text.type = "bsdf_result";
@@ -167,9 +243,9 @@ FN float split_{0}({0}_bound b, vec3 wo) {{ return 0.0f; }}
 }
 
 std::vector<BsdfResult> BsdfProbe::operator()(const BsdfInputs& in) const {
-    return function_.with(measuredTables(spectral_), in.parameters, in.wo, in.lobe, in.u, in.given);
+    return function_.with(probedScene(kind_).tables, in.parameters, in.wo, in.lobe, in.u, in.given);
 }
 
-BsdfProbe::BsdfProbe(const BsdfKind& kind) : function_(probeText(kind)), spectral_(kind.spectral) {}
+BsdfProbe::BsdfProbe(const BsdfKind& kind) : function_(probeText(kind)), kind_(kind) {}
 
 }  // namespace eikonal

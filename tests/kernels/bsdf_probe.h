@@ -5,6 +5,7 @@
 #include "eikonal/bsdfs.h"
 #include "random_inputs.h"
 
+#include <functional>
 #include <ostream>
 #include <string>
 
@@ -22,6 +23,11 @@ std::vector<BsdfKind> bsdfKinds();
 enum class Range { smooth, extreme };
 /// One set of parameters. A parameter of an unknown name is a number in [0, 1].
 std::vector<uint> drawParameters(const BsdfKind& kind, Range range, Random& random);
+
+/// One set of parameters, all words of each with the same value.
+std::vector<uint> parametersOf(const BsdfKind& kind, const std::function<float(const BsdfParameter&)>& valueOf);
+/// Widths of microfacets and indices of refraction of the table of BSDFs (bsdf_table_test.cpp).
+inline const std::vector<float> tableWidths = {.01f, .1f, .2f, .3f, .6f, 1}, tableIndices = {1.1f, 1.5f, 2.5f, 1 / 1.5f};
 
 /// What the device computes for one set of parameters, wo, (lobe, u) and another direction. Of four wavelengths, the first, second and
 /// last.
@@ -50,7 +56,7 @@ public:
 
 private:
     DeviceFunction<BsdfResult> function_;
-    bool spectral_;
+    BsdfKind kind_;
 };
 
 /// Words as text, for messages.

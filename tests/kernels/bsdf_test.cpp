@@ -1,7 +1,7 @@
 // Every BSDF of the list BSDFS has the properties that path tracing relies on. A new line in that list is tested without
 // a new test. Directions as in kernels/bsdf/bsdf.clh.
 
-#include "bsdf_probe.h"
+#include "bsdf_density.h"
 #include "kinds/material_kind.h"
 #include "stage.h"
 #include "statistics.h"
@@ -27,12 +27,6 @@ vec3 drawDirection(Random& random, float lowest) {
     }
 }
 
-vec3 atCosine(float cosine, float phi) {
-    const float r = std::sqrt(1 - cosine * cosine);
-    return {r * std::cos(phi), r * std::sin(phi), cosine};
-}
-
-double largest(spectrum s) { return std::max({s.r, s.g, s.b}); }
 std::array<double, 3> channels(spectrum s) { return {s.r, s.g, s.b}; }
 bool finite(spectrum s) { return std::isfinite(s.r) && std::isfinite(s.g) && std::isfinite(s.b); }
 
@@ -74,12 +68,15 @@ std::set<uint> transmittingBsdfs() {
     for (const MaterialKind* kind : materialKindList()) {
         if (kind->directives.empty() || kind == &mix_material || kind == &measured_material) continue;  // no defaults to pack
         const MaterialDirective& directive = kind->directives.front();
-        const bool hasRoughness = std::string_view(directive.parameters).find("| roughness") != std::string_view::npos;
-        const PackedScene scene = packText(fmt::format("WorldBegin\nMaterial \"{}\" {}\nShape \"sphere\"\n", directive.name,
-                                                       hasRoughness ? "\"float roughness\" 0.3" : ""),
-                                           ColorMode::rgb);
-        for (const material& m : scene.tables.materials)
-            if (m.transmits) transmitting.insert(m.next_queue);
+        const auto has = [&](const char* text) { return std::string_view(directive.parameters).find(text) != std::string_view::npos; };
+        for (const char* more : {"", "\"bool energycompensation\" true"}) {
+            if (*more && !has("energycompensation")) continue;
+            const PackedScene scene = packText(fmt::format("WorldBegin\nMaterial \"{}\" {} {}\nShape \"sphere\"\n", directive.name,
+                                                           has("| roughness") ? "\"float roughness\" 0.3" : "", more),
+                                               ColorMode::rgb);
+            for (const material& m : scene.tables.materials)
+                if (m.transmits) transmitting.insert(m.next_queue);
+        }
     }
     return transmitting;
 }
@@ -142,69 +139,24 @@ TEST_P(EveryBsdf, IsReciprocal) {
 
 // ---- densities ------------------------------------------------------------------------------------------------------
 
-/// Cells of the sphere: equal steps of the cosine and of the azimuth, so all have the same area, and the horizon is an edge.
-constexpr int rows = 32, columns = 64, points = 6;
-
-int cellOf(vec3 w) {
-    const int row = std::clamp(static_cast<int>((static_cast<double>(w.z) + 1) / 2 * rows), 0, rows - 1);
-    const double turn = std::atan2(static_cast<double>(w.y), static_cast<double>(w.x)) / (2 * M_PI);
-    return row * columns + std::clamp(static_cast<int>((turn < 0 ? turn + 1 : turn) * columns), 0, columns - 1);
-}
-
-/// Gauss-Legendre over each cell: points^2 directions with their weights.
-struct Quadrature { std::vector<vec3> directions; std::vector<double> weights; };
-const Quadrature& quadrature() {
-    static const Quadrature q = [] {
-        constexpr double x[points] = {-0.9324695142031521, -0.6612093864662645, -0.2386191860831969,
-                                      0.2386191860831969,  0.6612093864662645,  0.9324695142031521};
-        constexpr double w[points] = {0.1713244923791704, 0.3607615730481386, 0.4679139345726910,
-                                      0.4679139345726910, 0.3607615730481386, 0.1713244923791704};
-        Quadrature made;
-        const double area = 4 * M_PI / (rows * columns);
-        for (int cell = 0; cell < rows * columns; ++cell)
-            for (int k = 0; k < points * points; ++k) {
-                const double z = (cell / columns + (x[k / points] + 1) / 2) * 2 / rows - 1,
-                             phi = (cell % columns + (x[k % points] + 1) / 2) * 2 * M_PI / columns;
-                const double r = std::sqrt(1 - z * z);
-                made.directions.push_back(
-                    {static_cast<float>(r * std::cos(phi)), static_cast<float>(r * std::sin(phi)), static_cast<float>(z)});
-                made.weights.push_back(area * w[k / points] * w[k % points] / 4);
-            }
-        return made;
-    }();
-    return q;
-}
-
 /// The pdf integrates to the probability that a sample is not absorbed (a facet's reflection that goes into the surface is: its
 /// weight is zero), and the others fall into the cells of the sphere as often as the pdf says.
 TEST_P(EveryBsdf, SamplesFollowTheirDensity) {
     if (isDelta()) GTEST_SKIP() << "a delta distribution has no density";
     if (isRandom()) GTEST_SKIP() << "the density of a random walk is only approximate, as pbrt-v4's is";
-    const Quadrature& q = quadrature();
     for (int set = 0; set < 8; ++set) {
         BsdfInputs in;
         const std::vector<uint> b = drawParameters(kind(), Range::smooth, random);
         /* Both sides, straight on to fairly grazing */
         const vec3 wo = atCosine((set % 2 ? -1.0f : 1.0f) * (set < 2 ? 0.99f : random.between(0.15f, 1)), random.between(0, 6.28f));
-        for (vec3 direction : q.directions) in.add(b, wo, direction, random);
+        for (vec3 direction : sphereQuadrature().directions) in.add(b, wo, direction, random);
         const auto results = probe(in);
         const double n = static_cast<double>(results.size());
 
-        std::vector<double> counts(rows * columns + 1), expected(rows * columns + 1);
-        double integral = 0;
-        for (size_t i = 0; i < results.size(); ++i) {
-            const BsdfResult& r = results[i];
-            counts[largest(r.weight) > 0 ? static_cast<size_t>(cellOf(r.wi)) : rows * columns] += 1;
-            const double p = q.weights[i] * static_cast<double>(r.pdfGiven);
-            expected[i / (points * points)] += p * n;
-            integral += p;
-        }
-        expected.back() = std::max(1 - integral, 0.0) * n;
-        EXPECT_LE(integral, 1 + 2e-3) << describeItem(in, 0);
-        const double kept = 1 - counts.back() / n;
-        EXPECT_NEAR(integral, kept, 4 * std::sqrt(kept * (1 - kept) / n) + 2e-3) << describeItem(in, 0);
-        const ChiSquare chi = testChiSquare(counts, expected);
-        EXPECT_GT(chi.probability, significance) << chi.describe() << "\n" << describeItem(in, 0);
+        const SampledDensity d = compareWithDensity(results);
+        EXPECT_LE(d.integral, 1 + 2e-3) << describeItem(in, 0);
+        EXPECT_NEAR(d.integral, d.kept, 4 * std::sqrt(d.kept * (1 - d.kept) / n) + 2e-3) << describeItem(in, 0);
+        EXPECT_GT(d.chi.probability, significance) << d.chi.describe() << "\n" << describeItem(in, 0);
     }
 }
 

@@ -21,6 +21,28 @@ protected:
     }
 };
 
+// Nothing is tabulated unless a rough material asks for it: once for each set of widths and indices.
+TEST_F(Pack, LostEnergyIsTabulatedOnRequest) {
+    const auto sphere = [](const std::string& material) { return "Material " + material + "\nShape \"sphere\"\n"; };
+    const std::string on = " \"bool energycompensation\" true", rough = " \"float roughness\" .3";
+    for (const char* kind : {"\"conductor\"", "\"dielectric\"", "\"subsurface\""})
+        for (const std::string& off : {rough, rough + " \"bool energycompensation\" false", on}) {
+            const PackedScene scene = pack(sphere(kind + off));
+            EXPECT_TRUE(scene.tables.energy_tables.empty() && scene.tables.energy_values.empty()) << kind << off;
+            EXPECT_FALSE(scene.features.has(KindFeature::BSDF_COMPENSATED_CONDUCTOR)) << kind << off;
+            EXPECT_FALSE(scene.features.has(KindFeature::BSDF_COMPENSATED_DIELECTRIC)) << kind << off;
+        }
+    const PackedScene scene = pack(sphere("\"conductor\"" + rough + on) + sphere("\"conductor\" \"rgb reflectance\" [1 1 1]" + rough + on) +
+                                   sphere("\"dielectric\"" + rough + on) + sphere("\"subsurface\" \"float eta\" 1.5" + rough + on));
+    ASSERT_EQ(scene.tables.energy_tables.size(), 2u);
+    EXPECT_EQ(scene.constants.energyTables, 2);
+    EXPECT_EQ(scene.tables.energy_tables[0].sides, 1u);
+    EXPECT_EQ(scene.tables.energy_tables[1].sides, 2u);
+    EXPECT_TRUE(scene.features.has(KindFeature::BSDF_COMPENSATED_CONDUCTOR));
+    EXPECT_TRUE(scene.features.has(KindFeature::BSDF_COMPENSATED_DIELECTRIC));
+    EXPECT_THAT(errorOfWorld("Material \"conductor\" \"float energycompensation\" 1"), HasSubstr("bool energycompensation"));
+}
+
 // A sphere of radius 4 and relief of 0.5 is the same scene as one of radius 1 and relief of 0.125: once both are of order one, a
 // displacement of one constant is the same number of scene units.
 TEST_F(Pack, DisplacementsAreScaledWithTheScene) {

@@ -1,14 +1,20 @@
 // A dielectric such as glass, smooth or rough.
 
 #include "kinds/material_packing.h"
+#include "kinds/material_reading.h"
 
 namespace eikonal {
 
 static const MaterialDirective directives[] = {
     {"dielectric",
      "index eta = 1.5 in [0, inf); floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to "
-     "[0, inf)"},
+     "[0, inf);"
+     "bool energycompensation = false -> -"},
 };
+
+static void read(const pbrt::MaterialReading& in, Material& material) {
+    material.compensatesEnergy = in.arguments.flag("energycompensation");
+}
 
 static next_queue pack(InputWriter& in) {
     in.transmit();
@@ -17,11 +23,17 @@ static next_queue pack(InputWriter& in) {
         in.index(slot_specular_dielectric::eta, "eta");
         return next_specular_dielectric;
     }
+    if (in.compensatesEnergy()) {
+        in.lostEnergy(slot_compensated_dielectric::energy, "eta");
+        in.index(slot_compensated_dielectric::eta, "eta");
+        in.widths(slot_compensated_dielectric::alpha_x, slot_compensated_dielectric::alpha_y);
+        return next_compensated_dielectric;
+    }
     in.index(slot_dielectric::eta, "eta");
     in.widths(slot_dielectric::alpha_x, slot_dielectric::alpha_y);
     return next_dielectric;
 }
 
-const MaterialKind dielectric_material{.directives = directives, .pack = pack};
+const MaterialKind dielectric_material{.directives = directives, .read = read, .pack = pack};
 
 }  // namespace eikonal

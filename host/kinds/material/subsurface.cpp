@@ -11,10 +11,12 @@ static const MaterialDirective directives[] = {
      "floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf); index eta = 1.33 "
      "in [0, inf);"
      "string name -> -; spectrummap sigma_a -> -; spectrummap sigma_s -> -; colormap reflectance -> -; spectrummap mfp -> -;"
-     "string method = diffusion -> -; float scale = 1 in [0, inf) -> -; float g = 0 clamped to [-1, 1] -> -"},
+     "string method = diffusion -> -; float scale = 1 in [0, inf) -> -; float g = 0 clamped to [-1, 1] -> -;"
+     "bool energycompensation = false -> -"},
 };
 
 static void read(const pbrt::MaterialReading& in, Material& material) {
+    material.compensatesEnergy = in.arguments.flag("energycompensation");
     pbrt::readInterior(in.reading, in.arguments, material, in.textures);
 }
 
