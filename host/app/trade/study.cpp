@@ -122,7 +122,9 @@ void Study::lookAtScene() {
     const double longer = std::max(state_.full[0], state_.full[1]), scale = std::min(1., firstLookSize / longer);
     const std::array<int, 2> small = scaledTo(state_.full, pixelsOf(state_.full) * scale * scale);
     const std::vector<std::string> options = optionsOf(given, firstLookSamples, small);
+    report("compiling kernels");
     { SettingRenderer first(request_.scene, options); }
+    report("a first look");
     SettingRenderer second(request_.scene, options);
     state_.prepareSeconds = second.prepareSeconds();
     const TimedImage look = second.render(referenceSeeds - 1, request_.stop);
@@ -176,6 +178,7 @@ void Study::renderReferences(double until) {
     const Setting setting{"reference", "", state_.reference, false, false, Ladder::samples, false};
     const double seconds = std::max(until - spent(), 1.), most = seconds / 8 / costOf(1);  // several batches, so that time is kept
     const double batch = std::exp2(std::clamp(std::floor(std::log2(most)), 2., 10.));
+    report("compiling kernels for the references");
     SettingRenderer renderer(request_.scene, optionsOf(setting, batch, state_.studied));
     do {
         const double before = state_.referenceSamples;
