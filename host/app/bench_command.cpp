@@ -208,9 +208,7 @@ int benchCommand(const Options& o) {
     nlohmann::ordered_json json = measure(o, session, repeats, loops, queueCopyRate(session.context(), compiler, session.shape()));
     if (o.efficiency) addEfficiency(json, repeats, images, reference ? &*reference : nullptr);
     std::fputs(asTable(json).c_str(), stdout);
-    if (!o.jsonFile.empty()) {
-        writeTextAtomically(o.jsonFile, json.dump(2) + "\n");
-    }
+    if (!o.jsonFile.empty()) writeTextAtomically(o.jsonFile, json.dump(2) + "\n");
     return static_cast<int>(ExitCode::success);
 }
 

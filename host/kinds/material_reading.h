@@ -16,4 +16,9 @@ struct MaterialReading {
     MaterialRegistry& materials;   ///< finds other materials by name
 };
 
+/// The `read` of rough surfaces that take "bool energycompensation".
+inline void readEnergyCompensation(const MaterialReading& in, Material& material) {
+    material.compensatesEnergy = in.arguments.flag("energycompensation");
+}
+
 }  // namespace eikonal::pbrt

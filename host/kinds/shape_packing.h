@@ -6,8 +6,6 @@
 #include "pack/context.h"
 #include "pack/group.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 namespace eikonal {
 
 /// The input of a shape's `pack`.
@@ -21,11 +19,6 @@ struct ShapePacking {
     const glm::dmat4& m;           ///< object space to the space of the group
     bool instanceSwaps;            ///< whether the instance transform in m swaps handedness
 };
-
-/// The matrix m, applied to positions relative to an origin.
-inline glm::dmat4 fromPositions(const glm::dmat4& m, const glm::dvec3& origin) {
-    return origin == glm::dvec3(0) ? m : glm::translate(m, origin);
-}
 
 /// Adds the vertices and indices of the shape's mesh to the tables.
 void addVertices(const ShapePacking&);

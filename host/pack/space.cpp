@@ -1,9 +1,15 @@
 #include "pack/space.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 #include <cmath>
 
 namespace eikonal {
+
+glm::dmat4 fromPositions(const glm::dmat4& m, const glm::dvec3& origin) {
+    return origin == glm::dvec3(0) ? m : glm::translate(m, origin);
+}
 
 glm::dmat4 scaling(double factor) {
     glm::dmat4 m(factor);

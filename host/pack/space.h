@@ -34,6 +34,9 @@ SceneSpace spaceOf(const Box& box);
 /// Bounds of a transformed box.
 Box transformed(const Box& box, const glm::dmat4& m);
 
+/// The matrix m, applied to positions relative to an origin.
+glm::dmat4 fromPositions(const glm::dmat4& m, const glm::dvec3& origin);
+
 /// Multiplies all lengths by `factor`.
 glm::dmat4 scaling(double factor);
 

@@ -8,7 +8,6 @@
 #include "read/formats/image.h"
 
 #include <fmt/format.h>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -34,9 +33,6 @@ struct DisplacedMesh {
     std::vector<float> heights;
 };
 
-/// From the mesh's positions, which are relative to its origin, to world space.
-Transform worldFromPositions(const Shape& s, const Mesh& mesh) { return glm::translate(s.worldFromObject, mesh.origin); }
-
 bool isFinite(const glm::vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
 Mesh splitMesh(const Shape& s) {
@@ -46,13 +42,13 @@ Mesh splitMesh(const Shape& s) {
         if (!whole.normals.empty() && !isFinite(whole.normals[corner]))
             throw SceneError(d.where, "a mesh is displaced along its normals, but this mesh has a normal that is not finite");
     Mesh mesh = whole;
-    const Split split = splitLongEdges(mesh, worldFromPositions(s, mesh), d.edgeLength);
+    const Split split = splitLongEdges(mesh, fromPositions(s.worldFromObject, mesh.origin), d.edgeLength);
     if (split == Split::tooFine)
         throw SceneError(d.where, fmt::format("edges of this mesh cannot be split until all are shorter than {:g}: single precision cannot "
                                               "resolve them this far from the origin",
                                               d.edgeLength));
     if (split == Split::tooMany) {
-        const double possible = shortestEdgeLength(whole, worldFromPositions(s, whole));
+        const double possible = shortestEdgeLength(whole, fromPositions(s.worldFromObject, whole.origin));
         throw SceneError(d.where,
                          fmt::format("edges shorter than {:g} need more than {} triangles in this mesh, the maximum{}", d.edgeLength,
                                      mostDisplacedTriangles,
@@ -84,7 +80,7 @@ public:
 private:
     void run(DisplacedMesh& displaced, uint program, size_t first, size_t count) {
         const Mesh& mesh = displaced.mesh;
-        const Transform m = worldFromPositions(*displaced.shape, mesh);
+        const Transform m = fromPositions(displaced.shape->worldFromObject, mesh.origin);
         std::vector<vec3> points, normals;
         std::vector<vec2> uvs;
         for (size_t i = first; i < first + count; ++i) {

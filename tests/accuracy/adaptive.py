@@ -117,10 +117,7 @@ def main():
         biases += lines
         print(efficiency, *lines, sep="\n", file=sys.stderr, flush=True)
     text = "\n".join(efficiencies) + "\n\n" + "\n".join(biases) + "\n"
-    if o.print:
-        print(text, end="")
-        return
-    page.put(PAGE, BEGIN, text, END)
+    page.put(PAGE, BEGIN, text, END, only_print=o.print)
 
 
 if __name__ == "__main__":

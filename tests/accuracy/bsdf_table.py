@@ -49,10 +49,7 @@ def main():
     options.add_argument("--print", action="store_true", help="print the table instead of writing it")
     o = options.parse_args()
     made = table(measure(o.program))
-    if o.print:
-        print(made, end="")
-        return
-    page.put(PAGE, BEGIN, made, END)
+    page.put(PAGE, BEGIN, made, END, only_print=o.print)
 
 
 if __name__ == "__main__":

@@ -109,10 +109,7 @@ def main():
             lines.append(f"| {title} | {name} | {cells[0]} | {cells[1]} | {seconds:.2f} | {relative[0]:.2f} | {relative[1]:.2f} |")
             print(lines[-1], file=sys.stderr, flush=True)
     text = "\n".join(lines) + "\n"
-    if o.print:
-        print(text, end="")
-    else:
-        page.put(PAGE, BEGIN, text, END)
+    page.put(PAGE, BEGIN, text, END, only_print=o.print)
 
 
 if __name__ == "__main__":

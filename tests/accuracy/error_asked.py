@@ -135,10 +135,7 @@ def main():
                 print(f"{key}: true {run['true']:.4f} reported {run['reported']:.4f} ratio {run['true'] / run['reported']:.2f} samples {run['samples']:.0f} {run['doubt']}",
                       file=sys.stderr, flush=True)
     text = table(results, list(scenes), o.targets)
-    if o.print:
-        print(text, end="")
-        return
-    page.put(PAGE, BEGIN, text, END)
+    page.put(PAGE, BEGIN, text, END, only_print=o.print)
 
 
 if __name__ == "__main__":

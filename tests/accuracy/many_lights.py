@@ -116,10 +116,7 @@ def main():
                     print(f"{sampler} and bvh differ", file=sys.stderr)
         lines.append("")
     text = "\n".join(lines)
-    if o.print:
-        print(text, end="")
-    else:
-        page.put(PAGE, BEGIN, text, END)
+    page.put(PAGE, BEGIN, text, END, only_print=o.print)
     sys.exit(not agree)
 
 

@@ -70,10 +70,7 @@ def main():
         lines.append(row(o, scene))
         print(lines[-1], file=sys.stderr, flush=True)
     text = "\n".join(lines) + "\n"
-    if o.print:
-        print(text, end="")
-        return
-    page.put(gallery.PAGE, BEGIN, text, END)
+    page.put(gallery.PAGE, BEGIN, text, END, only_print=o.print)
 
 
 if __name__ == "__main__":

@@ -12,10 +12,6 @@ static const MaterialDirective directives[] = {
      "bool energycompensation = false -> -"},
 };
 
-static void read(const pbrt::MaterialReading& in, Material& material) {
-    material.compensatesEnergy = in.arguments.flag("energycompensation");
-}
-
 static next_queue pack(InputWriter& in) {
     if (in.isSmooth()) {
         packMetal(in, slot_specular_conductor::eta, slot_specular_conductor::k);
@@ -32,6 +28,7 @@ static next_queue pack(InputWriter& in) {
     return next_conductor;
 }
 
-const MaterialKind conductor_material{.directives = directives, .read = read, .pack = pack, .metalIndices = {"eta", "k"}};
+const MaterialKind conductor_material{
+    .directives = directives, .read = pbrt::readEnergyCompensation, .pack = pack, .metalIndices = {"eta", "k"}};
 
 }  // namespace eikonal

@@ -12,10 +12,6 @@ static const MaterialDirective directives[] = {
      "bool energycompensation = false -> -"},
 };
 
-static void read(const pbrt::MaterialReading& in, Material& material) {
-    material.compensatesEnergy = in.arguments.flag("energycompensation");
-}
-
 static next_queue pack(InputWriter& in) {
     in.transmit();
     in.beClear();
@@ -34,6 +30,6 @@ static next_queue pack(InputWriter& in) {
     return next_dielectric;
 }
 
-const MaterialKind dielectric_material{.directives = directives, .read = read, .pack = pack};
+const MaterialKind dielectric_material{.directives = directives, .read = pbrt::readEnergyCompensation, .pack = pack};
 
 }  // namespace eikonal

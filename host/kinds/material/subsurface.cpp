@@ -16,7 +16,7 @@ static const MaterialDirective directives[] = {
 };
 
 static void read(const pbrt::MaterialReading& in, Material& material) {
-    material.compensatesEnergy = in.arguments.flag("energycompensation");
+    pbrt::readEnergyCompensation(in, material);
     pbrt::readInterior(in.reading, in.arguments, material, in.textures);
 }
 

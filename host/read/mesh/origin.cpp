@@ -33,4 +33,9 @@ std::vector<glm::vec3> positionsFrom(const glm::dvec3& origin, std::span<const g
     return positions;
 }
 
+void setPositions(Mesh& mesh, std::span<const glm::dvec3> points) {
+    mesh.origin = originOf(points);
+    mesh.positions = positionsFrom(mesh.origin, points);
+}
+
 }  // namespace eikonal

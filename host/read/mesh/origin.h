@@ -1,6 +1,8 @@
 #pragma once
 // Positions are kept in single precision, relative to an origin: far from the origin of their object they would lose digits.
 
+#include "scene/shapes.h"
+
 #include <glm/glm.hpp>
 
 #include <span>
@@ -17,5 +19,8 @@ glm::dvec3 originOf(std::span<const glm::dvec3> points);
 
 /// The points minus `origin`, rounded to floats.
 std::vector<glm::vec3> positionsFrom(const glm::dvec3& origin, std::span<const glm::dvec3> points);
+
+/// Sets the positions and the origin of a mesh.
+void setPositions(Mesh& mesh, std::span<const glm::dvec3> points);
 
 }  // namespace eikonal

@@ -51,9 +51,7 @@ void readVertices(Values& values, const Element& element, Mesh& mesh) {
         if (hasNormals) mesh.normals[i] = {row[normal[0]], row[normal[1]], row[normal[2]]};
         if (hasUvs) mesh.uvs[i] = {row[uv[0]], row[uv[1]]};
     }
-    if (!isDouble) return;
-    mesh.origin = originOf(points);
-    mesh.positions = positionsFrom(mesh.origin, points);
+    if (isDouble) setPositions(mesh, points);
 }
 
 struct Faces { std::vector<std::uint32_t> triangles, quads; std::size_t dropped = 0; };

@@ -12,9 +12,7 @@ namespace eikonal::pbrt {
 std::shared_ptr<Mesh> readMesh(Reading& reading, const Arguments& arguments, int corners) {
     const std::string title = arguments.kind().title();
     auto mesh = std::make_shared<Mesh>();
-    const std::vector<glm::dvec3> points = arguments.points3("P");
-    mesh->origin = originOf(points);
-    mesh->positions = positionsFrom(mesh->origin, points);
+    setPositions(*mesh, arguments.points3("P"));
     if (mesh->positions.empty()) throw SceneError(arguments.where(), title + " needs its vertices, \"point3 P\"");
 
     // The indices given, or those of the only possible face.
