@@ -61,7 +61,7 @@ def definitions_of(page):
 
 
 class Book:
-    """The fragments of all pages. Raises BookError unless each is defined before it is continued, and used exactly once."""
+    """The fragments of all pages. Raises BookError unless each is defined, before it is continued, and used exactly once."""
 
     def __init__(self, book=BOOK):
         self.definitions = [definition for page in pages(book) for definition in definitions_of(page)]
@@ -78,6 +78,9 @@ class Book:
             for offset, text in enumerate(definition.lines):
                 if reference := REFERENCE.match(text):
                     self._note_use(reference["name"], definition, definition.first_line + offset)
+        for name, (definition, number) in self.uses.items():
+            if name not in self.fragments:
+                raise BookError(f"{definition.page}:{number}: <<{name}>> is not defined")
         for name, parts in self.fragments.items():
             if name not in self.uses:
                 raise BookError(f"{parts[0].page}:{parts[0].first_line - 1}: no fragment uses <<{name}>>")
@@ -102,9 +105,8 @@ class Book:
                     yield line
                     continue
                 name = reference["name"]
-                if name not in self.fragments or name in inside:
-                    problem = "contains itself" if name in inside else "is not defined"
-                    raise BookError(f"{definition.page}:{number}: <<{name}>> {problem}")
+                if name in inside:
+                    raise BookError(f"{definition.page}:{number}: <<{name}>> contains itself")
                 deeper = indent + reference["indent"]
                 if reference["open"]:
                     title = f"{deeper}{reference['open']}{name}{reference['close'] or ''}"
