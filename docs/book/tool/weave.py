@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+"""Weaves the book: one static site with an index in the margin, and a PDF.
+
+    weave.py --output build/book [--no-pdf]
+
+Pandoc turns Markdown, mathematics (into MathML) and citations into HTML; listing.py makes the blocks of code. Afterwards every link within the
+site is followed: one that leads nowhere is an error, status 1. Needs pandoc, Pygments, Universal Ctags and, for the PDF, Chromium.
+"""
+import argparse
+import html
+import json
+import re
+import shutil
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from fragments import BOOK, ROOT, Book, BookError, FENCE, definitions_of, pages
+from identifiers import Index, key_of
+from listing import Listings
+from site_pages import check_links, figures_of, index_pages, page_html, single_page
+
+FORMAT = "markdown+gfm_auto_identifiers-implicit_figures+tex_math_dollars+pipe_tables+autolink_bare_uris-smart"
+TICKS = "`" * 10
+
+
+def chapter_names():
+    """The number (or letter) of each page's chapter: 01-one-ray is 1; the appendix a-01-one-ray is A1."""
+    names = {}
+    for page in pages():
+        match = re.match(r"(a-)?(\d+)-", page.stem)
+        names[page.stem] = ("A" if match[1] else "") + str(int(match[2])) if match else page.stem
+    return names
+
+
+def with_listings(page, listings):
+    """The page's Markdown, its blocks of code as HTML."""
+    blocks = {definition.first_line - 1: definition for definition in definitions_of(page)}
+    lines, out, number = page.read_text(encoding="utf-8").split("\n"), [], 0
+    while number < len(lines):
+        number += 1
+        definition = blocks.get(number)
+        if definition:
+            out += [TICKS + "{=html}", listings.block(definition), TICKS]
+            number += len(definition.lines) + 1
+        else:
+            out.append(lines[number - 1])
+    return "\n".join(out)
+
+
+def pandoc(text):
+    command = ["pandoc", "--from", FORMAT, "--to", "html5", "--mathml", "--citeproc", "--bibliography", str(BOOK / "references.bib"),
+               "--metadata", "link-citations=true", "--metadata", "suppress-bibliography=true"]
+    result = subprocess.run(command, input=text, capture_output=True, text=True)
+    if result.returncode:
+        raise BookError(f"pandoc: {result.stderr.strip()}")
+    return result.stdout, result.stderr
+
+
+def bibliography():
+    text = "---\nnocite: '@*'\n---\n"
+    result = subprocess.run(["pandoc", "--from", "markdown", "--to", "html5", "--citeproc", "--bibliography", str(BOOK / "references.bib")],
+                            input=text, capture_output=True, text=True, check=True)
+    return result.stdout
+
+
+def weave(output, with_pdf):
+    start = time.monotonic()
+    book, names = Book(), chapter_names()
+    listings = Listings(book, Index(book), names)
+    sources = pages()
+    with ThreadPoolExecutor(2) as pool:
+        woven = list(pool.map(lambda page: pandoc(with_listings(page, listings)), sources))
+    warnings = [f"{page.name}: {line}" for page, (_, errors) in zip(sources, woven) for line in errors.splitlines()]
+    bodies = {page.stem: body for page, (body, _) in zip(sources, woven)}
+    bodies |= index_pages(book, listings, names, bodies, bibliography())
+    shutil.rmtree(output, ignore_errors=True)
+    (output / "figures").mkdir(parents=True)
+    for file in (BOOK / "figures").glob("*.*"):
+        shutil.copy(file, output / "figures")
+    for file in ("style.css", "search.js"):
+        shutil.copy(Path(__file__).parent / file, output)
+    site = page_html(bodies, names, output)
+    for stem, text in site.items():
+        (output / f"{stem}.html").write_text(text, encoding="utf-8")
+    problems = warnings + check_links(output)
+    if with_pdf:
+        (output / "all.html").write_text(single_page(bodies, names, output), encoding="utf-8")
+        subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer", f"--print-to-pdf={output / 'eikonal.pdf'}",
+                        f"file://{(output / 'all.html').resolve()}"], check=True, capture_output=True)
+    print(f"{len(sources)} pages, {len(book.definitions)} blocks of {len(book.fragments)} fragments and {len(book.files)} files, "
+          f"{len(listings.index.defined)} identifiers, {len(figures_of(bodies))} figures: {output}/index.html in {time.monotonic() - start:.1f} s")
+    return problems
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--output", type=Path, default=ROOT / "build" / "book")
+    parser.add_argument("--no-pdf", action="store_true")
+    options = parser.parse_args()
+    try:
+        problems = weave(options.output, not options.no_pdf)
+    except BookError as error:
+        sys.exit(f"error: {error}")
+    for problem in problems:
+        print(problem, file=sys.stderr)
+    sys.exit(1 if problems else 0)
+
+
+if __name__ == "__main__":
+    main()
