@@ -88,7 +88,7 @@ def weave(output, with_pdf):
     problems = warnings + check_links(output)
     if with_pdf:
         (output / "all.html").write_text(single_page(bodies, names, output), encoding="utf-8")
-        subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer", f"--print-to-pdf={output / 'eikonal.pdf'}",
+        subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-pdf-tagging", "--no-pdf-header-footer", f"--print-to-pdf={output / 'eikonal.pdf'}",
                         f"file://{(output / 'all.html').resolve()}"], check=True, capture_output=True)
     print(f"{len(sources)} pages, {len(book.definitions)} blocks of {len(book.fragments)} fragments and {len(book.files)} files, "
           f"{len(listings.index.defined)} identifiers, {len(figures_of(bodies))} figures: {output}/index.html in {time.monotonic() - start:.1f} s")
