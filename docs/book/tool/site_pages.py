@@ -126,7 +126,10 @@ def index_pages(book, listings, names, bodies, bibliography):
 
 def finished(bodies, names, output):
     marked, _ = mark_concepts(bodies)
-    return {stem: link_out(number_figures(stem, body, names), output) for stem, body in marked.items()}
+    def finish(stem, body):
+        body = body.replace('<math display="block"', '<math display="block" tabindex="0"')  # it may scroll: keys must reach it
+        return link_out(number_figures(stem, body, names), output)
+    return {stem: finish(stem, body) for stem, body in marked.items()}
 
 
 def page_html(bodies, names, output=ROOT / "build" / "book"):

@@ -22,7 +22,7 @@ from identifiers import Index, key_of
 from listing import Listings
 from site_pages import check_links, figures_of, index_pages, page_html, single_page
 
-FORMAT = "markdown+gfm_auto_identifiers-implicit_figures+tex_math_dollars+pipe_tables+autolink_bare_uris-smart"
+FORMAT = "markdown+gfm_auto_identifiers+implicit_figures+tex_math_dollars+pipe_tables+autolink_bare_uris-smart"
 TICKS = "`" * 10
 
 
