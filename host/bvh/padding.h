@@ -2,6 +2,7 @@
 // The padding of node boxes, so that no ray that hits an element misses the box around it.
 
 #include "bvh/box.h"
+#include "eikonal/bvh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +22,8 @@ namespace eikonal {
    products of an edge function round like corners that are displaced by u 2 D. All of it: (5 + 2 + 2) u D <= 9 u (|v| + |o|).
 
    So planes must move out by 12 u (|box| + |o|). The builder moves them by 16 u |box|, traversal by 16 u |o|: the difference
-   covers the rounding of these additions and the terms of second order. Both are relative to the largest
+   covers the rounding of these additions and the terms of second order (prepare_ray). Both are relative to the largest
    coordinate, not to each axis' own, because the shear mixes the axes. */
-constexpr float boxPadding = 0x1p-20f;
 
 /// The largest absolute coordinate of a box.
 inline float largestCoordinate(const WideBox& box) {
@@ -34,7 +34,7 @@ inline float largestCoordinate(const WideBox& box) {
 
 /// The padded box that a node stores for `box`. Padded parents contain their padded children.
 inline WideBox padBox(WideBox box) {
-    const float pad = boxPadding * largestCoordinate(box);
+    const float pad = BOX_PADDING * largestCoordinate(box);
     box.low -= pad;
     box.high += pad;
     return box;

@@ -9,6 +9,10 @@ CONTRACT_BEGIN
 /* The most nodes on a path from the root to a leaf, for the world and for each instanced object; the builder goes no deeper. */
 #define BVH_MAX_DEPTH 18
 
+/* How far planes of boxes move outwards for rounding errors, relative to the largest coordinate: of the box when it is built, of the ray's
+   origin when it is tested. 16 roundings (host/bvh/padding.h). */
+#define BOX_PADDING 0x1p-20f
+
 /* child[i]: an inner node (its index), or a leaf (kind, count and first packed, see below); NONE: no child (its box is empty).
    SoA bounds: bounds[0..5] = x low, x high, y low, y high, z low, z high, of eight children each. */
 typedef struct {

@@ -74,7 +74,7 @@ bool contains(const bvh_node& node, int lane, vec3 p, float pad) {
 float halfPad(std::initializer_list<vec3> points) {
     float largest = 0;
     for (const vec3& p : points) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
-    return 0.5f * boxPadding * largest;
+    return 0.5f * BOX_PADDING * largest;
 }
 
 /// Walks a hierarchy and checks that children lie in their boxes. Every line and element of the soup is counted.
