@@ -1,5 +1,7 @@
 #include "app/option_values.h"
 
+#include "render/stage_programs.h"
+
 #include <fmt/format.h>
 
 #include <bit>
@@ -150,6 +152,18 @@ unsigned parsePowerOfTwo(const std::string& option, const std::string& text) {
     constexpr unsigned largest = 1u << 20;
     if (!value || !std::has_single_bit(*value) || *value > largest) refuse(option, "a power of two, like 64", text);
     return *value;
+}
+
+StageFlags parseStageFlags(const std::string& option, const std::string& text) {
+    const size_t colon = text.find(':'), begin = colon == std::string::npos ? 0 : colon + 1;
+    StageFlags result{text.substr(0, begin ? colon : 0), text.substr(begin)};
+    if (result.flags == "none") result.flags.clear();
+    std::vector<std::pair<std::string, bool>> names{{"", true}};
+    for (const StageProgram& program : stagePrograms())
+        for (const std::string& name : {std::string(program.row->name), program.name})
+            if (names.back().first != name) names.emplace_back(name, true);
+    parseName(option + ": the stage", result.stage, names);
+    return result;
 }
 
 Aovs parseAovs(const std::string& option, const std::string& text) {

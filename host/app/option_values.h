@@ -28,6 +28,8 @@ std::array<double, 4> parseCropWindow(const std::string& option, const std::stri
 PixelBounds parsePixelBounds(const std::string& option, const std::string& text);
 /// A power of two in [1, 2^20].
 unsigned parsePowerOfTwo(const std::string& option, const std::string& text);
+/// "FLAGS", or "STAGE:FLAGS" with the name of a stage; FLAGS "none": no flags.
+StageFlags parseStageFlags(const std::string& option, const std::string& text);
 /// "all", or names separated by commas.
 Aovs parseAovs(const std::string& option, const std::string& text);
 

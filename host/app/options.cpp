@@ -80,6 +80,15 @@ void addDevice(CLI::App* app, Options& o) {
     value(app, "--contraction", d.contraction, "on|off", "Whether a*b+c may become a fused multiply-add (default: on)",
           oneOf<bool>({{"on", true}, {"off", false}}))
         ->group(group);
+    app->add_option_function<std::vector<std::string>>(
+           "--math-flags", [&d](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts) d.mathFlags.push_back(parseStageFlags("--math-flags", text));
+           },
+           fmt::format("Flags for the arithmetic of a stage (default: all stages) instead of {}; may be repeated", shippedMathFlags))
+        ->type_name("[STAGE:]FLAGS")
+        ->type_size(1)
+        ->allow_extra_args(false)
+        ->group(group);
     app->add_option("--build-options", d.buildOptions,
                     "Additional options for the OpenCL compiler, such as --build-options=-cl-fast-relaxed-math")
         ->type_name("TEXT")
@@ -272,6 +281,8 @@ struct Parser {
             ->type_name("WISH")
             ->type_size(1)
             ->allow_extra_args(false);
+        trade->add_flag("--compiler-flags", options.compilerFlags,
+                        "Also try flags of the OpenCL compiler that are not strict, in all kernels and in each alone; takes long");
         addDevice(trade, options);
         addLogging(trade, options);
 

@@ -47,6 +47,7 @@ struct Options : SessionOptions {
     CompileRequest compile;
     double budget = 300;                              ///< trade: seconds
     std::vector<Wish> wishes;                         ///< trade
+    bool compilerFlags = false;                       ///< trade: also try flags that are not strict
     std::vector<std::string> passedOn;                ///< trade: its options that `render` has, "--name=value"
 };
 

@@ -70,6 +70,7 @@ int tradeCommand(const Options& o) {
     Study::Request request{o.scene.path,
                            o.passedOn,
                            stem + ".study",
+                           o.compilerFlags,
                            o.budget,
                            [] { return Interrupt::signal() != 0; },
                            [&](const StudyProgress& p) { line.show(p); },

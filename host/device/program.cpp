@@ -10,8 +10,7 @@
 
 namespace eikonal {
 
-// Neither option changes rounding or order of evaluation; without both, PoCL does not vectorise over work-items (docs/performance.md).
-constexpr const char* languageOptions = "-cl-std=CL1.2 -cl-kernel-arg-info -cl-finite-math-only -cl-no-signed-zeros";
+constexpr const char* languageOptions = "-cl-std=CL1.2 -cl-kernel-arg-info";
 
 static double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -91,8 +90,11 @@ static void dumpProgram(const std::string& folder, const std::string& name, cons
 }
 
 static std::string optionsFor(const KernelSource& source, const BuildSettings& settings) {
-    return fmt::format("{}{}{}{} -DNO_CONTRACTION={} -DPOISON_ITEMS={}", languageOptions, settings.more.empty() ? "" : " ", settings.more,
-                       settings.warningsAreErrors ? " -Werror" : "", settings.contraction ? 0 : 1, settings.poison ? 1 : 0) +
+    std::string options = languageOptions;
+    for (const std::string& more : {settings.mathFlags, settings.more})
+        if (!more.empty()) options += " " + more;
+    return fmt::format("{}{}{} -DPOISON_ITEMS={}", options, settings.warningsAreErrors ? " -Werror" : "",
+                       settings.contraction ? "" : " -DNO_CONTRACTION=1", settings.poison ? 1 : 0) +
            source.options(settings.features, settings.constants);
 }
 

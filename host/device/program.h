@@ -3,10 +3,13 @@
 
 #include "device/cache.h"
 #include "device/context.h"
+#include "device/math_flags.h"
 #include "device/source.h"
 
 #include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace eikonal {
 
@@ -16,6 +19,8 @@ struct BuildSettings {
     Constants constants;
     bool contraction = true;     ///< allow a*b+c as one fused operation
     bool warningsAreErrors = false;
+    std::string mathFlags = shippedMathFlags;
+    std::vector<StageFlags> stageFlags;   ///< of stages that differ from `mathFlags`; the last one that fits counts
     std::string more;            ///< additional options for the OpenCL compiler
     bool poison = false;         ///< fill new items with a value that tests recognise
     std::string dumpFolder;      ///< if not empty, write the source and options of each program there

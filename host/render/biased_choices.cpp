@@ -6,10 +6,10 @@
 
 namespace eikonal {
 
-std::vector<std::string> inexactFlags(const std::string& buildOptions) {
+std::vector<std::string> inexactFlags(const std::string& compilerFlags) {
     std::vector<std::string> found;
-    for (const char* flag : {"-cl-fast-relaxed-math", "-cl-unsafe-math-optimizations", "-cl-finite-math-only"})
-        if (buildOptions.find(flag) != std::string::npos) found.emplace_back(flag);
+    for (const char* flag : {"-cl-fast-relaxed-math", "-cl-unsafe-math-optimizations"})
+        if (compilerFlags.find(flag) != std::string::npos) found.emplace_back(flag);
     return found;
 }
 
@@ -22,7 +22,7 @@ static std::string partOfTransport(const Scene& scene) {
     return !kind.countsMedia && !scene.media.empty() ? "no participating media" : "";
 }
 
-std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, const std::string& buildOptions) {
+std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, const std::string& compilerFlags) {
     std::vector<BiasedChoice> choices;
     if (!packed.features.has(Feature::SPECTRAL)) {
         const bool isPredicted = scene.colorMode == ColorMode::automatic;
@@ -33,7 +33,8 @@ std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& p
         choices.push_back({fmt::format("samples clamped at {:g}", scene.film.maxComponentValue), "--max-component-value=0"});
     if (packed.features.has(Feature::DIFFUSION)) choices.push_back({"subsurface scattering by diffusion", "--subsurface=randomwalk"});
     if (const std::string part = partOfTransport(scene); !part.empty()) choices.push_back({part, "--integrator=volpath"});
-    for (const std::string& flag : inexactFlags(buildOptions)) choices.push_back({"compiler flag " + flag, "no --build-options"});
+    for (const std::string& flag : inexactFlags(compilerFlags))
+        choices.push_back({"compiler flag " + flag, "no --build-options, no --math-flags"});
     return choices;
 }
 

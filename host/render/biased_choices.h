@@ -14,11 +14,11 @@ struct BiasedChoice {
     std::string remedy;  ///< the options without it: "--color=spectral"
 };
 
-/// The biased choices of a scene that has been packed. buildOptions: of the OpenCL compiler, as the user gave them.
-std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, const std::string& buildOptions);
+/// The biased choices of a scene that has been packed. compilerFlags: of the OpenCL compiler, as the user gave them.
+std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, const std::string& compilerFlags);
 
-/// Those of `buildOptions` that let the compiler reorder sums or ignore what is not finite.
-std::vector<std::string> inexactFlags(const std::string& buildOptions);
+/// Those of `compilerFlags` that let the compiler reorder sums.
+std::vector<std::string> inexactFlags(const std::string& compilerFlags);
 
 /// "RGB colour (without it: --color=spectral); ..."; empty: none.
 std::string describe(const std::vector<BiasedChoice>& choices);

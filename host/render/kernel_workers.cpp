@@ -69,6 +69,7 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
                                            "--nthreads",
                                            "1"};
         if (!o.buildOptions.empty()) arguments.push_back("--build-options=" + o.buildOptions);
+        for (const StageFlags& s : o.mathFlags) arguments.push_back("--math-flags=" + s.stage + ":" + s.flags);
         if (!o.device.empty()) arguments.insert(arguments.end(), {"--device", o.device});
         if (o.localSize) arguments.insert(arguments.end(), {"--local-size", std::to_string(*o.localSize)});
         if (o.itemsPerWorkItem) arguments.insert(arguments.end(), {"--items-per-work-item", std::to_string(*o.itemsPerWorkItem)});

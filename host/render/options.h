@@ -1,6 +1,7 @@
 #pragma once
 // The options of a session: a scene with overrides, a device, and channels of the image.
 
+#include "device/math_flags.h"
 #include "diagnostics.h"
 #include "scene/scene.h"
 
@@ -48,6 +49,13 @@ struct DeviceOptions {
     std::optional<unsigned> wavePaths, localSize, itemsPerWorkItem;
     bool contraction = true;
     std::string buildOptions;                         ///< for the OpenCL compiler, in addition to the default ones
+    std::vector<StageFlags> mathFlags;                ///< instead of shippedMathFlags
+    /// buildOptions and all mathFlags.
+    std::string compilerFlags() const {
+        std::string all = buildOptions;
+        for (const StageFlags& s : mathFlags) all += " " + s.flags;
+        return all;
+    }
 };
 
 /// Additional channels of an EXR.

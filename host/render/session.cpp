@@ -42,7 +42,7 @@ static void reportCacheFolder(Diagnostics& diagnostics) {
 static void warnOfInexactFlags(const std::string& flags, Diagnostics& diagnostics) {
     for (const std::string& flag : inexactFlags(flags))
         diagnostics.warnOnce("inexact flags", {},
-                             fmt::format("--build-options {} lets the compiler drop the compensation of sums, so images of many "
+                             fmt::format("{} lets the compiler drop the compensation of sums, so images of many "
                                          "samples are off (by 0.3 % at 2^18), and samples that are not finite may not be found",
                                          flag));
 }
@@ -64,6 +64,10 @@ BuildSettings buildSettingsFor(const DeviceOptions& options) {
     BuildSettings settings;
     settings.contraction = options.contraction;
     settings.more = options.buildOptions;
+    for (const StageFlags& s : options.mathFlags) {
+        if (s.stage.empty()) settings.mathFlags = s.flags;
+        else settings.stageFlags.push_back(s);
+    }
     settings.dumpFolder = options.dumpFolder;
     return settings;
 }
@@ -102,7 +106,7 @@ void Session::openDevice() {
     const Stopwatch time;
     context_ = std::make_unique<Context>(chooseDevice(options_.device.device), profiling_);
     if (options_.device.cache) reportCacheFolder(diagnostics_);
-    warnOfInexactFlags(options_.device.buildOptions, diagnostics_);
+    warnOfInexactFlags(options_.device.compilerFlags(), diagnostics_);
     compiler_ = std::make_unique<Compiler>(*context_, findKernelFolders(), cacheFolderFor(options_.device));
     shape_ = shapeFor(context_->device(), options_.device);
     times_.device = time.seconds();

@@ -86,7 +86,7 @@ public:
     void setSeed(int seed);
 
     /// What makes the image converge to something other than the scene's light transport. After pack().
-    std::vector<BiasedChoice> biasedChoices() const { return eikonal::biasedChoices(scene_, packed_, options_.device.buildOptions); }
+    std::vector<BiasedChoice> biasedChoices() const { return eikonal::biasedChoices(scene_, packed_, options_.device.compilerFlags()); }
 
     const Scene& scene() const { return scene_; }
     const PackedScene& packed() const { return packed_; }

@@ -45,10 +45,18 @@ static BuildSettings stageSettings(BuildSettings settings, const PackedScene& sc
     return settings;
 }
 
+/// The settings of one program: its stage's math flags, if they differ.
+static BuildSettings settingsOf(const StageProgram& program, BuildSettings settings) {
+    for (const StageFlags& s : settings.stageFlags)
+        if (s.stage == program.name || s.stage == program.row->name) settings.mathFlags = s.flags;
+    return settings;
+}
+
 int Stages::missing(const Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings) {
     settings = stageSettings(std::move(settings), scene, shape);
     int count = 0;
-    for (const StageProgram& program : requiredPrograms(scene)) count += !compiler.isKept(program.text, program.row->name, settings);
+    for (const StageProgram& program : requiredPrograms(scene))
+        count += !compiler.isKept(program.text, program.row->name, settingsOf(program, settings));
     return count;
 }
 
@@ -58,7 +66,8 @@ Stages::Stages(Compiler& compiler, const PackedScene& scene, const StageShape& s
     unsigned index = 0;
     for (const StageProgram& program : requiredPrograms(scene)) {
         if (index++ % part.of != part.index) continue;
-        Stage stage{program.name, program.row, program.over, Kernel(compiler.build(program.text, program.row->name, settings))};
+        Stage stage{program.name, program.row, program.over,
+                    Kernel(compiler.build(program.text, program.row->name, settingsOf(program, settings)))};
         stage.compileSeconds = stage.kernel.program().seconds;
         stages_.push_back(std::move(stage));
     }

@@ -21,13 +21,15 @@ static std::string kernelText(const FunctionText& text) {
         source += fmt::format(" ARGUMENT(__global const {} *, {}_array)", typeOf(input), nameOf(input));
     source += fmt::format(
         " ARGUMENT(__global {} *, results)\nSTAGE(device_function, DEVICE_FUNCTION) {{\n"
-        "    FOR_EACH_SLOT_OF_GROUP(index, count) {{\n", text.type);
+        "    FOR_EACH_SLOT_OF_GROUP(index, count) {{\n",
+        text.type);
     for (const std::string& input : text.inputs) source += fmt::format("        {} = {}_array[index];\n", input, nameOf(input));
     return source + fmt::format("        {} result;\n        {}\n        results[index] = result;\n    }}\n}}\n", text.type, text.body);
 }
 
 DeviceFunctionBase::DeviceFunctionBase(FunctionText text) : text_(std::move(text)) {
     BuildSettings settings = shippedSettings(text_.features, text_.constants);
+    settings.mathFlags = text_.mathFlags;
     kernel_ = Kernel(testCompiler().build(kernelText(text_), "device_function", settings));
 }
 

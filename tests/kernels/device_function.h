@@ -28,6 +28,7 @@ struct FunctionText {
     /// All but the environment guide, whose tables scenes of tests have not.
     Features features = Features::all().without(Feature::ENVIRONMENT_GUIDE);
     SceneConstants constants = {.environments = 1};
+    std::string mathFlags = shippedMathFlags;
 };
 
 /// Arrays of 32-bit words to and from the kernel; elements are structs of such words.

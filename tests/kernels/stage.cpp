@@ -76,19 +76,31 @@ void StageBench::resetCounters() {
     for (const char* name : {"counts", "cursors", "shadow_count"}) buffers_[name].clear(testContext(), 0, wave_counts * sizeof(uint));
 }
 
+StageBench::State StageBench::save() const {
+    State state;
+    for (const auto& [name, buffer] : buffers_) state[name] = readWords(name, buffer.size() / sizeof(uint));
+    return state;
+}
+
+void StageBench::restore(const State& state) {
+    for (const auto& [name, words] : state) buffers_.at(name).write(testContext(), words.data(), words.size() * sizeof(uint));
+}
+
 void StageBench::run(const std::string& stage, unsigned count, unsigned first) {
-    if (!kernels_.count(stage)) {
+    const std::pair known(stage, mathFlags_);
+    if (!kernels_.count(known)) {
         BuildSettings settings = shippedSettings(scene_.features, scene_.constants);
         settings.poison = poisonItems_;
+        settings.mathFlags = mathFlags_;
         const StageProgram& program = stageProgram(stage);
-        kernels_[stage] = Kernel(testCompiler().build(program.text, program.row->name, settings));
+        kernels_[known] = Kernel(testCompiler().build(program.text, program.row->name, settings));
     }
     Bindings arguments = bindings_;
     arguments.set("first", first);
     arguments.set("count", count);
-    kernels_[stage].launch(testContext(), {&onDevice_.bindings(), &tables_.bindings(), &arguments}, count, testGroup);
+    kernels_[known].launch(testContext(), {&onDevice_.bindings(), &tables_.bindings(), &arguments}, count, testGroup);
     testContext().finish();
-    testCompiler().keep(kernels_[stage].program());
+    testCompiler().keep(kernels_[known].program());
 }
 
 void StageBench::runOver(uint items, SlotRange slots) {

@@ -43,6 +43,13 @@ public:
     QueueWords empty(const std::string& queue) const;
     void clear(const std::string& queue, uint word = poison);
 
+    /// The math flags of the stages that run from now on, instead of the shipped ones.
+    void setMathFlags(std::string flags) { mathFlags_ = std::move(flags); }
+    /// The names of all queues and counters, and what they hold.
+    using State = std::map<std::string, std::vector<uint>>;
+    State save() const;
+    void restore(const State& state);
+
     /// A number that stages take as an argument.
     void set(const std::string& name, uint number) { bindings_.set(name, number); }
     /// What the slots of the wave stand for; at first nothing. endX, endY: no pixel from there on.
@@ -75,7 +82,8 @@ private:
     std::map<std::string, Buffer> buffers_;
     std::map<std::string, std::pair<QueueLayout, size_t>> layouts_;   ///< and items
     Bindings bindings_;
-    std::map<std::string, Kernel> kernels_;
+    std::string mathFlags_ = shippedMathFlags;
+    std::map<std::pair<std::string, std::string>, Kernel> kernels_;   ///< by stage and math flags
 };
 
 /// The names of all stages of STAGES, shade_hits once for each BSDF.

@@ -3,7 +3,11 @@
 #include "rendering.h"
 #include "run_program.h"
 
+#include "device/math_flags.h"
+
 #include <gmock/gmock.h>
+
+#include <filesystem>
 
 namespace eikonal {
 namespace {
@@ -57,6 +61,24 @@ TEST_F(InexactFlags, AreWarnedOf) {
     const Outcome run = this->run({"render", "tiny.pbrt", "-o", "a.exr", "--build-options=-cl-fast-relaxed-math"});
     EXPECT_EQ(run.status, 0) << run.error;
     EXPECT_THAT(run.error, testing::HasSubstr("-cl-fast-relaxed-math lets the compiler drop the compensation of sums"));
+}
+
+/// --math-flags replaces the flags of the stage that it names, and of no other.
+TEST_F(InexactFlags, BelongToTheirStage) {
+    write("tiny.pbrt", tinyScene());
+    const Outcome run =
+        this->run({"render", "tiny.pbrt", "-o", "a.exr", "--dump-kernels", "k", "--math-flags=resolve_film:-cl-mad-enable"});
+    EXPECT_EQ(run.status, 0) << run.error;
+    int relaxed = 0, shipped = 0;
+    for (const auto& file : std::filesystem::directory_iterator(path("k"))) {
+        const std::string options = read(file.path().string()).substr(0, 200);
+        const bool isFilm = file.path().filename().string().starts_with("resolve_film");
+        EXPECT_EQ(options.find("-cl-mad-enable") != std::string::npos, isFilm) << file.path();
+        EXPECT_EQ(options.find(shippedMathFlags) != std::string::npos, !isFilm) << file.path();
+        ++(isFilm ? relaxed : shipped);
+    }
+    EXPECT_EQ(relaxed, 1);
+    EXPECT_GT(shipped, 4);
 }
 
 }  // namespace

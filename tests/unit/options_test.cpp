@@ -77,7 +77,7 @@ TEST(Options, ValuesOfEveryKindAreRead) {
         "render a.obj --camera -1,2.5,3e1 --look-at=0,0,0 --up 0,0,1 --fov 35 --resolution 640x480 --sampler independent --integrator "
         "whitted --max-depth 0 --roulette throughput --roulette-scale 2.5 --roulette-depth 1 "
         "--time-limit 1.5 --aov albedo,depth --tonemap filmic --exposure -1 --wave-paths 4096 --local-size 32 --items-per-work-item 8 "
-        "--contraction off --no-cache --build-options=-cl-mad-enable "
+        "--contraction off --no-cache --build-options=-cl-mad-enable --math-flags none --math-flags=intersect_rays:-cl-denorms-are-zero "
         "--dump-kernels k --device gpu --strict --stats -o a.exr -o b.png --seed -3");
     EXPECT_EQ(o.scene.camera, glm::dvec3(-1, 2.5, 30));
     EXPECT_EQ(o.scene.lookAt, glm::dvec3(0));
@@ -101,6 +101,9 @@ TEST(Options, ValuesOfEveryKindAreRead) {
     EXPECT_EQ(o.device.itemsPerWorkItem, 8u);
     EXPECT_FALSE(o.device.contraction || o.device.cache);
     EXPECT_EQ(o.device.buildOptions, "-cl-mad-enable");
+    ASSERT_EQ(o.device.mathFlags.size(), 2u);
+    EXPECT_EQ(o.device.mathFlags[0].stage + "|" + o.device.mathFlags[0].flags, "|");
+    EXPECT_EQ(o.device.mathFlags[1].stage + "|" + o.device.mathFlags[1].flags, "intersect_rays|-cl-denorms-are-zero");
     EXPECT_EQ(o.device.dumpFolder, "k");
     EXPECT_EQ(o.device.device, "gpu");
     EXPECT_TRUE(o.scene.strict && o.output.stats);
@@ -163,6 +166,7 @@ INSTANTIATE_TEST_SUITE_P(Options, BadValues, testing::Values(
     BadValue{"render a.pbrt --aov albdo", "did you mean albedo?"},
     BadValue{"render a.pbrt --local-size 48", "a power of two"},
     BadValue{"render a.pbrt --contraction maybe", "one of on, off"},
+    BadValue{"render a.pbrt --math-flags=intersect_ray:-cl-mad-enable", "did you mean intersect_rays?"},
     BadValue{"render a.pbrt --log-level loud", "silent, error, warning, info, debug"},
     BadValue{"render a.obj --fov 180", "a number between 0 and 180, not \"180\""},
     BadValue{"render a.obj --camera 1,2", "three numbers separated by commas"},

@@ -3,6 +3,7 @@
 #include "app/option_values.h"
 #include "app/trade/true_error.h"
 #include "app/trade/model.h"
+#include "app/trade/student.h"
 #include "app/trade/study_state.h"
 #include "app/trade/svg_plot.h"
 #include "error.h"
@@ -108,6 +109,74 @@ TEST(TradeError, OfAnUnbiasedSettingHasNoBias) {
 TEST(TradeError, OfImagesOfAnotherSizeIsRefused) {
     const References references{FilmImage(4, 4), FilmImage(4, 4)};
     EXPECT_THROW(squaredErrorOf(FilmImage(4, 5), references), Error);
+}
+
+TEST(TradeStudent, HasTheQuantilesOfTables) {
+    /* Abramowitz and Stegun 1964, table 26.10 */
+    EXPECT_NEAR(studentQuantile(1), 12.706, 0.001);
+    EXPECT_NEAR(studentQuantile(7), 2.365, 0.001);
+    EXPECT_NEAR(studentQuantile(7, 0.01), 3.499, 0.001);
+    EXPECT_NEAR(studentQuantile(8, 0.001), 5.041, 0.001);
+    EXPECT_NEAR(studentTail(-2.365, 7), 0.05, 1e-4);
+}
+
+/// A point of 8 seeds whose squared errors are `square`, and times 1, each times a factor near 1 that belongs to the seed; what belongs to
+/// the render is a hundredth of that.
+Point pairedPoint(std::mt19937& random, const std::vector<double>& ofSeeds, double square, double energy) {
+    std::normal_distribution<double> own(0, 0.003);
+    Point p;
+    for (size_t i = 0; i < ofSeeds.size(); ++i)
+        p.seeds.push_back({.seed = static_cast<int>(i) + 1,
+                           .renderSeconds = std::exp(own(random)),
+                           .meanSamples = 4,
+                           .squaredError = square * std::exp(ofSeeds[i] + own(random)),
+                           .mean = energy * std::exp(ofSeeds[i] + own(random))});
+    return p;
+}
+
+TEST(TradePaired, IntervalsHoldTheRatioAndAreNarrow) {
+    /* The seeds' factors, which scatter by 30 %, cancel: a gain of 5 % shows */
+    std::mt19937 random(5);
+    std::normal_distribution<double> factor(0, 0.3);
+    int held = 0, energyHeld = 0, seen = 0, falseAlarms = 0;
+    constexpr int trials = 200;
+    for (int i = 0; i < trials; ++i) {
+        std::vector<double> ofSeeds(8);
+        for (double& f : ofSeeds) f = factor(random);
+        const Point own = pairedPoint(random, ofSeeds, 0.04, 1), better = pairedPoint(random, ofSeeds, 0.04 / 1.05, 0.98),
+                    same = pairedPoint(random, ofSeeds, 0.04, 1);
+        const PairedDifference d = compareSeeds(own, better).value();
+        held += d.efficiency.low <= 1.05 && 1.05 <= d.efficiency.high;
+        energyHeld += d.energy.low <= -0.02 && -0.02 <= d.energy.high;
+        seen += d.chanceOfEfficiency < 0.01;
+        EXPECT_LT(d.efficiency.high - d.efficiency.low, 0.05);
+        falseAlarms += compareSeeds(own, same).value().chanceOfEfficiency < 0.01;
+    }
+    /* 190 are expected; fewer than 180 would happen once in 500 times; more than 9 false alarms of 2, once in 10,000 times */
+    EXPECT_GE(held, 180);
+    EXPECT_GE(energyHeld, 180);
+    EXPECT_EQ(seen, trials);
+    EXPECT_LE(falseAlarms, 9);
+}
+
+TEST(TradePaired, NeedsFourSeedsAndErrorsAboveTheReferencesNoise) {
+    std::mt19937 random(6);
+    const Point few = pairedPoint(random, {0, 0, 0}, 0.04, 1), own = pairedPoint(random, std::vector<double>(8), 0.04, 1);
+    EXPECT_FALSE(compareSeeds(own, few));
+    EXPECT_FALSE(compareSeeds(own, pairedPoint(random, std::vector<double>(8), -0.001, 1)));
+}
+
+TEST(TradeError, ABiasIsSeenAndNoneIsNot) {
+    std::mt19937 random(7);
+    int seen = 0, falseAlarms = 0;
+    for (int i = 0; i < 100; ++i) {
+        const References references{noisy(random, 0.02), noisy(random, 0.02)};
+        seen += estimate(random, 8, 0.3, 1.02, references).chanceOfBias < 0.01;
+        falseAlarms += estimate(random, 8, 0.3, 1, references).chanceOfBias < 0.01;
+    }
+    /* 2 % of energy is 3 standard errors of 0.3 / sqrt(8 * 3072) and more */
+    EXPECT_GE(seen, 95);
+    EXPECT_LE(falseAlarms, 5);
 }
 
 MeasuredPoint pointAt(double samples, double bias, double slope, double secondsPerPath = 1e-6) {

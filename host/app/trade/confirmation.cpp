@@ -33,6 +33,7 @@ Confirmation confirm(const std::string& scene, const std::vector<std::string>& o
     c.renderSeconds = json.at("seconds").at("render");
     c.compileSeconds = json.at("seconds").at("compile");
     c.meanSamples = json.at("samples").at("mean");
+    if (json.contains("error") && json.at("error").at("value").is_number()) c.expectedError = json.at("error").at("value");
     return c;
 }
 

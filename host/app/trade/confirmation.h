@@ -15,6 +15,7 @@ struct Confirmation {
     double compileSeconds = 0;  ///< of that: kernels
     std::string failure;        ///< why it failed; empty: it did not
     double meanSamples = 0;     ///< per pixel
+    double expectedError = 0;   ///< of the whole image, as --target-error estimates it; 0: unknown
 
     /// What it takes besides rendering, with compiled kernels.
     double fixedSeconds() const { return wallSeconds - renderSeconds - compileSeconds; }

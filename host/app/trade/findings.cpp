@@ -33,7 +33,8 @@ std::string quoted(const std::string& word) {
     return text + "'";
 }
 
-MeasuredPoint measure(const Point& p, const PointImages& images, const References& references) {
+/// `own`: the point of the user's own options at the same rung, or null.
+MeasuredPoint measure(const Point& p, const Point* own, const PointImages& images, const References& references) {
     MeasuredPoint m;
     m.setting = p.setting;
     m.rung = p.rung;
@@ -44,6 +45,7 @@ MeasuredPoint measure(const Point& p, const PointImages& images, const Reference
     m.prepareSeconds = p.prepareSeconds;
     m.compiledKernels = p.compiledKernels;
     m.error = estimateTrueError(p, images.sums, references);
+    if (own && own != &p) m.paired = compareSeeds(*own, p);
     return m;
 }
 
@@ -75,13 +77,43 @@ Findings measureErrors(const Study& study, bool withFlip) {
     found.references = study.loadReferences();
     const FilmImage reference = found.references.mean();
     found.mapping.exposure = exposureFor(meanOf(reference));
+    const std::vector<const Point*> own = state.ladderOf(0, leastSeeds);
+    const auto ownAt = [&](double rung) {
+        const auto at = std::ranges::find(own, rung, &Point::rung);
+        return at == own.end() ? nullptr : *at;
+    };
     for (size_t setting = 0; setting < state.settings.size(); ++setting)
         for (const Point* p : state.ladderOf(setting, leastSeeds)) {
             const PointImages images = study.loadImages(*p);
-            found.points.push_back(measure(*p, images, found.references));
+            found.points.push_back(measure(*p, ownAt(p->rung), images, found.references));
             if (withFlip) found.points.back().flip = flipMean(images.first, reference, found.mapping);
         }
     return found;
+}
+
+Verdict efficiencyVerdict(const Findings& findings, const MeasuredPoint& p) {
+    if (!p.paired || p.paired->chanceOfEfficiency >= findings.significant) return Verdict::none;
+    return p.paired->efficiency.value > 1 ? Verdict::better : Verdict::worse;
+}
+
+bool isUnexpectedlyBiased(const Findings& findings, const Setting& setting, const MeasuredPoint& p) {
+    return !setting.isBiased && p.error.chanceOfBias < findings.significant;
+}
+
+/// The variance of a pixel of the whole image over that of one at the measured size, by what --target-error estimates of both: a larger
+/// pixel has more edges and texture in it. `run`: at full size, or null. 1 if unknown.
+static double varianceScale(const StudyState& state, const Confirmation* run, const SettingModel& model) {
+    if (!run || run->expectedError <= 0 || state.studied == state.full || state.settings[run->setting].ladder != Ladder::samples) return 1;
+    const Point* nearest = nullptr;
+    const auto distance = [run](const Point* p) { return std::abs(std::log(p->meanSamples() / run->meanSamples)); };
+    for (const Point* p : state.ladderOf(run->setting))
+        if (!nearest || distance(p) < distance(nearest)) nearest = p;
+    if (!nearest) return 1;
+    double square = 0;
+    for (const SeedResult& s : nearest->seeds) square += s.expectedError * s.expectedError / static_cast<double>(nearest->seeds.size());
+    square *= std::pow(run->meanSamples / nearest->meanSamples(), model.slope.value);
+    /* Beyond that, one of the two estimates is wrong */
+    return square > 0 ? std::clamp(run->expectedError * run->expectedError / square, 0.25, 4.) : 1;
 }
 
 void predict(const Study& study, const std::vector<Wish>& wishes, Findings& found) {
@@ -103,12 +135,19 @@ void predict(const Study& study, const std::vector<Wish>& wishes, Findings& foun
         }
         for (MeasuredPoint& p : points) p.seconds = fixed + p.secondsPerPath * p.samples * pixels * pace;
         found.models.push_back(fitModel({points.begin(), points.end()}, state.settings[setting].isBiased, pixels, fixed, pace));
+        SettingModel& model = found.models.back();
+        model.variance1 *= varianceScale(state, known, model);
     }
+    found.significant = significantChance(found.models.size());
     markFront(found.points);
     found.recommendations.clear();
     for (const Wish& wish : wishes) {
         found.recommendations.push_back(recommend(wish, found.models, state.settings));
-        found.recommendations.back().referenceError = found.references.relativeError();
+        Recommendation& r = found.recommendations.back();
+        r.referenceError = found.references.relativeError();
+        if (!r.isPossible || r.setting == 0) continue;
+        const auto points = ladderOf(r.setting);
+        r.isBetter = std::ranges::any_of(points, [&](const MeasuredPoint& p) { return efficiencyVerdict(found, p) == Verdict::better; });
     }
 }
 
@@ -163,6 +202,7 @@ std::string caveats(const Recommendation& r) {
     std::string text;
     if (r.extrapolation > 8) text += fmt::format("; extrapolated: {:.0f} times the samples that were measured", r.extrapolation);
     if (r.error < r.referenceError) text += fmt::format("; below the references' error of {:.2g} %", r.referenceError * 100);
+    if (!r.isBetter) text += "; not significantly better than the options as given";
     if (!r.isReliable) text += "; not reliable: a few bright pixels hold most of the variance";
     return text;
 }

@@ -14,6 +14,7 @@ struct Findings {
     ToneMapping mapping;  ///< of pictures and FLIP: an exposure that shows the image
     std::vector<MeasuredPoint> points;
     std::vector<SettingModel> models;  ///< of the settings that have points
+    double significant = 0;            ///< chances below it are significant: 1 % for all settings together
     std::vector<Recommendation> recommendations;
 };
 
@@ -25,6 +26,12 @@ void predict(const Study& study, const std::vector<Wish>& wishes, Findings& find
 
 /// Runs the settings that would be recommended at full size, until the budget is spent or the recommendations stay the same.
 void confirmRecommendations(Study& study, const std::vector<Wish>& wishes);
+
+/// What the points say of a setting that more samples do not change. `point`: its representative (report.h).
+enum class Verdict { none, better, worse };
+Verdict efficiencyVerdict(const Findings& findings, const MeasuredPoint& point);
+/// Whether a setting that is unbiased by construction has a bias that is significant.
+bool isUnexpectedlyBiased(const Findings& findings, const Setting& setting, const MeasuredPoint& point);
 
 /// `eikonal render ...`: renders the user's image with a setting.
 std::string commandOf(const Study& study, size_t setting, double rung);

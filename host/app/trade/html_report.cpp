@@ -59,6 +59,9 @@ std::string biasText(const Interval& square) {
     return percent(std::sqrt(square.value));
 }
 
+/// "0.93 to 1.02".
+std::string rangeText(const Interval& i) { return fmt::format("{:.2f} to {:.2f}", i.low, i.high); }
+
 std::string energyText(const Interval& energy) {
     return fmt::format("{:+.2f} &plusmn; {:.2f} %", energy.value * 100, (energy.high - energy.low) / 2 * 100);
 }
@@ -158,25 +161,39 @@ private:
         text_ += fmt::format(
             "<h2>Each setting at {:g} samples</h2>\n<p>Efficiency is 1 / (relMSE x seconds of rendering), relative to the options as "
             "given: above 1 is "
-            "better. Bias is what more samples do not remove; energy is the mean of the image against the reference's. The slope is that "
+            "better. Both are rendered with the same seeds, so the interval is that of the paired ratio, which is narrower than those of "
+            "its "
+            "parts; a verdict is significant at {:.2g} (1 % shared by all settings), and so is a change of energy with a star. A bias that "
+            "is called significant, of a setting that should have none, is an error of the program: please report it. "
+            "Bias is what more samples do not remove; energy is the mean of the image against the reference's. The slope is that "
             "of the "
             "logarithm of the variance over that of the samples, from at least two rungs and a normal prior of -1.05 &plusmn; 0.2: -1 for "
             "independent samples.</p>\n<div class=\"wide\"><table>"
-            "<tr><th>setting</th><th>error</th><th>bias</th><th>energy</th><th>FLIP</th><th>seconds</th><th>efficiency</th><th>slope</th>"
+            "<tr><th>setting</th><th>error</th><th>bias</th><th>energy</th><th>FLIP</th><th>seconds</th><th>efficiency</th><th>95 "
+            "%</th><th>verdict</th><th>energy, as "
+            "given = 0</th><th>slope</th>"
             "<th>samples</th><th>seeds</th></tr>\n",
-            rung_);
+            rung_, found_.significant);
         for (size_t setting = 0; setting < state_.settings.size(); ++setting) {
             const MeasuredPoint* p = representative(found_, state_, setting, rung_);
             const SettingModel* m = modelOf(setting);
             if (!p || !m) continue;
             const double gain =
                 own->error.square.value * own->secondsPerPath * own->samples / (p->error.square.value * p->secondsPerPath * p->samples);
+            const Verdict verdict = efficiencyVerdict(found_, *p);
+            const bool isWrong = isUnexpectedlyBiased(found_, state_.settings[setting], *p);
             text_ += fmt::format(
                 "<tr{}><td>{}</td><td>{} &plusmn; {}</td><td>{}</td><td>{}</td><td>{:.3f}</td><td>{:.3g}</td><td>{:.2f}</td>"
-                "<td>{}</td><td>{:.4g}</td><td>{}</td></tr>\n",
+                "<td>{}</td><td class=\"text\">{}</td><td>{}</td><td>{}</td><td>{:.4g}</td><td>{}</td></tr>\n",
                 setting == 0 ? " class=\"own\"" : "", escaped(state_.settings[setting].name()), percent(p->relativeError()),
                 percent(p->relativeError() * (p->error.square.high - p->error.square.low) / 4 / p->error.square.value),
-                biasText(p->error.biasSquare), energyText(p->error.energy), p->flip, p->seconds, gain, slopeText(*m), p->samples, p->seeds);
+                biasText(p->error.biasSquare) + (isWrong ? ", <b>significant</b>" : ""), energyText(p->error.energy), p->flip, p->seconds,
+                gain, p->paired ? rangeText(p->paired->efficiency) : "",
+                verdict == Verdict::better  ? "better"
+                : verdict == Verdict::worse ? "worse"
+                                            : "",
+                p->paired ? energyText(p->paired->energy) + (p->paired->chanceOfEnergy < found_.significant ? " *" : "") : "",
+                slopeText(*m), p->samples, p->seeds);
         }
         text_ += "</table></div>\n";
     }

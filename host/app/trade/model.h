@@ -1,7 +1,7 @@
 #pragma once
 // Predicts time and error of a setting at any number of samples, and chooses settings for a wish.
 
-#include "app/trade/true_error.h"
+#include "app/trade/paired.h"
 #include "app/trade/setting.h"
 #include "app/wish.h"
 
@@ -22,6 +22,7 @@ struct MeasuredPoint {
     double compileSeconds = 0, prepareSeconds = 0;
     int compiledKernels = 0;
     TrueError error;
+    std::optional<PairedDifference> paired;  ///< beside the user's own options at the same rung; nothing for these
     double flip = 0;               ///< FLIP of one render, tone-mapped
     bool isOnFront = false;        ///< no other point has less error in less time
     double relativeError() const;  ///< the root of relMSE, at least 0
@@ -63,6 +64,7 @@ struct Recommendation {
     double uncertainty = 0;         ///< relative, of the error
     double referenceError = 0;      ///< of the references that errors were measured by
     bool isReliable = true;         ///< SettingModel::isReliable
+    bool isBetter = true;           ///< significantly more efficient than the user's own options where it was measured; or it is these
     double extrapolation = 1;       ///< samples over those of the longest ladder that was measured
 };
 Recommendation recommend(const Wish& wish, const std::vector<SettingModel>& models, const std::vector<Setting>& settings);

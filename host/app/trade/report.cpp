@@ -35,14 +35,22 @@ double commonRung(const Findings& findings, const StudyState& state) {
     return best;
 }
 
+static std::string nameOf(Verdict verdict) {
+    return verdict == Verdict::better ? "better" : verdict == Verdict::worse ? "worse" : "not significant";
+}
+
 static Json asJson(const Interval& i) { return {{"value", i.value}, {"low", i.low}, {"high", i.high}}; }
+
+static std::string columns(const Interval& i) { return fmt::format("{:.6g},{:.6g},{:.6g}", i.value, i.low, i.high); }
 
 std::string asCsv(const Study& study, const Findings& findings) {
     std::string csv =
         "knob,value,command,measuredCommand,samples,seeds,seconds,renderSecondsPerPath,prepareSeconds,compileSeconds,compiledKernels,"
         "relMSE,relMSELow,"
         "relMSEHigh,"
-        "biasSquare,biasSquareLow,biasSquareHigh,variance,energy,energyLow,energyHigh,flip,isOnFront\n";
+        "biasSquare,biasSquareLow,biasSquareHigh,variance,energy,energyLow,energyHigh,flip,isOnFront,"
+        "chanceOfBias,errorRatio,errorRatioLow,errorRatioHigh,secondsRatio,secondsRatioLow,secondsRatioHigh,efficiencyRatio,"
+        "efficiencyRatioLow,efficiencyRatioHigh,chanceOfEfficiency,energyChange,energyChangeLow,energyChangeHigh\n";
     const auto quote = [](const std::string& text) {
         std::string all = "\"";
         for (char c : text) all += c == '"' ? "\"\"" : std::string(1, c);
@@ -53,12 +61,15 @@ std::string asCsv(const Study& study, const Findings& findings) {
         const TrueError& e = p.error;
         csv += fmt::format(
             "{},{},{},{},{:g},{},{:.6g},{:.6g},{:.4g},{:.4g},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:."
-            "6g},{"
-            "}\n",
+            "6g},{},{:.3g}",
             quote(s.knob), quote(s.value), quote(commandOf(study, p.setting, p.rung)), quote(measuredCommand(study, p.setting, p.rung)),
             p.samples, p.seeds, p.seconds, p.secondsPerPath, p.prepareSeconds, p.compileSeconds, p.compiledKernels, e.square.value,
             e.square.low, e.square.high, e.biasSquare.value, e.biasSquare.low, e.biasSquare.high, e.variance, e.energy.value, e.energy.low,
-            e.energy.high, p.flip, p.isOnFront ? 1 : 0);
+            e.energy.high, p.flip, p.isOnFront ? 1 : 0, e.chanceOfBias);
+        if (const auto& d = p.paired; d)
+            csv += fmt::format(",{},{},{},{:.3g},{}\n", columns(d->error), columns(d->seconds), columns(d->efficiency),
+                               d->chanceOfEfficiency, columns(d->energy));
+        else csv += ",,,,,,,,,,,,,\n";
     }
     return csv;
 }
@@ -74,6 +85,7 @@ std::string asJson(const Study& study, const Findings& findings) {
               {"measuredSize", state.studied},
               {"budgetSeconds", study.request().budgetSeconds},
               {"spentSeconds", state.spentSeconds}};
+    json["significantChance"] = findings.significant;
     json["reference"] = {
         {"samples", state.referenceSamples}, {"relativeError", findings.references.relativeError()}, {"options", state.reference}};
     for (const Recommendation& r : findings.recommendations) {
@@ -86,6 +98,7 @@ std::string asJson(const Study& study, const Findings& findings) {
                         {"error", r.error},
                         {"uncertainty", r.uncertainty},
                         {"isReliable", r.isReliable},
+                        {"isBetter", r.isBetter},
                         {"extrapolation", r.extrapolation}});
         json["recommendations"].push_back(one);
     }
@@ -99,6 +112,7 @@ std::string asJson(const Study& study, const Findings& findings) {
                                     {"secondsPerSample", m.secondsPerSample}});
     for (const MeasuredPoint& p : findings.points) {
         const Setting& s = state.settings[p.setting];
+        const TrueError& e = p.error;
         json["points"].push_back({{"setting", s.name()},
                                   {"command", commandOf(study, p.setting, p.rung)},
                                   {"measuredCommand", measuredCommand(study, p.setting, p.rung)},
@@ -109,12 +123,22 @@ std::string asJson(const Study& study, const Findings& findings) {
                                   {"prepareSeconds", p.prepareSeconds},
                                   {"compileSeconds", p.compileSeconds},
                                   {"compiledKernels", p.compiledKernels},
-                                  {"relativeMse", asJson(p.error.square)},
-                                  {"biasSquare", asJson(p.error.biasSquare)},
-                                  {"variance", p.error.variance},
-                                  {"energy", asJson(p.error.energy)},
+                                  {"relativeMse", asJson(e.square)},
+                                  {"biasSquare", asJson(e.biasSquare)},
+                                  {"variance", e.variance},
+                                  {"energy", asJson(e.energy)},
                                   {"flip", p.flip},
-                                  {"isOnFront", p.isOnFront}});
+                                  {"isOnFront", p.isOnFront},
+                                  {"chanceOfBias", e.chanceOfBias},
+                                  {"isUnexpectedlyBiased", isUnexpectedlyBiased(findings, s, p)}});
+        if (p.paired)
+            json["points"].back()["besideAsGiven"] = {{"error", asJson(p.paired->error)},
+                                                      {"seconds", asJson(p.paired->seconds)},
+                                                      {"efficiency", asJson(p.paired->efficiency)},
+                                                      {"efficiencyVerdict", nameOf(efficiencyVerdict(findings, p))},
+                                                      {"chanceOfEfficiency", p.paired->chanceOfEfficiency},
+                                                      {"energy", asJson(p.paired->energy)},
+                                                      {"chanceOfEnergy", p.paired->chanceOfEnergy}};
     }
     json["failures"] = Json::array();
     for (const Point& p : state.points)

@@ -60,15 +60,20 @@ void addBiasedNoiseReduction(std::vector<Setting>& settings, double brightness) 
         clamping.add(fmt::format("at {} x the mean", factor), {fmt::format("--max-component-value={:.2g}", factor * brightness)}, true);
 }
 
-void addCompilerFlags(std::vector<Setting>& settings) {
+void addCompilerFlags(std::vector<Setting>& settings, const Stages& stages) {
     Knob knob(settings, "compiler flags");
-    for (const char* flag : {"-cl-mad-enable", "-cl-denorms-are-zero", "-cl-unsafe-math-optimizations", "-cl-fast-relaxed-math"})
-        knob.add(flag, {fmt::format("--build-options={}", flag)}, true).compiles = true;
+    for (const char* flag : {"-cl-mad-enable", "-cl-denorms-are-zero", "-cl-unsafe-math-optimizations", "-cl-fast-relaxed-math"}) {
+        knob.add(flag, {fmt::format("--math-flags={} {}", shippedMathFlags, flag)}, true).compiles = true;
+        for (const Stage& stage : stages.all())
+            knob.add(fmt::format("{} in {}", flag, stage.name), {fmt::format("--math-flags={}:{} {}", stage.name, shippedMathFlags, flag)},
+                     true)
+                .compiles = true;
+    }
 }
 
 }  // namespace
 
-std::vector<Setting> settingsFor(const Session& session, double brightness) {
+std::vector<Setting> settingsFor(const Session& session, double brightness, bool withCompilerFlags) {
     const Scene& scene = session.scene();
     const PackedScene& packed = session.packed();
     std::vector<Setting> settings{{"as given", "", {}, false, false, Ladder::samples, false}};
@@ -98,7 +103,7 @@ std::vector<Setting> settingsFor(const Session& session, double brightness) {
     addBiasedNoiseReduction(settings, brightness);
     const std::vector<std::string> causes = referenceOptions(session);
     if (causes.size() > 1) settings.push_back({"unbiased", "", causes, false, false, Ladder::samples, false});
-    addCompilerFlags(settings);
+    if (withCompilerFlags) addCompilerFlags(settings, session.stages());
     for (Setting& s : settings)
         s.isBiased |= std::ranges::any_of(causes, [&](const std::string& c) { return std::ranges::find(s.options, c) == s.options.end(); });
     return settings;

@@ -25,8 +25,9 @@ struct Setting {
 };
 
 /// The settings for a scene that has been packed: the user's own first, then one for each other value of each knob that has an effect on
-/// this scene. `brightness`: the image's mean, > 0; clamping is tried at multiples of it.
-std::vector<Setting> settingsFor(const Session& session, double brightness);
+/// this scene. `brightness`: the image's mean, > 0; clamping is tried at multiples of it. withCompilerFlags: also each flag that is not
+/// strict in all kernels and in each alone, for which the session must have its kernels.
+std::vector<Setting> settingsFor(const Session& session, double brightness, bool withCompilerFlags);
 
 /// The options whose images converge to the reference: those that avoid the biased choices of the user's own. Depth and integrator are
 /// part of what the user wants.

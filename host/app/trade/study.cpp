@@ -114,6 +114,9 @@ void Study::lookAtScene() {
     if (std::optional<StudyState> earlier = StudyState::load(stateFile(), expected)) {
         state_ = std::move(*earlier);
         spentBefore_ = state_.spentSeconds;
+        if (request_.withCompilerFlags && std::ranges::none_of(state_.settings, &Setting::compiles))
+            throw UsageError(
+                fmt::format("the study in \"{}\" was begun without --compiler-flags; remove it or choose another -o", request_.folder));
         return;
     }
     state_ = expected;
@@ -132,7 +135,7 @@ void Study::lookAtScene() {
     state_.brightness = meanOf(look.image);
     checkBrightness(state_.brightness, request_.scene);
     state_.pathSeconds = look.renderSeconds / (look.meanSamples * static_cast<double>(look.image.pixelCount()));
-    state_.settings = settingsFor(second.session(), state_.brightness);
+    state_.settings = settingsFor(second.session(), state_.brightness, request_.withCompilerFlags);
     state_.reference = referenceOptions(second.session());
     state_.lookSeconds = spent();
     chooseSize();

@@ -24,6 +24,7 @@ public:
         std::string scene;                 ///< its file
         std::vector<std::string> options;  ///< the user's, "--name=value"
         std::string folder;
+        bool withCompilerFlags = false;    ///< also try flags that are not strict, which takes long to compile
         double budgetSeconds = 300;  ///< of all runs of this study
         std::function<bool()> stop;  ///< asked often; true: end soon
         std::function<void(const StudyProgress&)> progress;

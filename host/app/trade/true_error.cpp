@@ -1,5 +1,6 @@
 #include "app/trade/true_error.h"
 
+#include "app/trade/student.h"
 #include "error.h"
 #include "image/relative_error.h"
 
@@ -46,15 +47,6 @@ void forEachValue(const FilmImage& a, const References& r, F&& f) {
             const double first = r.first.color[i][c], second = r.second.color[i][c];
             f(Value{a.color[i][c], first, second, mean, relativeSquare(1, (first + second) / 2, mean) / count, count}, i, c);
         }
-}
-
-/// The two-sided 95 % quantile of Student's t distribution (Abramowitz and Stegun 1964, 26.7.5, two terms; 2 % off at two degrees of
-/// freedom).
-double studentQuantile(int freedom) {
-    if (freedom < 1) return 0;
-    if (freedom == 1) return 12.706;
-    const double z = 1.95996, n = freedom;
-    return z + (z * z * z + z) / (4 * n) + (5 * std::pow(z, 5) + 16 * std::pow(z, 3) + 3 * z) / (96 * n * n);
 }
 
 /// The variance of a mean of values.
@@ -136,13 +128,20 @@ TrueError estimateTrueError(const SeedSums& sums, std::span<const double> square
     const auto most = variances.begin() + static_cast<std::ptrdiff_t>(std::min(few, variances.size()));
     std::ranges::partial_sort(variances, most, std::greater());
     if (e.variance > 0) e.concentration = std::accumulate(variances.begin(), most, 0.) / e.variance;
-    e.biasSquare = around(biasOfMean - e.variance / seeds, 1.96 * std::sqrt(fromSeeds + fromReferences));
+    const double bias = biasOfMean - e.variance / seeds, deviationOfBias = std::sqrt(fromSeeds + fromReferences);
+    e.biasSquare = around(bias, 1.96 * deviationOfBias);
+    e.chanceOfBias = deviationOfBias > 0 ? std::erfc(bias / deviationOfBias / std::sqrt(2)) / 2 : 1;
     const double square = biasOfMean + e.variance * (seeds - 1) / seeds, t = studentQuantile(sums.seeds - 1);
     e.square = around(square, std::sqrt(t * t * varianceOfMean(squaredErrors) + 1.96 * 1.96 * fromReferences));
     const double reference = (meanOf(references.first) + meanOf(references.second)) / 2;
-    if (reference > 0)
-        e.energy = around(meanOf(sums.mean) / reference - 1,
-                          std::hypot(t * std::sqrt(varianceOfMean(means)), 1.96 * std::sqrt(meanNoise)) / reference);
+    if (reference > 0) {
+        const double energy = meanOf(sums.mean) / reference - 1, seedNoise = varianceOfMean(means) / (reference * reference),
+                     referenceNoise = meanNoise / (reference * reference), deviation = std::sqrt(seedNoise + referenceNoise);
+        e.energy = around(energy, std::sqrt(t * t * seedNoise + 1.96 * 1.96 * referenceNoise));
+        /* Two tests, so twice the smaller chance */
+        const double chanceOfEnergy = deviation > 0 && sums.seeds > 1 ? studentTail(energy / deviation, sums.seeds - 1) : 1;
+        e.chanceOfBias = std::min(1., 2 * std::min(e.chanceOfBias, chanceOfEnergy));
+    }
     return e;
 }
 

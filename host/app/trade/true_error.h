@@ -38,6 +38,7 @@ struct TrueError {
     double variance = 0;       ///< between seeds
     double concentration = 0;  ///< the share of it in the thousandth of the pixels with the most, at least one pixel
     Interval energy;           ///< mean of the image over that of the reference, - 1
+    double chanceOfBias = 1;   ///< of a biasSquare so large, or an energy so different, by noise alone: small if the setting is biased
 };
 
 /// (image - first)(image - second), relative, averaged over pixels and channels: an unbiased estimate of the image's relMSE.
