@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace eikonal {
@@ -49,6 +50,29 @@ TEST(ExtremeMedia, AbsorptionIsExactWithOneSample) {
         expectEveryPixel(render(sceneText(oneSample(), sky + ball(tau / 2, 0)), media()), std::exp(-tau), 1e-6 * (1 + tau));
         expectEveryPixel(render(sceneText(oneSample(), sky + grid(tau / 2 / meanDensity, 0)), media()), std::exp(-tau), 1e-6 * (4 + tau));
     }
+}
+
+/// Shadow rays in a cloud end by chance where little of them is left: of what they began with, whatever the light's brightness. So a light
+/// with 2^-12 of the power makes exactly 2^-12 of the image.
+TEST(ExtremeMedia, ABrighterLightMakesTheSameImageInACloud) {
+    const auto cloudUnder = [](double intensity) {
+        std::string densities;
+        for (int i = 0; i < 64; ++i) densities += i % 3 ? " 1" : " 0.25";
+        return render(sceneText(oneSample(), fmt::format("LightSource \"point\" \"point3 from\" [2 3 2] \"rgb I\" [{0} {0} {0}]\n"
+                                                         "MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"integer nx\" 4 \"integer ny\" 4 "
+                                                         "\"integer nz\" 4 \"float density\" [{1}] \"point3 p0\" [-1 -1 -1] \"point3 p1\" [1 1 1] "
+                                                         "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [9 9 9]\nMaterial \"interface\" "
+                                                         "MediumInterface \"m\" \"\" Shape \"sphere\" \"float radius\" 3\n",
+                                                         intensity, densities)),
+                      media());
+    };
+    const Rendered bright = cloudUnder(64), dim = cloudUnder(64.0 / 4096);
+    float brightest = 0;
+    for (size_t i = 0; i < bright.image.color.size(); ++i) {
+        ASSERT_EQ(bright.image.color[i].g, 4096 * dim.image.color[i].g) << "pixel " << i;
+        brightest = std::max(brightest, bright.image.color[i].g);
+    }
+    EXPECT_GT(brightest, 0.1f);
 }
 
 /// A white floor in the middle of a medium, under light from everywhere: the eye, outside, sees 1 times what is left on the way there and
