@@ -6,8 +6,8 @@ namespace eikonal {
 /// `options`: what the preset stands for, "--name=value" separated by spaces; options that the user gives override them.
 struct Preset { const char *name, *options; };
 
-/// tests/accuracy/presets.py measures them on a set of scenes, beside the settings that `eikonal trade` finds there; docs/trade.md has its
-/// tables.
+/// tests/accuracy/presets.py measures them on a set of scenes, beside other options, and finds the front of studies by `eikonal trade`;
+/// docs/trade.md has its table.
 inline constexpr Preset presets[] = {{"draft", "--spp=8 --regularize=on"},
                                      {"preview", "--spp=32 --regularize=on"},
                                      {"final", "--spp=512"},
