@@ -52,8 +52,8 @@ TEST(Watertight, NoRayEscapesAClosedMesh) {
     }
 }
 
-/// A height field of tiny triangles, seen from up to ten million times their size: rays at its edges and vertices, from far away. The rounding of
-/// the distance to a plane is then that of the origin's coordinates, of which boxes that are padded for their own coordinates know nothing.
+/// A height field of tiny triangles, seen from up to five million times their size: rays at its edges and vertices, from far away. The
+/// rounding of the distance to a plane is then that of the origin's coordinates, which the padding of boxes does not know.
 /// Without the share of the origin about one ray in a hundred passes at the largest distance.
 TEST(Watertight, NoRayPassesATinyMeshFromFarAway) {
     constexpr int side = 60;

@@ -58,13 +58,13 @@ TEST(ExtremeMedia, ABrighterLightMakesTheSameImageInACloud) {
     const auto cloudUnder = [](double intensity) {
         std::string densities;
         for (int i = 0; i < 64; ++i) densities += i % 3 ? " 1" : " 0.25";
-        return render(sceneText(oneSample(), fmt::format("LightSource \"point\" \"point3 from\" [2 3 2] \"rgb I\" [{0} {0} {0}]\n"
-                                                         "MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"integer nx\" 4 \"integer ny\" 4 "
-                                                         "\"integer nz\" 4 \"float density\" [{1}] \"point3 p0\" [-1 -1 -1] \"point3 p1\" [1 1 1] "
-                                                         "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [9 9 9]\nMaterial \"interface\" "
-                                                         "MediumInterface \"m\" \"\" Shape \"sphere\" \"float radius\" 3\n",
-                                                         intensity, densities)),
-                      media());
+        const std::string text = fmt::format(
+            "LightSource \"point\" \"point3 from\" [2 3 2] \"rgb I\" [{0} {0} {0}]\n"
+            "MakeNamedMedium \"m\" \"string type\" \"uniformgrid\" \"integer nx\" 4 \"integer ny\" 4 \"integer nz\" 4 "
+            "\"float density\" [{1}] \"point3 p0\" [-1 -1 -1] \"point3 p1\" [1 1 1] \"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [9 9 9]\n"
+            "Material \"interface\" MediumInterface \"m\" \"\" Shape \"sphere\" \"float radius\" 3\n",
+            intensity, densities);
+        return render(sceneText(oneSample(), text), media());
     };
     const Rendered bright = cloudUnder(64), dim = cloudUnder(64.0 / 4096);
     float brightest = 0;
