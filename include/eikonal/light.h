@@ -27,10 +27,12 @@ CONTRACT_BEGIN
 #define LIGHT_FIELDS(F) \
     F(uint,     kind)         /* enum light_kind */ \
     F(uint,     two_sided)    /* 0 or 1 */ \
-    F(uint,     element)      /* area of varying radiance (an image, alpha): its element; otherwise NONE. L is the mean, without alpha */ \
+    F(uint,     element)      /* of an area; otherwise NONE */ \
+    F(uint,     has_pattern)  /* 1: an area of varying radiance (an image, alpha). L is the mean, without alpha */ \
     F(uint,     invisible)    /* 1: an area that no ray hits, since its alpha is 0: only light sampling finds it */ \
     F(float,    pmf)          /* probability of being sampled, or that of the tree that it is in; 0: only BSDF sampling finds it */ \
     F(float,    inverse_area) \
+    F(float,    rounding)     /* areas: distance, along the normal, by which rounding may move a sampled point off the surface */ \
     F(float,    extent)       /* ellipsoid, disk, cylinder: how much of the circle there is, in (0, 1] */ \
     F(vec3,     p) \
     F(vec3,     a) \

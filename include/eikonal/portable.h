@@ -69,7 +69,7 @@ constexpr uint NONE = 0xffffffffu; /* no macro: libraries have enumerators of th
 
 /* The largest distance. Finite, since kernels are built with -cl-finite-math-only, where infinity is undefined. */
 #define FAR_AWAY 1e30f
-/* Shadow rays end this fraction before the light, to avoid hitting it. */
+/* Shadow rays end at most this fraction of their length before the light, to avoid hitting what it lies on. */
 #define SHADOW_EPSILON 1e-4f
 
 CONTRACT_END

@@ -31,7 +31,7 @@ TRACING_STAGE(survey_environment, SURVEY_ENVIRONMENT) {
             if (!(cosine > 0.0f && arriving > 0.0f)) continue;
             arriving = min1(arriving, PI);
             possible += arriving;
-            seen += is_blocked(g, tables, p, d, FAR_AWAY, time) ? 0.0f : arriving;
+            seen += is_blocked(g, tables, p, d, FAR_AWAY, time, no_aim()) ? 0.0f : arriving;
         }
         survey_weights[2u * i] = seen;
         survey_weights[2u * i + 1u] = possible;

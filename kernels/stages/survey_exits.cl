@@ -21,6 +21,6 @@ TRACING_STAGE(survey_exits, SURVEY_EXITS) {
         uint from = (uint)((ulong)i * point_count / count);
         vec3 p = survey_points[from], d = from_local(make_frame(survey_normals[from]), warp_cosine_hemisphere(make_vec2(x, y)));
         uint texel = exit_guide_box(light_set.guide_box, p, d).texel;
-        survey_texels[i] = is_blocked(g, tables, p, d, FAR_AWAY, time) ? NONE : min(texel, (uint)GUIDE_BOX_TEXELS);
+        survey_texels[i] = is_blocked(g, tables, p, d, FAR_AWAY, time, no_aim()) ? NONE : min(texel, (uint)GUIDE_BOX_TEXELS);
     }
 }

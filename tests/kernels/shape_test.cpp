@@ -66,7 +66,7 @@ std::vector<Probe> probe(const PackedScene& scene, const std::vector<vec3>& o, c
         texture_tables tables = BIND_TEXTURES;
         nearest_hit best;
         best.t_max = FAR_AWAY;
-        traverse_bvh(g, tables, o, d, 0.0f, traversal_nearest, &best);
+        traverse_bvh(g, tables, o, d, 0.0f, traversal_nearest, no_aim(), &best);
         shape_hit hit = {best.t_max, best.u, best.v};
         result.t = best.element == NONE ? -1.0f : best.t_max; result.element = best.element; result.instance = best.instance;
             result.u = best.u; result.v = best.v;
@@ -79,7 +79,7 @@ std::vector<Probe> probe(const PackedScene& scene, const std::vector<vec3>& o, c
             vec3 leaving = mul(w, dot3(w, at.ng) * side < 0.0f ? -1.0f : 1.0f);
             nearest_hit next;
             next.t_max = FAR_AWAY;
-            traverse_bvh(g, tables, offset_origin(at.p, surface_offset(at), at.ng, leaving), leaving, 0.0f, traversal_nearest, &next);
+            traverse_bvh(g, tables, offset_origin(at.p, surface_offset(at), at.ng, leaving), leaving, 0.0f, traversal_nearest, no_aim(), &next);
             if (next.element == best.element && next.instance == best.instance) result.again = next.t_max;
         })",
          .inputs = {"vec3 o", "vec3 d", "vec3 w", "float side"},
