@@ -7,6 +7,12 @@
 #define HAS_PORTALS_OR_ENVIRONMENT_GUIDE (HAS_PORTALS || HAS_ENVIRONMENT_GUIDE)
 #define HAS_MEDIA_OR_LIGHT_PATTERN (HAS_MEDIA || HAS_LIGHT_PATTERN)
 
+/* The element of an area light that a shadow ray is aimed at. */
+#define LIGHT_ELEMENT_FIELDS(F, q) \
+    F(q, uint,     element,    EMITTERS)     /* NONE: the light is no area */ \
+    F(q, float,    element_t,  EMITTERS)     /* hits of `element` from this distance on are the sampled point itself: no blockers */ \
+    F(q, float,    distance,   LIGHT_PATTERN) /* to the sampled point, if its light has an image or alpha, which Ld lacks; else 0 */
+
 /* The light to sample at a vertex. Chosen by route_intersections, since choosing needs a loop and shading has none. */
 #define LIGHT_CHOICE_FIELDS(F, q) \
     F(q, uint,     light,      LIGHT_TREE)   /* index in `lights` */ \

@@ -110,11 +110,9 @@
     F(q, vec3,     o,          ALWAYS) \
     F(q, vec3,     d,          ALWAYS) \
     F(q, float,    t_max,      ALWAYS)       /* < 0: dead slot; ends before the light by what rounding may hide of it */ \
-    F(q, uint,     element,    EMITTERS)     /* the element sampled; NONE: the light is no area */ \
-    F(q, float,    element_t,  EMITTERS)     /* hits of `element` from this distance on are the sampled point itself: no blockers */ \
+    LIGHT_ELEMENT_FIELDS(F, q) \
     F(q, float,    time,       MOTION)       /* as in ray */ \
     F(q, spectrum, Ld,         ALWAYS)       /* contribution, all weights included; with MEDIA not yet divided by mean(r_u + r_l) */ \
-    F(q, float,    distance,   LIGHT_PATTERN) /* from o to the sampled point, if its light has an image or alpha, which Ld lacks; else 0 */ \
     F(q, uint,     medium,     MEDIA) \
     F(q, spectrum, r_u,        MEDIA)        /* rescaled path probability if the BSDF or phase function had sampled d */ \
     F(q, spectrum, r_l,        MEDIA)        /* rescaled path probability of light sampling */ \

@@ -72,7 +72,8 @@ const LightCase cases[] = {
      }},
     {"disk", "Rotate 90 1 0 0 Shape \"disk\" \"float radius\" .4",
      [](double g) { return fmt::format("Translate 0 {} 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" .6", -g); }},
-    {"sphere", "Shape \"sphere\" \"float radius\" .4", [](double g) { return fmt::format("Shape \"sphere\" \"float radius\" {}", .4 + g); }},
+    {"sphere", "Shape \"sphere\" \"float radius\" .4",
+     [](double g) { return fmt::format("Shape \"sphere\" \"float radius\" {}", .4 + g); }},
     {"ellipsoid", "Scale .4 .3 .2 Shape \"sphere\"",
      [](double g) { return fmt::format("Scale {} {} {} Shape \"sphere\"", .4 + g, .3 + g, .2 + g); }},
     {"half_sphere", "Rotate 90 1 0 0 Shape \"sphere\" \"float radius\" .4 \"float zmin\" 0",
@@ -83,7 +84,7 @@ const LightCase cases[] = {
 
 class LightShadows : public testing::TestWithParam<LightCase> {
 protected:
-    /// Shares of shadow rays, of those where the light shines, that nothing blocks: in scenes with the light at 40 angles, seen from
+    /// Shares of shadow rays, of those where the light shines, that nothing blocks: in scenes with the light at 8 angles, seen from
     /// points 1 below it.
     struct Share { double free = 0; size_t rays = 0; };
     static Share freeShare(const std::string& light, const std::string& wall, double size = 1) {
@@ -91,7 +92,8 @@ protected:
         Random random(91);
         for (int turn = 0; turn < 8; ++turn) {
             const std::string place = fmt::format("Translate 0 1 0 Rotate {} 1 2 3 Scale {} {} {} ", turn * 7, size, size, size);
-            const PackedScene scene = packText("WorldBegin Shape \"disk\" \"float radius\" .001 AttributeBegin AreaLightSource \"diffuse\" " +
+            const PackedScene scene = packText(
+                "WorldBegin Shape \"disk\" \"float radius\" .001 AttributeBegin AreaLightSource \"diffuse\" " +
                 place + light + " AttributeEnd AttributeBegin " + place + wall + " AttributeEnd");
             std::vector<vec3> p;
             std::vector<float> u;
@@ -130,8 +132,8 @@ TEST_P(LightShadows, NoLightHidesItself) {
     for (const double size : {1., 1e-2, 1e-4}) EXPECT_EQ(freeShare(GetParam().light, "", size).free, 1) << size;
 }
 
-// A light in the plane of a wall is on it. Round ones in round walls may disappear where the ray is within 1e-2 of their tangent plane: there
-// SHADOW_EPSILON limits the gap.
+// A light in the plane of a wall is on it. Round ones in round walls may disappear where the ray is within 1e-2 of their tangent plane:
+// there SHADOW_EPSILON limits the gap.
 TEST_P(LightShadows, WhatTheLightLiesOnHidesNothing) { EXPECT_GT(freeShare(GetParam().light, GetParam().wall(0)).free, 1 - 2e-4); }
 
 INSTANTIATE_TEST_SUITE_P(Lights, LightShadows, testing::ValuesIn(cases), [](const auto& info) { return info.param.name; });

@@ -79,7 +79,8 @@ std::vector<Probe> probe(const PackedScene& scene, const std::vector<vec3>& o, c
             vec3 leaving = mul(w, dot3(w, at.ng) * side < 0.0f ? -1.0f : 1.0f);
             nearest_hit next;
             next.t_max = FAR_AWAY;
-            traverse_bvh(g, tables, offset_origin(at.p, surface_offset(at), at.ng, leaving), leaving, 0.0f, traversal_nearest, no_aim(), &next);
+            vec3 from = offset_origin(at.p, surface_offset(at), at.ng, leaving);
+            traverse_bvh(g, tables, from, leaving, 0.0f, traversal_nearest, no_aim(), &next);
             if (next.element == best.element && next.instance == best.instance) result.again = next.t_max;
         })",
          .inputs = {"vec3 o", "vec3 d", "vec3 w", "float side"},
