@@ -17,6 +17,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from examples import EXAMPLE
 from fragments import BOOK, ROOT, Book, BookError, FENCE, definitions_of, pages
 from identifiers import Index, key_of
 from listing import Listings
@@ -45,6 +46,10 @@ def with_listings(page, listings):
         if definition:
             out += [TICKS + "{=html}", listings.block(definition), TICKS]
             number += len(definition.lines) + 1
+        elif example := EXAMPLE.match(lines[number - 1]):
+            # Pandoc takes one word behind a fence
+            out += [f"`{example['path']}`" + (f", after the line with `{example['after']}`:" if example["after"] else ", a new file:"), "",
+                    f"```{example['language']}"]
         else:
             out.append(lines[number - 1])
     return "\n".join(out)
