@@ -21,6 +21,7 @@ import sys
 import tempfile
 import time
 import zlib
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -299,32 +300,44 @@ def compare(program, tree, folder, kind):
     return "" if hashes[0] == hashes[1] else "DIFFERS"
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+def parser_for(description):
+    """The options of a script that changes a copy of the sources."""
+    parser = argparse.ArgumentParser(description=description)
     parser.add_argument("--folder", type=Path, help="work in this folder and keep it (default: a temporary one)")
-    parser.add_argument("--kinds", nargs="+", choices=KINDS, default=list(KINDS))
-    parser.add_argument("--dry-run", action="store_true", help="only check the copied text, and that it compiles")
+    parser.add_argument("--dry-run", action="store_true", help="only check the changed text, and that it compiles")
     parser.add_argument("--flags", type=Path, default=ROOT / "build/compile_commands.json", help="for --dry-run: how CMake compiles the host")
-    options = parser.parse_args()
-    folder = (options.folder or Path(tempfile.mkdtemp(prefix="eikonal-kinds-"))).resolve()
-    tree = folder / "tree"
+    return parser
+
+
+@contextmanager
+def working_tree(folder):
+    """A path for the copy of the sources, without those of an earlier run. folder: where it is, and stays; None: a temporary folder."""
+    place = (folder or Path(tempfile.mkdtemp(prefix="eikonal-tree-"))).resolve()
     try:
-        for name in ("host", "kernels", "include"):   # of an earlier run
-            shutil.rmtree(tree / name, ignore_errors=True)
+        for name in ("host", "kernels", "include"):
+            shutil.rmtree(place / "tree" / name, ignore_errors=True)
+        yield place / "tree"
+    finally:
+        if not folder:
+            shutil.rmtree(place, ignore_errors=True)
+
+
+def main():
+    parser = parser_for(__doc__.splitlines()[0])
+    parser.add_argument("--kinds", nargs="+", choices=KINDS, default=list(KINDS))
+    options = parser.parse_args()
+    with working_tree(options.folder) as tree:
         copy_tree(tree, options.kinds)
         if options.dry_run:
             return dry_run(tree, options.kinds, compile_flags(options.flags))
         program = build_program(tree)
-        write_png(folder / "directions.png", 8)
+        write_png(tree.parent / "directions.png", 8)
         failed = 0
         for kind in options.kinds:
-            problem = compare(program, tree, folder, kind)
+            problem = compare(program, tree, tree.parent, kind)
             failed += bool(problem)
             print(f"{kind}: {problem or 'same bits'}", flush=True)
         return int(failed > 0)
-    finally:
-        if not options.folder:
-            shutil.rmtree(folder, ignore_errors=True)
 
 
 if __name__ == "__main__":

@@ -7,15 +7,11 @@ sky the radiance that the chapter derives, nowhere above 1. Takes some minutes.
 
 --dry-run compiles nothing but the syntax of the example's host file: it checks that each place where lines are inserted exists once.
 """
-import argparse
 import array
 import math
 import re
-import shutil
 import statistics
 import sys
-import tempfile
-from pathlib import Path
 
 import add_kinds
 from add_kinds import ROOT, build_program, check_host, compile_flags, copy_tree, pixels
@@ -126,16 +122,8 @@ def try_program(program, tree, scene):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--folder", type=Path, help="work in this folder and keep it (default: a temporary one)")
-    parser.add_argument("--dry-run", action="store_true", help="only check the places of the blocks, and the host file's syntax")
-    parser.add_argument("--flags", type=Path, default=ROOT / "build/compile_commands.json", help="for --dry-run: how CMake compiles the host")
-    options = parser.parse_args()
-    folder = (options.folder or Path(tempfile.mkdtemp(prefix="eikonal-example-"))).resolve()
-    tree = folder / "tree"
-    try:
-        for name in ("host", "kernels", "include"):   # of an earlier run
-            shutil.rmtree(tree / name, ignore_errors=True)
+    options = add_kinds.parser_for(__doc__.splitlines()[0]).parse_args()
+    with add_kinds.working_tree(options.folder) as tree:
         copy_tree(tree, [])
         examples = examples_of(PAGE)
         scenes = [e for e in examples if e.path.endswith(".pbrt")]
@@ -148,9 +136,6 @@ def main():
             print("\n".join(problems) or f"{len(examples)} blocks are in place; the host file compiles")
             return int(bool(problems))
         return int(try_program(build_program(tree), tree, "\n".join(scenes[0].lines) + "\n") > 0)
-    finally:
-        if not options.folder:
-            shutil.rmtree(folder, ignore_errors=True)
 
 
 if __name__ == "__main__":
