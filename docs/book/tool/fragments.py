@@ -22,11 +22,11 @@ COVERED = ("kernels/**/*.cl", "kernels/**/*.clh", "include/eikonal/*.h",
            *(f"host/render/{stem}.{end}" for stem in ("wave", "path_loop", "batches_in_flight", "wave_counts", "wave_queues", "stages")
              for end in ("h", "cpp")), "host/render/stage_table.h")
 
-FENCE = re.compile(r"^```(\w+) (?:<<(?P<name>.+)>>|(?P<path>[\w./]+)) (?P<sign>\+?=)$")
+FENCE = re.compile(r"^```\w+ (?:<<(?P<name>.+)>>|(?P<path>[\w./]+)) (?P<sign>\+?=)$")
 REFERENCE = re.compile(r"^(?P<indent> *)(?P<open>/\* |// )?<<(?P<name>.+)>>(?P<close> \*/)?$")
 
 # One fenced block: the fragment that it adds to (a name, or a path if is_file), its page, and the number (from 1) and text of its lines.
-Definition = namedtuple("Definition", "name is_file language page first_line lines is_continued")
+Definition = namedtuple("Definition", "name is_file page first_line lines is_continued")
 
 # A line of a tangled file: its text and where it comes from. is_title: it is the comment that a reference becomes, not a line of a fragment.
 Line = namedtuple("Line", "text definition page number indent is_title")
@@ -52,7 +52,7 @@ def definitions_of(page):
                 raise BookError(f"{page}:{number}: this fence defines nothing: write ```opencl <<Name>> = or ```opencl path/of/file =")
         elif start is not None and line == "```":
             if fence:
-                found.append(Definition(fence["name"] or fence["path"], bool(fence["path"]), fence[1], page, start + 1,
+                found.append(Definition(fence["name"] or fence["path"], bool(fence["path"]), page, start + 1,
                                         lines[start:number - 1], fence["sign"] == "+="))
             start = None
     if start is not None:
@@ -112,6 +112,11 @@ class Book:
                     title = f"{deeper}{reference['open']}{name}{reference['close'] or ''}"
                     yield line._replace(text=title, is_title=True)
                 yield from self._expand(self.fragments[name], deeper, (*inside, name))
+
+
+def text_of(lines):
+    """The text of a file with these Lines."""
+    return "".join(line.text + "\n" for line in lines)
 
 
 def covered_files(root=ROOT):

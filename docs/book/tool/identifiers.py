@@ -13,7 +13,7 @@ from pathlib import Path
 from pygments.lexers.c_cpp import CppLexer
 from pygments.token import Token
 
-from fragments import REFERENCE
+from fragments import REFERENCE, text_of
 
 # kind: function, macro, struct ...; definition: the block of the book that holds its line
 Identifier = namedtuple("Identifier", "name kind definition number")
@@ -43,7 +43,7 @@ class Index:
             for path, lines in tangled.items():
                 file = Path(folder) / path
                 file.parent.mkdir(parents=True, exist_ok=True)
-                file.write_text("\n".join(line.text for line in lines) + "\n", encoding="utf-8")
+                file.write_text(text_of(lines), encoding="utf-8")
             for path, number, name, kind in ctags_of(folder, sorted(tangled)):
                 place = tangled[path][number - 1]
                 identifier = Identifier(name, kind, place.definition, place.number)

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from urllib.parse import unquote
 
-from fragments import BOOK, ROOT
+from fragments import BOOK
 from identifiers import key_of
 
 HEADING = re.compile(r"<h([1-3])(?: [^>]*?)?id=\"([^\"]+)\"[^>]*>(.*?)</h\1>", re.DOTALL)
@@ -34,6 +34,11 @@ def figures_of(bodies):
     return [(stem, match) for stem, body in bodies.items() for match in FIGURE.finditer(body)]
 
 
+def name_figure(match, number):
+    """The id of a page's figure: its own, or one made of its number."""
+    return (re.search(r'id="([^"]+)"', match["attributes"]) or [None, f"fig-{number}"])[1]
+
+
 def number_figures(stem, body, names):
     """Figures with a number, an id, and for images a link to the scene that makes them; SVG inline, so that it has the page's colours."""
     count = 0
@@ -42,7 +47,7 @@ def number_figures(stem, body, names):
         nonlocal count
         count += 1
         source = match["src"]
-        identity = (re.search(r'id="([^"]+)"', match["attributes"]) or [None, f"fig-{count}"])[1]
+        identity = name_figure(match, count)
         picture = f'<img src="{source}"{match["attributes"]} loading="lazy">'.replace(f' id="{identity}"', "")
         if source.endswith(".svg") and (BOOK / source).exists():
             picture = re.sub(r"^.*?<svg", '<svg role="img"', (BOOK / source).read_text(encoding="utf-8"), count=1, flags=re.DOTALL)
@@ -109,8 +114,7 @@ def index_pages(book, listings, names, bodies, bibliography):
     figures, counts = [], {}
     for stem, match in figures_of(bodies):
         counts[stem] = counts.get(stem, 0) + 1
-        identity = (re.search(r'id="([^"]+)"', match["attributes"]) or [None, f"fig-{counts[stem]}"])[1]
-        figures.append(f'<dt><a href="{stem}.html#{identity}">Figure {names.get(stem, stem)}.{counts[stem]}</a></dt><dd>{match["caption"]}</dd>')
+        figures.append(f'<dt><a href="{stem}.html#{name_figure(match, counts[stem])}">Figure {names.get(stem, stem)}.{counts[stem]}</a></dt><dd>{match["caption"]}</dd>')
     texts = {"references": bibliography, "index-of-concepts": rows(terms), "index-of-figures": rows(figures), "index-of-fragments": rows(fragments),
              "index-of-identifiers": rows(identifiers)}
     made = {stem: f'<h1 id="{stem}">{title}</h1>\n{texts[stem]}' for stem, title in INDICES.items()}
@@ -125,6 +129,7 @@ def index_pages(book, listings, names, bodies, bibliography):
 
 
 def finished(bodies, names, output):
+    """The bodies with numbered figures, marked concepts and the site's addresses."""
     marked, _ = mark_concepts(bodies)
     def finish(stem, body):
         body = body.replace('<math display="block"', '<math display="block" tabindex="0"')  # it may scroll: keys must reach it
@@ -132,9 +137,8 @@ def finished(bodies, names, output):
     return {stem: finish(stem, body) for stem, body in marked.items()}
 
 
-def page_html(bodies, names, output=ROOT / "build" / "book"):
-    """Whole pages by stem, and the words that search finds as search-words.js."""
-    bodies = finished(bodies, names, output)
+def page_html(bodies, names, output):
+    """Whole pages by stem, of finished bodies; writes the words that search finds, search-words.js."""
     order = ["index", *(stem for stem in bodies if stem != "index")]
     titles = {stem: title_of(bodies[stem]) for stem in bodies}
     menu = "".join(f'<li><a href="{stem}.html">{label(stem, names)}{html.escape(titles[stem])}</a></li>' for stem in order)
@@ -164,10 +168,10 @@ def page_html(bodies, names, output=ROOT / "build" / "book"):
     return pages
 
 
-def single_page(bodies, names, output=ROOT / "build" / "book"):
-    """All pages as one, for printing: addresses of pages become addresses within it."""
+def single_page(bodies):
+    """All pages as one, of finished bodies, for printing: addresses of pages become addresses within it."""
     texts = []
-    for stem, body in finished(bodies, names, output).items():
+    for stem, body in bodies.items():
         body = re.sub(r'\bid="([^"]+)"', rf'id="{stem}--\1"', body)
         body = re.sub(r'href="#([^"]+)"', rf'href="#{stem}--\1"', body)
         body = re.sub(r'href="([\w-]+)\.html#([^"]+)"', r'href="#\1--\2"', body)

@@ -11,12 +11,8 @@ import subprocess
 import sys
 from pathlib import Path
 
-from fragments import BOOK, ROOT, Book, BookError, covered_files, pages
+from fragments import BOOK, ROOT, Book, BookError, covered_files, pages, text_of
 from stitch import Edits, stitch
-
-
-def text_of(lines):
-    return "\n".join(line.text for line in lines)
 
 
 def differing(book, root):
@@ -29,7 +25,7 @@ def differing(book, root):
         file = root / path
         if not file.exists():
             problems[path] = "does not exist: ./dev tangle writes it"
-        elif text_of(book.tangle(path)) + "\n" != file.read_text(encoding="utf-8"):
+        elif text_of(book.tangle(path)) != file.read_text(encoding="utf-8"):
             problems[path] = "differs from the book: ./dev stitch takes its edits into the book, ./dev tangle replaces it"
     return problems
 
@@ -49,7 +45,7 @@ def tangle(book, root, force):
         if has_edits(root, path) and not force:
             raise BookError(f"{path} has edits that are not committed: ./dev stitch takes them into the book, tangle --force loses them")
         (root / path).parent.mkdir(parents=True, exist_ok=True)
-        (root / path).write_text(text_of(book.tangle(path)) + "\n", encoding="utf-8")
+        (root / path).write_text(text_of(book.tangle(path)), encoding="utf-8")
         print(f"written: {path}")
 
 
@@ -64,7 +60,7 @@ def stitch_all(book, root, folder):
     edits.write(kept)
     try:
         after = Book(folder)
-        wrong = [path for path in changed if text_of(after.tangle(path)) + "\n" != (root / path).read_text(encoding="utf-8")]
+        wrong = [path for path in changed if text_of(after.tangle(path)) != (root / path).read_text(encoding="utf-8")]
     except BookError as error:
         wrong = [str(error)]
     if wrong:
@@ -77,9 +73,10 @@ def stitch_all(book, root, folder):
 
 def where(book, place):
     path, _, number = place.rpartition(":")
-    if path not in book.files or not number.isdigit() or not 0 < int(number) <= len(book.tangle(path)):
+    lines = book.tangle(path) if path in book.files else []
+    if not number.isdigit() or not 0 < int(number) <= len(lines):
         raise BookError(f"{place} is no FILE:LINE of the book's files")
-    line = book.tangle(path)[int(number) - 1]
+    line = lines[int(number) - 1]
     print(f"{line.page}:{line.number}: {line.definition.name}")
 
 

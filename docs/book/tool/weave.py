@@ -7,8 +7,6 @@ Pandoc turns Markdown, mathematics (into MathML) and citations into HTML; listin
 site is followed: one that leads nowhere is an error, status 1. Needs pandoc, Pygments, Universal Ctags and, for the PDF, Chromium.
 """
 import argparse
-import html
-import json
 import re
 import shutil
 import subprocess
@@ -18,10 +16,10 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from examples import EXAMPLE
-from fragments import BOOK, ROOT, Book, BookError, FENCE, definitions_of, pages
-from identifiers import Index, key_of
+from fragments import BOOK, ROOT, Book, BookError, pages
+from identifiers import Index
 from listing import Listings
-from site_pages import check_links, figures_of, index_pages, page_html, single_page
+from site_pages import check_links, figures_of, finished, index_pages, page_html, single_page
 
 FORMAT = "markdown+gfm_auto_identifiers+implicit_figures+tex_math_dollars+pipe_tables+autolink_bare_uris-smart"
 TICKS = "`" * 10
@@ -36,9 +34,9 @@ def chapter_names():
     return names
 
 
-def with_listings(page, listings):
+def with_listings(page, book, listings):
     """The page's Markdown, its blocks of code as HTML."""
-    blocks = {definition.first_line - 1: definition for definition in definitions_of(page)}
+    blocks = {definition.first_line - 1: definition for definition in book.definitions if definition.page == page}
     lines, out, number = page.read_text(encoding="utf-8").split("\n"), [], 0
     while number < len(lines):
         number += 1
@@ -77,7 +75,7 @@ def weave(output, with_pdf):
     listings = Listings(book, Index(book), names)
     sources = pages()
     with ThreadPoolExecutor(2) as pool:
-        woven = list(pool.map(lambda page: pandoc(with_listings(page, listings)), sources))
+        woven = list(pool.map(lambda page: pandoc(with_listings(page, book, listings)), sources))
     warnings = [f"{page.name}: {line}" for page, (_, errors) in zip(sources, woven) for line in errors.splitlines()]
     bodies = {page.stem: body for page, (body, _) in zip(sources, woven)}
     bodies |= index_pages(book, listings, names, bodies, bibliography())
@@ -87,12 +85,12 @@ def weave(output, with_pdf):
         shutil.copy(file, output / "figures")
     for file in ("style.css", "search.js"):
         shutil.copy(Path(__file__).parent / file, output)
-    site = page_html(bodies, names, output)
-    for stem, text in site.items():
+    complete = finished(bodies, names, output)
+    for stem, text in page_html(complete, names, output).items():
         (output / f"{stem}.html").write_text(text, encoding="utf-8")
     problems = warnings + check_links(output)
     if with_pdf:
-        (output / "all.html").write_text(single_page(bodies, names, output), encoding="utf-8")
+        (output / "all.html").write_text(single_page(complete), encoding="utf-8")
         subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-pdf-tagging", "--no-pdf-header-footer", f"--print-to-pdf={output / 'eikonal.pdf'}",
                         f"file://{(output / 'all.html').resolve()}"], check=True, capture_output=True)
     print(f"{len(sources)} pages, {len(book.definitions)} blocks of {len(book.fragments)} fragments and {len(book.files)} files, "
