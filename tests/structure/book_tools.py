@@ -188,9 +188,9 @@ class ConceptsOfABook(unittest.TestCase):
         self.assertEqual({term: (concept.stem, concept.line) for term, concept in concepts.defined.items()}, {"shadow ray": ("01-chapter", 1)})
 
     def test_a_use_before_the_definition_is_named_once(self):
-        problems = self.concepts("# Lobes\nBoth lobes, and a lobe.", "A **lobe** is one.").problems
-        self.assertEqual(problems, ['01-chapter.md:2: "lobe" is used before it is defined at 02-chapter.md:1: link there, or define it here'])
-        self.assertEqual(len(self.concepts("A lobe. A **lobe** is one.").problems), 1)
+        problems = self.concepts("# Lobes\n\n## Two\nBoth lobes, and a lobe.", "A **lobe** is one.").problems
+        self.assertEqual(problems, ['01-chapter.md:4: "lobe" is used before it is defined at 02-chapter.md:1: link there, or define it here'])
+        self.assertEqual(len(self.concepts("# One\n## Text\nA lobe. A **lobe** is one.").problems), 1)
 
     def test_links_code_mathematics_and_questions_may_come_first(self):
         early = "## Seven questions\n1. A lobe?\n\n## Text\nA [lobe](02-chapter.md), `lobe`, $lobe$.\n```c\nlobe\n```\nMore lobes."

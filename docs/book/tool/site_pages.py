@@ -49,7 +49,8 @@ def number_figures(stem, body, names):
         identity = name_figure(match, count)
         picture = f'<img src="{source}"{match["attributes"]} loading="lazy">'.replace(f' id="{identity}"', "")
         if source.endswith(".svg") and (BOOK / source).exists():
-            picture = re.sub(r"^.*?<svg", '<svg role="img"', (BOOK / source).read_text(encoding="utf-8"), count=1, flags=re.DOTALL)
+            label = f'<svg role="img" aria-label="{html.escape(plain(match["caption"]))}"'
+            picture = re.sub(r"^.*?<svg", lambda _: label, (BOOK / source).read_text(encoding="utf-8"), count=1, flags=re.DOTALL)
         scene = Path(source).with_suffix(".pbrt")
         made = f' <a href="{scene}">(scene)</a>' if (BOOK / scene).exists() else ""
         return (f'<figure id="{identity}">{picture}<figcaption><b>Figure {names.get(stem, stem)}.{count}.</b> {match["caption"]}{made}</figcaption></figure>')
