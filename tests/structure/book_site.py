@@ -58,8 +58,8 @@ def main():
     parser.add_argument("--axe", type=Path)
     options = parser.parse_args()
     missing = [tool for tool in ("chromium", "pandoc", "ctags") if not shutil.which(tool)]
-    if missing or subprocess.run(["/usr/bin/python3", "-c", "import pygments"], capture_output=True).returncode:
-        print(f"skipped: {', '.join(missing) or 'python3-pygments'} is not installed; ./dev book installs it")
+    if missing or subprocess.run(["/usr/bin/python3", "-c", "import clang.cindex, pygments"], capture_output=True).returncode:
+        print(f"skipped: {', '.join(missing) or 'python3-clang-16 or python3-pygments'} is not installed; ./dev book installs it")
         return 77
     with tempfile.TemporaryDirectory() as folder:
         site = Path(folder) / "book"

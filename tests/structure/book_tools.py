@@ -9,6 +9,8 @@ import unittest
 from pathlib import Path
 
 TOOL = Path(__file__).resolve().parents[2] / "docs" / "book" / "tool" / "tangle.py"
+sys.path.insert(0, str(TOOL.parent))
+from concepts import Concepts  # noqa: E402
 
 CHAPTER = """# Light
 
@@ -168,6 +170,42 @@ class BookTools(unittest.TestCase):
             else:
                 self.assertEqual(self.page.read_text(), CHAPTER)
         self.assertGreater(stitched, 15)
+
+
+class ConceptsOfABook(unittest.TestCase):
+    """A term in bold is defined there, once; before that it is used only in links."""
+
+    def concepts(self, *chapters):
+        with tempfile.TemporaryDirectory() as folder:
+            pages = [Path(folder) / f"{number:02}-chapter.md" for number in range(1, len(chapters) + 1)]
+            for page, text in zip(pages, chapters):
+                page.write_text(text)
+            return Concepts(pages)
+
+    def test_a_definition_and_uses_after_it(self):
+        concepts = self.concepts("A **shadow\nray** asks.\nShadow rays end.", "A shadow ray.")
+        self.assertEqual(concepts.problems, [])
+        self.assertEqual({term: (concept.stem, concept.line) for term, concept in concepts.defined.items()}, {"shadow ray": ("01-chapter", 1)})
+
+    def test_a_use_before_the_definition_is_named_once(self):
+        problems = self.concepts("# Lobes\n\n## Two\nBoth lobes, and a lobe.", "A **lobe** is one.").problems
+        self.assertEqual(problems, ['01-chapter.md:4: "lobe" is used before it is defined at 02-chapter.md:1: link there, or define it here'])
+        self.assertEqual(len(self.concepts("# One\n## Text\nA lobe. A **lobe** is one.").problems), 1)
+
+    def test_links_code_mathematics_and_questions_may_come_first(self):
+        early = "## Seven questions\n1. A lobe?\n\n## Text\nA [lobe](02-chapter.md), `lobe`, $lobe$.\n```c\nlobe\n```\nMore lobes."
+        self.assertEqual(self.concepts(early, "A **lobe** is one.").problems, [])
+
+    def test_a_second_definition_is_named(self):
+        self.assertEqual(self.concepts("A **lobe**.", "text\nA **lobe**.").problems,
+                         ["02-chapter.md:2: **lobe** is defined a second time; the first is 01-chapter.md:1: link there instead"])
+
+    def test_html_links_first_uses_to_the_definition(self):
+        concepts = self.concepts("A **lobe**.", "Lobes.")
+        linked = concepts.linked({"01-chapter": "<p>A <strong>lobe</strong>.</p>", "02-chapter": "<p><code>lobe</code> Lobes. A lobe.</p>"})
+        self.assertEqual(linked["01-chapter"], '<p>A <strong id="c-lobe">lobe</strong>.</p>')
+        self.assertEqual(linked["02-chapter"],
+                         '<p><code>lobe</code> <a class="concept" id="u-lobe" href="01-chapter.html#c-lobe">Lobes</a>. A lobe.</p>')
 
 
 if __name__ == "__main__":

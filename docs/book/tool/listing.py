@@ -5,7 +5,7 @@ import html
 from pygments.token import STANDARD_TYPES, Token
 
 from fragments import REFERENCE
-from identifiers import is_identifier, key_of, tokens_of
+from identifiers import key_of, placed_tokens_of
 
 TYPES = {"vec2", "vec3", "spectrum", "uint", "uchar", "ushort", "ulong", "float2", "float4", "float8", "uint8", "int8", "size_t", "__global", "__constant",
          "__kernel", "FN", "SHARED_FN", "const", "inline", "static"}
@@ -31,25 +31,26 @@ class Listings:
     def reference(self, name):
         return self.link(self.book.fragments[name][0], f'⟨{html.escape(name)} <span class="number">{self.number_of[key_of(self.book.fragments[name][0])]}</span>⟩')
 
-    def identifier(self, name, here):
-        """The name, linked to where it is defined unless that is here."""
+    def identifier(self, name, text, here):
+        """The text of an identifier (or of None), linked to where it is defined unless that is here."""
         places = self.index.defined.get(name, [])
         if not places or any(key_of(place.definition) == here for place in places):
-            return html.escape(name)
-        return f'<a class="id" href="{self.address(key_of(places[0].definition))}">{html.escape(name)}</a>'
+            return html.escape(text)
+        return f'<a class="id" href="{self.address(key_of(places[0].definition))}">{html.escape(text)}</a>'
 
     def code(self, definition):
         """Its lines. Tokens may span lines (comments), references stand between them."""
-        here, texts, line = key_of(definition), [], 0
-        for kind, value in tokens_of(definition.lines):
+        here, texts, at = key_of(definition), [], 0
+        for kind, value, line, column in placed_tokens_of(definition.lines):
             css = STANDARD_TYPES.get(Token.Keyword.Type if value in TYPES else kind, "")
+            name = self.index.name_at(definition, kind, value, line, column)
             for part_number, part in enumerate(value.split("\n")):
                 if part_number:
-                    line = self._end_line(texts, definition, line)
+                    at = self._end_line(texts, definition, at)
                 if part:
-                    text = self.identifier(part, here) if is_identifier(kind) else html.escape(part)
+                    text = self.identifier(name, part, here)
                     texts.append(f'<span class="{css}">{text}</span>' if css else text)
-        self._end_line(texts, definition, line)
+        self._end_line(texts, definition, at)
         return "".join(texts).strip("\n")
 
     def _end_line(self, texts, definition, line):

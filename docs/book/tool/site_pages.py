@@ -11,7 +11,6 @@ from identifiers import key_of
 
 HEADING = re.compile(r"<h([1-3])(?: [^>]*?)?id=\"([^\"]+)\"[^>]*>(.*?)</h\1>", re.DOTALL)
 FIGURE = re.compile(r"<figure>\s*<img src=\"(?P<src>[^\"]+)\"(?P<attributes>[^>]*?)/?>\s*<figcaption[^>]*>(?P<caption>.*?)</figcaption>\s*</figure>", re.DOTALL)
-CONCEPT = re.compile(r"<strong>(.*?)</strong>", re.DOTALL)
 INDICES = {"references": "References", "index-of-concepts": "Index of concepts", "index-of-figures": "Index of figures",
            "index-of-fragments": "Index of fragments", "index-of-identifiers": "Index of identifiers"}
 
@@ -50,26 +49,12 @@ def number_figures(stem, body, names):
         identity = name_figure(match, count)
         picture = f'<img src="{source}"{match["attributes"]} loading="lazy">'.replace(f' id="{identity}"', "")
         if source.endswith(".svg") and (BOOK / source).exists():
-            picture = re.sub(r"^.*?<svg", '<svg role="img"', (BOOK / source).read_text(encoding="utf-8"), count=1, flags=re.DOTALL)
+            label = f'<svg role="img" aria-label="{html.escape(plain(match["caption"]))}"'
+            picture = re.sub(r"^.*?<svg", lambda _: label, (BOOK / source).read_text(encoding="utf-8"), count=1, flags=re.DOTALL)
         scene = Path(source).with_suffix(".pbrt")
         made = f' <a href="{scene}">(scene)</a>' if (BOOK / scene).exists() else ""
         return (f'<figure id="{identity}">{picture}<figcaption><b>Figure {names.get(stem, stem)}.{count}.</b> {match["caption"]}{made}</figcaption></figure>')
     return FIGURE.sub(figure, body)
-
-
-def mark_concepts(bodies):
-    """Each first definition of a concept gets an id; returns the marked bodies and term -> address."""
-    found, marked = {}, {}
-    for stem, body in bodies.items():
-        def concept(match):
-            term = plain(match[1]).rstrip(".:").lower()
-            if term in found or not term or stem.startswith("a-"):
-                return match[0]
-            identity = "c-" + re.sub(r"\W+", "-", term)
-            found[term] = f"{stem}.html#{identity}"
-            return f'<strong id="{identity}">{match[1]}</strong>'
-        marked[stem] = CONCEPT.sub(concept, body)
-    return marked, found
 
 
 def link_out(body, output):
@@ -94,7 +79,7 @@ def rows(entries):
     return "<dl class=\"index\">" + "".join(entries) + "</dl>"
 
 
-def index_pages(book, listings, names, bodies, bibliography):
+def index_pages(book, listings, concepts, names, bodies, bibliography):
     """The bodies of the first page and of the indices, by stem."""
     identifiers = []
     for name in sorted(listings.index.defined, key=str.lower):
@@ -109,13 +94,11 @@ def index_pages(book, listings, names, bodies, bibliography):
     for name in sorted(book.files):
         parts = " ".join(listings.link(part, listings.number_of[key_of(part)]) for part in book.files[name])
         fragments.append(f'<dt><code>{html.escape(name)}</code></dt><dd>{parts}</dd>')
-    _, concepts = mark_concepts(bodies)
-    terms = [f'<dt>{html.escape(term)}</dt><dd><a href="{address}">{names.get(address.split(".")[0], "")}</a></dd>' for term, address in sorted(concepts.items())]
     figures, counts = [], {}
     for stem, match in figures_of(bodies):
         counts[stem] = counts.get(stem, 0) + 1
         figures.append(f'<dt><a href="{stem}.html#{name_figure(match, counts[stem])}">Figure {names.get(stem, stem)}.{counts[stem]}</a></dt><dd>{match["caption"]}</dd>')
-    texts = {"references": bibliography, "index-of-concepts": rows(terms), "index-of-figures": rows(figures), "index-of-fragments": rows(fragments),
+    texts = {"references": bibliography, "index-of-concepts": rows(concepts.index(bodies, names)), "index-of-figures": rows(figures), "index-of-fragments": rows(fragments),
              "index-of-identifiers": rows(identifiers)}
     made = {stem: f'<h1 id="{stem}">{title}</h1>\n{texts[stem]}' for stem, title in INDICES.items()}
     contents = []
@@ -129,12 +112,11 @@ def index_pages(book, listings, names, bodies, bibliography):
 
 
 def finished(bodies, names, output):
-    """The bodies with numbered figures, marked concepts and the site's addresses."""
-    marked, _ = mark_concepts(bodies)
+    """The bodies with numbered figures and the site's addresses."""
     def finish(stem, body):
         body = body.replace('<math display="block"', '<math display="block" tabindex="0"')  # it may scroll: keys must reach it
         return link_out(number_figures(stem, body, names), output)
-    return {stem: finish(stem, body) for stem, body in marked.items()}
+    return {stem: finish(stem, body) for stem, body in bodies.items()}
 
 
 def page_html(bodies, names, output):

@@ -15,6 +15,7 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from concepts import Concepts
 from examples import EXAMPLE
 from fragments import BOOK, ROOT, Book, BookError, pages
 from identifiers import Index
@@ -77,8 +78,9 @@ def weave(output, with_pdf):
     with ThreadPoolExecutor(2) as pool:
         woven = list(pool.map(lambda page: pandoc(with_listings(page, book, listings)), sources))
     warnings = [f"{page.name}: {line}" for page, (_, errors) in zip(sources, woven) for line in errors.splitlines()]
-    bodies = {page.stem: body for page, (body, _) in zip(sources, woven)}
-    bodies |= index_pages(book, listings, names, bodies, bibliography())
+    concepts = Concepts()
+    bodies = concepts.linked({page.stem: body for page, (body, _) in zip(sources, woven)})
+    bodies |= index_pages(book, listings, concepts, names, bodies, bibliography())
     shutil.rmtree(output, ignore_errors=True)
     (output / "figures").mkdir(parents=True)
     for file in (BOOK / "figures").glob("*.*"):
