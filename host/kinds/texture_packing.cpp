@@ -3,16 +3,14 @@
 namespace eikonal {
 
 static float f(double x) { return static_cast<float>(x); }
-/// Texture space from scene space.
-static glm::dmat4 matrixOf(const PackContext& context, const Mapping& m) {
-    return glm::inverse(m.worldFromTexture) * context.space.worldFromScene();
+/// Texture space from the space of points.
+static glm::dmat4 matrixOf(const TexturePacking& into, const Mapping& m) { return glm::inverse(m.worldFromTexture) * into.worldFromPoint; }
+
+affine textureFromScene(const TexturePacking& into, const Mapping& m, double scale) {
+    return toAffine(glm::dmat4(glm::dmat3(scale)) * matrixOf(into, m));
 }
 
-affine textureFromScene(const PackContext& context, const Mapping& m, double scale) {
-    return toAffine(glm::dmat4(glm::dmat3(scale)) * matrixOf(context, m));
-}
-
-void packMapping(const PackContext& context, const Mapping& m, texture_instruction& i) {
+void packMapping(const TexturePacking& into, const Mapping& m, texture_instruction& i) {
     i.mapping = m.kind;
     switch (m.kind) {
         case mapping_uv:
@@ -22,24 +20,24 @@ void packMapping(const PackContext& context, const Mapping& m, texture_instructi
         case mapping_spherical:
         case mapping_cylindrical:
         case mapping_point:
-            i.texture_from_scene = textureFromScene(context, m);
+            i.texture_from_scene = textureFromScene(into, m);
             return;
         case mapping_planar: {
             glm::dmat4 plane(1);
             for (int axis = 0; axis < 3; ++axis) { plane[axis][0] = m.planeU[axis]; plane[axis][1] = m.planeV[axis]; }
             plane[3][0] = m.uOffset;
             plane[3][1] = m.vOffset;
-            i.texture_from_scene = toAffine(plane * matrixOf(context, m));
+            i.texture_from_scene = toAffine(plane * matrixOf(into, m));
             return;
         }
     }
 }
 
-void packOctaves(const PackContext& context, const Texture& t, texture_instruction& i) {
+void packOctaves(const TexturePacking& into, const Texture& t, texture_instruction& i) {
     i.octaves = static_cast<uint>(t.octaves);
     i.roughness = f(t.roughness);
     i.variation = f(t.variation);
-    i.texture_from_scene = textureFromScene(context, t.mapping, t.scale);
+    i.texture_from_scene = textureFromScene(into, t.mapping, t.scale);
 }
 
 }  // namespace eikonal

@@ -12,15 +12,16 @@ struct TexturePacking {
     const PackContext& context;
     ColorPacker& colors;
     TexturePacker& textures;
+    glm::dmat4 worldFromPoint;  ///< world space, where textures are placed, from the space of the points at which the program is evaluated
     bool unbounded = false;     ///< colours are not reflectances: they may exceed 1, and are upsampled to unbounded spectra
     bool leavesUnit = false;    ///< set by kinds: values may lie outside [0, 1]
 };
 
 /// Sets an instruction's mapping from points to texture coordinates.
-void packMapping(const PackContext&, const Mapping&, texture_instruction& i);
-/// The transform from scene space to texture space, scaled.
-affine textureFromScene(const PackContext&, const Mapping&, double scale = 1);
+void packMapping(const TexturePacking&, const Mapping&, texture_instruction& i);
+/// The transform from the space of points to texture space, scaled.
+affine textureFromScene(const TexturePacking&, const Mapping&, double scale = 1);
 /// Sets an instruction's octaves of noise, evaluated in texture space.
-void packOctaves(const PackContext&, const Texture&, texture_instruction& i);
+void packOctaves(const TexturePacking&, const Texture&, texture_instruction& i);
 
 }  // namespace eikonal

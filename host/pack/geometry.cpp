@@ -21,7 +21,7 @@ public:
         result_.seen = timesSeen(scene);
         for (size_t i = 0; i < scene.shapes.size(); ++i)
             if (!scene.shapes[i].worldFromObjectAtEnd)
-                packShape(in_, world, scene.shapes[i], scene.shapes[i].worldFromObject, false, false, static_cast<uint>(i + 1));
+                packShape(in_, world, scene.shapes[i], {scene.shapes[i].worldFromObject}, false, static_cast<uint>(i + 1));
         addMovingShapes();
         groupOfObject_.assign(scene.objects.size(), noGroup);
         movingInObject_.resize(scene.objects.size());
@@ -72,7 +72,7 @@ private:
         for (const Member& m : members) box.grow(m.shape->kind->traits.bound(*m.shape, m.groupFromObject));
         Group group;
         group.space = spaceOf(box);
-        for (const Member& m : members) packShape(in_, group, *m.shape, m.groupFromObject, true, false, m.id);
+        for (const Member& m : members) packShape(in_, group, *m.shape, {m.groupFromObject}, true, m.id);
         result_.groups.push_back(std::move(group));
         return result_.groups.size() - 1;
     }
@@ -116,7 +116,7 @@ private:
         if (groupOfObject_[object] != noGroup) { place(groupOfObject_[object], {inWorld}, id, i.where); return; }
         for (const Shape& s : in_.context.scene.objects[object].shapes)
             if (!s.worldFromObjectAtEnd)
-                packShape(in_, world, s, i.worldFromObject * s.worldFromObject, true, swapsHandedness(i.worldFromObject), id);
+                packShape(in_, world, s, {s.worldFromObject, i.worldFromObject}, true, id);
     }
 
     /// Places a group in the world.

@@ -52,6 +52,8 @@ public:
     void number(uint slot, double value) { add(slot, input_number, in_.colors.constant(value), NONE); }
     void count(uint slot, const char* name);
     void file(uint slot);
+    /// An integer that differs between the vertices of paths, for BSDFs whose evaluation is random.
+    void vertexKey(uint slot);
     /// A roughness as a microfacet width.
     void width(uint slot, const char* name);
     /// Both widths; requires anisotropy if they differ.

@@ -5,8 +5,7 @@
 
 namespace eikonal {
 
-void packShape(const GeometryPacking& in, Group& group, const Shape& s, const glm::dmat4& worldFromObject, bool inObject,
-               bool instanceSwaps, uint id) {
+void packShape(const GeometryPacking& in, Group& group, const Shape& s, const ShapePlace& place, bool inObject, uint id) {
     const PackContext& context = in.context;
     GeometryTables& tables = in.tables;
     const uint materialIndex = in.materials.material(s.material);
@@ -32,10 +31,10 @@ void packShape(const GeometryPacking& in, Group& group, const Shape& s, const gl
     }
     if (s.alpha.texture != none || s.alpha.value.value() < 1) {
         context.require(Feature::ALPHA, s.where.toString());
-        packed.alpha = in.textures.input(s.alpha);
+        packed.alpha = in.textures.alpha(s.alpha, glm::inverse(place.worldFromDefinition) * group.space.worldFromScene());
     }
-    const glm::dmat4 groupFromObject = group.space.sceneFromWorld() * worldFromObject;
-    const size_t elements = s.kind->traits.pack({context, tables, in.counts, group, s, packed, groupFromObject, instanceSwaps});
+    const glm::dmat4 groupFromObject = group.space.sceneFromWorld() * (place.worldFromDefinition * place.definitionFromObject);
+    const size_t elements = s.kind->traits.pack({context, tables, in.counts, group, s, packed, groupFromObject, swapsHandedness(place.worldFromDefinition)});
     if (elements == 0) return;
     context.require(s.kind->feature, s.where.toString());
     tables.element_shapes.insert(tables.element_shapes.end(), elements, static_cast<uint>(tables.shapes.size()));

@@ -4,6 +4,7 @@
 #include "kinds/texture_packing.h"
 
 #include <fmt/format.h>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 
@@ -110,7 +111,7 @@ uint TexturePacker::texture(int texture, TextureUse use) {
     const auto [found, isNew] = programs_.try_emplace({texture, use}, NONE);
     if (!isNew) return found->second;
     const Texture& t = context_.scene.textures[static_cast<size_t>(texture)];
-    ProgramWriter writer({context_, colors_, *this}, tables_, t.isFloat);
+    ProgramWriter writer({context_, colors_, *this, context_.space.worldFromScene()}, tables_, t.isFloat);
     if (use == TextureUse::coefficient) writer.allowUnbounded();
     writer.texture(texture);
     writer.use(use);
@@ -125,7 +126,7 @@ uint TexturePacker::emissionImage(const AreaLight& light) {
     t.mapping = light.imageMapping;
     if (mean > 0) t.scale = 1 / mean;
     t.where = light.where;
-    ProgramWriter writer({context_, colors_, *this}, tables_, false);
+    ProgramWriter writer({context_, colors_, *this, context_.space.worldFromScene()}, tables_, false);
     writer.allowUnbounded();
     writer.texture(t);
     return writer.finish(t.where);
@@ -133,15 +134,26 @@ uint TexturePacker::emissionImage(const AreaLight& light) {
 
 uint TexturePacker::colorInput(const Input& input, TextureUse use) {
     if (input.texture != none) return texture(input.texture, use);
-    ProgramWriter writer({context_, colors_, *this}, tables_, false);
+    ProgramWriter writer({context_, colors_, *this, context_.space.worldFromScene()}, tables_, false);
     writer.input(input);
     writer.use(use);
     return writer.finish(input.where);
 }
 
+uint TexturePacker::alpha(const Input& input, const glm::dmat4& worldFromPoint) {
+    if (input.texture == none || worldFromPoint == context_.space.worldFromScene()) return this->input(input);
+    std::array<double, 16> key;
+    std::copy_n(glm::value_ptr(worldFromPoint), key.size(), key.begin());
+    const auto [found, isNew] = alphas_.try_emplace({input.texture, key}, NONE);
+    if (!isNew) return found->second;
+    ProgramWriter writer({context_, colors_, *this, worldFromPoint}, tables_, true);
+    writer.texture(input.texture);
+    return found->second = writer.finish(input.where);
+}
+
 uint TexturePacker::input(const Input& input) {
     if (input.texture != none) return texture(input.texture);
-    ProgramWriter writer({context_, colors_, *this}, tables_, true);
+    ProgramWriter writer({context_, colors_, *this, context_.space.worldFromScene()}, tables_, true);
     writer.input(input);
     return writer.finish(input.where);
 }

@@ -3,6 +3,7 @@
 
 #include "pack/colors.h"
 
+#include <array>
 #include <map>
 #include <utility>
 
@@ -30,6 +31,9 @@ public:
     uint texture(int texture, TextureUse use = TextureUse::asItIs);
     /// The same of a texture or a plain number.
     uint input(const Input& input);
+    /// The same of an alpha, which rays evaluate at points in the space of a hierarchy, where worldFromPoint leads to where the shape was
+    /// defined (as in pbrt-v4: the pattern of an object's alpha moves with its instances).
+    uint alpha(const Input& input, const glm::dmat4& worldFromPoint);
     /// The same of a texture or a plain colour.
     uint colorInput(const Input& input, TextureUse use);
     /// The program of an area light's image: radiance relative to the image's mean.
@@ -48,6 +52,7 @@ private:
     std::map<std::pair<int, bool>, uint> images_;             ///< (scene image, asFloat) -> `images`
     std::map<int, double> meanLuminances_;                    ///< of scene images
     std::map<std::pair<int, TextureUse>, uint> programs_;     ///< (scene texture, use) -> `programs`
+    std::map<std::pair<int, std::array<double, 16>>, uint> alphas_;   ///< (scene texture, worldFromPoint) -> `programs`
 };
 
 }  // namespace eikonal

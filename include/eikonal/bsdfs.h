@@ -56,10 +56,11 @@
     F(q, float,    alpha_x,       ALWAYS)    /* of the coat; below MIN_ALPHA: smooth */ \
     F(q, float,    alpha_y,       ALWAYS) \
     F(q, float,    thickness,     ALWAYS)    /* of the medium, optical */ \
-    F(q, spectrum, albedo,        ALWAYS)    /* of the medium; 0: no medium */ \
+    F(q, spectrum, albedo,        ALWAYS)    /* of the medium; 0: it only absorbs */ \
     F(q, float,    g,             ALWAYS)    /* of the medium: mean cosine */ \
     F(q, uint,     max_depth,     ALWAYS)    /* most events of a walk */ \
-    F(q, uint,     samples,       ALWAYS)    /* walks per evaluation */
+    F(q, uint,     samples,       ALWAYS)    /* walks per evaluation */ \
+    F(q, uint,     key,           ALWAYS)    /* of the walks' random numbers; another one for each vertex of each path */
 
 /* The same coat and medium over a conductor. */
 #define COATED_CONDUCTOR_PARAMETERS(F, q) \
@@ -74,7 +75,8 @@
     F(q, spectrum, albedo,        ALWAYS) \
     F(q, float,    g,             ALWAYS) \
     F(q, uint,     max_depth,     ALWAYS) \
-    F(q, uint,     samples,       ALWAYS)
+    F(q, uint,     samples,       ALWAYS) \
+    F(q, uint,     key,           ALWAYS)
 
 /* Plastic to metal, under a clear coat, with sheen. */
 #define PRINCIPLED_PARAMETERS(F, q) \

@@ -53,7 +53,8 @@ CONTRACT_BEGIN
 #define LIGHT_MEMBER(type, name) type name;
 typedef struct { LIGHT_FIELDS(LIGHT_MEMBER) } light;
 
-/* Of several lights to choose from, each has at least this share of its probability under uniform choice. */
+/* Of several lights to choose from, each weight is raised to at least this share of the mean weight; its probability is then at least 1/21
+   of that under uniform choice. */
 #define LEAST_SHARE 0.05f
 
 /* An entry of an alias table (Vose 1991): keep this one with probability `keep`, else take `other`. */

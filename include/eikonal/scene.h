@@ -23,7 +23,8 @@ typedef struct {
     uint normal_map;     /* in `images`; NONE: none */
     uint mix_a, mix_b;   /* next_mix: in `materials` */
     uint mix_amount;     /* next_mix: in `programs`: the probability of b */
-    /* with REGULARIZE: in `materials`: the same with rougher lobes, for paths with a nonspecular vertex; itself: nothing to roughen */
+    /* with REGULARIZE: in `materials`: the same with rougher lobes, for paths that anything but a delta
+       distribution has scattered; itself: nothing to roughen */
     uint regular;
     uint interior;       /* with SUBSURFACE: in `media`: the medium inside; NONE: no medium of its own */
     uint profile;        /* with DIFFUSION: in `profiles`: diffusion profile of the light that enters; NONE: it continues as a ray */
@@ -42,7 +43,8 @@ typedef struct {
     uint subsurface_exit;      /* in `materials`: the material of exit points, whose BSDF is subsurface_exit */
 } diffusion_profile;
 
-enum input_kind { input_number, input_integer, input_spectrum, input_hero /* a number: its value at the path's first wavelength */ };
+enum input_kind { input_number, input_integer, input_spectrum, input_hero /* a number: its value at the path's first wavelength */,
+                  input_vertex_key /* an integer: no value of the material, but a hash of the path and of its vertex */ };
 
 /* One parameter of a material: a texture or a constant. */
 typedef struct {

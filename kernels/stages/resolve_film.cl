@@ -1,4 +1,4 @@
-/* path -> film.  Adds a wave's samples to their pixels, in sample order. Each work-item has several pixels of the wave's blocks. */
+/* path -> film.  Adds a batch's samples to their pixels, in sample order. Each work-item has several pixels of the batch's blocks. */
 #include "shade/color.clh"
 #include "shade/ray_tree.clh"
 #include "stages/queue.clh"

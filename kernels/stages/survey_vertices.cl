@@ -6,7 +6,7 @@
 #include "trace/route_items.clh"
 #include "stages/stage.clh"
 
-/* The most dielectric interfaces that one path passes. */
+/* A path ends after so many interfaces that it passes straight, dielectric and null ones, more than it has vertices to find. */
 #define MOST_SURVEY_CROSSINGS 8
 
 #define SURVEY_VERTICES_ARGUMENTS(TABLE, ARGUMENT) \

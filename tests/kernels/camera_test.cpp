@@ -138,12 +138,11 @@ TEST(Camera, SphericalRaysGoOnBeyondTheEdge) {
 
 struct LensResult { vec3 o, d; float importance; };
 
-/// A lens of three elements and a stop, on the device and on the host in double precision; each ray counts cos^4 / z^2 / density.
-TEST(Camera, RealisticRaysGoThroughEachElement) {
+/// A lens, element by element from the scene to the film, on the device and on the host in double precision; each ray counts cos^4 / z^2 / density.
+static void compareLensWithHost(const std::string& elements, const std::string& parameters) {
     const std::string file = std::filesystem::temp_directory_path() / ("eikonal-lens-" + std::to_string(getpid()) + ".dat");
-    std::ofstream(file) << "30 5 1.6 24\n80 3 1 24\n0 3 0 14\n-25 1.5 1.7 16\n40 2 1 18\n60 4 1.65 20\n-35 30 1 20\n";
-    const std::string head = std::string(view) + "Camera \"realistic\" \"string lensfile\" \"" + file +
-                             "\" \"float aperturediameter\" 9 \"float focusdistance\" 3";
+    std::ofstream(file) << elements;
+    const std::string head = std::string(view) + "Camera \"realistic\" \"string lensfile\" \"" + file + "\" " + parameters;
     Diagnostics diagnostics(LogLevel::silent);
     const Scene described = readPbrtText(head + "\nWorldBegin\n", "test.pbrt", ".", diagnostics);
     const LensSystem lens(described.camera, described.film.diagonal);
@@ -194,6 +193,17 @@ TEST(Camera, RealisticRaysGoThroughEachElement) {
     }
     EXPECT_GT(passed, n / 3) << "bounds that are that loose waste samples";
     EXPECT_LT(edges, n / 500) << "single precision may only matter at the edges";
+}
+
+TEST(Camera, RealisticRaysGoThroughEachElement) {
+    compareLensWithHost("30 5 1.6 24\n80 3 1 24\n0 3 0 14\n-25 1.5 1.7 16\n40 2 1 18\n60 4 1.65 20\n-35 30 1 20\n",
+                        "\"float aperturediameter\" 9 \"float focusdistance\" 3");
+}
+
+/// The rim of the face behind the stop is in front of it by 3.1 mm: rays that leave the face there do not meet the stop.
+TEST(Camera, RealisticRaysNeverGoBackToTheStop) {
+    compareLensWithHost("30 5 1.6 24\n80 3 1 24\n0 1 0 20\n-12 5 1.6 18\n-14 60 1 22\n",
+                        "\"float aperturediameter\" 20 \"float focusdistance\" 3");
 }
 
 /// A camera that moves is where the motion is at the sample's time, which is spread evenly over the shutter's.

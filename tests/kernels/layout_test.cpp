@@ -13,7 +13,7 @@
 namespace eikonal {
 namespace {
 
-/// Members of the structs of the scene's tables, all of them but those of a light, which are listed in lights.h.
+/// Members of the structs of the scene's tables, most of them; those of a light are listed in lights.h.
 #define STRUCT_MEMBERS(M) \
     M(material, next_queue) M(material, first_input) M(material, input_count) M(material, displacement) M(material, normal_map) \
     M(material, mix_a) M(material, mix_b) \
@@ -137,7 +137,7 @@ TEST(Layout, IsEqualOnBothSides) {
     expectEqualLayout(Features::allSpectral(), "all, spectral");
 }
 
-/// Each feature that some field of a queue names, alone.
+/// Features that fields of queues name, each alone.
 TEST(Layout, IsEqualForEachFeatureOfAField) {
     for (Feature f : {Feature::MEDIA, Feature::INTERFACE, Feature::TRANSMISSION, Feature::INSTANCES, Feature::ANISOTROPY, Feature::AOVS,
                       Feature::LIGHT_TREE, Feature::PORTALS})

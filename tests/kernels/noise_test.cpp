@@ -54,7 +54,7 @@ TEST(Noise, IsThatOfPbrt) {
     }
 }
 
-/// Zero at every lattice point, never above 1, the same 256 cells further on, and finite wherever a float may be.
+/// Zero at every lattice point, at most 1.04, the same 256 cells further on, and finite wherever a float may be.
 TEST(Noise, IsBoundedAndRepeats) {
     Random random(86);
     std::vector<vec3> lattice, near, far;
@@ -72,8 +72,8 @@ TEST(Noise, IsBoundedAndRepeats) {
     for (const spectrum& value : evaluateSolid(noise, lattice)) ASSERT_NEAR(value.r, 0, 1e-6);
     const auto a = evaluateSolid(noise, near), b = evaluateSolid(noise, far);
     for (size_t i = 0; i < a.size(); ++i) {
-        ASSERT_LE(std::abs(a[i].r), 1);
-        ASSERT_LE(std::abs(b[i].r), 1);
+        ASSERT_LE(std::abs(a[i].r), 1.04);
+        ASSERT_LE(std::abs(b[i].r), 1.04);
         if (i < 500) { ASSERT_EQ(a[i].r, b[i].r); }
     }
 }

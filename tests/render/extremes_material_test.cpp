@@ -34,6 +34,20 @@ TEST(ExtremeMaterials, ACoatOfNoThicknessIsTheCoatWithoutAMedium) {
         }
 }
 
+// The walks of a coat are random, and each path takes its own: where all see the same two directions, many paths are as good as many walks.
+TEST(ExtremeMaterials, ACoatConvergesWhereAllPathsSeeTheSameDirections) {
+    const auto lit = [](int walks, int samples) {
+        View view;
+        view.lookAt = "0 0 4  0 0 0  0 1 0";
+        view.samples = samples;
+        view.more = "Camera \"orthographic\"";
+        return render(sceneText(view, fmt::format("LightSource \"distant\" \"rgb L\" [3 3 3] \"point3 from\" [.002 .5 1]\nMaterial "
+                                                  "\"coateddiffuse\" \"rgb reflectance\" [.8 .8 .8] \"float roughness\" .2 \"integer nsamples\" {}\n"
+                                                  "Shape \"disk\" \"float radius\" 9\n", walks)), surfaces());
+    };
+    expectEqualMeans(lit(1, 2048), lit(128, 16));
+}
+
 // Straight on, a metal of index 1 + x + i y reflects (x^2 + y^2) / ((2 + x)^2 + y^2); 0.02 degrees aside, the same to 1e-7.
 TEST(ExtremeMaterials, MetalsOfAnIndexCloseToOne) {
     View view;

@@ -38,6 +38,22 @@ TEST(Light, AlphaLetsShadowRaysPass) {
                    rho / pi * 3. / 4 * 0.75);
 }
 
+// The pattern of an object's alpha moves with its instances, also where it depends on the point. Unit cells, opaque and not, the middle one
+// at the origin: as it is, the card is seen there, one cell to the side it is not.
+TEST(Light, AlphaMovesWithItsObject) {
+    const std::string texture = "AttributeBegin Translate -.5 -.5 0 Texture \"cells\" \"float\" \"checkerboard\" \"integer dimension\" 3 "
+                                "\"float tex1\" 1 \"float tex2\" 0 AttributeEnd Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n",
+                      square = "Shape \"bilinearmesh\" \"point3 P\" [-3 -2 .5  2 -2 .5  -3 2 .5  2 2 .5] \"texture alpha\" \"cells\"\n",
+                      object = texture + "ObjectBegin \"card\" " + square + "ObjectEnd\n",
+                      elsewhere = "AttributeBegin Translate 0 30 0 Scale 2 1 1 ObjectInstance \"card\" AttributeEnd\n";
+    for (const auto& [cells, expected] : {std::pair{0, 0.}, {1, Le}, {2, 0.}}) {
+        const std::string aside = fmt::format("Translate {} 0 0 ", cells), at = aside + "ObjectInstance \"card\"\n",
+                          moving = "ActiveTransform EndTime Translate 0 0 .01 ActiveTransform All ";
+        for (const std::string& cards : {object + at, object + elsewhere + at, texture + aside + moving + square})
+            expectRadiance(throughCards(cards), expected);
+    }
+}
+
 // Glass is in the way of light samples, as in pbrt-v4: a point behind it lights nothing; a lamp only by the rays that find it through the
 // pane.
 TEST(Light, GlassBlocksLightSamples) {

@@ -27,6 +27,7 @@ static next_queue pack(InputWriter& in) {
     in.number(slot_coated_conductor::g, "g");
     in.count(slot_coated_conductor::max_depth, "maxdepth");
     in.count(slot_coated_conductor::samples, "nsamples");
+    in.vertexKey(slot_coated_conductor::key);
     return next_coated_conductor;
 }
 

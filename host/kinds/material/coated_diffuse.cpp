@@ -22,6 +22,7 @@ static next_queue pack(InputWriter& in) {
     in.number(slot_coated_diffuse::g, "g");
     in.count(slot_coated_diffuse::max_depth, "maxdepth");
     in.count(slot_coated_diffuse::samples, "nsamples");
+    in.vertexKey(slot_coated_diffuse::key);
     return next_coated_diffuse;
 }
 

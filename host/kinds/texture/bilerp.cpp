@@ -12,7 +12,7 @@ static bool read(const pbrt::TextureReading& in, Texture& texture) {
 }
 
 static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) {
-    packMapping(into.context, t.mapping, i);
+    packMapping(into, t.mapping, i);
     into.leavesUnit = true;
 }
 

@@ -16,9 +16,9 @@ static bool read(const pbrt::TextureReading& in, Texture& texture) {
 }
 
 static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) {
-    if (t.dimensions == 2) return packMapping(into.context, t.mapping, i);
+    if (t.dimensions == 2) return packMapping(into, t.mapping, i);
     i.mapping = mapping_point;
-    i.texture_from_scene = textureFromScene(into.context, t.mapping);
+    i.texture_from_scene = textureFromScene(into, t.mapping);
 }
 
 const TextureTraits checkerboard_texture{

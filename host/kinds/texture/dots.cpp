@@ -12,7 +12,7 @@ static bool read(const pbrt::TextureReading& in, Texture& texture) {
     return true;
 }
 
-static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) { packMapping(into.context, t.mapping, i); }
+static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) { packMapping(into, t.mapping, i); }
 
 const TextureTraits dots_texture{.parameters = {"map inside = 1; map outside = 0", pbrt::mappingParameters}, .read = read, .pack = pack};
 

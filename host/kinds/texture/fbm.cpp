@@ -11,7 +11,7 @@ static bool read(const pbrt::TextureReading& in, Texture& texture) {
 }
 
 static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) {
-    packOctaves(into.context, t, i);
+    packOctaves(into, t, i);
     into.leavesUnit = true;
 }
 

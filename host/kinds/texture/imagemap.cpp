@@ -56,7 +56,7 @@ static void pack(TexturePacking& into, const Texture& t, texture_instruction& i)
     i.flags = (t.invert ? static_cast<uint>(texture_invert) : 0u) | (t.isFloat        ? static_cast<uint>(texture_number)
                                                                      : into.unbounded ? static_cast<uint>(texture_unbounded)
                                                                                       : 0u);
-    packMapping(into.context, t.mapping, i);
+    packMapping(into, t.mapping, i);
     if (t.scale < 0 || t.scale > 1 || into.textures.tables().images[i.image].format == format_float) into.leavesUnit = true;
 }
 

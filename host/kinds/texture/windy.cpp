@@ -5,7 +5,7 @@
 namespace eikonal {
 
 static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) {
-    packOctaves(into.context, t, i);
+    packOctaves(into, t, i);
     into.leavesUnit = true;
 }
 
