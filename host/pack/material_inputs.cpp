@@ -59,7 +59,9 @@ void InputWriter::number(uint slot, const char* name) {
 
 void InputWriter::count(uint slot, const char* name) { addInteger(slot, static_cast<uint>(std::max(get(name).value.value(), 0.0))); }
 
-void InputWriter::vertexKey(uint slot) { in_.tables.material_inputs.push_back({NONE, wordOf(slot, isSpectral()), input_vertex_key, 0, {}}); }
+void InputWriter::vertexKey(uint slot) {
+    in_.tables.material_inputs.push_back({NONE, wordOf(slot, isSpectral()), input_vertex_key, 0, {}});
+}
 
 void InputWriter::file(uint slot) { addInteger(slot, in_.measured.file(description_.file, description_.where)); }
 

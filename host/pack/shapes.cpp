@@ -34,7 +34,8 @@ void packShape(const GeometryPacking& in, Group& group, const Shape& s, const Sh
         packed.alpha = in.textures.alpha(s.alpha, glm::inverse(place.worldFromDefinition) * group.space.worldFromScene());
     }
     const glm::dmat4 groupFromObject = group.space.sceneFromWorld() * (place.worldFromDefinition * place.definitionFromObject);
-    const size_t elements = s.kind->traits.pack({context, tables, in.counts, group, s, packed, groupFromObject, swapsHandedness(place.worldFromDefinition)});
+    const bool instanceSwaps = swapsHandedness(place.worldFromDefinition);
+    const size_t elements = s.kind->traits.pack({context, tables, in.counts, group, s, packed, groupFromObject, instanceSwaps});
     if (elements == 0) return;
     context.require(s.kind->feature, s.where.toString());
     tables.element_shapes.insert(tables.element_shapes.end(), elements, static_cast<uint>(tables.shapes.size()));

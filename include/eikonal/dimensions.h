@@ -21,7 +21,7 @@ enum bounce_dimension {
     dimension_direction,       /* 2D: direction within the lobe */
     dimension_roulette,        /* 1D: Russian roulette */
     dimension_mix,             /* 1D: choice of a material in a mix */
-    dimension_walk,            /* seed of a random stream: the random walk of layered BSDFs */
+    dimension_walk,            /* seed: the random walks of layered BSDFs */
     dimension_distance,        /* seed of a random stream: distance sampling in media */
     dimension_transmittance,   /* seed of a random stream: transmittance of a shadow ray through media */
     dimension_alpha,           /* seed: alpha tests */

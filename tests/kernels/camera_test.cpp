@@ -138,7 +138,8 @@ TEST(Camera, SphericalRaysGoOnBeyondTheEdge) {
 
 struct LensResult { vec3 o, d; float importance; };
 
-/// A lens, element by element from the scene to the film, on the device and on the host in double precision; each ray counts cos^4 / z^2 / density.
+/// A lens, element by element from the scene to the film, on the device and on the host in double precision; each ray counts
+/// cos^4 / z^2 / density.
 static void compareLensWithHost(const std::string& elements, const std::string& parameters) {
     const std::string file = std::filesystem::temp_directory_path() / ("eikonal-lens-" + std::to_string(getpid()) + ".dat");
     std::ofstream(file) << elements;

@@ -108,13 +108,14 @@ static FunctionText walkText(const std::string& body) {
 
 const DeviceFunction<Walked>& track() {
     static const DeviceFunction<Walked> function(
-        walkText("tracked_path path = {hero, one, one, one, zero, 0.5f}; float u = next_random(&more); end = sample_medium(medium_set, colors, "
-                 "0u, o, d, t, u, &more, &path);"));
+        walkText("tracked_path path = {hero, one, one, one, zero, 0.5f}; float u = next_random(&more); "
+                 "end = sample_medium(medium_set, colors, 0u, o, d, t, u, &more, &path);"));
     return function;
 }
 const DeviceFunction<Walked>& attenuate() {
     static const DeviceFunction<Walked> function(
-        walkText("tracked_path path = {hero, one, zero, one, zero, 1.0f}; attenuate_medium(medium_set, colors, 0u, o, d, t, &more, &path);"));
+        walkText("tracked_path path = {hero, one, zero, one, zero, 1.0f}; "
+                 "attenuate_medium(medium_set, colors, 0u, o, d, t, &more, &path);"));
     return function;
 }
 

@@ -41,9 +41,10 @@ TEST(ExtremeMaterials, ACoatConvergesWhereAllPathsSeeTheSameDirections) {
         view.lookAt = "0 0 4  0 0 0  0 1 0";
         view.samples = samples;
         view.more = "Camera \"orthographic\"";
-        return render(sceneText(view, fmt::format("LightSource \"distant\" \"rgb L\" [3 3 3] \"point3 from\" [.002 .5 1]\nMaterial "
-                                                  "\"coateddiffuse\" \"rgb reflectance\" [.8 .8 .8] \"float roughness\" .2 \"integer nsamples\" {}\n"
-                                                  "Shape \"disk\" \"float radius\" 9\n", walks)), surfaces());
+        const std::string world = "LightSource \"distant\" \"rgb L\" [3 3 3] \"point3 from\" [.002 .5 1]\n"
+                                  "Material \"coateddiffuse\" \"rgb reflectance\" [.8 .8 .8] \"float roughness\" .2 "
+                                  "\"integer nsamples\" {}\nShape \"disk\" \"float radius\" 9\n";
+        return render(sceneText(view, fmt::format(fmt::runtime(world), walks)), surfaces());
     };
     expectEqualMeans(lit(1, 2048), lit(128, 16));
 }

@@ -172,7 +172,7 @@ class BookTools(unittest.TestCase):
         self.assertGreater(stitched, 15)
 
 
-class ConceptsOfABook(unittest.TestCase):
+class ConceptsTest(unittest.TestCase):
     """A term in bold is defined there, once; before that it is used only in links."""
 
     def concepts(self, *chapters):

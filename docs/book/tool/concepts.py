@@ -17,9 +17,9 @@ Concept = namedtuple("Concept", "stem line position")
 
 # Concepts whose words are everyday English, too: only a reader can tell which is meant, so they are neither checked nor linked.
 EVERYDAY = frozenset((
-    "base", "block", "centre", "channels", "constant", "dead", "dense", "density", "error", "function", "groups", "image", "interval", "item",
-    "layer", "map", "mix", "object", "parts", "place", "power", "program", "reduced", "shape", "sparse", "stop", "stretch", "table", "vector",
-    "weight", "words", "zero"))
+    "base", "bias", "block", "buckets", "centre", "channels", "crossing", "dead", "dense", "error", "frame", "groups", "importance", "instance",
+    "interval", "item", "kind", "layer", "map", "object", "padding", "parts", "place", "program", "segment", "shape", "sparse", "stop", "stream",
+    "stretch", "strip", "table", "vector", "weight", "words"))
 
 BOLD = re.compile(r"\*\*(.+?)\*\*", re.DOTALL)
 # What is not prose: code, mathematics, comments, citations, headings, and the sections that ask and are answered by the chapter
@@ -53,7 +53,8 @@ class Concepts:
 
     def __init__(self, chapters=None):
         chapters = chapters or [page for page in pages() if page.name[0].isdigit()]
-        texts = {page.stem: prose_of(page.read_text(encoding="utf-8")) for page in chapters}
+        sources = {page.stem: page.read_text(encoding="utf-8") for page in chapters}
+        texts = {stem: prose_of(text) for stem, text in sources.items()}
         self.order, self.defined, self.problems = list(texts), {}, []
         for stem, text in texts.items():
             for match in BOLD.finditer(text):
@@ -64,10 +65,10 @@ class Concepts:
                 else:
                     self.defined[term] = Concept(stem, line, match.start())
         for stem, text in texts.items():
-            self.problems += self._used_too_early(stem, text)
+            self.problems += self._used_too_early(stem, text, max(0, sources[stem].find("\n## ")))
 
-    def _used_too_early(self, stem, text):
-        """First uses of terms that are defined later, unless they are links."""
+    def _used_too_early(self, stem, text, begin):
+        """First uses of terms that are defined later, unless they are links. The sentences before `begin` say what the chapter is about."""
         here = self.order.index(stem)
         later = {term for term, concept in self.defined.items() if self.order.index(concept.stem) >= here} - EVERYDAY
         if not later:
@@ -76,7 +77,7 @@ class Concepts:
         targets = [match.span(2) for match in LINK.finditer(text)]
         bold = [match.span() for match in BOLD.finditer(text)]
         seen = set()
-        for match in pattern_of(later).finditer(text, max(0, text.find("\n## "))):  # the sentences before it say what the chapter is about
+        for match in pattern_of(later).finditer(text, begin):
             term, start = normal(match[1]), match.start()
             inside = lambda spans: any(first <= start < last for first, last in spans)
             if term in seen or inside(targets):
