@@ -1,4 +1,4 @@
-/* Which sample of which pixel each path of a wave is. */
+/* Which sample of which pixel each path of a batch is. */
 #ifndef EIKONAL_BATCH_H
 #define EIKONAL_BATCH_H
 #include "eikonal/portable.h"

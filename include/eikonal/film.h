@@ -5,8 +5,8 @@
 CONTRACT_BEGIN
 
 /* F(queue, type, name, FEATURE). Samples are added in order, one after the other, so wave size, tiles and crops do not change a bit.
-   Sums are compensated (Kahan), so a million samples lose no more precision than a few; only `normal` and `ng`, whose lengths do not
-   matter, are not. */
+   What the image shows is summed with compensation (Kahan), so a million samples lose no more precision than a few. Plain sums are
+   `normal` and `ng`, whose lengths do not matter, and those that only the error estimate reads. */
 #define FILM_FIELDS(F, q) \
     F(q, rgb,      sum,           ALWAYS)   /* of weight * film response to L */ \
     F(q, rgb,      compensation,  ALWAYS)   /* rounding error of sum */ \

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Adds a kind of each family out of tree, as docs/recipes.md says, and compares its image with that of the kind that it copies.
+"""Adds a kind of each family out of tree, as docs/book/16-adding-a-kind.md says, and compares its image with that of the kind that it copies.
 
 Copies the sources to a temporary folder. For each family it copies a kind's files under a new name and adds a line to the family's list;
 nothing else. Then it builds that program, once for all kinds, renders a scene with the original and with the copy, and expects the same
