@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "pack/missed_light.h"
 #include "render/session.h"
 #include "app/statistics.h"
 
@@ -42,6 +43,7 @@ std::string asText(const Options& o, const PackedScene& packed, const MemoryPlan
     }
     if (first) text += "nothing";
     text += fmt::format("\n  color      {}: {}", nameOf(packed.color), packed.color.why);
+    for (const std::string& missed : missedLight(packed)) text += "\n  hard light " + missed;
     text += fmt::format("\n  hierarchy  {} levels, built in {:.2f} s\n  memory     {}\n  requires\n", packed.counts.bvhDepth,
                         packed.counts.buildSeconds, describe(plan));
     for (const auto& [feature, why] : packed.reasons)
@@ -60,6 +62,7 @@ nlohmann::ordered_json asJson(const Options& o, const PackedScene& packed, const
     json["maxDepth"] = packed.frame().max_depth;
     for (const Count& c : countsOf(packed.counts)) json["counts"][c.key] = c.value;
     json["color"] = {{"mode", nameOf(packed.color)}, {"why", packed.color.why}};
+    json["hardLight"] = missedLight(packed);
     json["memory"] = {{"tables", plan.tables}, {"queues", plan.queues}, {"film", plan.film}};
     json["features"] = nlohmann::ordered_json::array();
     for (const auto& [feature, why] : packed.reasons)

@@ -14,11 +14,6 @@ static std::string titleOf(const IntegratorDescription& d) { return fmt::format(
 void packIntegrator(const IntegratorPacking& in, bool hasUnusedMedia) {
     const IntegratorDescription& integrator = in.context.scene.integrator;
     const std::string title = titleOf(integrator), why = integrator.where.toString() + ": " + title;
-    if (!integrator.standsFor.empty())
-        in.context.diagnostics.unsupported(
-            "integrator", integrator.where,
-            fmt::format("integrator \"{}\" is not available; \"volpath\", which converges to the same image, is used instead",
-                        integrator.standsFor));
     if (hasUnusedMedia)
         in.context.diagnostics.warn(
             integrator.where, title + " ignores the participating media of the scene (as in pbrt-v4); \"volpath\" renders them");

@@ -5,9 +5,12 @@
 #include "pack/color_mode.h"
 #include "pack/geometry.h"
 #include "pack/integrator.h"
+#include "pack/missed_light.h"
 #include "pack/sampler.h"
 #include "pack/scene_bounds.h"
 #include "read/formats/image.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
@@ -110,8 +113,19 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     return result;
 }
 
+/// Says what an image lacks if another integrator renders the scene than the one that it names.
+static void warnOfStandIn(const IntegratorDescription& integrator, const PackedScene& packed, Diagnostics& diagnostics) {
+    if (integrator.standsFor.empty()) return;
+    const std::vector<std::string> missed = missedLight(packed);
+    diagnostics.unsupported("integrator", integrator.where,
+                            fmt::format("integrator \"{}\" is not available; \"volpath\" is used instead{}", integrator.standsFor,
+                                        missed.empty() ? ", which converges to the same image"
+                                                       : fmt::format(". In this scene {}", fmt::join(missed, "; "))));
+}
+
 PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     Packing packing = packTables(scene, diagnostics);
+    warnOfStandIn(scene.integrator, packing.scene, diagnostics);
     packing.hierarchies.build(packing.scene.tables, packing.scene.counts, diagnostics);
     return std::move(packing.scene);
 }

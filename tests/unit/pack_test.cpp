@@ -3,6 +3,7 @@
 #include "kind_features.h"
 #include "kinds/integrator_kind.h"
 #include "render/session.h"
+#include "pack/missed_light.h"
 #include "pack/pack.h"
 
 #include "measured_file.h"
@@ -211,6 +212,22 @@ TEST_F(Pack, RegularizationMakesARougherTwin) {
     EXPECT_EQ(pack("Material \"conductor\" Shape \"sphere\"").tables.materials.size(), 1u);
 }
 
+// Light by way of smooth surfaces: a point light's is missing, a small lamp's is noisy, a large lamp's is neither; nor is any without them.
+TEST_F(Pack, HardLightIsNamed) {
+    const std::string glass = "Material \"dielectric\" Shape \"sphere\" ", point = "LightSource \"point\" ",
+                      rough = "Material \"dielectric\" \"float roughness\" .3 Shape \"sphere\" ";
+    const auto lamp = [](double radius) {
+        return fmt::format("AttributeBegin AreaLightSource \"diffuse\" Translate 0 3 0 Shape \"sphere\" \"float radius\" {} AttributeEnd ",
+                           radius);
+    };
+    EXPECT_THAT(missedLight(pack(point + glass)),
+                ElementsAre(AllOf(HasSubstr("a point light"), HasSubstr("test.pbrt:"), HasSubstr("is missing"))));
+    EXPECT_THAT(missedLight(pack(lamp(0.01) + glass)), ElementsAre(HasSubstr("is noisy")));
+    EXPECT_EQ(missedLight(pack(point + lamp(0.01) + glass)).size(), 2u);
+    for (const std::string& world : {lamp(1) + glass, point + lamp(0.01) + rough, glass})
+        EXPECT_THAT(missedLight(pack(world)), IsEmpty()) << world;
+}
+
 // Those that pbrt-v4 has and Eikonal has not are rendered as "volpath", and that is said once; with --strict it is an error.
 TEST_F(Pack, IntegratorsThatAreNotRenderedAreNamedOnce) {
     for (const char* name : {"bdpt", "mlt", "sppm", "lightpath", "function"}) {
@@ -222,6 +239,9 @@ TEST_F(Pack, IntegratorsThatAreNotRenderedAreNamedOnce) {
             << name;
         EXPECT_THROW(packScene(scene, strict), SceneError) << name;
     }
+    Diagnostics hard(LogLevel::silent);
+    packScene(read("Integrator \"bdpt\"\nWorldBegin\nLightSource \"point\" Material \"dielectric\" Shape \"sphere\""), hard);
+    EXPECT_THAT(hard.warnings(), ElementsAre(HasSubstr("is missing")));
 }
 
 // A scene without light is black, and says so; not where nothing needs a light, and not where a medium shines by itself.

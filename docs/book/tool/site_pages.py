@@ -97,7 +97,8 @@ def index_pages(book, listings, concepts, names, bodies, bibliography):
     figures, counts = [], {}
     for stem, match in figures_of(bodies):
         counts[stem] = counts.get(stem, 0) + 1
-        figures.append(f'<dt><a href="{stem}.html#{name_figure(match, counts[stem])}">Figure {names.get(stem, stem)}.{counts[stem]}</a></dt><dd>{match["caption"]}</dd>')
+        caption = match["caption"].replace('href="#', f'href="{stem}.html#')
+        figures.append(f'<dt><a href="{stem}.html#{name_figure(match, counts[stem])}">Figure {names.get(stem, stem)}.{counts[stem]}</a></dt><dd>{caption}</dd>')
     texts = {"references": bibliography, "index-of-concepts": rows(concepts.index(bodies, names)), "index-of-figures": rows(figures), "index-of-fragments": rows(fragments),
              "index-of-identifiers": rows(identifiers)}
     made = {stem: f'<h1 id="{stem}">{title}</h1>\n{texts[stem]}' for stem, title in INDICES.items()}

@@ -1,0 +1,62 @@
+#include "pack/missed_light.h"
+
+#include "kind_features.h"
+#include "kinds/light_kind.h"
+#include "pack/pack.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal {
+
+static constexpr double rareShare = 1e-3;
+
+/// The first surface that only reflects and transmits in single directions, with its place in the scene; empty if there is none.
+static std::string firstSmooth(const PackedScene& packed) {
+    for (const auto& [feature, what] : {std::pair{KindFeature::BSDF_SPECULAR_DIELECTRIC, "clear glass"},
+                                        {KindFeature::BSDF_SPECULAR_CONDUCTOR, "a mirror"},
+                                        {KindFeature::BSDF_THIN_DIELECTRIC, "a pane"}})
+        if (const auto found = packed.reasons.find(feature); found != packed.reasons.end())
+            return fmt::format("{} ({})", what, found->second);
+    return {};
+}
+
+/// The area of the smallest lamp, all elements of a shape together, over the cross-section of the scene; infinite without lamps.
+static double smallestLamp(const PackedScene& packed) {
+    const auto& lights = packed.tables.lights;
+    double smallest = INFINITY;
+    for (const shape& s : packed.tables.shapes) {
+        if (s.first_light == NONE || s.first_light >= lights.size()) continue;
+        double area = 0;
+        for (size_t i = s.first_light; i < lights.size() && lights[i].element != NONE; ++i) {
+            if (&packed.tables.shapes[packed.tables.element_shapes[lights[i].element]] != &s) break;
+            if (lights[i].inverse_area > 0) area += 1 / double{lights[i].inverse_area};
+        }
+        if (area > 0) smallest = std::min(smallest, area / M_PI);
+    }
+    return smallest;
+}
+
+std::vector<std::string> missedLight(const PackedScene& packed) {
+    const std::string smooth = firstSmooth(packed);
+    if (smooth.empty()) return {};
+    std::vector<std::string> missed;
+    for (const light& l : packed.tables.lights) {
+        const LightKind& kind = kindOf(l);
+        if (kind.place != LightPlace::POINT && kind.place != LightPlace::DISTANT) continue;
+        const auto where = packed.reasons.find(kind.feature);
+        missed.push_back(fmt::format("what a {} light{} sends onto surfaces by way of smooth ones, first {}, is missing: no path from the "
+                                     "camera can hit such a light",
+                                     kind.name, where == packed.reasons.end() ? "" : " (" + where->second + ")", smooth));
+        break;
+    }
+    if (const double share = smallestLamp(packed); share < rareShare)
+        missed.push_back(fmt::format("what a lamp of {:.1e} of the scene's cross-section sends onto surfaces by way of smooth ones, first "
+                                     "{}, is noisy: about one path in {:.0f} hits the lamp",
+                                     share, smooth, 1 / share));
+    return missed;
+}
+
+}  // namespace eikonal
