@@ -231,6 +231,21 @@ TEST(Tangents, TurnTheFrame) {
     }
 }
 
+/// Rays beside a flat patch and parallel to it miss it; and distances count in lengths of d, also where they are small.
+TEST(BilinearPatch, ParallelRaysMissAndDirectionsHaveAnyLength) {
+    const DeviceFunction<float> function({.include = "shape/shapes.clh",
+                                          .type = "float",
+                                          .body = "patch q = {make_vec3(0.0f, 0.0f, 0.0f), make_vec3(1.0f, 0.0f, 0.0f), make_vec3(0.0f, "
+                                                  "1.0f, 0.0f), make_vec3(1.0f, 1.0f, 0.0f)}; result = intersect_patch(q, o, d, 1e30f).t;",
+                                          .inputs = {"vec3 o", "vec3 d"},
+                                          .features = shapeFeatures()});
+    const std::vector<vec3> o{{-1, .5f, 5}, {.5f, -1, 1e-3f}, {.3f, .5f, .01f}, {.3f, .5f, .01f}, {.3f, .5f, .01f}},
+        d{{1, 0, 0}, {0, 1, 0}, {0, 0, -1e4f}, {0, 0, -1e-4f}, {0, 0, 1}};
+    const float expected[] = {-1, -1, 1e-6f, 100, -1};
+    const std::vector<float> t = function(o, d);
+    for (size_t i = 0; i < t.size(); ++i) EXPECT_NEAR(t[i], expected[i], 1e-6f * std::abs(expected[i])) << i;
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, Shapes, testing::ValuesIn(kindNames), [](const auto& info) { return info.param; });
 
 }  // namespace

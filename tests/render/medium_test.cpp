@@ -104,14 +104,15 @@ TEST(Medium, AWhiteCloudUnderAWhiteSkyCannotBeSeen) {
                        1, 0.005);
     }
 }
-// A point light too weak to be seen changes how distances are sampled, and nothing else: light samples and paths share the sky's light.
-TEST(Medium, APointLightTakesNothingFromTheSky) {
+// A white cloud in a ball that shines with a radiance of 1 cannot be seen. A point light too weak to be seen changes how distances are
+// sampled, and nothing else: light samples and paths share the light of the ball.
+TEST(Medium, APointLightTakesNothingFromALamp) {
     const std::string point = "AttributeBegin MediumInterface \"\" \"cloud\" LightSource \"point\" \"rgb I\" [1e-9 1e-9 1e-9] "
                               "\"point3 from\" [0 0 .1] AttributeEnd\n";
-    expectRadiance(look("LightSource \"infinite\" \"rgb L\" [1 1 1]\n" +
-                            medium("cloud", "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [1 1 1]") + point + ball("cloud", "", 1),
-                        300),
-                   1, 0.005);
+    const std::string lamp = "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [1 1 1] \"bool twosided\" true Material \"diffuse\" "
+                             "\"rgb reflectance\" [0 0 0] Shape \"sphere\" \"float radius\" 9 AttributeEnd\n";
+    expectRadiance(look(medium("cloud", "\"rgb sigma_a\" [0 0 0] \"rgb sigma_s\" [1 1 1]") + point + lamp + ball("cloud", "", 1), 300), 1,
+                   0.005);
 }
 // The same with different coefficients in each colour: paths follow one and must be right for all.
 TEST(Medium, AWhiteCloudMayScatterColoursDifferently) {
