@@ -52,13 +52,14 @@ NoiseSums Film::noise(const PixelRect& part, ErrorMetric metric, double decay) c
             const glm::vec3 color = planes.color(i);
             const double independent = samples < 4 ? planes.variance(i, color) : 0;
             double half = samples < 4 ? independent : planes.halfSquare[i] * scale,
-                   quarter = samples < 4 ? 2 * independent : planes.quarterSquare[i] * scale;
-            if (metric == ErrorMetric::relmseRoot && half + quarter > 0) {
+                   quarter = samples < 4 ? 2 * independent : planes.quarterSquare[i] * scale, eighth = planes.eighthSquare[i] * scale;
+            if (metric == ErrorMetric::relmseRoot && half + quarter + eighth > 0) {
                 const double r = expectedLuminance(planes, x, y), weight = 1 / (r * r + 0.01);
                 half *= weight;
                 quarter *= weight;
+                eighth *= weight;
             }
-            sums += {1, luminance(color), half, quarter, half * half, samples};
+            sums += {1, luminance(color), half, quarter, eighth, (half + quarter) * (half + quarter), samples};
         }
     return sums;
 }

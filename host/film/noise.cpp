@@ -16,16 +16,26 @@ NoiseSums& NoiseSums::operator+=(const NoiseSums& other) {
     brightness += other.brightness;
     half += other.half;
     quarter += other.quarter;
+    eighth += other.eighth;
     squares += other.squares;
     return *this;
 }
 
-VarianceDecay decayOf(const NoiseSums& sums) {
+/// Of 4 samples, of which only the last two steps are known: their ratio is 1/2 for independent samples, 1/4 for V = 1/n^2.
+static VarianceDecay decayOfNeighbours(const NoiseSums& sums) {
     if (!(sums.quarter > 0)) return {};
-    /* Independent samples: 1/2; 1/n^2: 1/4. Quarters of a few samples have yet to become well spread, so the first steps fall faster */
-    const double ratio = std::clamp(sums.half / sums.quarter, sums.fewest < 64 ? 0.3 : 0.25, 0.55);
+    const double ratio = std::clamp(sums.half / sums.quarter, 0.3, 0.55);
     const double geometric = ratio / (1 - ratio), mixture = 5.0 / 3 - 1 / (3 * ratio);
-    return {(geometric + mixture) / 2, std::max(std::log2(1 / ratio), 1.0)};
+    return {(geometric + mixture) / 2 * sums.half / (sums.half + sums.quarter), std::max(std::log2(1 / ratio), 1.0)};
+}
+
+VarianceDecay decayOf(const NoiseSums& sums) {
+    if (sums.fewest < 8) return decayOfNeighbours(sums);
+    if (!(sums.eighth > 0)) return {};
+    /* Independent samples: 1/4; the best nets: 1/64. Parts of a few samples have yet to become well spread, so the first steps fall faster */
+    const double ratio = std::clamp(sums.half / sums.eighth, sums.fewest < 64 ? 0.09 : 1.0 / 64, 0.3);
+    const double geometric = ratio / (1 - ratio), mixture = (22 * ratio - 1) / (3 * (14 * ratio + 1));
+    return {ratio < 1.0 / 16 ? geometric : 0.6 * geometric + 0.4 * mixture, std::max(std::log2(1 / ratio) / 2, 1.0)};
 }
 
 double varianceScale(unsigned n, double exponent) {
@@ -47,16 +57,18 @@ ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, E
     ErrorEstimate e;
     if (sums.pixels == 0) return e;
     const double mean = sums.brightness / sums.pixels;
-    e.error = std::sqrt(std::max(sums.half, 0.0) * decay.share / sums.pixels);
+    const double steps = std::max(sums.half + sums.quarter, 0.0);
+    e.error = std::sqrt(steps * decay.share / sums.pixels);
     if (metric == ErrorMetric::nrmse) e.error = mean > 0 ? e.error / mean : 0;
-    /* A half square is the square of one normal number, so its variance is 2/3 of the expectation of its square */
-    const double deviation = sums.half > 0 ? std::sqrt(2.0 / 3 * sums.squares) / sums.half / 2 : 0;
+    /* Of independent samples, a pixel's two steps are the squares of three normal numbers of one variance: the variance of their sum is 2/5
+       of the expectation of its square */
+    const double deviation = steps > 0 ? std::sqrt(0.4 * sums.squares) / steps / 2 : 0;
     const double factor = std::exp(1.96 * std::hypot(deviation, modelDeviation));
     e.low = e.error / factor;
     e.high = e.error * factor;
     if (sums.fewest < 4) e.doubt = fmt::format("a pixel has only {} sample{}", sums.fewest, sums.fewest == 1 ? "" : "s");
     else if (sums.brightness == 0) e.doubt = "no sample has found light";
-    else if (sums.half * sums.half < leastPixels * sums.squares && sums.pixels > leastPixels) e.doubt = "very few pixels hold most of it";
+    else if (steps * steps < leastPixels * sums.squares && sums.pixels > leastPixels) e.doubt = "very few pixels hold most of it";
     return e;
 }
 

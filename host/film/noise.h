@@ -20,19 +20,21 @@ struct NoiseSums {
     double pixels = 0, brightness = 0;   ///< count, and sum of luminances
     double half = 0;                     ///< half squares, scaled to the samples that a pixel has
     double quarter = 0;                  ///< half squares of each half, V(n/4) - V(n/2), scaled as `half`
-    double squares = 0;                  ///< of the half squares
+    double eighth = 0;                   ///< half squares of each quarter, V(n/8) - V(n/4), scaled as `half`; 0 below 8 samples
+    double squares = 0;                  ///< of the sums of half and quarter
     unsigned fewest = 0;                 ///< samples per pixel
     NoiseSums& operator+=(const NoiseSums& other);
 };
 
 /// How the variance falls with the number of samples n.
 struct VarianceDecay {
-    double share = 1;      ///< V(n) / (V(n/2) - V(n)); 1 for independent samples, less for Sobol' samples
+    double share = 1. / 3; ///< V(n) / (V(n/4) - V(n)); 1/3 for independent samples, less for Sobol' samples
     double exponent = 1;   ///< near n, V falls as n^-exponent
 };
-/// V(n) is the sum of all later steps V(m) - V(2m), m = n, 2n, 4n ..., which the last two steps extrapolate. If the ratio of steps stays
-/// what it is, this is a geometric series; if V is a mixture of 1/n and 1/n^2, the ratio rises. The mean of both is taken. A ratio below
-/// that of 1/n^2 does not last.
+/// V(n) is the sum of all later steps V(m) - V(2m), m = n, 2n, 4n ..., which the last two extrapolate. If the ratio of steps two apart,
+/// V(n/2) - V(n) and V(n/8) - V(n/4), stays what it is, this is a geometric series; if V is a mixture of 1/n and 1/n^2, the ratio rises. A
+/// mean of both is taken. Ratios of neighbouring steps would mislead: nets in base 4 gain more from 2 * 4^k to 4^(k + 1) samples than from
+/// 4^k to 2 * 4^k. Of fewer than 8 samples only neighbours are known.
 VarianceDecay decayOf(const NoiseSums& sums);
 
 /// V(n) / V(m), where m is the largest power of two that is at most n. The samples are aligned runs of 2^b samples, one for each bit of

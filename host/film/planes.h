@@ -12,7 +12,7 @@ namespace eikonal {
 /// Estimates of a pixel, and their variance.
 struct Film::Planes {
     size_t n;
-    const float *sum, *weight, *squareWeight, *mean, *spread, *halfSquare, *quarterSquare, *lowMean;
+    const float *sum, *weight, *squareWeight, *mean, *spread, *halfSquare, *quarterSquare, *eighthSquare, *lowMean;
     const uint* count;
 
     explicit Planes(const Film& f)
@@ -24,6 +24,7 @@ struct Film::Planes {
           spread(f.floats("spread")),
           halfSquare(f.floats("half_square")),
           quarterSquare(f.floats("quarter_square")),
+          eighthSquare(f.floats("eighth_square")),
           lowMean(f.floats("low_mean")),
           count(f.numbers("count")) {}
 

@@ -26,6 +26,7 @@ CONTRACT_BEGIN
     F(q, float,    low_mean,      ALWAYS)   /* of the last 2^k samples: mean luminance of all quarters but the brightest */ \
     F(q, float,    half_square,   ALWAYS)   /* squared distance of their mean from that of half of them */ \
     F(q, float,    quarter_square, ALWAYS)  /* the same for each half and its quarters, averaged over both halves */ \
+    F(q, float,    eighth_square, ALWAYS)   /* quarter_square of the last 2^(k-1) samples: of quarters and their eighths */ \
     F(q, uint,     count,         ALWAYS)   /* samples */ \
     F(q, uint,     invalid,       ALWAYS)   /* samples not finite or above MOST_RADIANCE, counted as black */ \
     F(q, rgb,      albedo,       AOVS)     /* sum of weight * value; the same for the next two */ \

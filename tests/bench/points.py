@@ -43,7 +43,7 @@ def build_kernels(folder):
     """The kernels, with the candidates in place of the samplers."""
     for part in ("kernels", "include"):
         shutil.copytree(ROOT / part, folder / part)
-    random = folder / "kernels" / "random.clh"
+    random = folder / "kernels" / "math" / "random.clh"
     text = random.read_text()
     for name in ("float sample_1d(", "vec2 sample_2d("):
         text = replaced(text, f"FN {name}", f"FN {name.replace('sample', 'shipped_sample')}")

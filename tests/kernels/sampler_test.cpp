@@ -118,16 +118,19 @@ template <class F> void forEachShape(std::vector<uint>& shape, size_t coordinate
     }
 }
 
-/// How many shapes of boxes of volume 2^(t - k) do not all hold 2^t of the 2^k points from `first` on: the definition of a (t, k, s)-net.
-size_t unevenShapes(const std::vector<std::vector<float>>& coordinates, uint first, uint k, uint t) {
+/// How many shapes of boxes of volume 2^(t - k), whose sides are powers of 2^-digit, do not all hold 2^t of the 2^k points from `first` on:
+/// none is the definition of a net in base 2^digit.
+size_t unevenShapes(const std::vector<std::vector<float>>& coordinates, uint first, uint k, uint t, uint digit = 1) {
     size_t uneven = 0;
     std::vector<uint> shape(coordinates.size());
-    forEachShape(shape, 0, k - t, [&](const std::vector<uint>& bits) {
+    forEachShape(shape, 0, (k - t) / digit, [&](const std::vector<uint>& digits) {
         std::vector<uint> counts(1u << (k - t));
         for (uint i = first; i < first + (1u << k); ++i) {
             uint box = 0;
-            for (size_t c = 0; c < bits.size(); ++c)
-                box = (box << bits[c]) | static_cast<uint>(coordinates[c][i] * static_cast<float>(1u << bits[c]));
+            for (size_t c = 0; c < digits.size(); ++c) {
+                const uint bits = digit * digits[c];
+                box = (box << bits) | static_cast<uint>(coordinates[c][i] * static_cast<float>(1u << bits));
+            }
             ++counts[box];
         }
         uneven += static_cast<size_t>(std::count(counts.begin(), counts.end(), 1u << t)) != counts.size();
@@ -147,8 +150,29 @@ std::vector<std::vector<float>> coordinatesOf(const Sampler& sampler, const Proj
 
 uint atVertex(uint depth, uint decision) { return camera_dimensions + depth * bounce_dimensions + decision; }
 
+/// The pixel's pair and either pair of the first vertex are a (0, 4)-sequence in base 4: of every aligned block of 4^k samples, exactly one
+/// lies in each box whose sides are powers of 1/4 and whose volume is 4^-k. No four coordinates can do better.
+TEST(JointPairs, OfPixelAndFirstVertexAreASequenceInBase4) {
+    const Sampler joint(Kind::joint), padded(Kind::padded);
+    for (uint decision : {dimension_light_point, dimension_direction}) {
+        const Projection p{"", {dimension_pixel, atVertex(0, decision)}};
+        size_t unevenPadded = 0;
+        for (uint seed : {3u, 0x9e3779b9u}) {
+            const auto points = coordinatesOf(joint, p, seed, 8192), others = coordinatesOf(padded, p, seed, 8192);
+            for (uint k = 2; k <= 12; k += 2)
+                for (uint first : {0u, 1u << k, 8192u - (1u << k)}) {
+                    EXPECT_EQ(unevenShapes(points, first, k, 0, 2), 0u)
+                        << "decision " << decision << ", seed " << seed << ", samples " << first << " to " << first + (1u << k);
+                    unevenPadded += unevenShapes(others, first, k, 0, 2);
+                }
+        }
+        EXPECT_GT(unevenPadded, 0u) << decision;
+    }
+}
+
 /// What meets in an integrand is spread together: every block of 16, 64 and 256 samples of a pixel is a (2, 4)-, (3, 6)- and (3, 8)-net in
-/// the pairs of neighbours on a path, four and six numbers each. Padded pairs are no such nets.
+/// the pairs of neighbours on a path, of four numbers; of six, (2, 4)-, (3, 6)- and (4, 8)-nets. joint_pairs_search finds these t by the
+/// rank of the pairs' matrices; here boxes are counted. Padded pairs are no such nets.
 TEST(JointPairs, AreNetsOfSmallT) {
     const Sampler joint(Kind::joint), padded(Kind::padded);
     const std::vector<Projection> projections = {
@@ -165,7 +189,7 @@ TEST(JointPairs, AreNetsOfSmallT) {
         size_t unevenPadded = 0;
         for (uint seed : {3u, 0x9e3779b9u, 0xfffffff1u}) {
             const auto points = coordinatesOf(joint, p, seed, 512), others = coordinatesOf(padded, p, seed, 512);
-            for (const auto& [k, t] : {std::pair{4u, 2u}, {6u, 3u}, {8u, 3u}})
+            for (const auto& [k, t] : {std::pair{4u, 2u}, {6u, 3u}, {8u, p.dimensions.size() == 2 ? 3u : 4u}})
                 for (uint first : {0u, 1u << k, 512u - (1u << k)}) {
                     EXPECT_EQ(unevenShapes(points, first, k, t), 0u)
                         << p.name << ", seed " << seed << ", samples " << first << " to " << first + (1u << k);

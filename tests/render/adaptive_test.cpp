@@ -116,7 +116,7 @@ TEST_F(AdaptiveCli, TheSamplesAreReported) {
               "",
               "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [20 20 20] \"bool twosided\" true Shape \"bilinearmesh\" \"point3 P\" "
               "[-2 2 -3  2 2 -3  -2 2 -1  2 2 -1] AttributeEnd"));
-    const Outcome run = this->run({"render", "noisy.pbrt", "--resolution", "48x32", "--spp", "256", "--target-error", "2.5%", "--aov",
+    const Outcome run = this->run({"render", "noisy.pbrt", "--resolution", "48x32", "--spp", "256", "--target-error", "2%", "--aov",
                                    "sampleCount", "--stats", "-o", "a.exr"});
     ASSERT_EQ(run.status, 0) << run.error;
     const FilmFile file = readImage(path("a.exr"));
@@ -128,7 +128,7 @@ TEST_F(AdaptiveCli, TheSamplesAreReported) {
     EXPECT_THAT(run.out, HasSubstr(fmt::format("{} fewest, {:.1f} mean, {} most", fewest, mean, most)));
     EXPECT_EQ(file.metadata.samples, static_cast<int>(fewest));
     EXPECT_NEAR(file.metadata.meanSamples.value(), mean, 1e-3);
-    EXPECT_NEAR(file.metadata.targetError.value(), 0.025, 1e-6);
+    EXPECT_NEAR(file.metadata.targetError.value(), 0.02, 1e-6);
 
     EXPECT_NEAR(file.metadata.error.value(), 0.02, 0.005);
     EXPECT_THAT(run.error, HasSubstr(fmt::format("error about {:.3g} % (relmse-root)", 100 * file.metadata.error.value())));

@@ -11,31 +11,45 @@ namespace {
 
 /// Of 1000 pixels whose variance falls as V(n): what is expected of them with n samples.
 template <class Variance> NoiseSums sumsOf(Variance v, double n) {
-    const double half = v(n / 2) - v(n), quarter = v(n / 4) - v(n / 2);
-    return {1000, 1000, 1000 * half, 1000 * quarter, 1000 * 3 * half * half, static_cast<unsigned>(n)};
+    const double half = v(n / 2) - v(n), quarter = v(n / 4) - v(n / 2), eighth = v(n / 8) - v(n / 4), sum = half + quarter;
+    return {1000, 1000, 1000 * half, 1000 * quarter, 1000 * eighth, 1000 * 5.0 / 3 * sum * sum, static_cast<unsigned>(n)};
+}
+
+/// The error that is estimated over the true one.
+template <class Variance> double estimated(Variance v, double n) {
+    const NoiseSums sums = sumsOf(v, n);
+    return estimateError(sums, decayOf(sums), ErrorMetric::mseRoot).error / std::sqrt(v(n));
 }
 
 TEST(VarianceDecay, OfIndependentSamplesIsOne) {
-    const VarianceDecay decay = decayOf(sumsOf([](double n) { return 1 / n; }, 64));
-    EXPECT_NEAR(decay.share, 1, 1e-9);
-    EXPECT_NEAR(decay.exponent, 1, 1e-9);
+    for (double n : {4.0, 8.0, 64.0}) {
+        const auto v = [](double m) { return 1 / m; };
+        EXPECT_NEAR(estimated(v, n), 1, 1e-9);
+        EXPECT_NEAR(decayOf(sumsOf(v, n)).exponent, 1, 1e-9);
+    }
 }
 
-// V = 1/n^2: V(n/2) - V(n) is 3 V(n).
-TEST(VarianceDecay, OfSmoothPixelsIsAThird) {
-    const VarianceDecay decay = decayOf(sumsOf([](double n) { return 1 / (n * n); }, 64));
-    EXPECT_NEAR(decay.share, 1.0 / 3, 1e-9);
-    EXPECT_NEAR(decay.exponent, 2, 1e-9);
+// V = 1/n^2 and 1/n^3; of fewer than 64 samples so fast a fall is not believed to go on.
+TEST(VarianceDecay, OfSmoothPixelsIsLearned) {
+    for (double power : {2.0, 3.0}) {
+        const auto v = [&](double m) { return std::pow(m, -power); };
+        EXPECT_NEAR(estimated(v, 64), 1, 1e-9) << power;
+        EXPECT_NEAR(decayOf(sumsOf(v, 64)).exponent, power, 1e-9);
+        EXPECT_GT(estimated(v, 32), 1.1) << power;
+    }
 }
 
-// Between both, a pure power and a mixture of the two powers differ; the share is between what they say.
-TEST(VarianceDecay, OfEdgesAndMixturesIsWithinATenth) {
-    const auto edge = [](double n) { return std::pow(n, -1.5); };
-    const auto mixture = [](double n) { return 1 / n + 64 / (n * n); };
+// A sequence in base 4: V falls by 2 and by 32 in turn.
+TEST(VarianceDecay, OfStepsThatAlternateIsLearned) {
+    const auto v = [](double m) { return std::pow(m, -3.0) * (static_cast<int>(std::round(std::log2(m))) % 2 == 0 ? 1 : 4); };
+    for (double n : {64.0, 128.0, 256.0}) EXPECT_NEAR(estimated(v, n), 1, 1e-9) << n;
+}
+
+// Between both, a pure power and a mixture of the two powers differ; the estimate is between what they say.
+TEST(VarianceDecay, OfEdgesAndMixturesIsWithinAnEighth) {
     for (double n : {64.0, 256.0}) {
-        const double ofEdge = edge(n) / (edge(n / 2) - edge(n)), ofMixture = mixture(n) / (mixture(n / 2) - mixture(n));
-        EXPECT_NEAR(decayOf(sumsOf(edge, n)).share / ofEdge, 1, 0.2);
-        EXPECT_NEAR(decayOf(sumsOf(mixture, n)).share / ofMixture, 1, 0.2);
+        EXPECT_NEAR(estimated([](double m) { return std::pow(m, -1.5); }, n), 1, 0.125) << n;
+        EXPECT_NEAR(estimated([](double m) { return 1 / m + 64 / (m * m); }, n), 1, 0.125) << n;
     }
 }
 
@@ -61,19 +75,20 @@ TEST(EstimateError, IsTheRootOfTheMeanVarianceInsideItsInterval) {
 
 TEST(EstimateError, IsInDoubtWhereFewPixelsHoldItOrNothingIsKnown) {
     NoiseSums sums = sumsOf([](double n) { return 1 / n; }, 64);
-    sums.squares = sums.half * sums.half / 2;   // as if two pixels held it
+    sums.squares = std::pow(sums.half + sums.quarter, 2) / 2;   // as if two pixels held it
     EXPECT_EQ(estimateError(sums, {}, ErrorMetric::relmseRoot).doubt, "very few pixels hold most of it");
-    EXPECT_EQ(estimateError({1000, 0, 0, 0, 0, 64}, {}, ErrorMetric::relmseRoot).doubt, "no sample has found light");
+    EXPECT_EQ(estimateError({1000, 0, 0, 0, 0, 0, 64}, {}, ErrorMetric::relmseRoot).doubt, "no sample has found light");
     sums.fewest = 1;
     EXPECT_EQ(estimateError(sums, {}, ErrorMetric::relmseRoot).doubt, "a pixel has only 1 sample");
 }
 
 TEST(NoiseSums, Add) {
     NoiseSums sum;
-    sum += {1, 2, 3, 4, 5, 64};
-    sum += {1, 2, 3, 4, 5, 16};
+    sum += {1, 2, 3, 4, 5, 6, 64};
+    sum += {1, 2, 3, 4, 5, 6, 16};
     EXPECT_EQ(sum.pixels, 2);
     EXPECT_EQ(sum.half, 6);
+    EXPECT_EQ(sum.eighth, 10);
     EXPECT_EQ(sum.fewest, 16u);
 }
 

@@ -62,7 +62,7 @@ bool compareWords(const QueueWords& a, size_t i, const QueueWords& b, size_t j, 
 
 /// Fields of the film that hold rounding errors, or squares of differences: relative to themselves, these have no correct digits.
 bool isDifference(const std::string& field) {
-    for (const char* name : {"compensation", "weight_excess", "spread", "half_square", "quarter_square"})
+    for (const char* name : {"compensation", "weight_excess", "spread", "half_square", "quarter_square", "eighth_square"})
         if (field == name) return true;
     return false;
 }

@@ -1,165 +1,229 @@
-// Searches the masks of kernels/math/joint_pairs.clh: `joint_pairs_search SEED BEAM` prints those that it finds, and for each projection
-// the quality parameters t of the first 2^2, 2^3 ... points. The shipped masks are those of seed 14 and a beam of 300.
+// Searches the masks of kernels/math/joint_pairs.clh, in half a minute: `ninja -C build joint_pairs_search`, then
+// `build/tests/bench/joint_pairs_search SEED BEAM`. It prints the masks that it finds, and the tables of docs/sampling.md: for pairs that
+// neighbour on a path, t of the first 2^m points, and the variance that they leave of a discontinuous and of a smooth integrand, divided by
+// that of independent points. The shipped masks are those of seed 1 and a beam of 40.
 //
-// A pair of the joint sequence is (U i, P U i): U is a triangular matrix modulo 2, made of steps i ^= (i >> shift) & mask, and P is
-// Pascal's. The first 2^m points depend on the first m columns of U only, so masks grow column by column, and the best of each length are
-// kept.
+// A pair of the joint sequence is (U i, P U i): U is a triangular matrix modulo 2, and P is Pascal's. Pixel and vertex 0 are given, and a
+// searched U is made of steps i ^= (i >> shift) & mask. The first 2^m points depend on the first m columns of U only, so masks grow column
+// by column, and the best of each length are kept.
+
+#include "net_parameter.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace {
 
-using uint = std::uint32_t;
-constexpr int steps = 4, longest = 12, longestOfThreePairs = 9;
-constexpr int shifts[steps] = {1, 2, 3, 1};
+constexpr int longest = 17;
+constexpr uint points = 1u << longest;
+constexpr int shifts[] = {1, 3, 2, 5, 8, 1};
+constexpr size_t steps = std::size(shifts);
+
+constexpr const char* names[] = {"pixel", "vertex 0", "vertex 1", "lens", "vertex 2"};
 
 struct Masks { uint step[steps] = {}; };
 
 uint reorder(const Masks& masks, uint i) {
-    for (int s = 0; s < steps; ++s) i ^= (i >> shifts[s]) & masks.step[s];
+    for (size_t s = 0; s < steps; ++s) i ^= (i >> shifts[s]) & masks.step[s];
     return i;
 }
 uint pascal(uint i) {
     i ^= (i & 0xaaaaaaaa) >> 1; i ^= (i & 0xcccccccc) >> 2; i ^= (i & 0xf0f0f0f0) >> 4; i ^= (i & 0xff00ff00) >> 8;
     return i ^ ((i & 0xffff0000) >> 16);
 }
-
-/// Row r of the generator matrices of both coordinates, digits from the most significant on.
-struct Rows { uint coordinate[2][16] = {}; };
-Rows rowsOf(const Masks& masks, int columns) {
-    Rows rows;
-    for (int j = 0; j < columns; ++j) {
-        const uint first = reorder(masks, 1u << j), second = pascal(first);
-        for (int r = 0; r < columns; ++r) {
-            rows.coordinate[0][r] |= ((first >> r) & 1) << j;
-            rows.coordinate[1][r] |= ((second >> r) & 1) << j;
-        }
-    }
-    return rows;
+/// As reorder_for_vertex_0 of the kernels.
+uint timesW(uint x) { return ((x ^ (x >> 1)) & 0x55555555) | ((x & 0x55555555) << 1); }
+uint reorderForVertex0(uint i) {
+    i ^= timesW((i & 0xcccccccc) >> 2); i ^= timesW(timesW((i & 0xf0f0f0f0) >> 4)); i ^= timesW((i & 0xff00ff00) >> 8);
+    return i ^ timesW(timesW((i & 0xffff0000) >> 16));
 }
 
-/// The first 2^m points of some coordinates.
-class Net {
-public:
-    Net(int m, std::vector<const uint*> coordinates) : m_(m), coordinates_(std::move(coordinates)) {}
-    /// The smallest t so that any m - t leading rows, however shared among coordinates, are independent (Niederreiter 1987).
-    int t() {
-        int rank = 0;
-        while (rank < m_ && areIndependent(0, rank + 1)) ++rank;
-        return m_ - rank;
-    }
+/// How the variance of an integrand is spread over the digits of a coordinate: the share of functions of the first l digits that vary with
+/// digit l falls as weight * decay^l.
+struct Integrand { const char* name; double weight, decay, importance; };
+constexpr Integrand integrands[] = {{"smooth", 2, 0.25, 0.5}, {"discontinuous", 0.5, 0.5, 1}};
+constexpr size_t kinds = std::size(integrands);
 
-private:
-    bool areIndependent(size_t coordinate, int rows) {
-        const std::vector<uint> before = basis_;
-        bool independent = true;
-        const bool isLast = coordinate + 1 == coordinates_.size();
-        for (int n = 0; independent && n <= rows; ++n) {
-            independent = n == 0 || add(coordinates_[coordinate][n - 1]);
-            if (independent && !isLast) independent = areIndependent(coordinate + 1, rows - n);
-        }
-        basis_ = before;
-        return independent;
+/// The variance left by a scrambled net is the sum over its dual net of products of these shares; as a sum over points, the factor of a
+/// coordinate depends on its leading zeros only (Walsh functions are constant in between).
+std::array<float, 33> factorsOf(const Integrand& f) {
+    std::array<float, 33> factors;
+    double sum = 0, power = 1;
+    for (float& factor : factors) {
+        power *= f.decay;
+        factor = static_cast<float>(1 + f.weight * (sum - power));
+        sum += power;
     }
-    bool add(uint row) {
-        for (uint b : basis_) row = std::min(row, row ^ b);
-        if (row == 0) return false;
-        for (uint& b : basis_) b = std::min(b, b ^ row);
-        basis_.push_back(row);
-        return true;
-    }
+    return factors;
+}
+const std::array<float, 33> factors[kinds] = {factorsOf(integrands[0]), factorsOf(integrands[1])};
 
-    int m_;
-    std::vector<const uint*> coordinates_;
-    std::vector<uint> basis_;
+/// The product of the factors of both coordinates of a pair; digits are reversed, so trailing zeros lead.
+float factorOf(size_t kind, uint first) {
+    return factors[kind][static_cast<size_t>(std::countr_zero(first))] * factors[kind][static_cast<size_t>(std::countr_zero(pascal(first)))];
+}
+
+struct Pair {
+    Coordinate order;
+    std::vector<float> factors[kinds];
 };
+Pair pairOf(const Coordinate& order) {
+    Pair pair{order, {}};
+    for (size_t kind = 0; kind < kinds; ++kind)
+        for (uint i = 0; i < points; ++i) pair.factors[kind].push_back(factorOf(kind, order(i)));
+    return pair;
+}
 
 /// Other pairs that a pair must be well spread with, and how much that counts.
 struct Projection { std::vector<size_t> with; double weight; };
-struct Candidate { Masks masks; double cost = 0, tie = 0; std::vector<std::vector<int>> t; };
+struct Candidate {
+    Masks masks;
+    double cost = 0, tie = 0;
+    std::vector<double> sums[kinds];   ///< over points, for each projection
+};
 
 /// Powers of four are what people render with.
-double importance(int m) { return m == 4 || m == 6 || m == 8 ? 4 : m == 10 ? 1.5 : 1; }
+double importance(int m) { return m == 4 || m == 6 || m == 8 || m == 10 ? 3 : m % 2 == 0 ? 2 : 1; }
 
-Candidate grown(Candidate c, int m, const std::vector<Rows>& others, const std::vector<Projection>& projections) {
-    const Rows own = rowsOf(c.masks, m);
-    for (size_t p = 0; p < projections.size(); ++p) {
-        if (projections[p].with.size() > 1 && m > longestOfThreePairs) continue;
-        std::vector<const uint*> coordinates;
-        for (size_t other : projections[p].with)
-            coordinates.insert(coordinates.end(), {others[other].coordinate[0], others[other].coordinate[1]});
-        coordinates.insert(coordinates.end(), {own.coordinate[0], own.coordinate[1]});
-        c.t[p].push_back(Net(m, coordinates).t());
-        c.cost += projections[p].weight * importance(m) * std::pow(2.0, c.t[p].back());
+class Search {
+public:
+    Search(const std::vector<Pair>& pairs, const std::vector<Projection>& projections) : projections_(projections) {
+        for (size_t kind = 0; kind < kinds; ++kind)
+            for (const Projection& p : projections) {
+                others_[kind].emplace_back(points, 1.0f);
+                for (size_t other : p.with)
+                    for (uint i = 0; i < points; ++i) others_[kind].back()[i] *= pairs[other].factors[kind][i];
+            }
     }
-    return c;
+
+    Candidate best(size_t beam, std::mt19937& random) {
+        std::vector<Candidate> front(1);
+        for (size_t kind = 0; kind < kinds; ++kind)
+            for (const auto& others : others_[kind]) front[0].sums[kind].push_back(others[0] * factorOf(kind, 0));
+        addColumn(front[0], 0);
+        for (int column = 1; column < longest; ++column) {
+            std::vector<Candidate> next;
+            for (const Candidate& c : front) extend(c, column, next, random);
+            std::sort(next.begin(), next.end(),
+                      [](const Candidate& a, const Candidate& b) { return a.cost + a.tie < b.cost + b.tie; });
+            next.resize(std::min(next.size(), beam));
+            front = std::move(next);
+        }
+        /* Beyond, anything will do */
+        for (size_t s = 0; s < steps; ++s)
+            for (int column = longest; column < 32; ++column)
+                if (random() & 1) front[0].masks.step[s] |= 1u << (column - shifts[s]);
+        return front[0];
+    }
+
+private:
+    /// All that the masks can make of a column.
+    void extend(const Candidate& c, int column, std::vector<Candidate>& next, std::mt19937& random) {
+        std::vector<uint> columns;
+        for (uint choice = 0; choice < 1u << steps; ++choice) {
+            Candidate n = c;
+            bool fits = true;
+            for (size_t s = 0; s < steps; ++s) {
+                if (!(choice >> s & 1)) continue;
+                fits = fits && column >= shifts[s];
+                if (fits) n.masks.step[s] |= 1u << (column - shifts[s]);
+            }
+            const uint made = reorder(n.masks, 1u << column);
+            if (!fits || std::find(columns.begin(), columns.end(), made) != columns.end()) continue;
+            columns.push_back(made);
+            addColumn(n, column);
+            n.tie = (random() & 0xffff) * 1e-7;
+            next.push_back(std::move(n));
+        }
+    }
+
+    void addColumn(Candidate& c, int column) {
+        for (uint i = 1u << column; i < 2u << column; ++i) {
+            const uint first = reorder(c.masks, i);
+            for (size_t kind = 0; kind < kinds; ++kind) own_[kind][i] = factorOf(kind, first);
+        }
+        for (size_t kind = 0; kind < kinds; ++kind)
+            for (size_t p = 0; p < projections_.size(); ++p) {
+                for (uint i = 1u << column; i < 2u << column; ++i) c.sums[kind][p] += double{others_[kind][p][i]} * own_[kind][i];
+                const double left = std::max(c.sums[kind][p] / (2u << column) - 1, 1e-14);
+                c.cost += projections_[p].weight * importance(column + 1) * integrands[kind].importance * std::log(left);
+            }
+    }
+
+    std::vector<Projection> projections_;
+    std::vector<std::vector<float>> others_[kinds];
+    std::vector<float> own_[kinds] = {std::vector<float>(points), std::vector<float>(points)};
+};
+
+/// A row of a table for each group of pairs; a column for each m.
+template <class Cell> void printTable(const char* title, const std::vector<Pair>& pairs, int last, int step, const Cell& cell) {
+    std::printf("\n| %s |", title);
+    for (int m = 2; m <= last; m += step) std::printf(" %d |", m);
+    std::printf("\n|---|");
+    for (int m = 2; m <= last; m += step) std::printf("--:|");
+    for (const std::vector<size_t>& group : {std::vector<size_t>{0, 1}, {1, 2}, {2, 4}, {0, 3}, {0, 1, 2}}) {
+        std::string name;
+        std::vector<const Pair*> members;
+        for (size_t p : group) {
+            name += (name.empty() ? "" : ", ") + std::string(names[p]);
+            members.push_back(&pairs[p]);
+        }
+        std::printf("\n| %s |", name.c_str());
+        for (int m = 2; m <= last; m += step) std::printf(" %s |", cell(members, m).c_str());
+    }
+    std::printf("\n");
 }
 
-Candidate search(const std::vector<Masks>& pairs, const std::vector<Projection>& projections, size_t beam, std::mt19937& random) {
-    std::vector<Candidate> front(1);
-    front[0].t.resize(projections.size());
-    for (int j = 1; j < longest; ++j) {
-        std::vector<Rows> others;
-        for (const Masks& m : pairs) others.push_back(rowsOf(m, j + 1));
-        std::vector<Candidate> next;
-        for (const Candidate& c : front) {
-            std::vector<uint> columns;
-            for (uint choice = 0; choice < 1u << steps; ++choice) {
-                Candidate n = c;
-                bool fits = true;
-                for (int s = 0; s < steps; ++s) {
-                    if (!(choice >> s & 1)) continue;
-                    fits = fits && j >= shifts[s];
-                    if (fits) n.masks.step[s] |= 1u << (j - shifts[s]);
-                }
-                const uint column = reorder(n.masks, 1u << j);
-                if (!fits || std::find(columns.begin(), columns.end(), column) != columns.end()) continue;
-                columns.push_back(column);
-                next.push_back(grown(n, j + 1, others, projections));
-                next.back().tie = (random() & 0xffff) * 1e-7;
-            }
-        }
-        std::sort(next.begin(), next.end(), [](const Candidate& a, const Candidate& b) { return a.cost + a.tie < b.cost + b.tie; });
-        next.resize(std::min(next.size(), beam));
-        front = next;
+std::string parameter(const std::vector<const Pair*>& members, int m) {
+    std::vector<Coordinate> coordinates;
+    for (const Pair* p : members) {
+        coordinates.push_back(p->order);
+        coordinates.push_back([p](uint i) { return pascal(p->order(i)); });
     }
-    /* Beyond, anything will do */
-    for (int s = 0; s < steps; ++s)
-        for (int j = longest; j < 32; ++j)
-            if (random() & 1) front[0].masks.step[s] |= 1u << (j - shifts[s]);
-    return front[0];
+    return std::to_string(NetParameter(coordinates, m).t());
+}
+
+/// Independent points leave the integrand's variance, that of one point, divided by their number.
+std::string varianceLeft(size_t kind, const std::vector<const Pair*>& members, int m) {
+    double sum = 0, one = 1;
+    for (const Pair* p : members) one *= p->factors[kind][0];
+    for (uint i = 0; i < 1u << m; ++i) {
+        double product = 1;
+        for (const Pair* p : members) product *= p->factors[kind][i];
+        sum += product;
+    }
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", (sum - (1u << m)) / (one - 1));
+    return text;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    std::mt19937 random(argc > 1 ? static_cast<uint>(std::atoi(argv[1])) : 14);
-    const size_t beam = argc > 2 ? static_cast<size_t>(std::atoi(argv[2])) : 300;
-    const char* names[] = {"pixel", "vertex 0", "vertex 1", "lens", "vertex 2"};
-    const std::vector<std::vector<Projection>> wanted = {{},
-        {{{0}, 1}},
+    std::mt19937 random(argc > 1 ? static_cast<uint>(std::atoi(argv[1])) : 1);
+    const size_t beam = argc > 2 ? static_cast<size_t>(std::atoi(argv[2])) : 40;
+    const std::vector<std::vector<Projection>> wanted = {{}, {},
         {{{1}, 1}, {{0}, .7}, {{0, 1}, .5}},
-        {{{0}, 1}, {{1}, 1}, {{2}, .3}},
-        {{{2}, 1}, {{1}, .7}, {{0}, .4}, {{1, 2}, .4}}};
-    std::vector<Masks> pairs(1);
-    for (size_t p = 1; p < wanted.size(); ++p) {
-        const Candidate best = search(pairs, wanted[p], beam, random);
-        pairs.push_back(best.masks);
+        {{{0}, 1}, {{1}, 1}, {{0, 1}, .7}, {{2}, .4}},
+        {{{2}, 1}, {{1}, .5}, {{0}, .2}, {{1, 2}, .4}}};
+    std::vector<Pair> pairs = {pairOf([](uint i) { return i; }), pairOf(reorderForVertex0)};
+    for (size_t p = pairs.size(); p < wanted.size(); ++p) {
+        const Masks masks = Search(pairs, wanted[p]).best(beam, random).masks;
+        pairs.push_back(pairOf([masks](uint i) { return reorder(masks, i); }));
         std::printf("%s:", names[p]);
-        for (uint mask : best.masks.step) std::printf(" 0x%08x", mask);
+        for (uint mask : masks.step) std::printf(" 0x%08x", mask);
         std::printf("\n");
-        for (size_t w = 0; w < wanted[p].size(); ++w) {
-            std::printf("   with");
-            for (size_t other : wanted[p][w].with) std::printf(" %s,", names[other]);
-            std::printf(" t =");
-            for (int t : best.t[w]) std::printf(" %d", t);
-            std::printf("\n");
-        }
     }
+    printTable("t, m =", pairs, 12, 1, parameter);
+    for (size_t kind = kinds; kind-- > 0;)
+        printTable((std::string(integrands[kind].name) + ", m =").c_str(), pairs, 16, 2,
+                   [kind](const std::vector<const Pair*>& members, int m) { return varianceLeft(kind, members, m); });
 }

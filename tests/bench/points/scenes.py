@@ -1,4 +1,4 @@
-"""Scenes with one kind of noise each, as text: a lens, rough surfaces, motion, many lamps."""
+"""Scenes with one kind of noise each, as text: a lens, rough surfaces, motion, many lamps; and pixels without edges or shadows."""
 
 import random
 
@@ -59,3 +59,25 @@ def lamps(count=64):
 
 
 OWN = {"lens": lens, "glossy": glossy, "motion": motion, "lamps": lamps}
+
+
+def smooth(camera, depth, world):
+    return f'{camera} Camera "perspective" "float fov" 20\nFilm "rgb" "integer xresolution" 8 "integer yresolution" 8\nPixelFilter "box"\n' \
+           f'Integrator "path" "integer maxdepth" {depth} "float rrthreshold" 0\nWorldBegin\n{world}'
+
+
+def smooth_lamp():
+    """A wall that faces a square lamp, which is sampled by its area: the pixel's and the light's numbers."""
+    lamp = 'AttributeBegin AreaLightSource "diffuse" "rgb L" [ 4 4 4 ] Translate .3 .2 5 ' + quad((-2, -2, 0), (-2, 2, 0), (2, -2, 0), (2, 2, 0)) + "AttributeEnd\n"
+    wall = 'Material "diffuse" ' + quad((-9, -9, 0), (9, -9, 0), (-9, 9, 0), (9, 9, 0))
+    text = smooth("LookAt 0 0 4  0 0 0  0 1 0", 1, lamp + wall)
+    return text.replace('Integrator "path"', 'Integrator "whitted"')
+
+
+def smooth_bounces(bounces):
+    """Inside of a ball with a point light: the pixel's numbers, and two for the direction of each bounce."""
+    return smooth("LookAt 0 0 0  1 .3 .2  0 0 1", bounces + 1,
+                  'LightSource "point" "point3 from" [ .2 -.3 .4 ]\nMaterial "diffuse" "rgb reflectance" [ .7 .7 .7 ]\nShape "sphere" "float radius" 2')
+
+
+SMOOTH = {"lamp": smooth_lamp, "one bounce": lambda: smooth_bounces(1), "two bounces": lambda: smooth_bounces(2)}
