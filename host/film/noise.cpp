@@ -32,7 +32,7 @@ static VarianceDecay decayOfNeighbours(const NoiseSums& sums) {
 VarianceDecay decayOf(const NoiseSums& sums) {
     if (sums.fewest < 8) return decayOfNeighbours(sums);
     if (!(sums.eighth > 0)) return {};
-    /* Independent samples: 1/4; the best nets: 1/64. Parts of a few samples have yet to become well spread, so the first steps fall faster */
+    /* Independent samples: 1/4; the best nets: 1/64. A few samples have yet to become well spread, so the first steps fall faster */
     const double ratio = std::clamp(sums.half / sums.eighth, sums.fewest < 64 ? 0.09 : 1.0 / 64, 0.3);
     const double geometric = ratio / (1 - ratio), mixture = (22 * ratio - 1) / (3 * (14 * ratio + 1));
     return {ratio < 1.0 / 16 ? geometric : 0.6 * geometric + 0.4 * mixture, std::max(std::log2(1 / ratio) / 2, 1.0)};

@@ -2,7 +2,7 @@
 
 #include "kind_features.h"
 #include "kinds/light_kind.h"
-#include "pack/pack.h"
+#include "pack/tables.h"
 
 #include <fmt/format.h>
 

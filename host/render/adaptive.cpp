@@ -86,7 +86,8 @@ std::vector<Block> AdaptiveSampling::nextPass(const Film& film) {
     std::vector<BlockNoise> noise;
     for (size_t i = 0; i < blocks_.size(); ++i) {
         const unsigned samples = blocks_[i].samples;
-        noise.push_back({samples, static_cast<unsigned>(sums[i].pixels), (sums[i].half + sums[i].quarter) * decay.share * samples / sums[i].pixels, 0});
+        noise.push_back(
+            {samples, static_cast<unsigned>(sums[i].pixels), (sums[i].half + sums[i].quarter) * decay.share * samples / sums[i].pixels, 0});
     }
     suspectNoise(noise, across_);
     /* What the squared error, which the blocks' variances add up to, has to come down to */

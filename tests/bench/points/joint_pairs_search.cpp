@@ -68,7 +68,8 @@ const std::array<float, 33> factors[kinds] = {factorsOf(integrands[0]), factorsO
 
 /// The product of the factors of both coordinates of a pair; digits are reversed, so trailing zeros lead.
 float factorOf(size_t kind, uint first) {
-    return factors[kind][static_cast<size_t>(std::countr_zero(first))] * factors[kind][static_cast<size_t>(std::countr_zero(pascal(first)))];
+    const auto& factor = factors[kind];
+    return factor[static_cast<size_t>(std::countr_zero(first))] * factor[static_cast<size_t>(std::countr_zero(pascal(first)))];
 }
 
 struct Pair {
