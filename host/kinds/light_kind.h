@@ -38,6 +38,9 @@ struct LightTraits {
     /// p, its normal n as the axis, and the intensity of a flat area.
     void (*bound)(const light&, double power, LightBounds& bounds) = nullptr;
 
+    /// AREA kinds: whether a light sample is only a direction, along which test_shadows finds the point.
+    bool isAimedByDirection = false;
+
     /// Whether BSDF sampling finds it as well as light sampling does. The light sampler then skips it (Karlík et al. 2019, "MIS
     /// compensation"), unless the environment guide samples it.
     bool isLeftToBsdfs = false;

@@ -29,12 +29,14 @@ void LightPacker::addShape(const Shape& s, shape& packed, const GeometryTables& 
     packed.first_light = static_cast<uint>(tables_.lights.size());
     const bool isUnseen = s.alpha.texture == none && s.alpha.value.value() <= 0;
     if (isUnseen) packed.flags |= shape_is_unseen;
+    if (description.twoSided) packed.flags |= shape_is_two_sided;
     if (description.image != none) packed.emission = textures_.emissionImage(description);
     const bool hasPattern = packed.emission != NONE || (packed.alpha != NONE && !isUnseen);
     const double scale = description.scale * (description.image != none ? textures_.meanLuminance(description.image) : 1);
     const color L = colors_.emission(description.L, scale);
     if (!s.kind->traits.lightKindOf) throw std::logic_error(std::string("no area light for shape ") + s.kind->name);
     const LightKind& kind = kindOf(s.kind->traits.lightKindOf(s, m));
+    if (kind.traits.isAimedByDirection) packed.flags |= shape_is_aimed_by_direction;
     for (size_t e = 0; e < elements; ++e) {
         light l = kind.traits.packElement({geometry, s, packed, e, m}, L);
         l.two_sided = description.twoSided ? 1 : 0;

@@ -16,6 +16,7 @@ CONTRACT_BEGIN
      disk         p (centre), a, b (radii: point = p + x a + y b), radius (of its hole, 1: all of it), extent, n, inverse_area, L
      cylinder     p (centre of the end at z_min), a, b (radii), c (axis: point = p + cos a + sin b + v c), extent, n.x (the side that
                   emits: 1 that of dp/dphi x c, or -1), inverse_area (of all of it), L
+     implicit     p (centre) and radius of a sphere around it, inverse_area (an estimate), L
      goniometric  p, a, b, n (rows of image-from-scene), first_texel, resolution, L (intensity where the image is 1)
      projection   p, a, b, n (rows of image-from-scene: the slide fills |x / z| <= 1, |y / z| <= 1), first_texel, resolution,
                    rows, L (intensity)
@@ -23,7 +24,7 @@ CONTRACT_BEGIN
      image_infinite     a, b, n (rows of light-from-scene), first_texel, first_alias, resolution, L (scale)
      portal_infinite    p, c (opposite corners), a, b, n (its sides and the normal that points out), first_texel, first_sum,
                    resolution, L (scale)
-   Areas emit on the side of n, on both with `two_sided`. */
+   Areas emit on the side of n (implicit ones: of their gradient), on both with `two_sided`. */
 #define LIGHT_FIELDS(F) \
     F(uint,     kind)         /* enum light_kind */ \
     F(uint,     two_sided)    /* 0 or 1 */ \

@@ -19,6 +19,7 @@ CONTRACT_BEGIN
     L(ellipsoid,        LIGHT_ELLIPSOID,        AREA) \
     L(disk,             LIGHT_DISK,             AREA) \
     L(cylinder,         LIGHT_CYLINDER,         AREA) \
+    L(implicit,         LIGHT_IMPLICIT,         AREA) \
     L(goniometric,      LIGHT_GONIOMETRIC,      POINT) \
     L(projection,       LIGHT_PROJECTION,       POINT) \
     L(uniform_infinite, LIGHT_UNIFORM_INFINITE, INFINITE) \

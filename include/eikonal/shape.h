@@ -8,7 +8,9 @@ enum shape_flag {
     shape_reversed      = 1, /* the normal is flipped: either ReverseOrientation or a mirroring transform, not both */
     shape_has_interface = 2, /* inside and outside name its media; otherwise a ray keeps its medium */
     shape_is_interface  = 4, /* its material is "interface", so shadow rays pass */
-    shape_is_unseen     = 8  /* its alpha is 0: rays pass through it, but it emits */
+    shape_is_unseen     = 8, /* its alpha is 0: rays pass through it, but it emits */
+    shape_is_two_sided  = 16, /* it emits on both sides */
+    shape_is_aimed_by_direction = 32 /* it emits, and light samples are directions; rays find its points (kernels/trace/meet_light.clh) */
 };
 
 /* One shape: a mesh, a quadric, an implicit surface or a list of curves, with its material. */

@@ -44,7 +44,8 @@ TEST(DeltaLights, GiveTheirIrradiance) {
 TEST(LightList, IsCovered) {
     const std::set<std::string> tested{"point",          "spot",        "distant",    "triangle",       "bilinear",
                                        "sphere",         "ellipsoid",   "disk",       "cylinder",       "uniform_infinite",
-                                       "image_infinite", "goniometric", "projection", "portal_infinite" /* image_light_test.cpp */};
+                                       "image_infinite", "goniometric", "projection", "portal_infinite" /* image_light_test.cpp */,
+                                       "implicit" /* implicit_light_test.cpp */};
 #define EXPECT_TESTED(name, FEATURE, PLACE) \
     EXPECT_TRUE(tested.count(#name)) << "no test knows what a " #name " light should give: add one here";
     LIGHTS(EXPECT_TESTED)

@@ -69,6 +69,7 @@ Features surfaceFeatures() {
                                 .require(KindFeature::SHAPE_CURVE)
                                 .require(STRIPS)
                                 .require(KindFeature::SHAPE_IMPLICIT)
+                                .require(KindFeature::LIGHT_IMPLICIT)
                                 .require(SPECTRAL)
                                 .require(SPECTRAL_FILM)
                                 .require(DISPERSION)

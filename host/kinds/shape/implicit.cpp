@@ -1,8 +1,9 @@
-// Implicit surface F(x, y, z) = 0 within a box (kernels/shape/implicit.clh).
+// Implicit surface F(x, y, z) = 0 within a box, which may emit (kernels/shape/implicit.clh, kernels/light/implicit.clh).
 
 #include "kinds/shape_packing.h"
 #include "kinds/shape_reading.h"
 #include "pack/implicit.h"
+#include "pack/implicit_extent.h"
 #include "read/pbrt/implicit.h"
 
 namespace eikonal {
@@ -27,6 +28,32 @@ static size_t pack(const ShapePacking& in) {
     return addInObjectSpace(in, object_space{}, false);
 }
 
+static light_kind lightKindOf(const Shape&, const glm::dmat4&) { return kind_implicit_light; }
+
+static light packLight(const AreaElement& e, const color& L) {
+    const implicit& surface = e.tables.implicits[e.packed.first_index];
+    const auto program = std::span(e.tables.implicit_instructions).subspan(surface.first_instruction, surface.instruction_count);
+    const ImplicitExtent extent = extentOf(program, {toGlm(surface.low), toGlm(surface.high)}, e.sceneFromObject);
+    light l = newLight(kind_implicit_light, L);
+    l.p = toVec3(extent.center);
+    /* With a margin for what the device rounds */
+    l.radius = static_cast<float>(1.00001 * extent.radius + 1e-6 * glm::length(extent.center));
+    l.inverse_area = static_cast<float>(1 / extent.area);
+    /* Without a surface it is no light */
+    if (!(extent.radius > 0)) l.pmf = l.inverse_area = 0;
+    return l;
+}
+
+static void boundLight(const light& l, double, LightBounds& bounds) {
+    const glm::dvec3 p = toGlm(l.p);
+    bounds.box = {p - static_cast<double>(l.radius), p + static_cast<double>(l.radius)};
+    boundAllDirections(bounds);
+    /* A convex body shows a quarter of its surface, on average (Cauchy) */
+    bounds.intensity /= 4;
+}
+
+const LightTraits implicit_light{.packElement = packLight, .bound = boundLight, .isAimedByDirection = true};
+
 static const ShapeDirective directives[] = {
     {"implicit", "string F; point3s bounds; float a; float b; float c; float d", read},
 };
@@ -34,6 +61,6 @@ static const ShapeDirective directives[] = {
 const ShapeTraits implicit_shape{.directives = directives,
                                  .bound = bound,
                                  .pack = pack,
-                                 .cannotEmit = "an implicit surface cannot emit, since its points cannot be sampled"};
+                                 .lightKindOf = lightKindOf};
 
 }  // namespace eikonal
