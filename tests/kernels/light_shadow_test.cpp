@@ -19,7 +19,7 @@ namespace {
 /// Every shape, and every light with an area.
 Features lightFeatures() {
     Features features;
-    features.require(Feature::EMITTERS).require(Feature::LIGHTS);
+    features.require(Feature::EMITTERS).require(Feature::LIGHTS).require(KindFeature::LIGHT_POINT);
 #define REQUIRE_SHAPE(name, FEATURE, SPACE) features.require(KindFeature::FEATURE);
     SHAPES(REQUIRE_SHAPE)
 #undef REQUIRE_SHAPE
@@ -90,6 +90,9 @@ const LightCase cases[] = {
      [](double g) { return fmt::format("Shape \"sphere\" \"float radius\" {}", .4 + g); }, 1e-5},
     {"implicit_ring", implicit("(sqrt(x^2 + z^2) - .3)^2 + y^2 - .01"),
      [](double g) { return implicit(fmt::format("sqrt((sqrt(x^2 + z^2) - .3)^2 + y^2) - {}", .1 + g)); }, 1e-5},
+    /* A point in or before a disk */
+    {"point", "",
+     [](double g) { return fmt::format("Translate 0 {} 0 Rotate 90 1 0 0 Shape \"disk\" \"float radius\" .6", -g); }, 1e-5},
     {"cylinder", "Shape \"cylinder\" \"float radius\" .3 \"float zmin\" -.3 \"float zmax\" .3",
      [](double g) { return fmt::format("Shape \"cylinder\" \"float radius\" {} \"float zmin\" -1 \"float zmax\" 1", .3 + g); }},
 };
@@ -105,8 +108,9 @@ protected:
         for (int turn = 0; turn < 8; ++turn) {
             const std::string place = fmt::format("Translate 0 1 0 Rotate {} 1 2 3 Scale {} {} {} ", turn * turns, size, size, size);
             const PackedScene scene = packText(
-                "WorldBegin Shape \"disk\" \"float radius\" .001 AttributeBegin AreaLightSource \"diffuse\" " +
-                place + light + " AttributeEnd AttributeBegin " + place + wall + " AttributeEnd");
+                "WorldBegin Shape \"disk\" \"float radius\" .001 AttributeBegin " +
+                (light.empty() ? place + "LightSource \"point\"" : "AreaLightSource \"diffuse\" " + place + light) +
+                " AttributeEnd AttributeBegin " + place + wall + " AttributeEnd");
             std::vector<vec3> p;
             std::vector<float> u;
             std::vector<vec2> v;
