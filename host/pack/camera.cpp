@@ -51,7 +51,7 @@ void packCamera(const CameraPacking& in, camera& view) {
     }
     view.lens_radius = static_cast<float>(description.lensRadius / in.unit);
     view.focal_distance = static_cast<float>(description.focalDistance / in.unit);
-    view.medium = description.medium == none ? NONE : static_cast<uint>(description.medium);
+    view.medium = context.hasMedia && description.medium != none ? static_cast<uint>(description.medium) : NONE;
     if (description.lensRadius > 0 && kind.traits.hasThinLens) context.require(Feature::LENS, description.where.toString());
     kind.traits.pack(in, description, view);
 }

@@ -64,6 +64,16 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     return hierarchies;
 }
 
+/// Says what an image lacks if another integrator renders the scene than the one that it names.
+static void warnOfStandIn(const IntegratorDescription& integrator, const PackedScene& packed, Diagnostics& diagnostics) {
+    if (integrator.standsFor.empty()) return;
+    const std::vector<std::string> missed = missedLight(packed);
+    diagnostics.unsupported("integrator", integrator.where,
+                            fmt::format("integrator \"{}\" is not available; \"volpath\" is used instead{}", integrator.standsFor,
+                                        missed.empty() ? ", which converges to the same image"
+                                                       : fmt::format(". In this scene {}", fmt::join(missed, "; "))));
+}
+
 Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     const auto start = std::chrono::steady_clock::now();
     Packing result;
@@ -92,6 +102,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     packed.frame().width = static_cast<uint>(scene.film.width);
     packed.frame().height = static_cast<uint>(scene.film.height);
     result.hierarchies = packParts(context, packed);
+    warnOfStandIn(scene.integrator, packed, diagnostics);
 
     settings& frame = packed.frame();
     frame.light_count = static_cast<uint>(packed.tables.light_aliases.size());
@@ -113,19 +124,8 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     return result;
 }
 
-/// Says what an image lacks if another integrator renders the scene than the one that it names.
-static void warnOfStandIn(const IntegratorDescription& integrator, const PackedScene& packed, Diagnostics& diagnostics) {
-    if (integrator.standsFor.empty()) return;
-    const std::vector<std::string> missed = missedLight(packed);
-    diagnostics.unsupported("integrator", integrator.where,
-                            fmt::format("integrator \"{}\" is not available; \"volpath\" is used instead{}", integrator.standsFor,
-                                        missed.empty() ? ", which converges to the same image"
-                                                       : fmt::format(". In this scene {}", fmt::join(missed, "; "))));
-}
-
 PackedScene packScene(const Scene& scene, Diagnostics& diagnostics) {
     Packing packing = packTables(scene, diagnostics);
-    warnOfStandIn(scene.integrator, packing.scene, diagnostics);
     packing.hierarchies.build(packing.scene.tables, packing.scene.counts, diagnostics);
     return std::move(packing.scene);
 }

@@ -212,6 +212,15 @@ TEST_F(Pack, RegularizationMakesARougherTwin) {
     EXPECT_EQ(pack("Material \"conductor\" Shape \"sphere\"").tables.materials.size(), 1u);
 }
 
+// An integrator that ignores media has none around the camera either: the index would be that of another medium, of a body.
+TEST_F(Pack, TheCameraIsInNoMediumThatIsIgnored) {
+    const std::string fog = "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" MediumInterface \"\" \"fog\" Camera \"perspective\" ",
+                      body = "WorldBegin Material \"subsurface\" \"string method\" \"randomwalk\" Shape \"sphere\"";
+    Diagnostics diagnostics(LogLevel::silent);
+    EXPECT_EQ(packScene(read("Integrator \"path\" " + fog + body), diagnostics).frame().view.medium, NONE);
+    EXPECT_EQ(packScene(read("Integrator \"volpath\" " + fog + body), diagnostics).frame().view.medium, 0u);
+}
+
 // Light by way of smooth surfaces: a point light's is missing, a small lamp's is noisy, a large lamp's is neither; nor is any without them.
 TEST_F(Pack, HardLightIsNamed) {
     const std::string glass = "Material \"dielectric\" Shape \"sphere\" ", point = "LightSource \"point\" ",
