@@ -101,6 +101,13 @@ void boundAllDirections(LightBounds& bounds) {
     bounds.normals = std::numbers::pi;
 }
 
+void boundSphere(const light& l, double, LightBounds& bounds) {
+    const glm::dvec3 p = toGlm(l.p);
+    bounds.box = {p - static_cast<double>(l.radius), p + static_cast<double>(l.radius)};
+    boundAllDirections(bounds);
+    bounds.intensity /= 4;
+}
+
 void boundPoint(const light&, double power, LightBounds& bounds) {
     boundAllDirections(bounds);
     bounds.intensity = power / (4 * std::numbers::pi);

@@ -71,6 +71,9 @@ vec3 sideOf(const AreaElement&);
 
 /// Bounds of a light that emits in all directions.
 void boundAllDirections(LightBounds& bounds);
+/// The same for a light that is a sphere, or within one: centre l.p, radius l.radius. A convex body shows a quarter of its surface, on
+/// average (Cauchy).
+void boundSphere(const light& l, double power, LightBounds& bounds);
 /// The same for a point light.
 void boundPoint(const light& l, double power, LightBounds& bounds);
 

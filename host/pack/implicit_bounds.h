@@ -10,7 +10,7 @@
 namespace eikonal {
 
 /// The numbers from `low` to `high`. Magnitudes above 1e35 are infinite, as on the device.
-struct Interval {
+struct ValueRange {
     double low, high;
     bool hasZero() const { return low <= 0 && high >= 0; }
     double middle() const { return 0.5 * (low + high); }
@@ -18,6 +18,6 @@ struct Interval {
 
 /// Bounds on what a program (pack/implicit.h) computes over a box; none if it is undefined everywhere in it. They contain what the device
 /// finds by interval arithmetic in single precision (kernels/shape/wide_range.clh): each operation is widened by more than there.
-std::optional<Interval> boundsOver(std::span<const implicit_instruction> program, const Box& box);
+std::optional<ValueRange> boundsOver(std::span<const implicit_instruction> program, const Box& box);
 
 }  // namespace eikonal

@@ -23,19 +23,15 @@ int levelsFor(size_t operations) {
     return levels;
 }
 
-glm::dvec3 cornerOf(const Box& b, unsigned i) {
-    return {i & 1u ? b.high.x : b.low.x, i & 2u ? b.high.y : b.low.y, i & 4u ? b.high.z : b.low.z};
-}
-
 /// Adds the cells that the surface may cross, `levels` halvings below this one.
 void addCells(std::span<const implicit_instruction> program, const Box& cell, int levels, std::vector<Box>& cells) {
-    const std::optional<Interval> f = boundsOver(program, cell);
+    const std::optional<ValueRange> f = boundsOver(program, cell);
     if (!f || !f->hasZero()) return;
     if (levels == 0) { cells.push_back(cell); return; }
     const glm::dvec3 middle = cell.center();
     for (unsigned i = 0; i < 8; ++i) {
         Box part{middle, middle};
-        part.grow(cornerOf(cell, i));
+        part.grow(cell.corner(i));
         addCells(program, part, levels - 1, cells);
     }
 }
@@ -60,8 +56,8 @@ double areaInTetrahedron(std::array<Corner, 4> t) {
 double areaInCell(std::span<const implicit_instruction> program, const Box& cell, const glm::dmat4& m) {
     std::array<Corner, 8> corners;
     for (unsigned i = 0; i < 8; ++i) {
-        const glm::dvec3 p = cornerOf(cell, i);
-        const std::optional<Interval> f = boundsOver(program, {p, p});
+        const glm::dvec3 p = cell.corner(i);
+        const std::optional<ValueRange> f = boundsOver(program, {p, p});
         if (!f || !std::isfinite(f->middle())) return 0;
         corners[i] = {transformPoint(m, p), f->middle()};
     }
@@ -82,12 +78,11 @@ ImplicitExtent extentOf(std::span<const implicit_instruction> program, const Box
 
     /* A sphere around their corners */
     Box around;
-    for (const Box& cell : cells)
-        for (unsigned i = 0; i < 8; ++i) around.grow(transformPoint(m, cornerOf(cell, i)));
+    for (const Box& cell : cells) around.grow(transformed(cell, m));
     extent.center = around.center();
     for (const Box& cell : cells)
         for (unsigned i = 0; i < 8; ++i)
-            extent.radius = std::max(extent.radius, glm::distance(extent.center, transformPoint(m, cornerOf(cell, i))));
+            extent.radius = std::max(extent.radius, glm::distance(extent.center, transformPoint(m, cell.corner(i))));
 
     for (const Box& cell : cells) extent.area += areaInCell(program, cell, m);
     /* A plane crosses (|n.x| + |n.y| + |n.z|) cells per area of a cell's face: 3/2 on average */

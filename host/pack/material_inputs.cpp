@@ -59,9 +59,7 @@ void InputWriter::number(uint slot, const char* name) {
 
 void InputWriter::count(uint slot, const char* name) { addInteger(slot, static_cast<uint>(std::max(get(name).value.value(), 0.0))); }
 
-void InputWriter::vertexKey(uint slot) {
-    in_.tables.material_inputs.push_back({NONE, wordOf(slot, isSpectral()), input_vertex_key, 0, {}});
-}
+void InputWriter::vertexKey(uint slot) { addInteger(slot, 0, input_vertex_key); }
 
 void InputWriter::file(uint slot) { addInteger(slot, in_.measured.file(description_.file, description_.where)); }
 
@@ -125,8 +123,8 @@ void InputWriter::add(uint slot, input_kind kind, const eikonal::color& value, u
     in_.tables.material_inputs.push_back({texture, wordOf(slot, isSpectral()), static_cast<uint>(kind), 0, value});
 }
 
-void InputWriter::addInteger(uint slot, uint value) {
-    in_.tables.material_inputs.push_back({NONE, wordOf(slot, isSpectral()), input_integer, value, {}});
+void InputWriter::addInteger(uint slot, uint value, input_kind kind) {
+    in_.tables.material_inputs.push_back({NONE, wordOf(slot, isSpectral()), static_cast<uint>(kind), value, {}});
 }
 
 double InputWriter::widthOf(double roughness) const {

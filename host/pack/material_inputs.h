@@ -74,7 +74,7 @@ private:
     uint program(const Input& in, TextureUse use);
     uint texture(int index, TextureUse use = TextureUse::asItIs);
     void add(uint slot, input_kind kind, const eikonal::color& value, uint texture);
-    void addInteger(uint slot, uint value);
+    void addInteger(uint slot, uint value, input_kind kind = input_integer);
     double widthOf(double roughness) const;
 
     const MaterialPacking& in_;

@@ -13,13 +13,18 @@ namespace eikonal {
 
 static constexpr double rareShare = 1e-3;
 
+/// What first asked for a feature; empty if nothing did.
+static std::string firstUse(const PackedScene& packed, Feature feature) {
+    const auto found = packed.reasons.find(feature);
+    return found == packed.reasons.end() ? "" : found->second;
+}
+
 /// The first surface that only reflects and transmits in single directions, with its place in the scene; empty if there is none.
 static std::string firstSmooth(const PackedScene& packed) {
     for (const auto& [feature, what] : {std::pair{KindFeature::BSDF_SPECULAR_DIELECTRIC, "clear glass"},
                                         {KindFeature::BSDF_SPECULAR_CONDUCTOR, "a mirror"},
                                         {KindFeature::BSDF_THIN_DIELECTRIC, "a pane"}})
-        if (const auto found = packed.reasons.find(feature); found != packed.reasons.end())
-            return fmt::format("{} ({})", what, found->second);
+        if (const std::string where = firstUse(packed, feature); !where.empty()) return fmt::format("{} ({})", what, where);
     return {};
 }
 
@@ -46,10 +51,10 @@ std::vector<std::string> missedLight(const PackedScene& packed) {
     for (const light& l : packed.tables.lights) {
         const LightKind& kind = kindOf(l);
         if (kind.place != LightPlace::POINT && kind.place != LightPlace::DISTANT) continue;
-        const auto where = packed.reasons.find(kind.feature);
+        const std::string where = firstUse(packed, kind.feature);
         missed.push_back(fmt::format("what a {} light{} sends onto surfaces by way of smooth ones, first {}, is missing: no path from the "
                                      "camera can hit such a light",
-                                     kind.name, where == packed.reasons.end() ? "" : " (" + where->second + ")", smooth));
+                                     kind.name, where.empty() ? "" : " (" + where + ")", smooth));
         break;
     }
     if (const double share = smallestLamp(packed); share < rareShare)

@@ -71,8 +71,7 @@ affine toAffine(const glm::dmat4& m) {
 Box transformed(const Box& box, const glm::dmat4& m) {
     Box reach;
     if (box.empty()) return reach;
-    for (int i = 0; i < 8; ++i)
-        reach.grow(transformPoint(m, {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z}));
+    for (unsigned i = 0; i < 8; ++i) reach.grow(transformPoint(m, box.corner(i)));
     return reach;
 }
 

@@ -24,6 +24,8 @@ struct Box {
     void grow(const Box& b) { low = glm::min(low, b.low); high = glm::max(high, b.high); }
     bool empty() const { return low.x > high.x; }
     glm::dvec3 center() const { return 0.5 * (low + high); }
+    /// Corner i of 8: high on the axes whose bits are set.
+    glm::dvec3 corner(unsigned i) const { return {i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z}; }
     double radius() const { return 0.5 * glm::length(high - low); }
 };
 

@@ -107,11 +107,13 @@ private:
     int depth_ = 0, deepest_ = 0;
 };
 
+TexturePacking TexturePacker::inScene() { return {context_, colors_, *this, context_.space.worldFromScene()}; }
+
 uint TexturePacker::texture(int texture, TextureUse use) {
     const auto [found, isNew] = programs_.try_emplace({texture, use}, NONE);
     if (!isNew) return found->second;
     const Texture& t = context_.scene.textures[static_cast<size_t>(texture)];
-    ProgramWriter writer({context_, colors_, *this, context_.space.worldFromScene()}, tables_, t.isFloat);
+    ProgramWriter writer(inScene(), tables_, t.isFloat);
     if (use == TextureUse::coefficient) writer.allowUnbounded();
     writer.texture(texture);
     writer.use(use);
@@ -126,7 +128,7 @@ uint TexturePacker::emissionImage(const AreaLight& light) {
     t.mapping = light.imageMapping;
     if (mean > 0) t.scale = 1 / mean;
     t.where = light.where;
-    ProgramWriter writer({context_, colors_, *this, context_.space.worldFromScene()}, tables_, false);
+    ProgramWriter writer(inScene(), tables_, false);
     writer.allowUnbounded();
     writer.texture(t);
     return writer.finish(t.where);
@@ -134,7 +136,7 @@ uint TexturePacker::emissionImage(const AreaLight& light) {
 
 uint TexturePacker::colorInput(const Input& input, TextureUse use) {
     if (input.texture != none) return texture(input.texture, use);
-    ProgramWriter writer({context_, colors_, *this, context_.space.worldFromScene()}, tables_, false);
+    ProgramWriter writer(inScene(), tables_, false);
     writer.input(input);
     writer.use(use);
     return writer.finish(input.where);
@@ -153,7 +155,7 @@ uint TexturePacker::alpha(const Input& input, const glm::dmat4& worldFromPoint) 
 
 uint TexturePacker::input(const Input& input) {
     if (input.texture != none) return texture(input.texture);
-    ProgramWriter writer({context_, colors_, *this, context_.space.worldFromScene()}, tables_, true);
+    ProgramWriter writer(inScene(), tables_, true);
     writer.input(input);
     return writer.finish(input.where);
 }

@@ -21,6 +21,8 @@ enum class TextureUse {
     displacement /* world units to scene units */
 };
 
+struct TexturePacking;
+
 /// Packs programs and images when they are first used.
 class TexturePacker {
 public:
@@ -46,6 +48,8 @@ public:
     const TextureTables& tables() const { return tables_; }
 
 private:
+    TexturePacking inScene();   ///< for programs that are evaluated at points in scene space
+
     const PackContext& context_;
     TextureTables& tables_;
     ColorPacker& colors_;

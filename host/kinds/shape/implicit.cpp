@@ -44,15 +44,7 @@ static light packLight(const AreaElement& e, const color& L) {
     return l;
 }
 
-static void boundLight(const light& l, double, LightBounds& bounds) {
-    const glm::dvec3 p = toGlm(l.p);
-    bounds.box = {p - static_cast<double>(l.radius), p + static_cast<double>(l.radius)};
-    boundAllDirections(bounds);
-    /* A convex body shows a quarter of its surface, on average (Cauchy) */
-    bounds.intensity /= 4;
-}
-
-const LightTraits implicit_light{.packElement = packLight, .bound = boundLight, .isAimedByDirection = true};
+const LightTraits implicit_light{.packElement = packLight, .bound = boundSphere, .isAimedByDirection = true};
 
 static const ShapeDirective directives[] = {
     {"implicit", "string F; point3s bounds; float a; float b; float c; float d", read},

@@ -49,14 +49,7 @@ static light packLight(const AreaElement& e, const color& L) {
     return l;
 }
 
-static void boundLight(const light& l, double, LightBounds& bounds) {
-    const glm::dvec3 p = toGlm(l.p);
-    bounds.box = {p - static_cast<double>(l.radius), p + static_cast<double>(l.radius)};
-    boundAllDirections(bounds);
-    bounds.intensity /= 4;
-}
-
-const LightTraits sphere_light{.packElement = packLight, .bound = boundLight};
+const LightTraits sphere_light{.packElement = packLight, .bound = boundSphere};
 
 /* Partial sphere or ellipsoid */
 
