@@ -10,9 +10,7 @@ seeds. Versions render by turns. Needs numpy.
 """
 
 import argparse
-import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 
@@ -20,16 +18,14 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "points"), str(HERE)]
-from points import read_pfm
+from points import render_with
 from report import Report
 
 ROOT = HERE.parents[1]
 
 
 def render(o, kernels, scene, seed, image):
-    command = [o.program, "render", scene, "--quiet", "--spp", o.samples, "--seed", seed, "--resolution", o.size, "-o", image]
-    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL, env={**os.environ, "EIKONAL_KERNELS": str(kernels)})
-    return read_pfm(image)
+    return render_with(o.program, kernels, scene, image, "--spp", o.samples, "--seed", seed, "--resolution", o.size)
 
 
 def main():

@@ -63,13 +63,16 @@ def read_pfm(file):
     return values.astype(float) @ ([0.2126, 0.7152, 0.0722] if kind == b"PF" else [1])
 
 
-def render(o, folder, scene, way, samples, seed):
-    image = folder / "image.pfm"
-    environment = {**os.environ, "EIKONAL_KERNELS": str(folder)}
-    command = [o.program, "render", scene, "--quiet", "--sampler", "zsobol", "--spp", samples, "--seed", (WAYS.index(way) << OPTION_SHIFT) + seed,
-               "--resolution", f"{o.size}x{o.size}", "--max-depth", 5, "-o", image]
-    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL, env=environment)
+def render_with(program, kernels, scene, image, *options):
+    """Luminance of the pixels that the program renders with the kernels of a folder."""
+    command = [program, "render", scene, "--quiet", *options, "-o", image]
+    subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL, env={**os.environ, "EIKONAL_KERNELS": str(kernels)})
     return read_pfm(image)
+
+
+def render(o, folder, scene, way, samples, seed):
+    return render_with(o.program, folder, scene, folder / "image.pfm", "--sampler", "zsobol", "--spp", samples, "--seed",
+                       (WAYS.index(way) << OPTION_SHIFT) + seed, "--resolution", f"{o.size}x{o.size}", "--max-depth", 5)
 
 
 def relative_variance(images, mean):

@@ -9,9 +9,7 @@ The error is the root of the mean, over 8 x 8 pixels, of the variance between se
 """
 
 import argparse
-import os
 import pathlib
-import subprocess
 import sys
 import tempfile
 
@@ -19,7 +17,7 @@ import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "points"), str(HERE)]
-from points import read_pfm
+from points import render_with
 from report import Report
 from scenes import SMOOTH
 
@@ -28,11 +26,7 @@ ROOT = HERE.parents[1]
 
 def error_of(o, kernels, scene, samples, image):
     """Relative standard deviation of the pixels between seeds."""
-    images = []
-    for seed in range(1, o.seeds + 1):
-        command = [o.program, "render", scene, "--quiet", "--sampler", o.sampler, "--spp", samples, "--seed", seed, "-o", image]
-        subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL, env={**os.environ, "EIKONAL_KERNELS": str(kernels)})
-        images.append(read_pfm(image))
+    images = [render_with(o.program, kernels, scene, image, "--sampler", o.sampler, "--spp", samples, "--seed", seed) for seed in range(1, o.seeds + 1)]
     return float(np.sqrt(np.var(images, axis=0, ddof=1).mean()) / np.mean(images))
 
 

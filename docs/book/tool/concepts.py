@@ -33,7 +33,8 @@ def normal(term):
 
 
 def id_of(term):
-    return "c-" + re.sub(r"\W+", "-", term)
+    """What the ids of a term end with: c-... where it is defined, u-... where a chapter first uses it."""
+    return re.sub(r"\W+", "-", term)
 
 
 def prose_of(text):
@@ -77,29 +78,25 @@ class Concepts:
         targets = [match.span(2) for match in LINK.finditer(text)]
         bold = [match.span() for match in BOLD.finditer(text)]
         seen = set()
+
+        def inside(spans):
+            return any(first <= start < last for first, last in spans)
         for match in pattern_of(later).finditer(text, begin):
             term, start = normal(match[1]), match.start()
-            inside = lambda spans: any(first <= start < last for first, last in spans)
-            if term in seen or inside(targets):
-                continue
             concept = self.defined[term]
-            if inside(bold) and not (concept.stem == stem and concept.position <= start):
+            is_defined = concept.stem == stem and concept.position <= start
+            if term in seen or inside(targets) or inside(bold) and not is_defined:
                 continue
             seen.add(term)
-            if inside(links) or concept.stem == stem and concept.position <= start:
+            if inside(links) or is_defined:
                 continue
             yield f"{stem}.md:{text.count(chr(10), 0, start) + 1}: \"{term}\" is used before it is defined at {concept.stem}.md:{concept.line}: link there, or define it here"
 
     def linked(self, bodies):
         """The chapters' HTML with each definition marked by an id, and each chapter's first use of another's concept linked to its definition."""
-        done = {}
-        pattern = pattern_of(set(self.defined) - EVERYDAY) if self.defined else None
-        for stem, body in bodies.items():
-            if stem in self.order:
-                done[stem] = self._link_uses(stem, self._mark_definitions(stem, body), pattern)
-            else:
-                done[stem] = body
-        return done
+        pattern = pattern_of(set(self.defined) - EVERYDAY)
+        return {stem: self._link_uses(stem, self._mark_definitions(stem, body), pattern) if stem in self.order else body
+                for stem, body in bodies.items()}
 
     def _mark_definitions(self, stem, body):
         marked = set()
@@ -109,7 +106,7 @@ class Concepts:
             if term in marked or term not in self.defined or self.defined[term].stem != stem:
                 return match[0]
             marked.add(term)
-            return f'<strong id="{id_of(term)}">{match[1]}</strong>'
+            return f'<strong id="c-{id_of(term)}">{match[1]}</strong>'
         return re.sub(r"<strong>(.*?)</strong>", mark, body, flags=re.DOTALL)
 
     def _link_uses(self, stem, body, pattern):
@@ -120,7 +117,7 @@ class Concepts:
             if term in seen or self.defined[term].stem == stem:
                 return match[0]
             seen.add(term)
-            return f'<a class="concept" id="u-{id_of(term)[2:]}" href="{self.defined[term].stem}.html#{id_of(term)}">{match[0]}</a>'
+            return f'<a class="concept" id="u-{id_of(term)}" href="{self.defined[term].stem}.html#c-{id_of(term)}">{match[0]}</a>'
         for part in re.split(r"(<[^>]+>)", body):
             tag = re.match(r"<(/?)(a|code|pre|math|h[1-6]|aside|svg|strong|div|figure)\b", part)
             if tag and not part.endswith("/>"):
@@ -131,7 +128,7 @@ class Concepts:
     def index(self, bodies, names):
         """Rows of the index, of linked bodies: each term with the chapter that defines it and the chapters that use it."""
         for term, concept in sorted(self.defined.items()):
-            identity = id_of(term)[2:]
+            identity = id_of(term)
             uses = " ".join(f'<a href="{stem}.html#u-{identity}">{names[stem]}</a>' for stem in self.order if f'id="u-{identity}"' in bodies[stem])
             yield (f'<dt>{html.escape(term)}</dt><dd><a href="{concept.stem}.html#c-{identity}"><b>{names[concept.stem]}</b></a>'
                    f'{"; " + uses if uses else ""}</dd>')
