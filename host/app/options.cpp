@@ -218,6 +218,19 @@ void addOutput(CLI::App* app, Options& o) {
     app->add_flag("--json", o.json, "Print one line of JSON at the end: files, samples, times, warnings")->group(group);
 }
 
+void addCheckpoints(CLI::App* app, OutputOptions& out) {
+    const std::string group = "Checkpoints";
+    app->add_option("--checkpoint", out.checkpoint, "Keep what is rendered in this file, at intervals and however the render ends")
+        ->type_name("FILE")
+        ->group(group);
+    value(app, "--checkpoint-every", out.checkpointEvery, "TIME", "How often to write the checkpoint and the image (default: 5m)",
+          parseDuration)
+        ->group(group);
+    app->add_flag("--resume", out.resume, "Go on from the checkpoint, if it is there")->group(group);
+    app->add_flag("--write-partial-images", out.partialImages, "Write the image at the same intervals, also without a checkpoint")
+        ->group(group);
+}
+
 /// The commands of the program, bound to the options that they fill in.
 struct Parser {
     Options options;
@@ -241,6 +254,7 @@ struct Parser {
         auto* render = add("render", Command::render, "Render a scene into an image file");
         addScene(render, options);
         addOutput(render, options);
+        addCheckpoints(render, options.output);
         addDevice(render, options);
         addLogging(render, options);
 
@@ -371,6 +385,8 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
     if (o.efficiency && o.repeats < SeedVariance::leastSeeds)
         throw UsageError(fmt::format("--efficiency measures the variance between repeats; --repeats must be at least {}, not {}",
                                      SeedVariance::leastSeeds, o.repeats));
+    if (o.output.resume && o.output.checkpoint.empty())
+        throw UsageError("--resume goes on from a checkpoint; name it: --checkpoint FILE --resume");
     if (o.scene.cropWindow && o.scene.pixelBounds)
         throw UsageError("--cropwindow and --pixelbounds both select a part of the image; give one of them");
     if (o.scene.camera && o.scene.lookAt && *o.scene.camera == *o.scene.lookAt) throw UsageError("--camera and --look-at must differ");

@@ -23,6 +23,10 @@ struct OutputOptions {
     std::optional<double> targetError;                ///< target of adaptive sampling, > 0
     ErrorMetric errorMetric = ErrorMetric::relmseRoot;
     bool stats = false;
+    std::string checkpoint;                           ///< a file; empty: none
+    double checkpointEvery = 300;                     ///< seconds
+    bool resume = false;                              ///< go on from the checkpoint, if it is there
+    bool partialImages = false;                       ///< write the image each time that a checkpoint is due
 };
 
 struct Options : SessionOptions {

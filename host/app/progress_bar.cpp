@@ -31,9 +31,8 @@ void ProgressBar::show(const Progress& p) {
 }
 
 void ProgressBar::draw(const Progress& p) const {
-    const double left = p.fraction > 0 ? p.seconds * (1 - p.fraction) / p.fraction : 0;
     const std::string text = fmt::format("{:3.0f} %  {}/{} samples  {} elapsed  {} left", std::floor(p.fraction * 100),
-                                         std::floor(p.meanSamples), samples_, clockTime(p.seconds), clockTime(left));
+                                         std::floor(p.meanSamples), samples_, clockTime(p.seconds), clockTime(p.secondsLeft));
     const int full = static_cast<int>(p.fraction * barWidth);
     if (terminal_) std::fputs(fmt::format("\r[{:=<{}}{: <{}}] {}\x1b[K", "", full, "", barWidth - full, text).c_str(), stderr);
     else std::fputs((text + "\n").c_str(), stderr);

@@ -1,24 +1,22 @@
 #include "render/render.h"
 #include "image/image_file.h"
 #include "app/available_memory.h"
+#include "app/checkpoint.h"
 #include "clock.h"
 #include "app/commands.h"
 #include "app/interrupt.h"
-#include "app/output.h"
 #include "app/progress_bar.h"
+#include "app/render_output.h"
 #include "app/run_summary.h"
 #include "render/session.h"
 #include "app/statistics.h"
-#include "names.h"
-#include "wait_notice.h"
 #include "eikonal/film.h"
-#include "film/projection.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdio>
-#include <future>
 #include <optional>
 
 namespace eikonal {
@@ -53,18 +51,21 @@ private:
     std::optional<double> signalled_;
 };
 
-/// Renders until all samples are taken, the error is small enough, the time is over, or a signal arrives.
-RenderResult renderFilm(const Options& o, Session& session, Film& film, Deadline& deadline) {
-    const auto samples = static_cast<unsigned>(session.packed().samples);
+/// Renders until each pixel has `samples` samples, the error is small enough, the time is over, or a signal arrives.
+RenderResult renderFilm(const Options& o, Session& session, Film& film, unsigned samples, Deadline& deadline, Checkpoints& checkpoints,
+                        RenderOutput& output) {
     ProgressBar bar(samples, o.log < LogLevel::warning);
     RenderControl control;
     control.endSample = samples;
     control.targetError = o.output.targetError;
     control.errorMetric = o.output.errorMetric;
+    control.planned = checkpoints.planned();
+    const Stopwatch time;
     control.progress = [&](const Progress& p) {
         deadline.isWhole = p.samples > 0;
         bar.show(p);
     };
+    control.pause = [&](std::span<const unsigned> planned) { checkpoints.pause(film, planned, time.seconds(), output); };
     control.stop = [&] { return deadline.isOver(); };
     control.abandon = [&] { return deadline.isFinal(); };
     return render(session.context(), session.wave(), film, session.profile(), control);
@@ -96,43 +97,6 @@ void reportUnresolvedRays(uint count, Diagnostics& diagnostics) {
                                          count, count == 1 ? "" : "s"));
 }
 
-Metadata metadataOf(const Options& o, const Session& session, const Film::Samples& samples, const ErrorEstimate& error, double seconds,
-                    const std::string& hash) {
-    Metadata m;
-    m.samples = static_cast<int>(samples.fewest);
-    if (samples.most > samples.fewest) m.meanSamples = samples.mean;
-    m.targetError = o.output.targetError;
-    m.error = error.error;
-    m.errorLow = error.low;
-    m.errorHigh = error.high;
-    m.errorMetric = nameIn(errorMetricNames, o.output.errorMetric);
-    m.errorDoubt = error.doubt;
-    m.renderSeconds = seconds;
-    m.seed = session.scene().sampler.seed;
-    m.version = "Eikonal " EIKONAL_VERSION;
-    m.scene = o.scene.path;
-    m.sceneHash = hash;
-    m.device = session.context().device().name;
-    m.biasedChoices = describe(session.biasedChoices());
-    m.commandLine = o.commandLine;
-    return m;
-}
-
-/// Writes all files, even if one of them fails; then throws one Error with all problems.
-void writeAll(const std::vector<std::string>& files, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping,
-              bool silent) {
-    std::string problems;
-    for (const std::string& file : files) {
-        const WaitNotice notice("writing " + file, silent);
-        try {
-            writeImage(file, image, metadata, mapping);
-        } catch (const Error& error) {
-            problems += (problems.empty() ? "" : "\n") + std::string(error.what());
-        }
-    }
-    if (!problems.empty()) throw Error(ExitCode::scene, problems);
-}
-
 /// Throws an error if the film and the output image would not fit into memory, because a process killed for memory loses the whole render.
 void checkMemory(const FilmDescription& film, const PackedScene& packed, const MemoryPlan& plan) {
     const size_t needed = plan.tables + plan.queues + plan.film + plan.image, available = availableMemory();
@@ -150,9 +114,12 @@ void checkMemory(const FilmDescription& film, const PackedScene& packed, const M
 int renderCommand(const Options& o) {
     Diagnostics diagnostics(o.log, o.scene.strict);
     for (const std::string& file : o.output.files) checkWritable(file);
+    Checkpoints checkpoints(o, diagnostics);
 
     Session session(o, diagnostics);
     session.load();
+    const auto wanted = static_cast<unsigned>(session.scene().sampler.pixelSamples);
+    if (const auto before = checkpoints.samplesLaidOutFor()) session.layOutFor(*before);
     const std::vector<std::string> files = outputFiles(o.output, session.scene());
     const Aovs aovs = aovsOf(o.output, session.scene().film, files, diagnostics);
     session.pack(aovs, keepsSpectrum(session.scene().film, files, diagnostics));
@@ -160,41 +127,46 @@ int renderCommand(const Options& o) {
     checkMemory(session.scene().film, packed, session.plan());
     for (const std::string& file : files) checkWritable(file, session.plan().film / 2);
     diagnostics.info("planned memory: " + describe(session.plan()));
-    auto hash = std::async(std::launch::async, [&] { return sceneHash(packed); });
+    RenderOutput output(o, session, files, aovs);
+    std::optional<Film> film(std::in_place, packed);
+    checkpoints.resume(session, *film);
     session.prepare();
 
     const Interrupt interrupt;
-    diagnostics.info(
-        fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), packed.samples));
-    std::optional<Film> film(std::in_place, packed);
+    diagnostics.info(fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), wanted));
     const Stopwatch renderTime;
     Deadline deadline(o.output.timeLimit);
-    session.survey([&] { return deadline.isFinal(); });
-    const RenderResult result = renderFilm(o, session, *film, deadline);
+    if (std::ranges::min(film->taken()) < wanted) session.survey([&] { return deadline.isFinal(); });
+    const RenderResult result = renderFilm(o, session, *film, wanted, deadline, checkpoints, output);
     const double renderSeconds = renderTime.seconds();
     /* A signal that arrives while the finished image is written does not count */
     const int endedBy = result.isFinished ? 0 : Interrupt::signal();
-    const Film::Samples samples = film->samples();
-    reportShortfall(o, samples, film->invalid(), result, static_cast<unsigned>(packed.samples), endedBy, diagnostics);
-    const ErrorEstimate error = film->error(o.output.errorMetric);
-    const std::string described = describe(error, o.output.errorMetric);
+    const Stopwatch writeTime;
+    if (session.profile().paths == 0 && result.isFinished) say(o, o.output.checkpoint + " has all samples: nothing is left to render");
+    std::exception_ptr unsaved;   // the image is worth writing all the same
+    try {
+        if (session.profile().paths > 0) checkpoints.save(*film, result.planned, renderSeconds);
+    } catch (const Error&) {
+        unsaved = std::current_exception();
+    }
+    const ImageReport report = output.report(*film, checkpoints.secondsBefore() + renderSeconds);
+    reportShortfall(o, report.samples, film->invalid(), result, wanted, endedBy, diagnostics);
+    const std::string described = describe(report.error, o.output.errorMetric);
     say(o, described);
     reportUnresolvedRays(session.unresolvedRays(), diagnostics);
 
-    const Stopwatch writeTime;
-    FilmImage image = session.develop(*film);
+    const FilmImage image = output.develop(*film);
     film.reset();   // frees what may be most of the memory in use
-    selectAovs(image, aovs);
-    if (session.scene().film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, packed);
-    const Metadata metadata = metadataOf(o, session, samples, error, renderSeconds, hash.get());
-    writeAll(files, image, metadata, o.output.toneMapping, o.log < LogLevel::warning);
+    output.write(image, report.metadata);
     const double writeSeconds = writeTime.seconds();
     say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()));
     if (o.output.stats)
-        std::fputs(describeRun(session, session.profile(), samples, described, renderSeconds, writeSeconds).c_str(), stdout);
+        std::fputs(describeRun(session, session.profile(), report.samples, described, renderSeconds, writeSeconds).c_str(), stdout);
     if (o.json)
-        std::fputs(
-            describeAsJson(session, files, metadata, samples, result, endedBy, writeSeconds, diagnostics.warnings()).c_str(), stdout);
+        std::fputs(describeAsJson(session, files, report.metadata, report.samples, result, endedBy, writeSeconds, diagnostics.warnings())
+                       .c_str(),
+                   stdout);
+    if (unsaved) std::rethrow_exception(unsaved);
     return endedBy ? 128 + endedBy : static_cast<int>(ExitCode::success);
 }
 

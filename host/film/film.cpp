@@ -3,6 +3,8 @@
 #include "film/planes.h"
 #include "film/projection.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -21,44 +23,48 @@ Film::Film(const PackedScene& scene, const Features& features)
     if (!data_)
         throw Error(ExitCode::scene, "not enough memory for an image of " + std::to_string(pixels_.width()) + " x " +
                                          std::to_string(pixels_.height()) + " pixels");
+    taken_.resize(plane());
 }
 
-/// The part of a block inside the film, as the rectangle of rows and planes for OpenCL's rectangular copies.
-struct Region {
-    size_t hostOrigin[3], deviceOrigin[3], size[3];
-    size_t hostRow, hostSlice, deviceRow, deviceSlice;
-};
-
-static Region regionOf(const PixelRect& film, const Batch& batch, size_t block, int words) {
-    constexpr size_t word = sizeof(uint);
-    const auto n = [](int x) { return static_cast<size_t>(x); };
-    const PixelRect part = batch.blocks[block].within(film, batch.size);
-    return {{n(part.x0 - film.x0) * word, n(part.y0 - film.y0), 0},
-            {0, block * n(batch.size.height()), 0},
-            {n(part.width()) * word, n(part.height()), n(words)},
-            n(film.width()) * word, n(film.width()) * n(film.height()) * word, n(batch.size.width()) * word, batch.pixels() * word};
+/// Calls copy(word of the film, word of staged_, words) for each row of each block of a batch and each word of its pixels.
+template <class Copy> void Film::forStagedRows(const Batch& batch, Copy copy) {
+    const size_t pixels = batch.pixels();
+    tbb::parallel_for(0, layout_.words, [&](int word) {
+        for (size_t block = 0; block < batch.blocks.size(); ++block) {
+            const PixelRect part = batch.blocks[block].within(pixels_, batch.size);
+            for (int y = part.y0; y < part.y1; ++y) {
+                const size_t row = block * batch.size.pixels() + static_cast<size_t>(y - part.y0) * batch.size.width();
+                copy(&data_[static_cast<size_t>(word) * plane() + index(part.x0, y)], &staged_[static_cast<size_t>(word) * pixels + row],
+                     static_cast<size_t>(part.width()));
+            }
+        }
+    });
 }
 
-/// Copies a batch's pixels with clEnqueueWriteBufferRect or clEnqueueReadBufferRect.
-template <class Enqueue, class Data>
-static void copyBlocks(Enqueue enqueue, const Context& context, const Buffer& buffer, const PixelRect& film, int words, const Batch& batch,
-                       Data* data, const char* what) {
-    for (size_t block = 0; block < batch.blocks.size(); ++block) {
-        const Region r = regionOf(film, batch, block, words);
-        check(enqueue(context.queue(), buffer.handle(), CL_FALSE, r.deviceOrigin, r.hostOrigin, r.size, r.deviceRow, r.deviceSlice,
-                      r.hostRow, r.hostSlice, data, 0, nullptr, nullptr),
-              what);
-    }
-}
-
-void Film::upload(const Context& context, const Buffer& buffer, const Batch& batch) const {
-    copyBlocks(clEnqueueWriteBufferRect, context, buffer, pixels_, layout_.words, batch, data_.get(),
-               "copying pixels of the film to the device");
+void Film::upload(const Context& context, Buffer& buffer, const Batch& batch) {
+    staged_.resize(static_cast<size_t>(batch.pixels()) * static_cast<size_t>(layout_.words));
+    forStagedRows(batch, [](const uint* film, uint* staged, size_t n) { std::copy_n(film, n, staged); });
+    buffer.write(context, staged_.data(), staged_.size() * sizeof(uint));
 }
 
 void Film::download(const Context& context, const Buffer& buffer, const Batch& batch) {
-    copyBlocks(clEnqueueReadBufferRect, context, buffer, pixels_, layout_.words, batch, data_.get(),
-               "copying pixels of the film from the device");
+    staged_.resize(static_cast<size_t>(batch.pixels()) * static_cast<size_t>(layout_.words));
+    buffer.read(context, staged_.data(), staged_.size() * sizeof(uint));
+}
+
+void Film::keep(const Batch& batch) {
+    forStagedRows(batch, [](uint* film, const uint* staged, size_t n) { std::copy_n(staged, n, film); });
+    for (const Block& block : batch.blocks) {
+        const PixelRect part = block.within(pixels_, batch.size);
+        for (int y = part.y0; y < part.y1; ++y) std::fill_n(&taken_[index(part.x0, y)], part.width(), block.firstSample + block.samples);
+    }
+}
+
+void Film::restore(int y, int x0, int x1, unsigned samples, std::span<const uint> words) {
+    const size_t n = static_cast<size_t>(x1 - x0);
+    for (int word = 0; word < layout_.words; ++word)
+        std::copy_n(&words[static_cast<size_t>(word) * n], n, &data_[static_cast<size_t>(word) * plane() + index(x0, y)]);
+    std::fill_n(&taken_[index(x0, y)], n, samples);
 }
 
 const uint* Film::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }

@@ -9,6 +9,8 @@
 #include "film/noise.h"
 
 #include <memory>
+#include <span>
+#include <vector>
 
 namespace eikonal {
 
@@ -20,10 +22,21 @@ public:
 
     const PixelRect& pixels() const { return pixels_; }
     int words() const { return layout_.words; }
+    const QueueLayout& layout() const { return layout_; }
 
-    /// Enqueue copies of a batch's pixels to or from a buffer that holds its blocks one after the other. Do not wait.
-    void upload(const Context& context, const Buffer& buffer, const Batch& batch) const;
+    /// Copies a batch's pixels to a buffer that holds its blocks one after the other.
+    void upload(const Context& context, Buffer& buffer, const Batch& batch);
+    /// Waits for such a buffer, and reads it. The film does not change before keep().
     void download(const Context& context, const Buffer& buffer, const Batch& batch);
+    /// Takes over what download() has read: the batch's samples are now part of the film.
+    void keep(const Batch& batch);
+
+    /// Samples taken of each pixel, row by row; also those that do not count because they missed the lens.
+    std::span<const unsigned> taken() const { return taken_; }
+    /// Word `word` of the pixels of row y, which is counted from the top of the whole image.
+    std::span<const uint> row(int word, int y) const { return {&data_[rowStart(word, y)], static_cast<size_t>(pixels_.width())}; }
+    /// Replaces the pixels x0 <= x < x1 of row y: each now has `samples` samples, and word w of pixel x is words[w * (x1 - x0) + x - x0].
+    void restore(int y, int x0, int x1, unsigned samples, std::span<const uint> words);
 
     /// Bytes per pixel of the film, and of the image that develop() returns.
     static size_t bytes(const PackedScene& scene);
@@ -50,6 +63,8 @@ private:
     size_t index(int x, int y) const {
         return static_cast<size_t>(y - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(x - pixels_.x0);
     }
+    size_t rowStart(int word, int y) const { return static_cast<size_t>(word) * plane() + index(pixels_.x0, y); }
+    template <class Copy> void forStagedRows(const Batch& batch, Copy copy);
     struct Planes;
     double expectedLuminance(const Planes& planes, int x, int y) const;
     const float* floats(const char* field) const;
@@ -58,6 +73,8 @@ private:
     PixelRect pixels_;
     QueueLayout layout_;
     std::unique_ptr<uint[], Free> data_;   ///< word w of pixel i: [w * plane + i]
+    std::vector<unsigned> taken_;
+    std::vector<uint> staged_;             ///< pixels of a batch, on their way to or from the device
 };
 
 }  // namespace eikonal

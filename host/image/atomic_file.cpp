@@ -10,11 +10,21 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 
 namespace eikonal {
 namespace {
+
+/// Temporary files are called ".eikonal-MACHINE-PROCESS-NUMBER.part".
+std::string temporaryPrefix() {
+    char name[256] = {};
+    ::gethostname(name, sizeof name - 1);
+    return fmt::format(".eikonal-{}-", name);
+}
+constexpr const char* temporarySuffix = ".part";
 
 namespace fs = std::filesystem;
 
@@ -31,22 +41,26 @@ fs::path target(const std::string& path) {
 
 fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : fs::path("."); }
 
+void checkPlace(const std::string& path, const fs::path& place);
+
+}  // namespace
+
 /// A temporary file next to its final place, removed unless it was renamed.
-class TemporaryFile {
+class AtomicFile::Temporary {
 public:
-    TemporaryFile(const std::string& path, const fs::path& folder) : path_(path) {
+    Temporary(const std::string& path, const fs::path& folder) : path_(path), folder_(folder) {
         static std::atomic<int> count = 0;
-        name_ = folder / fmt::format(".eikonal-{}-{}.part", ::getpid(), count++);
+        name_ = folder / fmt::format("{}{}-{}{}", temporaryPrefix(), ::getpid(), count++, temporarySuffix);
         ::unlink(name_.c_str());
         file_ = ::open(name_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
         if (file_ < 0) fail(path_, fmt::format("cannot create a file in \"{}\": {}", folder.string(), std::strerror(errno)));
     }
-    ~TemporaryFile() {
+    ~Temporary() {
         if (file_ >= 0) ::close(file_);
         if (!renamed_) ::unlink(name_.c_str());
     }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
+    Temporary(const Temporary&) = delete;
+    Temporary& operator=(const Temporary&) = delete;
 
     void write(std::span<const unsigned char> content) {
         while (!content.empty()) {
@@ -65,14 +79,25 @@ public:
         if (!flushed || !closed) fail(path_, std::strerror(flushed ? errno : error));
         if (::rename(name_.c_str(), place.c_str()) != 0) fail(path_, std::strerror(errno));
         renamed_ = true;
+        syncFolder();
     }
 
 private:
+    /// Makes the new name as durable as the content. Some file systems cannot, which is no error.
+    void syncFolder() const {
+        const int folder = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        if (folder < 0) return;
+        ::fsync(folder);
+        ::close(folder);
+    }
+
     std::string path_;
-    fs::path name_;
+    fs::path folder_, name_;
     int file_ = -1;
     bool renamed_ = false;
 };
+
+namespace {
 
 void checkPlace(const std::string& path, const fs::path& place) {
     std::error_code error;
@@ -86,12 +111,33 @@ void checkPlace(const std::string& path, const fs::path& place) {
 
 }  // namespace
 
-void writeFileAtomically(const std::string& path, std::span<const unsigned char> content) {
+AtomicFile::AtomicFile(const std::string& path) : path_(path) {
     const fs::path place = target(path);
     checkPlace(path, place);
-    TemporaryFile file(path, folderOf(place));
+    file_ = std::make_unique<Temporary>(path, folderOf(place));
+}
+
+AtomicFile::~AtomicFile() = default;
+AtomicFile::AtomicFile(AtomicFile&&) noexcept = default;
+
+void AtomicFile::write(std::span<const unsigned char> content) { file_->write(content); }
+void AtomicFile::commit() { file_->moveTo(target(path_)); }
+
+void writeFileAtomically(const std::string& path, std::span<const unsigned char> content) {
+    AtomicFile file(path);
     file.write(content);
-    file.moveTo(place);
+    file.commit();
+}
+
+void removeAbandonedFiles(const std::string& path) {
+    const std::string prefix = temporaryPrefix();
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folderOf(target(path)), error)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with(prefix) || !name.ends_with(temporarySuffix)) continue;
+        const int process = std::atoi(name.c_str() + prefix.size());
+        if (process > 0 && ::kill(process, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), error);
+    }
 }
 
 void writeTextAtomically(const std::string& path, const std::string& text) {
@@ -100,8 +146,7 @@ void writeTextAtomically(const std::string& path, const std::string& text) {
 
 void checkFileWritable(const std::string& path, std::uint64_t bytes) {
     const fs::path place = target(path), folder = folderOf(place);
-    checkPlace(path, place);
-    TemporaryFile(path, folder);
+    AtomicFile{path};
     std::error_code error;
     const fs::space_info space = fs::space(folder, error);
     constexpr double megabyte = 1e6;

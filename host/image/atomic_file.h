@@ -2,10 +2,32 @@
 // Files that are written completely or not at all.
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 
 namespace eikonal {
+
+/// A file that is written piece by piece into a temporary file in the same folder, and takes its place in commit(). Follows a symbolic link
+/// and replaces its target. Its functions throw Error (ExitCode::scene), "cannot write "path": reason", and leave the old file as it was.
+class AtomicFile {
+public:
+    explicit AtomicFile(const std::string& path);
+    /// Removes the temporary file unless commit() has been called.
+    ~AtomicFile();
+    AtomicFile(AtomicFile&&) noexcept;
+    void write(std::span<const unsigned char> content);
+    /// Once it returns, the new content is on disk, and survives a crash of the machine.
+    void commit();
+
+private:
+    class Temporary;
+    std::string path_;
+    std::unique_ptr<Temporary> file_;
+};
+
+/// Removes temporary files next to `path` that processes of this machine left when they were killed.
+void removeAbandonedFiles(const std::string& path);
 
 /// Replaces a file's content: writes a temporary file in its folder and renames it. Follows a symbolic link and replaces its target. Throws
 /// Error (ExitCode::scene), "cannot write "path": reason", and leaves the old file as it was.

@@ -66,14 +66,22 @@ void suspectNoise(std::span<BlockNoise> blocks, int across) {
         }
 }
 
-AdaptiveSampling::AdaptiveSampling(const PixelRect& rect, unsigned samples, unsigned most, double targetError, ErrorMetric metric)
+AdaptiveSampling::AdaptiveSampling(const PixelRect& rect, std::span<const unsigned> samples, unsigned most, double targetError,
+                                   ErrorMetric metric)
     : rect_(rect),
       most_(most),
       metric_(metric),
       targetError_(targetError),
       across_((rect.width() + blockSize.width() - 1) / blockSize.width()) {
     for (int y = rect.y0; y < rect.y1; y += blockSize.height())
-        for (int x = rect.x0; x < rect.x1; x += blockSize.width()) blocks_.push_back({x, y, 0, samples});
+        for (int x = rect.x0; x < rect.x1; x += blockSize.width())
+            blocks_.push_back({x, y, 0, samples.size() == 1 ? samples.front() : samples[blocks_.size()]});
+}
+
+std::vector<unsigned> AdaptiveSampling::samples() const {
+    std::vector<unsigned> all;
+    for (const Block& b : blocks_) all.push_back(b.samples);
+    return all;
 }
 
 std::vector<Block> AdaptiveSampling::nextPass(const Film& film) {
@@ -98,7 +106,7 @@ std::vector<Block> AdaptiveSampling::nextPass(const Film& film) {
     for (size_t i = 0; i < blocks_.size(); ++i) {
         const unsigned has = blocks_[i].samples;
         plannedSamples_ += static_cast<double>(planned[i]) * noise[i].pixels;
-        if (planned[i] == has) continue;
+        if (planned[i] <= has) continue;
         pass.push_back({blocks_[i].x, blocks_[i].y, has, std::min(has, most_ - has)});
         blocks_[i].samples += pass.back().samples;
     }

@@ -32,8 +32,8 @@ void suspectNoise(std::span<BlockNoise> blocks, int across);
 /// Plans the next pass from the film's contents alone, so decisions are deterministic.
 class AdaptiveSampling {
 public:
-    /// samples: that every pixel already has. most: per pixel.
-    AdaptiveSampling(const PixelRect& rect, unsigned samples, unsigned most, double targetError, ErrorMetric metric);
+    /// samples: that the pixels of each block already have, block by block in rows; or, if it has one element, every pixel. most: per pixel.
+    AdaptiveSampling(const PixelRect& rect, std::span<const unsigned> samples, unsigned most, double targetError, ErrorMetric metric);
 
     static constexpr BlockSize blockSize{4, 4};
     static constexpr unsigned firstSamples = 16;   ///< samples per pixel before the first decision
@@ -42,6 +42,8 @@ public:
     /// `most` samples.
     std::vector<Block> nextPass(const Film& film);
 
+    /// Samples per pixel that each block has, or is getting in the pass that nextPass returned last.
+    std::vector<unsigned> samples() const;
     double error() const { return error_; }                     ///< expected, at the last call of nextPass
     double plannedSamples() const { return plannedSamples_; }   ///< expected total over all pixels, at the last call of nextPass
 

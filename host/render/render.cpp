@@ -1,87 +1,76 @@
 #include "render/render.h"
 
 #include "render/adaptive.h"
+#include "render/passes.h"
 
-#include <bit>
+#include <algorithm>
 #include <chrono>
 #include <deque>
+#include <numeric>
 #include <utility>
 
 namespace eikonal {
 namespace {
 
-/// The fewest pixels of a block in uniform passes. Neighbouring pixels are traced together for coherence.
-constexpr unsigned smallestBlock = 1024;
-
-/// A pass: blocks of the image, and the samples that they get next.
-struct Pass {
-    BlockSize size;
-    std::vector<Block> blocks;
-    unsigned samples = 0;       ///< samples that it adds to every pixel
-};
-
-/// The next pass over all pixels: first as few samples as fill a wave, then about as many as are already done, so that a complete image
-/// exists early and later waves are coherent.
-Pass uniformPass(const PixelRect& rect, unsigned done, unsigned end, unsigned mostPaths) {
-    const unsigned left = end - done;
-    const unsigned long pixels = static_cast<unsigned long>(rect.width()) * static_cast<unsigned long>(rect.height());
-    const unsigned fill = static_cast<unsigned>(std::max<unsigned long>(mostPaths / std::max(pixels, 1ul), 1));
-    const unsigned wanted = std::min(std::max(fill, done + 1), left);
-    const unsigned blockPixels = std::bit_floor(std::max(mostPaths / wanted, std::min(smallestBlock, mostPaths)));
-    const unsigned samples = std::min(left, std::max(mostPaths / blockPixels, 1u));
-    Pass pass{chooseBlockSize(rect, blockPixels), {}, samples};
-    for (int y = rect.y0; y < rect.y1; y += pass.size.height())
-        for (int x = rect.x0; x < rect.x1; x += pass.size.width()) pass.blocks.push_back({x, y, done, samples});
-    return pass;
-}
-
-/// A pass with the blocks split until each fits a wave of mostPaths paths.
-Pass cut(const std::vector<Block>& blocks, BlockSize size, const PixelRect& rect, unsigned mostPaths) {
-    BlockSize small = size;
-    while (small.pixels() > mostPaths) --(small.log2Height > small.log2Width ? small.log2Height : small.log2Width);
-    Pass pass{small, {}, 0};
-    for (const Block& b : blocks) {
-        const PixelRect part = b.within(rect, size);
-        for (int y = part.y0; y < part.y1; y += small.height())
-            for (int x = part.x0; x < part.x1; x += small.width()) pass.blocks.push_back({x, y, b.firstSample, b.samples});
-    }
-    return pass;
-}
-
 /// A render in progress.
 class Rendering {
 public:
     Rendering(const Context& context, Tracer& tracer, Film& film, Profile& profile, const RenderControl& control)
-        : context_(context), tracer_(tracer), film_(film), profile_(profile), control_(control), samples_(control.firstSample) {}
+        : context_(context), tracer_(tracer), film_(film), profile_(profile), control_(control) {
+        const std::span<const unsigned> taken = film.taken();
+        pixels_ = static_cast<double>(taken.size());
+        paths_ = pathsBefore_ = std::accumulate(taken.begin(), taken.end(), 0.0);
+        samples_ = *std::ranges::min_element(taken);
+    }
 
     RenderResult run() {
-        const PixelRect& rect = film_.pixels();
-        const unsigned most = tracer_.mostPaths(), end = control_.endSample;
-        pixels_ = static_cast<double>(rect.width()) * rect.height();
-        allPaths_ = pixels_ * (end - samples_);
-        const unsigned uniformEnd = control_.targetError ? std::min(end, samples_ + AdaptiveSampling::firstSamples) : end;
-        unsigned planned = samples_;
-        trace([&]() -> std::optional<Pass> {
-            if (planned >= uniformEnd) return {};
-            Pass pass = uniformPass(rect, planned, uniformEnd, most);
-            planned += pass.samples;
-            return pass;
-        });
-        if (stopped_) return {false, samples_, {}};
-        if (!control_.targetError) return {true, samples_, {}};
-
-        AdaptiveSampling adaptive(rect, samples_, end, *control_.targetError, control_.errorMetric);
-        for (;;) {
-            const std::vector<Block> blocks = adaptive.nextPass(film_);
-            if (blocks.empty()) return {true, samples_, adaptive.error()};
-            allPaths_ = adaptive.plannedSamples() - pixels_ * control_.firstSample;
-            std::optional<Pass> pass = cut(blocks, AdaptiveSampling::blockSize, rect, most);
-            trace([&] { return std::exchange(pass, std::nullopt); });
-            if (stopped_) return {false, samples_, {}};
-        }
+        const unsigned end = control_.endSample, firstEnd = control_.targetError ? std::min(end, AdaptiveSampling::firstSamples) : end;
+        allPaths_ = std::max(pixels_ * firstEnd, paths_);
+        planned_ = control_.planned;
+        if (!control_.targetError && !planned_.empty()) planned_ = {end};   // adaptive before, uniform from now on
+        finishPass();
+        if (planned_.empty()) traceUniformly(firstEnd);
+        if (stopped_ || !control_.targetError) return {!stopped_, samples_, {}, planned_};
+        return traceAdaptively(end);
     }
 
 private:
+    /// Brings a film that was stored in the middle of a pass to the end of that pass.
+    void finishPass() {
+        const unsigned most = *std::ranges::max_element(film_.taken());
+        const std::span<const unsigned> goal = planned_.empty() ? std::span(&most, 1) : std::span<const unsigned>(planned_);
+        for (Pass& missing : missingPasses(film_, goal, AdaptiveSampling::blockSize, tracer_.mostPaths())) {
+            std::optional<Pass> pass = std::move(missing);
+            trace([&] { return std::exchange(pass, std::nullopt); });
+        }
+        if (!stopped_) samples_ = *std::ranges::min_element(goal);
+    }
+
+    /// Takes samples of all pixels, from those that they have up to `end`.
+    void traceUniformly(unsigned end) {
+        unsigned begun = samples_;
+        trace([&]() -> std::optional<Pass> {
+            if (begun >= end) return {};
+            Pass pass = uniformPass(film_.pixels(), begun, end, tracer_.mostPaths());
+            begun += pass.samples;
+            return pass;
+        });
+    }
+
+    RenderResult traceAdaptively(unsigned end) {
+        if (planned_.empty()) planned_.push_back(samples_);
+        AdaptiveSampling adaptive(film_.pixels(), planned_, end, *control_.targetError, control_.errorMetric);
+        for (;;) {
+            const std::vector<Block> blocks = adaptive.nextPass(film_);
+            planned_ = adaptive.samples();
+            if (blocks.empty()) return {true, samples_, adaptive.error(), planned_};
+            allPaths_ = adaptive.plannedSamples();
+            std::optional<Pass> pass = cutBlocks(blocks, AdaptiveSampling::blockSize, film_.pixels(), tracer_.mostPaths());
+            trace([&] { return std::exchange(pass, std::nullopt); });
+            if (stopped_) return {false, samples_, {}, planned_};
+        }
+    }
+
     /// Traces passes until `nextPass` returns nothing.
     void trace(const std::function<std::optional<Pass>()>& nextPass) {
         std::optional<Batches> batches;
@@ -96,6 +85,7 @@ private:
             }
             return batches->next();
         };
+        if (stopped_) return;
         const StopWatcher watcher(tracer_.stopFlag(), control_.abandon);
         tracer_.trace({next, [this](const Batch& batch) { resolve(batch); }, film_.pixels().x1, film_.pixels().y1});
         context_.finish();
@@ -110,6 +100,7 @@ private:
         tracer_.resolve(batch, blocks_);
         film_.download(context_, blocks_, batch);
         if (tracer_.stopFlag().isRaised()) return;   // resolve_film may have left pixels as they were
+        film_.keep(batch);
         std::uint64_t paths = 0;
         for (const Block& b : batch.blocks) {
             const PixelRect part = b.within(rect, batch.size);
@@ -119,10 +110,14 @@ private:
         paths_ += static_cast<double>(paths);
         traced_.front().layers -= batch.layers();
         if (!traced_.front().layers) { samples_ += traced_.front().samples; traced_.pop_front(); }
-        if (control_.progress)
-            control_.progress({std::min(paths_ / allPaths_, 1.0),
-                               std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(), samples_,
-                               control_.firstSample + paths_ / pixels_});
+        if (control_.progress) control_.progress(progress());
+        if (control_.pause) control_.pause(planned_);
+    }
+
+    Progress progress() const {
+        const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+        const double left = std::max(allPaths_ - paths_, 0.0) * seconds / (paths_ - pathsBefore_);
+        return {std::min(paths_ / allPaths_, 1.0), seconds, left, samples_, paths_ / pixels_};
     }
 
     static unsigned long layersOf(const Pass& pass) {
@@ -141,9 +136,10 @@ private:
     struct Traced { unsigned samples; unsigned long layers; };
     std::deque<Traced> traced_;             ///< passes in progress: the samples that they add to every pixel, and the layers still to trace
     bool stopped_ = false;
-    unsigned samples_;                      ///< samples that every pixel has
+    std::vector<unsigned> planned_;         ///< as for RenderControl::pause
+    unsigned samples_ = 0;                  ///< samples that every pixel has
     double pixels_ = 0;
-    double paths_ = 0, allPaths_ = 0;       ///< traced so far, and expected in total
+    double pathsBefore_ = 0, paths_ = 0, allPaths_ = 0;   ///< traced before, so far, and expected in total
 };
 
 }  // namespace

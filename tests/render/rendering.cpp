@@ -151,7 +151,6 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     for (unsigned end : ends) {
         control.endSample = end;
         result = render(device(), wave, film, profile, control);
-        control.firstSample = result.samples;
     }
     return {film.develop(scene), film.invalid(), result, roulette, film.error(ErrorMetric::mseRoot)};
 }

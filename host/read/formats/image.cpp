@@ -4,6 +4,7 @@
 #include "color/transfer.h"
 #include "image/formats/image_formats.h"
 #include "parallel_errors.h"
+#include "read/formats/input_files.h"
 
 #include <fmt/format.h>
 
@@ -47,6 +48,7 @@ std::unique_ptr<ImageReader> open(const std::string& path) {
     if (!std::filesystem::exists(path, error)) throw Problem{"there is no such file"};
     if (std::filesystem::is_directory(path, error)) throw Problem{"it is a folder"};
 
+    noteInputFile(path);
     std::string reason;
     auto input = imageFormats().open(path, true, reason);
     if (input) return input;

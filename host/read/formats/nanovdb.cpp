@@ -5,6 +5,8 @@
 
 #include "read/formats/nanovdb.h"
 
+#include "read/formats/input_files.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -181,6 +183,7 @@ private:
 };
 
 std::ifstream open(const std::string& path) {
+    noteInputFile(path);
     std::ifstream file(path, std::ios::binary);
     if (!file) throw ReadProblem(std::string("cannot be opened: ") + std::strerror(errno));
     return file;

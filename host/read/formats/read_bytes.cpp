@@ -1,5 +1,7 @@
 #include "read/formats/read_bytes.h"
 
+#include "read/formats/input_files.h"
+
 #include <zlib.h>
 
 #include <algorithm>
@@ -11,6 +13,7 @@
 namespace eikonal {
 
 std::vector<char> readBytes(const std::string& path) {
+    noteInputFile(path);
     // zlib passes uncompressed data through.
     errno = 0;
     gzFile file = gzopen(path.c_str(), "rb");

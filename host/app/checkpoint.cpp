@@ -1,0 +1,64 @@
+#include "app/checkpoint.h"
+
+#include "image/image_file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace eikonal {
+
+Checkpoints::Checkpoints(const Options& options, Diagnostics& diagnostics) : options_(options), diagnostics_(diagnostics) {
+    const OutputOptions& out = options.output;
+    if (out.checkpoint.empty()) return;
+    removeAbandonedFiles(out.checkpoint);
+    checkFileWritable(out.checkpoint, 0);
+    std::error_code error;
+    if (!std::filesystem::exists(out.checkpoint, error)) return;
+    if (!out.resume)
+        throw UsageError(fmt::format("--checkpoint: \"{0}\" is there already; add --resume to go on from it, or remove it", out.checkpoint));
+    before_ = std::make_unique<FilmFileReader>(out.checkpoint);
+    planned_ = before_->head().planned;
+    secondsBefore_ = before_->head().seconds;
+}
+
+std::optional<int> Checkpoints::samplesLaidOutFor() const {
+    if (!before_) return {};
+    return identityFromJson(before_->head().identity, before_->path()).samples;
+}
+
+void Checkpoints::resume(const Session& session, Film& film) {
+    const std::string& path = options_.output.checkpoint;
+    if (path.empty()) return;
+    const RenderIdentity here = identityOf(session, options_, film);
+    identity_ = toJson(here);
+    if (!before_) return;
+    const RenderIdentity there = identityFromJson(before_->head().identity, path);
+    if (const std::vector<std::string> found = differences(here, there, path); !found.empty())
+        throw Error(ExitCode::scene, fmt::format("{}: cannot go on from it, because it is of another render:\n  {}", path,
+                                                 fmt::join(found, "\n  ")));
+    if (here.device != there.device)
+        diagnostics_.warn({}, fmt::format("{} was rendered by \"{}\"; this is \"{}\", whose samples may differ in their last bits", path,
+                                          there.device, here.device));
+    before_->readInto(film);
+    before_.reset();
+}
+
+void Checkpoints::pause(const Film& film, std::span<const unsigned> planned, double seconds, RenderOutput& output) {
+    const OutputOptions& out = options_.output;
+    if ((out.checkpoint.empty() && !out.partialImages) || sinceLast_.seconds() < out.checkpointEvery) return;
+    try {
+        save(film, planned, seconds);
+        output.write(output.develop(film), output.report(film, secondsBefore_ + seconds).metadata);
+    } catch (const Error& error) {
+        diagnostics_.warn({}, fmt::format("{}; rendering goes on", error.what()));
+    }
+    sinceLast_ = {};
+}
+
+void Checkpoints::save(const Film& film, std::span<const unsigned> planned, double seconds) {
+    if (options_.output.checkpoint.empty()) return;
+    writeFilmFile(options_.output.checkpoint, film, {identity_, {planned.begin(), planned.end()}, secondsBefore_ + seconds});
+}
+
+}  // namespace eikonal

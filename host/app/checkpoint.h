@@ -1,0 +1,45 @@
+#pragma once
+// Checkpoints of a render: files from which it goes on as if it had never ended.
+
+#include "app/render_output.h"
+#include "clock.h"
+#include "diagnostics.h"
+#include "film/film_file.h"
+#include "render/render_identity.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace eikonal {
+
+class Checkpoints {
+public:
+    /// Opens the checkpoint that --resume goes on from, if there is one. Throws an Error for a file that is damaged or no checkpoint, and
+    /// for one that --checkpoint would overwrite.
+    Checkpoints(const Options& options, Diagnostics& diagnostics);
+
+    /// The samples per pixel that the render has to be laid out for; nothing: it begins anew.
+    std::optional<int> samplesLaidOutFor() const;
+    /// Puts what was rendered before into a film. Throws an Error that names each difference if that was another render.
+    void resume(const Session& session, Film& film);
+    /// RenderControl::planned.
+    const std::vector<unsigned>& planned() const { return planned_; }
+    double secondsBefore() const { return secondsBefore_; }
+
+    /// Writes checkpoint and images if it is time to. Problems are warnings. seconds: of rendering since this process began.
+    void pause(const Film& film, std::span<const unsigned> planned, double seconds, RenderOutput& output);
+    /// Writes the checkpoint, if there is to be one.
+    void save(const Film& film, std::span<const unsigned> planned, double seconds);
+
+private:
+    const Options& options_;
+    Diagnostics& diagnostics_;
+    std::unique_ptr<FilmFileReader> before_;
+    std::string identity_;
+    std::vector<unsigned> planned_;
+    double secondsBefore_ = 0;
+    Stopwatch sinceLast_;
+};
+
+}  // namespace eikonal

@@ -1,0 +1,43 @@
+#pragma once
+// The image files of a render, which may be written several times while it goes on.
+
+#include "app/options.h"
+#include "app/output.h"
+#include "film/film.h"
+#include "render/session.h"
+
+#include <future>
+#include <string>
+#include <vector>
+
+namespace eikonal {
+
+/// What is known about the image that a film has now.
+struct ImageReport {
+    Film::Samples samples;
+    ErrorEstimate error;
+    Metadata metadata;
+};
+
+class RenderOutput {
+public:
+    /// Of a session that is packed. All arguments but the last two must outlive this object.
+    RenderOutput(const Options& options, const Session& session, std::vector<std::string> files, const Aovs& aovs);
+
+    const std::vector<std::string>& files() const { return files_; }
+    /// seconds: of rendering so far.
+    ImageReport report(const Film& film, double seconds);
+    /// The image, with the channels to write.
+    FilmImage develop(const Film& film) const;
+    /// Writes all files, even if one of them fails; then throws one Error with all problems.
+    void write(const FilmImage& image, const Metadata& metadata) const;
+
+private:
+    const Options& options_;
+    const Session& session_;
+    std::vector<std::string> files_;
+    Aovs aovs_;
+    std::shared_future<std::string> hash_;
+};
+
+}  // namespace eikonal

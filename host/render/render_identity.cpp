@@ -1,0 +1,189 @@
+#include "render/render_identity.h"
+
+#include "kinds/filter_kind.h"
+#include "kinds/integrator_kind.h"
+#include "names.h"
+#include "read/formats/input_files.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace eikonal {
+namespace {
+
+using Values = RenderIdentity::Values;
+using Json = nlohmann::ordered_json;
+
+/// A hash of the tables that `addTables` adds.
+class TableHash {
+public:
+    template <class Element> void add(const Table<Element>& table) {
+        hash_ = hashBytes({reinterpret_cast<const char*>(table.data()), table.size() * sizeof(Element)}, hash_);
+    }
+    void add(const settings& frame) {
+        settings same = frame;
+        same.seed = same.sequence_sample_bits = same.sequence_tile_bits = 0;   // compared by themselves
+        hash_ = hashBytes({reinterpret_cast<const char*>(&same), sizeof same}, hash_);
+    }
+    std::string text() const { return fmt::format("{:016x}", hash_); }
+
+private:
+    std::uint64_t hash_ = hashSeed;
+};
+
+Values tablesOf(const PackedScene& scene) {
+    Values all;
+#define ADD_TABLE(type, name) hash.add(scene.tables.name);
+#define ADD_GROUP(title, LIST) { TableHash hash; LIST(ADD_TABLE) all.emplace_back(title, hash.text()); }
+    ADD_GROUP("geometry", GEOMETRY_TABLES)
+    ADD_GROUP("vertex attributes", VERTEX_TABLES)
+    ADD_GROUP("textures", PROGRAM_TABLES)
+    ADD_GROUP("materials", MATERIAL_TABLES)
+    ADD_GROUP("measured BSDFs", BSDF_TABLES)
+    ADD_GROUP("lights", LIGHT_TABLES)
+    ADD_GROUP("media", MEDIUM_TABLES)
+    ADD_GROUP("colours", COLOR_TABLES)
+    ADD_GROUP("camera and filter", CAMERA_TABLES)
+#undef ADD_GROUP
+#undef ADD_TABLE
+    TableHash frame;
+    frame.add(scene.frame());
+    all.emplace_back("settings", frame.text());
+    return all;
+}
+
+/// A hash of the kernels' sources, which a user may change.
+std::string kernelsHash(const KernelFolders& folders) {
+    std::vector<std::string> files;
+    for (const std::string& folder : {folders.kernels, folders.include})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+            if (entry.is_regular_file()) files.push_back(entry.path().string());
+    std::ranges::sort(files);
+    std::uint64_t hash = hashSeed;
+    for (const std::string& file : files) hash = hashBytes(contentHash(file), hash);
+    return fmt::format("{:016x}", hash);
+}
+
+std::string nameOf(const std::optional<Roulette>& roulette) {
+    if (!roulette) return "chosen for the scene";
+    return fmt::format("{} {} from depth {}", nameIn(rouletteRuleNames, roulette->rule), roulette->scale, roulette->depth);
+}
+
+std::string nameOf(const FilmDescription& film) {
+    return fmt::format("sensor {}, iso {}, exposure time {}, white balance {}, colour space {}", film.sensor, film.iso, film.exposureTime,
+                       film.whiteBalance, static_cast<int>(film.colorSpace));
+}
+
+std::string nameOf(const FilterDescription& filter) {
+    return fmt::format("{} {} x {}", filter.kind->name, filter.xRadius, filter.yRadius);
+}
+
+Values settingsOf(const Session& session, const SessionOptions& options, const Film& film) {
+    const Scene& scene = session.scene();
+    const PackedScene& packed = session.packed();
+    const PixelRect& p = packed.pixels;
+    const settings& frame = packed.frame();
+    const DeviceOptions& device = options.device;
+    std::string mathFlags;
+    for (const StageFlags& s : device.mathFlags) mathFlags += fmt::format("{}{}:{}", mathFlags.empty() ? "" : " ", s.stage, s.flags);
+    std::string channels;
+    for (const FieldLayout& field : film.layout().fields)
+        if (field.words) channels += fmt::format("{}{}", channels.empty() ? "" : " ", field.name);
+    return {{"version", "Eikonal " EIKONAL_VERSION},
+            {"kernels", kernelsHash(session.compiler().folders())},
+            {"image", fmt::format("{} x {}", frame.width, frame.height)},
+            {"pixels", fmt::format("{},{},{},{}", p.x0, p.x1, p.y0, p.y1)},
+            {"seed", fmt::format("{}", scene.sampler.seed)},
+            {"sampler", nameIn(samplerNames, scene.sampler.kind)},
+            {"integrator", scene.integrator.kind->name},
+            {"maximum depth", fmt::format("{}", frame.max_depth)},
+            {"Russian roulette", nameOf(packed.roulette)},
+            {"light sampler", scene.integrator.lightSampler == LightSampler::automatic
+                                  ? "auto"
+                                  : nameIn(lightSamplerNames, scene.integrator.lightSampler)},
+            {"environment guide", nameIn(environmentGuideNames, scene.integrator.environmentGuide)},
+            {"regularize", scene.integrator.regularize ? "on" : "off"},
+            {"maximum component value", fmt::format("{}", frame.max_component_value)},
+            {"colour", packed.features.has(Feature::SPECTRAL) ? "spectral" : "rgb"},
+            {"filter", nameOf(scene.filter)},
+            {"film", nameOf(scene.film)},
+            {"kept of each pixel", channels},
+            {"contraction", device.contraction ? "on" : "off"},
+            {"math flags", mathFlags.empty() ? "as shipped" : mathFlags},
+            {"build options", device.buildOptions}};
+}
+
+Json asJson(const Values& values) {
+    Json json = Json::object();
+    for (const auto& [name, value] : values) json[name] = value;
+    return json;
+}
+
+Values valuesFrom(const Json& json) {
+    Values values;
+    for (const auto& [name, value] : json.items()) values.emplace_back(name, value.get<std::string>());
+    return values;
+}
+
+/// Describes each name whose values differ. `sentence` formats (name, value here, value there).
+template <class Sentence>
+std::vector<std::string> compare(const Values& here, const Values& there, Sentence sentence) {
+    const auto valueIn = [](const Values& values, const std::string& name) {
+        const auto found = std::ranges::find(values, name, &Values::value_type::first);
+        return found == values.end() ? std::string("none") : found->second;
+    };
+    std::vector<std::string> found;
+    for (const auto& [name, value] : here)
+        if (const std::string other = valueIn(there, name); other != value) found.push_back(sentence(name, value, other));
+    for (const auto& [name, value] : there)
+        if (std::ranges::find(here, name, &Values::value_type::first) == here.end()) found.push_back(sentence(name, "none", value));
+    return found;
+}
+
+}  // namespace
+
+RenderIdentity identityOf(const Session& session, const SessionOptions& options, const Film& film) {
+    RenderIdentity identity{settingsOf(session, options, film), tablesOf(session.packed()), {}, session.context().device().name,
+                            session.packed().samples};
+    for (const std::string& file : inputFiles()) identity.files.emplace_back(file, contentHash(file));
+    return identity;
+}
+
+std::string toJson(const RenderIdentity& identity) {
+    const Json json{{"settings", asJson(identity.settings)},
+                    {"scene", asJson(identity.tables)},
+                    {"files", asJson(identity.files)},
+                    {"device", identity.device},
+                    {"samples", identity.samples}};
+    return json.dump(1, ' ', false, Json::error_handler_t::replace);
+}
+
+RenderIdentity identityFromJson(const std::string& text, const std::string& name) {
+    try {
+        const Json json = Json::parse(text);
+        return {valuesFrom(json.at("settings")), valuesFrom(json.at("scene")), valuesFrom(json.at("files")),
+                json.at("device").get<std::string>(), json.at("samples").get<int>()};
+    } catch (const Json::exception& error) {
+        throw Error(ExitCode::scene, fmt::format("{}: is damaged: {}", name, error.what()));
+    }
+}
+
+std::vector<std::string> differences(const RenderIdentity& here, const RenderIdentity& there, const std::string& name) {
+    std::vector<std::string> found = compare(here.settings, there.settings, [&](auto&& what, auto&& value, auto&& other) {
+        return fmt::format("{} is \"{}\" here and \"{}\" in {}", what, value, other, name);
+    });
+    const std::vector<std::string> tables = compare(here.tables, there.tables, [&](auto&& what, auto&& value, auto&& other) {
+        return fmt::format("{} of the scene: hash {} here, {} in {}", what, value, other, name);
+    });
+    if (tables.empty()) return found;
+    const std::vector<std::string> files = compare(here.files, there.files, [&](auto&& what, auto&& value, auto&& other) {
+        return fmt::format("file \"{}\": content has hash {} here, {} in {}", what, value, other, name);
+    });
+    found.insert(found.end(), files.begin(), files.end());
+    return found.empty() ? tables : found;
+}
+
+}  // namespace eikonal
