@@ -1,6 +1,7 @@
 #include "app/checkpoint.h"
 
-#include "image/image_file.h"
+#include "image/atomic_file.h"
+#include "render/render_identity.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +17,8 @@ Checkpoints::Checkpoints(const Options& options, Diagnostics& diagnostics) : opt
     std::error_code error;
     if (!std::filesystem::exists(out.checkpoint, error)) return;
     if (!out.resume)
-        throw UsageError(fmt::format("--checkpoint: \"{0}\" is there already; add --resume to go on from it, or remove it", out.checkpoint));
+        throw UsageError(
+            fmt::format("--checkpoint: \"{}\" is there already; add --resume to go on from it, or remove it", out.checkpoint));
     before_ = std::make_unique<FilmFileReader>(out.checkpoint);
     planned_ = before_->head().planned;
     secondsBefore_ = before_->head().seconds;

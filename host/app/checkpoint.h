@@ -5,7 +5,6 @@
 #include "clock.h"
 #include "diagnostics.h"
 #include "film/film_file.h"
-#include "render/render_identity.h"
 
 #include <memory>
 #include <optional>

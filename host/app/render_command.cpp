@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "app/progress_bar.h"
+#include "app/output.h"
 #include "app/render_output.h"
 #include "app/run_summary.h"
 #include "render/session.h"

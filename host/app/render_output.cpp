@@ -1,5 +1,6 @@
 #include "app/render_output.h"
 
+#include "app/output.h"
 #include "film/projection.h"
 #include "image/image_file.h"
 #include "names.h"

@@ -2,7 +2,6 @@
 // The image files of a render, which may be written several times while it goes on.
 
 #include "app/options.h"
-#include "app/output.h"
 #include "film/film.h"
 #include "render/session.h"
 

@@ -9,7 +9,8 @@ namespace eikonal {
 namespace {
 
 constexpr const char* kind = "Eikonal film 1";
-constexpr RecordTag identityTag = recordTag("WHAT"), plannedTag = recordTag("PLAN"), secondsTag = recordTag("TIME"), pixelsTag = recordTag("PIXL");
+constexpr RecordTag identityTag = recordTag("WHAT"), plannedTag = recordTag("PLAN"), secondsTag = recordTag("TIME"),
+                    pixelsTag = recordTag("PIXL");
 
 /// Some pixels of a row that have the same number of samples. Their words follow, as in Film::restore.
 struct Run { int y, x0, x1; unsigned samples; };
@@ -19,7 +20,7 @@ void writeRow(RecordWriter& file, const Film& film, int y) {
     const size_t width = static_cast<size_t>(rect.width());
     const std::span<const unsigned> taken = film.taken().subspan(static_cast<size_t>(y - rect.y0) * width, width);
     for (size_t begin = 0, end = 0; begin < width; begin = end) {
-        end = static_cast<size_t>(std::find_if(taken.begin() + begin, taken.end(), [&](unsigned n) { return n != taken[begin]; }) - taken.begin());
+        while (end < width && taken[end] == taken[begin]) ++end;
         const Run run{y, rect.x0 + static_cast<int>(begin), rect.x0 + static_cast<int>(end), taken[begin]};
         if (run.samples == 0) continue;
         std::vector<uint> words(sizeof run / sizeof(uint));
@@ -60,11 +61,12 @@ void FilmFileReader::readInto(Film& film) const {
         Run run{};
         if (content.size() >= sizeof run) std::memcpy(&run, content.data(), sizeof run);
         const bool isInside = run.y >= rect.y0 && run.y < rect.y1 && run.x0 >= rect.x0 && run.x0 < run.x1 && run.x1 <= rect.x1;
-        if (!isInside || content.size() != sizeof run + static_cast<size_t>(run.x1 - run.x0) * static_cast<size_t>(film.words()) * sizeof(uint))
+        const size_t pixels = static_cast<size_t>(run.x1 - run.x0), words = pixels * static_cast<size_t>(film.words());
+        if (!isInside || content.size() != sizeof run + words * sizeof(uint))
             records_.fail("is damaged: its pixels do not fit its image");
-        std::vector<uint> words((content.size() - sizeof run) / sizeof(uint));
-        std::memcpy(words.data(), content.data() + sizeof run, words.size() * sizeof(uint));
-        film.restore(run.y, run.x0, run.x1, run.samples, words);
+        std::vector<uint> values(words);
+        std::memcpy(values.data(), content.data() + sizeof run, words * sizeof(uint));
+        film.restore(run.y, run.x0, run.x1, run.samples, values);
     }
 }
 

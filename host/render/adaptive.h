@@ -32,7 +32,8 @@ void suspectNoise(std::span<BlockNoise> blocks, int across);
 /// Plans the next pass from the film's contents alone, so decisions are deterministic.
 class AdaptiveSampling {
 public:
-    /// samples: that the pixels of each block already have, block by block in rows; or, if it has one element, every pixel. most: per pixel.
+    /// samples: that the pixels of each block already have, block by block in rows; or, if it has one element, every pixel. most: per
+    /// pixel.
     AdaptiveSampling(const PixelRect& rect, std::span<const unsigned> samples, unsigned most, double targetError, ErrorMetric metric);
 
     static constexpr BlockSize blockSize{4, 4};

@@ -43,8 +43,8 @@ struct RenderResult {
     std::vector<unsigned> planned;      ///< as for RenderControl::pause
 };
 
-/// Renders what the film's pixels lack. Every pixel gets its samples in order, so stopping, tiling and wave size do not change their values:
-/// a film that was stored in the middle of a render ends with the same bits.
+/// Renders what the film's pixels lack. Every pixel gets its samples in order, so stopping, tiling and wave size do not change their
+/// values: a film that was stored in the middle of a render ends with the same bits.
 RenderResult render(const Context& context, Tracer& tracer, Film& film, Profile& profile, const RenderControl& control);
 
 }  // namespace eikonal

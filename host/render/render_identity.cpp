@@ -78,11 +78,13 @@ std::string nameOf(const FilmDescription& film) {
 }
 
 std::string nameOf(const FilterDescription& filter) {
-    return fmt::format("{} {} x {}", filter.kind->name, filter.xRadius, filter.yRadius);
+    const FilterKind& kind = *filter.kind;
+    return fmt::format("{} {} x {}", kind.name, filter.xRadius, filter.yRadius);
 }
 
 Values settingsOf(const Session& session, const SessionOptions& options, const Film& film) {
     const Scene& scene = session.scene();
+    const IntegratorKind& integrator = *scene.integrator.kind;
     const PackedScene& packed = session.packed();
     const PixelRect& p = packed.pixels;
     const settings& frame = packed.frame();
@@ -98,7 +100,7 @@ Values settingsOf(const Session& session, const SessionOptions& options, const F
             {"pixels", fmt::format("{},{},{},{}", p.x0, p.x1, p.y0, p.y1)},
             {"seed", fmt::format("{}", scene.sampler.seed)},
             {"sampler", nameIn(samplerNames, scene.sampler.kind)},
-            {"integrator", scene.integrator.kind->name},
+            {"integrator", integrator.name},
             {"maximum depth", fmt::format("{}", frame.max_depth)},
             {"Russian roulette", nameOf(packed.roulette)},
             {"light sampler", scene.integrator.lightSampler == LightSampler::automatic

@@ -62,8 +62,8 @@ public:
 
     /// Reads the scene, while the device opens. Without a device, plan() supposes a processor.
     void load(bool withDevice = true);
-    /// What follows is laid out for so many samples per pixel: the points of samplers, and what survey() learns. Default: the scene's. Before
-    /// pack().
+    /// What follows is laid out for so many samples per pixel: the points of samplers, and what survey() learns. Default: the scene's.
+    /// Before pack().
     void layOutFor(int samples) { scene_.sampler.pixelSamples = samples; }
     /// Fills its tables, forgets the scene's meshes and images, and builds its hierarchies while the kernels are built, if there is a
     /// device; the film keeps what `aovs` take, and a spectrum if the scene asks for it and keepsSpectrum.
