@@ -15,7 +15,7 @@
     F(EQUIANGULAR,      "a point light and a homogeneous medium that scatters") \
     F(INTERFACE,        "a surface of material \"interface\"") \
     F(INSTANCES,        "object instances") \
-    F(STRIPS,           "a curve: light is sampled from a width away") \
+    F(STRIPS,           "a curve: its rays begin a width away") \
     F(ALPHA,            "shapes cut out by an alpha texture") \
     F(MIX,              "a mix of materials") \
     F(LAYERS,           "a coat over a base") \

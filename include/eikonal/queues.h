@@ -2,9 +2,8 @@
    This list is the only declaration. Both languages derive structs, offsets, loads and stores from it. The queues walk, probe and
    exit_point and some more lists of fields, which single features need, are in feature_fields.h.
 
-   A queue is one SoA buffer of 32-bit words: word[w * capacity + i] is word w of the item in slot i, so that
-   neighbouring work-items access neighbouring words.   F(queue, type, name, FEATURE that makes it exist)
-   FEATURE is one of features.h, HAS_FEATURE in kernels. Without it, an item's struct has the field, but it is not stored or loaded.
+   F(queue, type, name, FEATURE that makes it exist): FEATURE is one of features.h, HAS_FEATURE in kernels. Without it, an item's struct has
+   the field, but it is not stored or loaded. A queue is one SoA buffer of 32-bit words: word w of slot i is word[w * capacity + i].
 
    Spaces: everything is in scene space (docs/tour.md) unless a comment says otherwise; directions have unit length. */
 #ifndef EIKONAL_QUEUES_H
@@ -37,6 +36,7 @@
     F(q, vec3,     d,          ALWAYS) \
     F(q, float,    t_max,      ALWAYS)       /* < 0: dead slot; 0: enters a subsurface body, and goes on where its probe finds an exit */ \
     F(q, float,    pdf,        ALWAYS)       /* density over solid angle with which d was sampled; 0: light sampling cannot produce d */ \
+    F(q, vec3,     vertex,     STRIPS)       /* where d was sampled; o is a width away from it on a curve */ \
     F(q, float,    traveled,   INTERFACE)    /* distance from where d was sampled to o; > 0 behind null interfaces */ \
     F(q, uint,     passed,     INTERFACE)    /* number of null interfaces passed since d was sampled */ \
     F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* which map of the environment guide applies where d was sampled */ \

@@ -29,10 +29,10 @@ static const DeviceFunction<LightResult>& sampler() {
         if (l.kind == kind_sphere_light) at.ng = mul(sub(mul_add(s.wi, s.distance, p), l.p), 1.0f / l.radius);
         if (l.kind == kind_bilinear_light) at.ng = normalize3(cross3(mul_add(l.c, v.y, l.a), mul_add(l.c, v.x, l.b)));
         ray_item r = new_ray();
-        r.o = p; r.d = s.wi; r.traveled = 0.0f;
+        r.o = r.vertex = p; r.d = s.wi; r.traveled = 0.0f;
         intersection_item f = new_intersection();
         f.t = s.distance; f.u = v.x; f.v = v.y;
-        result.pdf_hit = pdf_light(l, make_light_hit(r, f, at));
+        result.pdf_hit = pdf_light(l, make_light_hit(r, f, at, l.kind == kind_implicit_light));
         light_emission emission = eval_infinite_light(tables, colors, l, p, s.wi, 0u);
         result.Le = emission.Le; result.pdf_environment = emission.pdf;)",
          .inputs = {"vec3 p", "float u", "vec2 v", "uint count"},

@@ -1,5 +1,6 @@
 // Three ways to the same number: BSDF sampling, light sampling, and both weighted against each other.
 
+#include "kind_features.h"
 #include "lit_floor.h"
 
 #include <algorithm>
@@ -59,6 +60,27 @@ TEST(Strategies, AgreeWithALightTree) {
         const Rendered both = render(text, surfaces()), bsdf = render(text, bsdfOnly);
         expectEqualMeans(both, bsdf, 0.03);
         EXPECT_LT(estimate(both.image).error.g, 1.5 * estimate(bsdf.image).error.g);
+    }
+}
+
+// A curve whose width is no small part of the distance to the lamps behind it. Rays begin a width away from the curve, on their side of it:
+// light samples have to know how the lamps are seen from there.
+TEST(Strategies, AgreeOnACurveLitFromBehind) {
+    View view;
+    view.lookAt = "0 -2 0  0 0 .02  0 0 1";
+    view.samples = 1024;
+    view.maxDepth = 1;
+    RenderSetup both = surfaces();
+    both.forced.require(KindFeature::SHAPE_IMPLICIT);   // then the kernels are those of Furnace.WhiteThingsOfEveryShapeCannotBeSeen
+    RenderSetup bsdfOnly = both;
+    bsdfOnly.edit = [](PackedScene& s) { for (light& l : s.tables.lights) l.pmf = 0; };
+    for (const std::string lamp : {"Translate .1 .6 .1 Shape \"sphere\" \"float radius\" .25",
+                                   "Translate .1 .4 .1 Rotate 70 1 0 0 ReverseOrientation Shape \"disk\" \"float radius\" .3"}) {
+        SCOPED_TRACE(lamp);
+        const std::string text = sceneText(view, emitter(lamp) + R"(
+            Material "diffusetransmission" "rgb reflectance" [.3 .3 .3] "rgb transmittance" [.7 .7 .7]
+            Shape "curve" "string type" "cylinder" "float width" .1 "point3 P" [-1 0 0  -.5 0 0  .5 0 0  1 0 0])");
+        expectEqualMeans(render(text, both), render(text, bsdfOnly), 0.01);
     }
 }
 
