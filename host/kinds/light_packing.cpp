@@ -82,12 +82,19 @@ uint packLightImage(const LightPacking& in, int index, bool inGrey) {
     return found->second = packTexels(in, texels);
 }
 
-glm::dvec3 emittingNormal(const AreaElement& e, glm::dvec3 n, const uint* corners, int count) {
+int emittingSide(const AreaElement& e, const uint* corners, const std::vector<MeshPoint>& points) {
     const shape& s = e.packed;
-    if (s.first_normal == NONE) return s.flags & shape_reversed ? -n : n;
-    glm::dvec3 sum(0);
-    for (int i = 0; i < count; ++i) sum += toGlm(e.tables.normals[s.first_normal + corners[i]]);
-    return glm::dot(sum, n) < 0 ? -n : n;
+    if (s.first_normal == NONE) return s.flags & shape_reversed ? -1 : 1;
+    bool up = false, down = false;
+    for (const MeshPoint& p : points) {
+        glm::dvec3 normal(0);
+        for (size_t i = 0; i < p.weights.size(); ++i)
+            if (p.weights[i] > 0) normal += p.weights[i] * toGlm(e.tables.normals[s.first_normal + corners[i]]);
+        const double side = glm::dot(normal, p.across);
+        up = up || side > 0;
+        down = down || side < 0;
+    }
+    return up && down ? 0 : down ? -1 : 1;
 }
 
 double shareOfCircle(double phiMax) { return std::clamp(phiMax, 0.0, 360.0) / 360; }

@@ -5,8 +5,10 @@
 #include "pack/light_tree.h"
 #include "pack/colors.h"
 
+#include <array>
 #include <map>
 #include <utility>
+#include <vector>
 
 namespace eikonal {
 
@@ -61,8 +63,11 @@ uint packLightImage(const LightPacking&, int image, bool inGrey);
 /// hemisphere's solid angle for the whole square; a scene with "illuminance" is therefore twice as bright as specified.
 double upwardIlluminance(const ImageData&);
 
-/// The side on which a flat element emits: its geometric normal n, flipped to the side of the vertex normals if there are any.
-glm::dvec3 emittingNormal(const AreaElement&, glm::dvec3 n, const uint* corners, int count);
+/// A point of an element of a mesh: the cross product of its tangents, and the weights of the element's vertex normals.
+struct MeshPoint { glm::dvec3 across; std::array<double, 4> weights{}; };
+/// The side on which an element of a mesh emits: 1 that of the cross product, -1 the other, in all of the points; 0: not in all the same,
+/// since vertex normals decide (as in pbrt-v4).
+int emittingSide(const AreaElement&, const uint* corners, const std::vector<MeshPoint>& points);
 /// The fraction of the circle that phiMax (degrees) covers.
 double shareOfCircle(double phiMax);
 /// In x, the sign of the side on which a sphere, cylinder or disk emits: 1 if the cross product of its tangents points outwards in the

@@ -9,7 +9,7 @@ CONTRACT_BEGIN
      spot         p, n (axis), cos_inner, cos_outer, L (intensity on the axis)
      distant      n (towards the light), L (irradiance on a surface that faces it)
      triangle     p, a, b (edges from p), n, inverse_area, L
-     bilinear     p, a, b, c (point(u, v) = p + u a + v b + u v c), n (of a flat one), L
+     bilinear     p, a, b, c (point(u, v) = p + u a + v b + u v c), n (in the middle), extent (1: emits on the side of du x dv, or -1), L
      sphere       p (centre), radius, inverse_area, n.x (1: emits outwards, -1: inwards), L
      ellipsoid    p (centre), a, b, c (half axes), extent, cos_inner, cos_outer (the part of the axis c, in [-1, 1]), n.x (the side that
                   emits: 1 that of dp/dphi x dp/dz, or -1), inverse_area (of all of it), L; a part of a sphere is one, too

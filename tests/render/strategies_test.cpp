@@ -84,6 +84,30 @@ TEST(Strategies, AgreeOnACurveLitFromBehind) {
     }
 }
 
+// Where a patch folds, both of its sides look down, and each point emits on its own side; where vertex normals turn over, each point emits
+// on theirs.
+TEST(Strategies, AgreeOnFoldedLamps) {
+    View view = atTheOrigin(1);
+    view.samples = 1024;
+    RenderSetup bsdfOnly = surfaces();
+    bsdfOnly.edit = [](PackedScene& s) {
+        for (light& l : s.tables.lights) l.pmf = 0;
+        s.frame().lights_in_tree = 0;
+    };
+    const std::string below = "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [1 1 1] ReverseOrientation Translate .5 2 0 "
+                              "Rotate -90 1 0 0 Shape \"disk\" \"float radius\" .2 AttributeEnd\n";
+    for (const char* lamp : {R"(Shape "bilinearmesh" "point3 P" [-1 1.5 -1  -1 1.6 1  1 1.5 -1  -.6 1.3 0])",
+                             R"(Shape "trianglemesh" "point3 P" [-1 1 -1  -1 1 1  1 1 0] "normal N" [.1 -1 0  .1 -1 0  .1 3 0])",
+                             R"(Shape "bilinearmesh" "point3 P" [-1 1 -1  -1 1 1  1 1 -1  1 1 1]
+                                 "normal N" [0 1 0  .1 1 0  .1 -2 0  .1 -1 0])"}) {
+        SCOPED_TRACE(lamp);
+        const std::string text = sceneText(view, floorShape + below + emitter(lamp));
+        const Rendered both = render(text, surfaces());
+        EXPECT_GT(estimate(both.image).mean.g, .01);
+        expectEqualMeans(both, render(text, bsdfOnly), 0.02);
+    }
+}
+
 // Two skies: paths find by themselves the one that is the same everywhere, and light samples go to that of an image. Where directions do
 // not follow the BSDF, both are sampled. Both have the same expectation.
 TEST(Strategies, AgreeUnderASky) {

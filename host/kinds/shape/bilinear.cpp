@@ -41,30 +41,35 @@ static light packLight(const AreaElement& e, const color& L) {
     glm::dvec3 n = glm::cross(p10 + p11 - p00 - p01, p01 + p11 - p00 - p10);
     /* Integrate the area numerically; the light sampler's probability needs it */
     double area = 0;
+    std::vector<MeshPoint> points;
     constexpr int steps = 16;
     for (int i = 0; i < steps * steps; ++i) {
         const double u = (i % steps + 0.5) / steps, v = (i / steps + 0.5) / steps;
-        area += glm::length(glm::cross(toGlm(l.a) + v * toGlm(l.c), toGlm(l.b) + u * toGlm(l.c))) / (steps * steps);
+        points.push_back({glm::cross(toGlm(l.a) + v * toGlm(l.c), toGlm(l.b) + u * toGlm(l.c)),
+                          {(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v}});
+        area += glm::length(points.back().across) / (steps * steps);
     }
     if (area > 0) {
-        n = glm::normalize(n);
-        l.n = toVec3(emittingNormal(e, n, corner, 4));
+        const int side = emittingSide(e, corner, points);
+        l.extent = side < 0 ? -1.0f : 1.0f;
+        l.n = toVec3(glm::length(n) > 0 ? glm::normalize(n) * static_cast<double>(l.extent) : glm::dvec3(0, 0, 1));
         l.inverse_area = static_cast<float>(1 / area);
+        /* As with a triangle whose vertex normals turn from one side to the other */
+        if (side == 0 && !(e.packed.flags & shape_is_two_sided)) l.pmf = 0;
     } else l.pmf = 0;
     return l;
 }
 
 static void boundLight(const light& l, double, LightBounds& bounds) {
     const glm::dvec3 p = toGlm(l.p), x = toGlm(l.a), y = toGlm(l.b);
-    /* The normals at the corners bound all normals, which are bilinear; the emitting side is that of sample_bilinear_light */
+    /* The normals at the corners bound all normals, which are bilinear. Of a patch that folds, they point to both sides */
     const glm::dvec3 c = toGlm(l.c);
     for (int i = 0; i < 4; ++i) {
         const double u = i & 1, v = i >> 1;
         bounds.box.grow(p + u * x + v * y + u * v * c);
         const glm::dvec3 n = glm::cross(x + v * c, y + u * c);
         const double length = glm::length(n);
-        if (length > 0)
-            bounds.normals = std::max(bounds.normals, angleBetween(n / length * (glm::dot(n, bounds.axis) < 0 ? -1.0 : 1.0), bounds.axis));
+        if (length > 0) bounds.normals = std::max(bounds.normals, angleBetween(n / length * static_cast<double>(l.extent), bounds.axis));
     }
     if (bounds.normals > std::numbers::pi / 4) boundAllDirections(bounds);
 }

@@ -52,8 +52,11 @@ static light packLight(const AreaElement& e, const color& L) {
     light l = newLight(kind_triangle_light, L);
     l.p = toVec3(a); l.a = toVec3(b - a); l.b = toVec3(c - a);
     if (area > 0) {
-        l.n = toVec3(emittingNormal(e, across / (2 * area), corner, 3));
+        const int side = emittingSide(e, corner, {{across, {1, 0, 0}}, {across, {0, 1, 0}}, {across, {0, 0, 1}}});
+        l.n = toVec3(across / (2 * area) * (side < 0 ? -1.0 : 1.0));
         l.inverse_area = static_cast<float>(1 / area);
+        /* Samples have one normal; where vertex normals turn from one side to the other, only paths that hit the light know the side */
+        if (side == 0 && !(e.packed.flags & shape_is_two_sided)) l.pmf = 0;
     } else l.pmf = 0;
     return l;
 }
