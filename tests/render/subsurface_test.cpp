@@ -191,5 +191,17 @@ TEST(Subsurface, WhatIsAroundABodyGoesOnBehindIt) {
     expectRadiance(render(sceneText(view, haze + cloud + hole + wall), media()), 4.0 * glm::exp(-sigma * 4.0), 0.02);
 }
 
+// Uniform directions also enter a body, through a boundary that squeezes radiance by the square of its index.
+TEST(Subsurface, UniformDirectionsEnterABody) {
+    const std::string body = whiteSky + ball("\"rgb reflectance\" [1 1 1] \"rgb mfp\" [.02 .02 .02] \"float roughness\" .5 "
+                                             "\"float eta\" 1.5 \"bool energycompensation\" true");
+    View view;
+    view.maxDepth = 6;
+    const Rendered followed = render(sceneText(view, body));
+    view.samples = 4096;
+    view.more = "Integrator \"simplepath\" \"bool samplebsdf\" false \"integer maxdepth\" 6";
+    expectEqualMeans(render(sceneText(view, body)), followed, 0.03);
+}
+
 }  // namespace
 }  // namespace eikonal
