@@ -182,6 +182,18 @@ TEST(Furnace, CompensatedSurfacesLoseNothing) {
             }
 }
 
+// Between equal indices there is no interface, however rough it is said to be (as in pbrt-v4): at the rim, a refracting one lost 4 of 10.
+TEST(Furnace, EqualIndicesHaveNoInterface) {
+    for (const char* compensation : {"false", "true"}) {
+        View view;
+        view.lookAt = "3.9191836 0 -1.8  0 0 -1  0 1 0";   // the cosine is .2
+        view.samples = 16;
+        const std::string text = fmt::format("LightSource \"infinite\" \"rgb L\" [1 1 1]\nMaterial \"dielectric\" \"float eta\" 1 "
+                                             "\"float roughness\" .5 \"bool energycompensation\" {}\nShape \"sphere\"", compensation);
+        expectRadiance(render(sceneText(view, text), surfaces()), 1);
+    }
+}
+
 // Inside of glass the light of the sky is eta^2 times as bright.
 TEST(Furnace, CompensatedGlassLosesNothingFromInside) {
     View view;
