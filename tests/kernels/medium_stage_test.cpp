@@ -34,7 +34,8 @@ void setTravel(QueueWords& q, unsigned i, unsigned depth) {
     q.set("depth", i, depth);
     q.set("beta", i, spectrum{0.25f, 0.5f, 1});
     for (const char* field : {"time", "eta_scale"}) q.set(field, i, 1.0f);
-    for (const char* field : {"has_nonspecular_vertex", "has_nondelta_sample", "within", "uncounted", "around"}) q.set(field, i, 0u);
+    for (const char* field : {"has_nonspecular_vertex", "has_nondelta_sample", "within", "uncounted", "around", "around_second",
+                              "around_third"}) q.set(field, i, 0u);
     q.set("r_u", i, spectrum{1, 1, 1});
 }
 

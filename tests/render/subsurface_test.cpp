@@ -191,6 +191,50 @@ TEST(Subsurface, WhatIsAroundABodyGoesOnBehindIt) {
     expectRadiance(render(sceneText(view, haze + cloud + hole + wall), media()), 4.0 * glm::exp(-sigma * 4.0), 0.02);
 }
 
+// A body in a body in a body, none of which scatters, bends or names what is around it: of the way to the wall, 2 * .4 is in the first,
+// 2 * .35 in the second and .5 in the third. When a path leaves the third, it is in the second again, and then in the first.
+TEST(Subsurface, BodiesStandInBodies) {
+    const std::string wall =
+        "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [4 4 4] Material \"diffuse\" \"rgb reflectance\" [0 0 0]\n"
+        "Shape \"trianglemesh\" \"point3 P\" [-50 -50 5  -50 50 5  50 50 5  50 -50 5] \"integer indices\" [0 1 2 0 2 3] AttributeEnd\n";
+    const auto clear = [](const std::string& sigma, double radius) {
+        return ball(walk + "\"rgb sigma_s\" [0 0 0] \"float eta\" 1 \"rgb sigma_a\" " + sigma, radius);
+    };
+    expectRadiance(look(wall + clear("[.1 .2 .3]", 1) + clear("[.4 .3 .1]", .6) + clear("[.2 .2 .9]", .25)),
+                   4.0 * glm::exp(-(.8 * glm::dvec3(.1, .2, .3) + .7 * glm::dvec3(.4, .3, .1) + .5 * glm::dvec3(.2, .2, .9))), 0.02);
+}
+
+// With boundaries that reflect from both sides, bodies are what dielectric balls are that say which media lie between them.
+TEST(Subsurface, ABodyInABodyIsABallOfTwoMedia) {
+    View view;
+    view.lookAt = "0 0 -4  .1 .05 0  0 1 0";
+    view.maxDepth = 50;
+    const std::string first = "\"rgb sigma_a\" [.4 .1 .2] \"rgb sigma_s\" [0 0 0]",
+                      second = "\"rgb sigma_a\" [0 .2 1] \"rgb sigma_s\" [.2 .2 .2]",
+                      named = "MakeNamedMedium \"a\" \"string type\" \"homogeneous\" " + first +
+                              "\nMakeNamedMedium \"b\" \"string type\" \"homogeneous\" " + second + "\n";
+    const auto glass = [](const std::string& inside, const std::string& outside, double radius) {
+        return fmt::format("AttributeBegin MediumInterface \"{}\" \"{}\" Material \"dielectric\" \"float eta\" 1.4 Shape \"sphere\" "
+                           "\"float radius\" {} AttributeEnd\n", inside, outside, radius);
+    };
+    const std::string boundary = walk + "\"float eta\" 1.4 ";
+    const Rendered bodies = render(sceneText(view, whiteSky + ball(boundary + first) + ball(boundary + second, .5)), media());
+    expectEqualMeans(bodies, render(sceneText(view, named + whiteSky + glass("a", "", 1) + glass("b", "a", .5)), media()), 0.02);
+}
+
+// A body rendered by diffusion in one rendered by a walk: as white as a white diffuse ball, from all of which it cannot be told where
+// the same light arrives everywhere on it.
+TEST(Subsurface, ADiffusingBodyStandsInABody) {
+    const std::string outer = ball(walk + "\"rgb sigma_s\" [0 0 0] \"rgb sigma_a\" [.1 .4 .9] \"float eta\" 1");
+    const std::string inner = ball("\"string method\" \"diffusion\" \"rgb reflectance\" [1 1 1] \"rgb mfp\" [.01 .01 .01] "
+                                   "\"float eta\" 1", .5),
+                      paint = "Material \"diffuse\" \"rgb reflectance\" [1 1 1] Shape \"sphere\" \"float radius\" .5\n";
+    View view;
+    view.maxDepth = 3;
+    const auto seen = [&](const std::string& core) { return render(sceneText(view, whiteSky + outer + core), media()); };
+    expectEqualMeans(seen(inner), seen(paint), 0.02);
+}
+
 // Uniform directions also enter a body, through a boundary that squeezes radiance by the square of its index.
 TEST(Subsurface, UniformDirectionsEnterABody) {
     const std::string body = whiteSky + ball("\"rgb reflectance\" [1 1 1] \"rgb mfp\" [.02 .02 .02] \"float roughness\" .5 "
