@@ -235,6 +235,16 @@ TEST(Subsurface, ADiffusingBodyStandsInABody) {
     expectEqualMeans(seen(inner), seen(paint), 0.02);
 }
 
+// A mix of a white body and white paint is white: light that enters leaves wherever the mix may be the body, also where a mix is in a mix.
+TEST(Subsurface, AMixWithADiffusingBodyLosesNothing) {
+    const std::string world =
+        whiteSky + "MakeNamedMaterial \"body\" \"string type\" \"subsurface\" \"rgb reflectance\" [1 1 1] \"rgb mfp\" [.02 .02 .02]\n"
+                   "MakeNamedMaterial \"paint\" \"string type\" \"diffuse\" \"rgb reflectance\" [1 1 1]\n"
+                   "MakeNamedMaterial \"half\" \"string type\" \"mix\" \"string materials\" [\"body\" \"paint\"] \"float amount\" .5\n"
+                   "Material \"mix\" \"string materials\" [\"paint\" \"{}\"] \"float amount\" .6 Shape \"sphere\" \"float radius\" 1\n";
+    for (const char* second : {"body", "half"}) expectRadiance(look(fmt::format(fmt::runtime(world), second)), 1, 0.02);
+}
+
 // Uniform directions also enter a body, through a boundary that squeezes radiance by the square of its index.
 TEST(Subsurface, UniformDirectionsEnterABody) {
     const std::string body = whiteSky + ball("\"rgb reflectance\" [1 1 1] \"rgb mfp\" [.02 .02 .02] \"float roughness\" .5 "
