@@ -22,9 +22,9 @@ typedef struct {
     uint octaves;        /* of noise, 0 to MOST_OCTAVES */
     float roughness;     /* of noise: amplitude ratio of successive octaves */
     float variation;     /* marble: how far noise displaces its layers, texture space */
-    vec3 direction;      /* directionmix: unit vector, scene space */
+    vec3 direction;      /* directionmix: unit vector, world space */
     color value;
-    affine texture_from_scene; /* uv: (xx u + xw, yy v + yw); other mappings: applied to the point */
+    affine texture_from_scene; /* uv: (xx u + xw, yy v + yw); directionmix: scene from world; others: applied to the point */
 } texture_instruction;
 
 /* The instructions of one texture. */

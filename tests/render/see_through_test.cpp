@@ -54,6 +54,19 @@ TEST(Light, AlphaMovesWithItsObject) {
     }
 }
 
+// So does an alpha that depends on the direction of the surface: it follows the object as it was defined, however often it is placed. The
+// cosine of the card and the direction is .8.
+TEST(Light, AlphaByDirectionFollowsItsObject) {
+    const std::string object = R"(Texture "turn" "float" "directionmix" "float tex1" 1 "float tex2" .25 "vector3 dir" [0 .6 .8]
+        Material "diffuse" "rgb reflectance" [0 0 0]
+        ObjectBegin "card" Shape "bilinearmesh" "point3 P" [-3 -2 .5  2 -2 .5  -3 2 .5  2 2 .5] "texture alpha" "turn" ObjectEnd
+        AttributeBegin Rotate 60 1 0 0 Scale 1 2 1 ObjectInstance "card" AttributeEnd
+        )",
+                      again = "AttributeBegin Translate 0 30 0 ObjectInstance \"card\" AttributeEnd\n";
+    const double alpha = .8 * 1 + .2 * .25;
+    for (const std::string& cards : {object, object + again}) expectRadiance(throughCards(cards), Le * (1 - alpha), 0.02);
+}
+
 // Glass is in the way of light samples, as in pbrt-v4: a point behind it lights nothing; a lamp only by the rays that find it through the
 // pane.
 TEST(Light, GlassBlocksLightSamples) {

@@ -13,7 +13,8 @@ static bool read(const pbrt::TextureReading& in, Texture& texture) {
     return true;
 }
 
-static void pack(TexturePacking&, const Texture& t, texture_instruction& i) {
+static void pack(TexturePacking& into, const Texture& t, texture_instruction& i) {
+    i.texture_from_scene = toAffine(glm::inverse(into.worldFromPoint));   // turns normals the other way, into world space
     i.direction = toVec3(t.direction);
 }
 
