@@ -67,6 +67,22 @@ TEST(Light, AlphaByDirectionFollowsItsObject) {
     for (const std::string& cards : {object, object + again}) expectRadiance(throughCards(cards), Le * (1 - alpha), 0.02);
 }
 
+// Shadow rays pass as many null interfaces as paths do.
+TEST(Light, ShadowRaysPassHundredsOfInterfaces) {
+    std::string sheets = "MakeNamedMedium \"air\" \"string type\" \"homogeneous\" \"rgb sigma_a\" [1e-6 1e-6 1e-6] "
+                         "\"rgb sigma_s\" [0 0 0]\nMediumInterface \"air\" \"\" Material \"interface\" "
+                         "Shape \"trianglemesh\" \"point3 P\" [",
+                indices;
+    for (int i = 0; i < 600; ++i) {
+        for (const char* corner : {"-9 {0} -9 ", "9 {0} -9 ", "0 {0} 9 "}) sheets += fmt::format(fmt::runtime(corner), 1 + i * .001);
+        indices += fmt::format("{} {} {} ", 3 * i, 3 * i + 1, 3 * i + 2);
+    }
+    View view = atTheOrigin();
+    view.lookAt = "0 .5 -1  0 0 0  0 1 0";
+    const std::string light = "LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [0 2 0]\n" + floorShape;
+    expectRadiance(render(sceneText(view, light + sheets + "] \"integer indices\" [" + indices + "]\n"), media()), rho / pi * 3. / 4);
+}
+
 // Glass is in the way of light samples, as in pbrt-v4: a point behind it lights nothing; a lamp only by the rays that find it through the
 // pane.
 TEST(Light, GlassBlocksLightSamples) {
