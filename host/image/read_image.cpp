@@ -60,7 +60,7 @@ void convert(std::vector<glm::vec3>& colors, const glm::dmat3& matrix) {
 
 FilmFile readImage(const std::string& path) {
     std::string reason;
-    const auto input = imageFormats().open(path, false, reason);
+    const auto input = openImage(path, false, reason);
     if (!input || !input->header().isFloatingPoint) {
         FilmImage image = decoded(path);
         return {std::move(image), input ? metadataOf(*input) : Metadata{}};

@@ -1,6 +1,7 @@
 #include "image/formats/image_formats.h"
 
 #include "error.h"
+#include "image/formats/signature.h"
 
 #include <fmt/format.h>
 
@@ -19,6 +20,13 @@ static const ImageFormats& loadFormats() {
 const ImageFormats& imageFormats() {
     static const ImageFormats& formats = loadFormats();
     return formats;
+}
+
+std::unique_ptr<ImageReader> openImage(const std::string& path, bool isAlphaApart, std::string& error) {
+    const ImageSignature signature = recognizeImage(path);
+    if (signature.format) return imageFormats().open(path, signature.format, isAlphaApart, error);
+    error = signature.problem;
+    return nullptr;
 }
 
 }  // namespace eikonal

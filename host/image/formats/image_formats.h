@@ -56,20 +56,23 @@ public:
     virtual std::string error() = 0;
 };
 
-/// Reads and writes all formats that OpenImageIO knows.
+/// Reads and writes files by OpenImageIO.
 class ImageFormats {
 public:
     virtual ~ImageFormats() = default;
-    /// Opens a file; null on failure, with the reason in `error`. isAlphaApart: undo the multiplication of colours by alpha.
-    virtual std::unique_ptr<ImageReader> open(const std::string& path, bool isAlphaApart, std::string& error) const = 0;
+    /// Opens a file of a format, which OpenImageIO calls so; null on failure, with the reason in `error`. isAlphaApart: undo the
+    /// multiplication of colours by alpha.
+    virtual std::unique_ptr<ImageReader> open(const std::string& path, const std::string& format, bool isAlphaApart,
+                                              std::string& error) const = 0;
     /// The content of a file in a format given by name and extension. Empty on failure, with the reason in `error`.
     virtual std::vector<unsigned char> encode(const std::string& format, const std::string& extension, const EncodedImage& image,
                                               std::string& error) const = 0;
-    /// The extensions of the readable formats, after each format's name: "openexr:exr,sxr;png:png".
-    virtual std::string extensions() const = 0;
 };
 
 /// Loads the library on the first call; thread-safe. Throws Error (ExitCode::scene) if it cannot be loaded.
 const ImageFormats& imageFormats();
+
+/// Opens an image file of a format that is read (image/formats/signature.h). Null on failure, with the reason in `error`.
+std::unique_ptr<ImageReader> openImage(const std::string& path, bool isAlphaApart, std::string& error);
 
 }  // namespace eikonal

@@ -10,13 +10,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <sstream>
 
 #include <strings.h>
 
@@ -27,33 +24,12 @@ namespace {
 
 struct Problem { std::string message; };
 
-/// The readable extensions of still images, for error messages: "exr tif tiff jpg ...".
-std::string readableExtensions() {
-    std::string result;
-    std::istringstream formats(imageFormats().extensions());
-    for (std::string entry; std::getline(formats, entry, ';');) {
-        const std::size_t colon = entry.find(':');
-        const std::string format = entry.substr(0, colon);
-        if (colon == entry.npos || format == "null" || format == "term" || format == "ffmpeg" || format == "raw" || format == "openvdb")
-            continue;
-        std::string extensions = entry.substr(colon + 1);
-        std::ranges::replace(extensions, ',', ' ');
-        result += (result.empty() ? "" : " ") + extensions;
-    }
-    return result;
-}
-
 std::unique_ptr<ImageReader> open(const std::string& path) {
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) throw Problem{"there is no such file"};
-    if (std::filesystem::is_directory(path, error)) throw Problem{"it is a folder"};
-
     noteInputFile(path);
     std::string reason;
-    auto input = imageFormats().open(path, true, reason);
-    if (input) return input;
-    const bool unknown = reason.find("could not find a format reader") != reason.npos || reason.find("not recognized") != reason.npos;
-    throw Problem{unknown || reason.empty() ? "its format is not known; known are " + readableExtensions() : reason};
+    auto input = openImage(path, true, reason);
+    if (!input) throw Problem{reason.empty() ? "it is damaged" : reason};
+    return input;
 }
 
 /// Refuses a header that claims far more pixels than the file can hold, so that a damaged file does not exhaust memory.

@@ -10,7 +10,7 @@
 
 namespace eikonal {
 
-/// Reads an image file in any format of OpenImageIO.
+/// Reads an image file of the formats in image/formats/signature.h.
 ///   - 8-bit files stay 8-bit (unless `gamma` is given), all others become floats.
 ///   - Encoding: sRGB for integers and linear for floats, as in pbrt-v4; `encoding` and `gamma` apply to integers only.
 ///   - Channels R G B (A) are found by name; a single channel is grey whatever its name; of grey and alpha only grey is kept (as in
