@@ -3,6 +3,8 @@
 #include "kinds/material_kind.h"
 #include "unit/pbrt_reading.h"
 
+#include <fmt/format.h>
+
 #include <zlib.h>
 
 namespace eikonal {
@@ -117,6 +119,23 @@ TEST_F(PbrtDirectives, filesThatIncludeThemselvesAreRefused) {
     write("a.pbrt", "Import \"b.pbrt\"");
     write("b.pbrt", "Import \"a.pbrt\"");
     EXPECT_THAT(errorOfWorld("Import \"a.pbrt\""), HasSubstr("includes itself"));
+}
+
+TEST_F(PbrtDirectives, compressedFilesThatSwellAreRefused) {
+    const gzFile file = gzopen(path("bomb.pbrt").c_str(), "wb9");
+    const std::string blanks(1 << 20, ' ');
+    for (int i = 0; i < 300; ++i) gzwrite(file, blanks.data(), static_cast<unsigned>(blanks.size()));
+    gzclose(file);
+    EXPECT_THAT(errorOfWorld("Include \"bomb.pbrt\""), HasSubstr("is compressed more than 200 times"));
+}
+
+// A chain of imports has a limit, and so has the number of files, which 30 that each include the next twice take to a billion.
+TEST_F(PbrtDirectives, filesThatMultiplyAreRefused) {
+    for (int i = 0; i < 1002; ++i) write(fmt::format("deep{}.pbrt", i), fmt::format("Import \"deep{}.pbrt\"", i + 1));
+    EXPECT_THAT(errorOfWorld("Import \"deep0.pbrt\""), HasSubstr("deep999.pbrt:1:1: 1000 files are nested in each other here"));
+    for (int i = 0; i < 30; ++i) write(fmt::format("twice{}.pbrt", i), fmt::format("Include \"twice{0}.pbrt\" Include \"twice{0}.pbrt\"", i + 1));
+    write("twice30.pbrt", "");
+    EXPECT_THAT(errorOfWorld("Include \"twice0.pbrt\""), HasSubstr("the scene has opened 100000 files"));
 }
 
 TEST_F(PbrtDirectives, compressedFilesAreReadAsTheyAre) {

@@ -53,6 +53,24 @@ TEST_F(Tokens, escapesAreResolved) {
     EXPECT_THAT(errorOf([&] { split("\n \"a\\q\""); }), HasSubstr("t:2:4: \"\\q\" is not an escape"));
 }
 
+// Places are asked for in any order, and a text may be one line of megabytes.
+TEST_F(Tokens, placesInAnyOrder) {
+    stream.push("t", "a b\n\n  c\nd e");
+    std::vector<Token> tokens;
+    for (int i = 0; i < 5; ++i) tokens.push_back(stream.next());
+    const auto place = [&](int i) {
+        const SourceLocation where = stream.locate(tokens.at(static_cast<size_t>(i)));
+        return std::pair(where.line, where.column);
+    };
+    const std::pair<int, int> expected[] = {{1, 1}, {1, 3}, {3, 3}, {4, 1}, {4, 3}};
+    for (const int i : {4, 0, 1, 0, 3, 4, 3, 2, 4, 2, 1, 3, 0, 2}) EXPECT_EQ(place(i), expected[i]) << i;
+
+    std::string line;
+    for (int i = 0; i < 1'000'000; ++i) line += "w ";
+    stream.push("t", line);
+    for (int i = 0; i < 1'000'000; ++i) EXPECT_EQ(stream.locate(stream.next()).column, 2 * i + 1);
+}
+
 TEST_F(Tokens, aStringEndsOnItsLine) {
     EXPECT_THAT(errorOf([&] { split("a \"b\nc\""); }), HasSubstr("t:1:3: this string has no closing quote"));
     EXPECT_THAT(errorOf([&] { split("\"b\\"); }), HasSubstr("no closing quote"));

@@ -2,6 +2,7 @@
 
 #include "read/formats/input_files.h"
 
+#include <fmt/format.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -11,6 +12,10 @@
 #include <system_error>
 
 namespace eikonal {
+
+/// What a compressed file may hold: a small one can hold a thousand times its size, and fill the memory.
+static constexpr std::size_t alwaysFine = 256 << 20;
+static constexpr double highestCompression = 200;
 
 std::vector<char> readBytes(const std::string& path) {
     noteInputFile(path);
@@ -30,6 +35,11 @@ std::vector<char> readBytes(const std::string& path) {
         bytes.resize(size + room);
         got = gzread(file, bytes.data() + size, static_cast<unsigned>(room));
         bytes.resize(size + static_cast<std::size_t>(std::max(got, 0)));
+        if (bytes.size() > alwaysFine && static_cast<double>(bytes.size()) > highestCompression * static_cast<double>(expected)) {
+            gzclose(file);
+            throw ReadProblem(fmt::format("is compressed more than {} times, which no scene is: {} bytes hold more than {}", highestCompression,
+                                          expected, alwaysFine));
+        }
     } while (got > 0);
     int error = Z_OK;
     const std::string zlibReason = gzerror(file, &error);

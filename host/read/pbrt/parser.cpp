@@ -3,7 +3,12 @@
 #include "read/pbrt/directives.h"
 #include "read/pbrt/source.h"
 
+#include <fmt/format.h>
+
 namespace eikonal::pbrt {
+
+/// Files that a scene may open by Include and Import, and how deep they may be nested: beyond what any scene needs, and read in seconds.
+static constexpr size_t mostFiles = 100'000, deepestNesting = 1000;
 
 Parser::Parser(Builder& builder, const Parser* outer) : builder_(builder), outer_(outer) {
     tokens_.onInclude([this](const Token& word) {
@@ -94,6 +99,11 @@ std::optional<std::pair<std::string, std::string>> Parser::openNamedFile(const S
     const std::optional<std::string> path = builder_.reading.findFile(std::string(token.text), place);
     if (!path) return std::nullopt;
     if (isReading(*path)) throw SceneError(where, "\"" + *path + "\" includes itself");
+    if (depth() > deepestNesting)
+        throw SceneError(where, fmt::format("{} files are nested in each other here, and no more are read", deepestNesting));
+    if (++builder_.reading.openedFiles > mostFiles)
+        throw SceneError(where, fmt::format("the scene has opened {} files, and no more are read: a file that names another twice doubles "
+                                            "their number; give repeated shapes a name with ObjectBegin", mostFiles));
     return std::pair(*path, readTextFile(*path));
 }
 

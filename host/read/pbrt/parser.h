@@ -39,6 +39,7 @@ public:
 private:
     Token next() { return last_ = tokens_.next(); }
     std::optional<std::pair<std::string, std::string>> openNamedFile(const SourceLocation& where, const char* directive);
+    size_t depth() const { return tokens_.depth() + (outer_ ? outer_->depth() : 0); }
     bool isReading(const std::string& path) const { return tokens_.isOpen(path) || (outer_ && outer_->isReading(path)); }
 
     Builder& builder_;

@@ -26,6 +26,7 @@ struct Reading {
     Problems problems;
     Scene scene;
     std::map<std::pair<double, double>, std::shared_ptr<const AlbedoTable>> albedoTables;   ///< by g and eta, each computed once
+    size_t openedFiles = 0;  ///< by Include and Import, each time counted
     double displacementEdgeScale = 1;   ///< factor of all edge lengths of displaced meshes
 
     /// The path of a file that the scene names: absolute, or relative to the scene's folder, the folder of the file that names it, or the

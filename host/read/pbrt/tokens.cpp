@@ -13,12 +13,14 @@ namespace eikonal::pbrt {
 /// An open text.
 struct Source {
     std::shared_ptr<const std::string> name;
+    std::filesystem::path path;  ///< the name, lexically normal
     std::string text;
     const char* at = nullptr;    ///< next character
     const char* end = nullptr;
 
-    // Position, line and column of the last query; lines are only counted up to queries.
+    // Position of the last query, its line and where that begins: a query counts only from there, since a text may be one long line.
     mutable const char* counted = nullptr;
+    mutable const char* lineBegin = nullptr;
     mutable int line = 1;
 };
 
@@ -91,8 +93,9 @@ TokenStream::~TokenStream() = default;
 void TokenStream::push(const std::string& name, std::string text) {
     auto source = std::make_unique<Source>();
     source->name = std::make_shared<const std::string>(name);
+    source->path = std::filesystem::path(name).lexically_normal();
     source->text = std::move(text);
-    source->at = source->counted = source->text.data();
+    source->at = source->counted = source->lineBegin = source->text.data();
     source->end = source->at + source->text.size();
     open_.push_back(std::move(source));
 }
@@ -109,23 +112,27 @@ void TokenStream::forget() {
 }
 
 bool TokenStream::isOpen(const std::string& name) const {
-    const auto plain = [](const std::string& path) { return std::filesystem::path(path).lexically_normal(); };
-    return std::ranges::any_of(open_, [&](const auto& source) { return plain(*source->name) == plain(name); });
+    const std::filesystem::path path = std::filesystem::path(name).lexically_normal();
+    return std::ranges::any_of(open_, [&](const auto& source) { return source->path == path; });
 }
 
 SourceLocation TokenStream::locate(const Token& token) const {
     if (!token.source) return {};
     const Source& source = *token.source;
-    const char* begin = source.text.data();
-    if (token.at < source.counted) {
-        source.counted = begin;
-        source.line = 1;
+    const auto beginOfLine = [&](const char* from) {
+        const void* newline = memrchr(from, '\n', token.at - from);
+        return newline ? static_cast<const char*>(newline) + 1 : nullptr;
+    };
+    if (token.at >= source.counted) {
+        source.line += static_cast<int>(std::count(source.counted, token.at, '\n'));
+        if (const char* begin = beginOfLine(source.counted)) source.lineBegin = begin;
+    } else if (token.at < source.lineBegin) {
+        source.line -= static_cast<int>(std::count(token.at, source.lineBegin, '\n'));
+        const char* begin = beginOfLine(source.text.data());
+        source.lineBegin = begin ? begin : source.text.data();
     }
-    source.line += static_cast<int>(std::count(source.counted, token.at, '\n'));
     source.counted = token.at;
-    const void* newline = memrchr(begin, '\n', token.at - begin);
-    const char* lineBegin = newline ? static_cast<const char*>(newline) + 1 : begin;
-    return {source.name, source.line, static_cast<int>(token.at - lineBegin) + 1};
+    return {source.name, source.line, static_cast<int>(token.at - source.lineBegin) + 1};
 }
 
 Token TokenStream::takeText(Source& source, Token::Kind kind, const char* begin, const char* end) {

@@ -40,6 +40,8 @@ public:
     void push(const std::string& name, std::string text);
     /// Whether a text of this name is being read.
     bool isOpen(const std::string& name) const;
+    /// How many texts are being read: one, and the files that include each other.
+    size_t depth() const { return open_.size(); }
 
     /// Sets a function to call at each word Include, before reading on: it may take the name of a file with nextInText() and push the
     /// file's text. Without it, Include is an ordinary word.
@@ -51,7 +53,7 @@ public:
     /// Makes the next call return this token again.
     void putBack(const Token& token) { ahead_ = token; }
 
-    /// Line and column of a token. Fast if called in the order of the text.
+    /// Line and column of a token. Fast if the last query was near.
     SourceLocation locate(const Token& token) const;
 
     /// Appends numbers up to the closing bracket, and consumes it; the opening bracket was the last token. The list must end in the same
