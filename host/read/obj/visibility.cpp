@@ -10,6 +10,8 @@ namespace eikonal {
 namespace {
 
 constexpr int pixels = 96;  // per side
+/// Tests of a pixel in a triangle, for one view; some tenths of a second. Ordinary models take a thousandth.
+constexpr std::size_t mostTests = 20'000'000;
 
 /// The closest triangle of each pixel. Depth is measured along the viewing direction.
 class DepthBuffer {
@@ -27,6 +29,7 @@ public:
             high = glm::max(high, p[static_cast<std::size_t>(i)]);
         }
         const int x0 = clampPixel(low.x - .5f), x1 = clampPixel(high.x + .5f), y0 = clampPixel(low.y - .5f), y1 = clampPixel(high.y + .5f);
+        tests_ += static_cast<std::size_t>(std::max(x1 - x0, 0)) * static_cast<std::size_t>(std::max(y1 - y0, 0));
         for (int y = y0; y < y1; ++y)
             for (int x = x0; x < x1; ++x) {
                 const glm::vec2 q(static_cast<float>(x) + .5f, static_cast<float>(y) + .5f);
@@ -52,12 +55,15 @@ public:
     }
     float depth(std::size_t i) const { return depth_[i]; }
     int triangle(std::size_t i) const { return triangle_[i]; }
+    /// Pixels that draw() has tested so far.
+    std::size_t tests() const { return tests_; }
 
 private:
     static int clampPixel(float x) { return static_cast<int>(std::clamp(std::ceil(x), 0.f, static_cast<float>(pixels))); }
 
     std::vector<float> depth_;
     std::vector<int> triangle_;
+    std::size_t tests_ = 0;
 };
 
 /// Clips a triangle at z = nearest; returns the number of remaining corners, at most four.
@@ -84,7 +90,7 @@ double visibleFraction(const std::vector<ViewedTriangle>& triangles, const View&
     std::vector<double> area(shapes, 0.), visible(shapes, 0.);
 
     DepthBuffer buffer;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for (std::size_t i = 0; i < triangles.size() && buffer.tests() < mostTests; ++i) {
         const std::array<glm::vec3, 3> p{toCamera(triangles[i].a), toCamera(triangles[i].b), toCamera(triangles[i].c)};
         const glm::vec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
         area[triangles[i].shape] += glm::length(normal) / 2;
