@@ -1,11 +1,14 @@
 #pragma once
-// The memory that the machine has available.
+// The memory that the program may still take.
 
 #include <cstddef>
+#include <string>
 
 namespace eikonal {
 
-/// Bytes that programs may still allocate, swap included, as Linux estimates it; the largest size_t if Linux gives no estimate.
-std::size_t availableMemory();
+/// Bytes that this process may still allocate: the least of what Linux estimates for the machine, swap included, and what each control group
+/// around the process has left (a container's or a batch job's limit). The largest size_t if Linux tells neither. root: the folder that
+/// holds proc and sys.
+std::size_t availableMemory(const std::string& root = "/");
 
 }  // namespace eikonal
