@@ -7,7 +7,9 @@
 
 #include <malloc.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <new>
 
 using namespace eikonal;
@@ -33,6 +35,12 @@ static int fail(ExitCode code, const std::string& message) {
     return static_cast<int>(code);
 }
 
+/// Throws Error unless all that was printed has arrived: a full disk loses it without a word. A reader that has gone, as `head` does, is none.
+static void finishPrinting() {
+    if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return;
+    if (errno != EPIPE) throw Error(ExitCode::scene, std::string("cannot write to standard output: ") + std::strerror(errno));
+}
+
 /// Makes free() return blocks above 128 KiB to the system at once, because reading and packing a scene take much memory for a short time.
 static void returnFreedMemory() { ::mallopt(M_MMAP_THRESHOLD, 128 << 10); }
 
@@ -40,7 +48,9 @@ int main(int argc, char** argv) {
     returnFreedMemory();
     keepIgnoredSignals();
     try {
-        return run(parseOptions(std::vector<std::string>(argv, argv + argc)));
+        const int status = run(parseOptions(std::vector<std::string>(argv, argv + argc)));
+        finishPrinting();
+        return status;
     } catch (const Error& error) {
         return fail(error.code(), (error.code() == ExitCode::scene ? "" : "error: ") + std::string(error.what()));
     } catch (const std::bad_alloc&) {

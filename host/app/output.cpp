@@ -1,6 +1,7 @@
 #include "app/output.h"
 
 #include "image/image_file.h"
+#include "read/formats/input_files.h"
 
 #include <fmt/format.h>
 
@@ -36,6 +37,13 @@ Aovs aovsOf(const OutputOptions& options, const FilmDescription& film, const std
 
 bool keepsSpectrum(const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
     return film.spectrum && canHold("the channels of film \"spectral\"", film, files, diagnostics);
+}
+
+void checkIsNoInput(const std::string& output) {
+    std::error_code absent;
+    for (const std::string& input : inputFiles())
+        if (std::filesystem::equivalent(output, input, absent))
+            throw Error(ExitCode::scene, fmt::format("cannot write \"{}\": the scene is read from it; name another file with -o", output));
 }
 
 void selectAovs(FilmImage& image, const Aovs& aovs) {

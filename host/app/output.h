@@ -15,6 +15,8 @@ std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& 
 Aovs aovsOf(const OutputOptions& options, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics);
 /// Whether to keep a spectrum of each pixel: for a film "spectral", if some file can hold it. Warns if none can.
 bool keepsSpectrum(const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics);
+/// Throws an Error if the scene was read from this file, once it is packed.
+void checkIsNoInput(const std::string& output);
 /// Drops the channels that are not in `aovs`.
 void selectAovs(FilmImage& image, const Aovs& aovs);
 

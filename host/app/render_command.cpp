@@ -126,7 +126,11 @@ int renderCommand(const Options& o) {
     session.pack(aovs, keepsSpectrum(session.scene().film, files, diagnostics));
     const PackedScene& packed = session.packed();
     checkMemory(session.scene().film, packed, session.plan());
-    for (const std::string& file : files) checkWritable(file, session.plan().film / 2);
+    for (const std::string& file : files) {
+        checkIsNoInput(file);
+        checkHolds(file, packed.pixels.width(), packed.pixels.height());
+        checkWritable(file, session.plan().film / 2);
+    }
     diagnostics.info("planned memory: " + describe(session.plan()));
     RenderOutput output(o, session, files, aovs);
     std::optional<Film> film(std::in_place, packed);

@@ -22,6 +22,9 @@ void writeImage(const std::string& path, const FilmImage& image, const Metadata&
 /// Whether writeImage stores channels besides colour in a file of this name.
 bool holdsChannels(const std::string& path);
 
+/// Throws Error if an image has more columns or rows than a file of this name can hold.
+void checkHolds(const std::string& path, int columns, int rows);
+
 /// Throws the Error that writeImage would throw, as far as it is foreseeable: unknown extension, no folder, no permission, not a regular
 /// file, or fewer than `bytes` (an estimate of the file's size) free on the disk.
 void checkWritable(const std::string& path, std::uint64_t bytes = 0);

@@ -22,19 +22,19 @@ namespace eikonal {
 namespace {
 
 enum class Content { layers, linear, screen8, screen16 };
-struct Format { const char *extension, *name; Content content; };
+struct Format { const char *extension, *name; Content content; int mostPixels = 1 << 30; };  // columns, and rows
 
 constexpr std::array<Format, 11> formats{{{"exr", "openexr", Content::layers},
                                           {"hdr", "hdr", Content::linear},
                                           {"pfm", "pfm", Content::linear},
                                           {"png", "png", Content::screen8},
-                                          {"jpg", "jpeg", Content::screen8},
-                                          {"jpeg", "jpeg", Content::screen8},
+                                          {"jpg", "jpeg", Content::screen8, 65500},
+                                          {"jpeg", "jpeg", Content::screen8, 65500},
                                           {"tif", "tiff", Content::screen16},
                                           {"tiff", "tiff", Content::screen16},
-                                          {"tga", "targa", Content::screen8},
+                                          {"tga", "targa", Content::screen8, 65535},
                                           {"bmp", "bmp", Content::screen8},
-                                          {"webp", "webp", Content::screen8}}};
+                                          {"webp", "webp", Content::screen8, 16383}}};
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
     throw Error(ExitCode::scene, fmt::format("cannot write \"{}\": {}", path, reason));
@@ -180,6 +180,12 @@ void writeImage(const std::string& path, const FilmImage& image, const Metadata&
 bool holdsChannels(const std::string& path) {
     const Format* format = findFormat(path);
     return format && format->content == Content::layers;
+}
+
+void checkHolds(const std::string& path, int columns, int rows) {
+    const Format& format = formatOf(path);
+    if (std::max(columns, rows) > format.mostPixels)
+        fail(path, fmt::format("a file of this kind holds at most {0} x {0} pixels, and the image has {1} x {2}", format.mostPixels, columns, rows));
 }
 
 void checkWritable(const std::string& path, std::uint64_t bytes) {

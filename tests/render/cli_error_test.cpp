@@ -39,6 +39,33 @@ TEST_F(Cli, OutputThatCannotBeWrittenIsSaidBeforeRendering) {
     }
 }
 
+TEST_F(Cli, AnImageThatTheSceneReadsIsNotOverwritten) {
+    ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "wall.png"}).status, 0);
+    const std::string before = read(path("wall.png"));
+    write("textured.pbrt", tinyScene("", "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"wall.png\" "
+                                         "Material \"diffuse\" \"texture reflectance\" \"t\" Shape \"sphere\""));
+    const Outcome onto = run({"render", "textured.pbrt", "-o", "./wall.png"});
+    EXPECT_EQ(onto.status, 1);
+    EXPECT_EQ(onto.error, "cannot write \"./wall.png\": the scene is read from it; name another file with -o\n");
+    EXPECT_EQ(read(path("wall.png")), before);
+}
+
+// libjpeg would end the program when the image is written.
+TEST_F(Cli, ImagesThatAFormatCannotHoldAreSaidBeforeRendering) {
+    for (const char* file : {"a.jpg", "a.webp", "a.tga"}) {
+        const Outcome wide = run({"render", "tiny.pbrt", "--resolution", "65536x1", "--spp", "100000000", "-o", file});
+        EXPECT_EQ(wide.status, 1) << file;
+        EXPECT_THAT(wide.error, HasSubstr("and the image has 65536 x 1")) << file;
+    }
+}
+
+TEST_F(Cli, WhatCannotBePrintedIsAnError) {
+    program_ = "/bin/sh";
+    const Outcome full = run({"-c", EIKONAL_BINARY " info tiny.pbrt > /dev/full"});
+    EXPECT_EQ(full.status, 1);
+    EXPECT_EQ(full.error, "cannot write to standard output: No space left on device\n");
+}
+
 TEST_F(Cli, ASceneThatIsNoTextDoesNotReachTheTerminal) {
     write("binary.pbrt", "\x1b]0;title\a\x1b[2J");
     const Outcome run = this->run({"info", "binary.pbrt"});
