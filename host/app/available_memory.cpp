@@ -68,7 +68,8 @@ std::size_t leftInGroups(const fs::path& proc, const fs::path& groups) {
         if (controllers.empty())
             left = std::min(left, leftInGroups(groups, path, "memory.max", "memory.current", "inactive_file"));
         else if (("," + controllers + ",").find(",memory,") != std::string::npos)
-            left = std::min(left, leftInGroups(groups / "memory", path, "memory.limit_in_bytes", "memory.usage_in_bytes", "total_inactive_file"));
+            left = std::min(left, leftInGroups(groups / "memory", path, "memory.limit_in_bytes", "memory.usage_in_bytes",
+                                               "total_inactive_file"));
     }
     return left;
 }

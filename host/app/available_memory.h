@@ -6,9 +6,9 @@
 
 namespace eikonal {
 
-/// Bytes that this process may still allocate: the least of what Linux estimates for the machine, swap included, and what each control group
-/// around the process has left (a container's or a batch job's limit). The largest size_t if Linux tells neither. root: the folder that
-/// holds proc and sys.
+/// Bytes that this process may still allocate: the least of what Linux estimates for the machine, swap included, and what each control
+/// group around the process has left (a container's or a batch job's limit). The largest size_t if Linux tells neither. root: the folder
+/// that holds proc and sys.
 std::size_t availableMemory(const std::string& root = "/");
 
 }  // namespace eikonal

@@ -35,7 +35,8 @@ static int fail(ExitCode code, const std::string& message) {
     return static_cast<int>(code);
 }
 
-/// Throws Error unless all that was printed has arrived: a full disk loses it without a word. A reader that has gone, as `head` does, is none.
+/// Throws Error unless all that was printed has arrived: a full disk would lose it without a word. A reader that has gone, as `head` does,
+/// is no error.
 static void finishPrinting() {
     if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return;
     if (errno != EPIPE) throw Error(ExitCode::scene, std::string("cannot write to standard output: ") + std::strerror(errno));

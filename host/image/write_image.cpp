@@ -185,7 +185,8 @@ bool holdsChannels(const std::string& path) {
 void checkHolds(const std::string& path, int columns, int rows) {
     const Format& format = formatOf(path);
     if (std::max(columns, rows) > format.mostPixels)
-        fail(path, fmt::format("a file of this kind holds at most {0} x {0} pixels, and the image has {1} x {2}", format.mostPixels, columns, rows));
+        fail(path, fmt::format("a file of this kind holds at most {0} x {0} pixels, and the image has {1} x {2}", format.mostPixels,
+                               columns, rows));
 }
 
 void checkWritable(const std::string& path, std::uint64_t bytes) {

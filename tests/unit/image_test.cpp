@@ -117,7 +117,8 @@ TEST_F(Image, tgaKeepsItsRowsInBothOrders) {
 
 // OpenImageIO would read these by content, with code that a file can make write beyond its memory.
 TEST_F(Image, onlyTheFormatsOfTheListAreRead) {
-    EXPECT_THAT(errorOf(write("a.png", "GIF89a and more")), HasSubstr("it is a GIF image; EXR, PNG, JPEG, HDR, PFM, TGA, TIFF, BMP and WebP are read"));
+    EXPECT_THAT(errorOf(write("a.png", "GIF89a and more")),
+                HasSubstr("it is a GIF image; EXR, PNG, JPEG, HDR, PFM, TGA, TIFF, BMP and WebP are read"));
     EXPECT_THAT(errorOf(write("a.exr", "8BPS and more")), HasSubstr("it is a Photoshop image; "));
     EXPECT_THAT(errorOf(write("a.tga", "P6 1 1 255\nabc")), HasSubstr("it is a PNM image; "));
     EXPECT_THAT(errorOf(write("a.jpg", "version https://git-lfs.github.com/spec/v1")), HasSubstr("git lfs pull"));
@@ -137,11 +138,13 @@ TEST_F(Image, tiffsOfOtherKindsAreRefused) {
             return word(tag) + word(3) + word(count) + word(0) + word(value) + word(0);  // of type SHORT
         };
         const int entries = 8, after = 8 + 2 + 12 * entries + 4;
-        return std::string("II*\0\10\0\0\0", 8) + word(entries) + entry(256, 1, 1) + entry(257, 1, 1) + entry(258, 4, after) + entry(259, 1, 1) +
+        return std::string("II*\0\10\0\0\0", 8) + word(entries) + entry(256, 1, 1) + entry(257, 1, 1) + entry(258, 4, after) +
+               entry(259, 1, 1) +
                entry(262, 1, photometric) + entry(273, 1, after + 8) + entry(277, 1, 4) + entry(279, 1, 16) + std::string(4, '\0') +
                word(bits) + word(bits) + word(bits) + word(bits) + std::string(16, '\x40');
     };
-    EXPECT_THAT(errorOf(write("a.tif", tiff(12, 5))), HasSubstr("it is a TIFF image with 12 bits a channel and photometric interpretation 5"));
+    EXPECT_THAT(errorOf(write("a.tif", tiff(12, 5))),
+                HasSubstr("it is a TIFF image with 12 bits a channel and photometric interpretation 5"));
     EXPECT_THAT(errorOf(write("a.tif", tiff(8, 5))), HasSubstr("grey and RGB with 8, 16 or 32 bits are read"));
     EXPECT_THAT(errorOf(write("a.tif", tiff(12, 2))), HasSubstr("12 bits"));
     EXPECT_EQ(errorOf(write("a.tif", tiff(8, 2))), "no error");
@@ -253,7 +256,7 @@ TEST_F(Image, damagedFilesAreRefusedOrReadButNeverCrash) {
         for (int i = 0; i < 60; ++i) {
             const std::size_t size = i < 20 ? static_cast<std::size_t>(i) * 3 : random() % whole.size();
             const bool isRefused = errorOf(write(name, whole.substr(0, size))) != "no error";
-            EXPECT_TRUE(isRefused || size > whole.size() / 2) << name << " cut to " << size << " of " << whole.size();  // pixels are missing
+            EXPECT_TRUE(isRefused || size > whole.size() / 2) << name << ", with missing pixels: " << size << " of " << whole.size();
             refused += isRefused;
             std::string changed = whole;
             changed[i < 40 ? static_cast<std::size_t>(i) % whole.size() : random() % whole.size()] ^= static_cast<char>(1 + random() % 255);

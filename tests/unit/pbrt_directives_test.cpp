@@ -133,7 +133,8 @@ TEST_F(PbrtDirectives, compressedFilesThatSwellAreRefused) {
 TEST_F(PbrtDirectives, filesThatMultiplyAreRefused) {
     for (int i = 0; i < 1002; ++i) write(fmt::format("deep{}.pbrt", i), fmt::format("Import \"deep{}.pbrt\"", i + 1));
     EXPECT_THAT(errorOfWorld("Import \"deep0.pbrt\""), HasSubstr("deep999.pbrt:1:1: 1000 files are nested in each other here"));
-    for (int i = 0; i < 30; ++i) write(fmt::format("twice{}.pbrt", i), fmt::format("Include \"twice{0}.pbrt\" Include \"twice{0}.pbrt\"", i + 1));
+    for (int i = 0; i < 30; ++i)
+        write(fmt::format("twice{}.pbrt", i), fmt::format("Include \"twice{0}.pbrt\" Include \"twice{0}.pbrt\"", i + 1));
     write("twice30.pbrt", "");
     EXPECT_THAT(errorOfWorld("Include \"twice0.pbrt\""), HasSubstr("the scene has opened 100000 files"));
 }

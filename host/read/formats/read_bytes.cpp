@@ -37,8 +37,8 @@ std::vector<char> readBytes(const std::string& path) {
         bytes.resize(size + static_cast<std::size_t>(std::max(got, 0)));
         if (bytes.size() > alwaysFine && static_cast<double>(bytes.size()) > highestCompression * static_cast<double>(expected)) {
             gzclose(file);
-            throw ReadProblem(fmt::format("is compressed more than {} times, which no scene is: {} bytes hold more than {}", highestCompression,
-                                          expected, alwaysFine));
+            throw ReadProblem(fmt::format("is compressed more than {} times, which no scene is: {} bytes hold more than {}",
+                                          highestCompression, expected, alwaysFine));
         }
     } while (got > 0);
     int error = Z_OK;

@@ -76,7 +76,9 @@ private:
         const glm::dvec2 share = (q - low_) / glm::max(high_ - low_, glm::dvec2(std::numeric_limits<double>::min()));
         return glm::clamp(glm::ivec2(glm::clamp(share, 0., 1.) * static_cast<double>(cells_)), 0, cells_ - 1);
     }
-    std::size_t indexOf(glm::ivec2 cell) const { return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(cells_) + static_cast<std::size_t>(cell.x); }
+    std::size_t indexOf(glm::ivec2 cell) const {
+        return static_cast<std::size_t>(cell.y) * static_cast<std::size_t>(cells_) + static_cast<std::size_t>(cell.x);
+    }
 
     void remove(std::uint32_t i) {
         if (place_[i] == notReflex) return;

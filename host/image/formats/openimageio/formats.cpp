@@ -48,7 +48,8 @@ private:
         const bool succeeds = input_->read_image(0, 0, 0, spec().nchannels, type, values);
         error_ = input_->geterror();
         /* OpenImageIO reports success for these when pixels are missing */
-        const bool isCut = input_->format_name() == std::string_view("tiff") ? !error_.empty() : error_.find("Premature end") != error_.npos;
+        const bool isTiff = input_->format_name() == std::string_view("tiff");
+        const bool isCut = isTiff ? !error_.empty() : error_.find("Premature end") != error_.npos;
         return succeeds && !isCut;
     }
 
@@ -63,13 +64,15 @@ private:
     std::string error_;
 };
 
-/// Why pixels of a TIFF file are not read; empty if they are. OpenImageIO 2.4 writes beyond its memory for some other kinds (its issue 5315).
+/// Why pixels of a TIFF file are not read; empty if they are. OpenImageIO 2.4 writes beyond its memory for some other kinds (its issue
+/// 5315).
 std::string problemOfTiff(const OIIO::ImageSpec& spec) {
-    const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1), bits = spec.get_int_attribute("oiio:BitsPerSample");
+    const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
+    const int bits = spec.get_int_attribute("oiio:BitsPerSample");
     const bool isColor = photometric >= 0 && photometric <= 3, isYcbcr = photometric == 6;  // grey, RGB, a palette
     if ((isColor || isYcbcr) && (bits == 8 || bits == 16 || bits == 32)) return {};
-    return "it is a TIFF image with " + std::to_string(bits) + " bits a channel and photometric interpretation " + std::to_string(photometric) +
-           "; grey and RGB with 8, 16 or 32 bits are read";
+    return "it is a TIFF image with " + std::to_string(bits) + " bits a channel and photometric interpretation " +
+           std::to_string(photometric) + "; grey and RGB with 8, 16 or 32 bits are read";
 }
 
 struct AttributeWriter {
