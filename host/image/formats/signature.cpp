@@ -98,13 +98,13 @@ bool hasAllRuns(std::ifstream& file, std::size_t pixels, std::size_t bytesOfPixe
 
 /// What is wrong with a TGA file; nothing if its header is not one of TGA.
 std::optional<std::string> problemOfTga(std::ifstream& file, std::size_t fileSize, const unsigned char* start) {
-    const int hasPalette = start[1], kind = start[2], bits = start[16];
+    const int hasColorMap = start[1], kind = start[2], bits = start[16];
     const std::size_t width = littleEndian(start + 12, 2), height = littleEndian(start + 14, 2);
     const bool isRunLength = kind & 8;
-    if (hasPalette > 1 || (kind & ~8) < 1 || (kind & ~8) > 3 || width == 0 || height == 0 || bits % 8 > 0 + 7 * (bits == 15)) return {};
+    if (hasColorMap > 1 || (kind & ~8) < 1 || (kind & ~8) > 3 || width == 0 || height == 0 || bits % 8 > 0 + 7 * (bits == 15)) return {};
     const std::size_t bytesOfPixel = static_cast<std::size_t>((bits + 7) / 8);
     if (bytesOfPixel < 1 || bytesOfPixel > 4) return {};
-    const std::size_t palette = hasPalette ? littleEndian(start + 5, 2) * ((start[7] + 7u) / 8) : 0, before = 18 + start[0] + palette;
+    const std::size_t colorMap = hasColorMap ? littleEndian(start + 5, 2) * ((start[7] + 7u) / 8) : 0, before = 18 + start[0] + colorMap;
     file.clear();
     file.seekg(static_cast<std::streamoff>(before));
     const bool isWhole = isRunLength ? hasAllRuns(file, width * height, bytesOfPixel) : before + width * height * bytesOfPixel <= fileSize;

@@ -69,7 +69,7 @@ private:
 std::string problemOfTiff(const OIIO::ImageSpec& spec) {
     const int photometric = spec.get_int_attribute("tiff:PhotometricInterpretation", -1);
     const int bits = spec.get_int_attribute("oiio:BitsPerSample");
-    const bool isColor = photometric >= 0 && photometric <= 3, isYcbcr = photometric == 6;  // grey, RGB, a palette
+    const bool isColor = photometric >= 0 && photometric <= 3, isYcbcr = photometric == 6;  // grey, RGB, a colour map
     if ((isColor || isYcbcr) && (bits == 8 || bits == 16 || bits == 32)) return {};
     return "it is a TIFF image with " + std::to_string(bits) + " bits a channel and photometric interpretation " +
            std::to_string(photometric) + "; grey and RGB with 8, 16 or 32 bits are read";
