@@ -118,9 +118,10 @@ TEST_F(Image, tgaKeepsItsRowsInBothOrders) {
 // OpenImageIO would read these by content, with code that a file can make write beyond its memory.
 TEST_F(Image, onlyTheFormatsOfTheListAreRead) {
     EXPECT_THAT(errorOf(write("a.png", "GIF89a and more")),
-                HasSubstr("it is a GIF image; EXR, PNG, JPEG, HDR, PFM, TGA, TIFF, BMP and WebP are read"));
+                HasSubstr("it is a GIF image; EXR, PNG, JPEG, HDR, PFM, PNM, TGA, TIFF, BMP and WebP are read"));
     EXPECT_THAT(errorOf(write("a.exr", "8BPS and more")), HasSubstr("it is a Photoshop image; "));
-    EXPECT_THAT(errorOf(write("a.tga", "P6 1 1 255\nabc")), HasSubstr("it is a PNM image; "));
+    EXPECT_THAT(errorOf(write("a.tga", "DDS and more")), HasSubstr("it is a DDS image; "));
+    EXPECT_EQ(errorOf(write("a.tga", "P6 1 1 255\nabc")), "no error") << "a name says nothing";
     EXPECT_THAT(errorOf(write("a.jpg", "version https://git-lfs.github.com/spec/v1")), HasSubstr("git lfs pull"));
     EXPECT_THAT(errorOf(write("a.hdr", "")), HasSubstr("it is empty"));
     EXPECT_THAT(errorOf("/dev/zero"), HasSubstr("it is not a file, but a device or a pipe"));
@@ -233,7 +234,7 @@ TEST_F(Image, pixelsOfItsOwnAreTaken) {
 }
 
 TEST_F(Image, anUnknownFormatListsTheKnownOnes) {
-    const std::string ending = "its format is not known; EXR, PNG, JPEG, HDR, PFM, TGA, TIFF, BMP and WebP are read";
+    const std::string ending = "its format is not known; EXR, PNG, JPEG, HDR, PFM, PNM, TGA, TIFF, BMP and WebP are read";
     EXPECT_EQ(errorOf(write("a.foo", "no image")), "scene.pbrt:4:9: cannot read image \"" + path("a.foo") + "\": " + ending);
     EXPECT_THAT(errorOf(write("a.png", "no image")), HasSubstr("a.png\": " + ending));
     EXPECT_THAT(errorOf(write("a.png", "\x89PNG\r\n\x1a\n")), HasSubstr("a.png\": "));

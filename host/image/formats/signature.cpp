@@ -19,7 +19,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr const char* readable = "EXR, PNG, JPEG, HDR, PFM, TGA, TIFF, BMP and WebP are read";
+constexpr const char* readable = "EXR, PNG, JPEG, HDR, PFM, PNM, TGA, TIFF, BMP and WebP are read";
 
 struct Format {
     std::string_view signature;
@@ -35,6 +35,12 @@ constexpr Format formats[] = {
     {"#?"sv, 0, "hdr", "an HDR image"},
     {"PF"sv, 0, "pnm", "a PFM image"},
     {"Pf"sv, 0, "pnm", "a PFM image"},
+    {"P1"sv, 0, "pnm", "a PNM image"},
+    {"P2"sv, 0, "pnm", "a PNM image"},
+    {"P3"sv, 0, "pnm", "a PNM image"},
+    {"P4"sv, 0, "pnm", "a PNM image"},
+    {"P5"sv, 0, "pnm", "a PNM image"},
+    {"P6"sv, 0, "pnm", "a PNM image"},
     {"II*\0"sv, 0, "tiff", "a TIFF image"},
     {"MM\0*"sv, 0, "tiff", "a TIFF image"},
     {"II+\0"sv, 0, "tiff", "a TIFF image"},
@@ -54,12 +60,6 @@ constexpr Format formats[] = {
     {"SDPX"sv, 0, nullptr, "a DPX image"},
     {"XPDS"sv, 0, nullptr, "a DPX image"},
     {"\x01\xda"sv, 0, nullptr, "an SGI image"},
-    {"P1"sv, 0, nullptr, "a PNM image"},
-    {"P2"sv, 0, nullptr, "a PNM image"},
-    {"P3"sv, 0, nullptr, "a PNM image"},
-    {"P4"sv, 0, nullptr, "a PNM image"},
-    {"P5"sv, 0, nullptr, "a PNM image"},
-    {"P6"sv, 0, nullptr, "a PNM image"},
     {"SIMPLE  ="sv, 0, nullptr, "a FITS image"},
     {"<svg"sv, 0, nullptr, "an SVG image"},
     {"<?xml"sv, 0, nullptr, "an XML file"},

@@ -12,7 +12,7 @@ struct ImageSignature {
     std::string problem;           ///< why not, to follow "cannot read image NAME: "
 };
 
-/// Reads the first bytes of a file: EXR, PNG, JPEG, HDR, PFM, TGA, TIFF, uncompressed BMP and WebP are recognized. TGA has no signature:
+/// Reads the first bytes of a file: EXR, PNG, JPEG, HDR, PFM, PNM, TGA, TIFF, uncompressed BMP and WebP are recognized. TGA has none:
 /// such a file needs the extension and a plausible header, and all of its pixels. Never throws.
 ImageSignature recognizeImage(const std::string& path);
 
