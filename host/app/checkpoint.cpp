@@ -1,5 +1,6 @@
 #include "app/checkpoint.h"
 
+#include "film/stored_scene.h"
 #include "image/atomic_file.h"
 #include "render/render_identity.h"
 
@@ -29,11 +30,13 @@ std::optional<int> Checkpoints::samplesLaidOutFor() const {
     return identityFromJson(before_->head().identity, before_->path()).samples;
 }
 
-void Checkpoints::resume(const Session& session, Film& film) {
+void Checkpoints::resume(const Session& session, Film& film, RenderOutput& output) {
     const std::string& path = options_.output.checkpoint;
     if (path.empty()) return;
     const RenderIdentity here = identityOf(session, options_, film);
-    identity_ = toJson(here);
+    head_.identity = toJson(here);
+    head_.scene = toJson(session.packed(), session.wholePixels(), session.scene().film);
+    head_.metadata = toJson(output.metadata());
     if (!before_) return;
     const RenderIdentity there = identityFromJson(before_->head().identity, path);
     if (const std::vector<std::string> found = differences(here, there, path); !found.empty())
@@ -60,7 +63,9 @@ void Checkpoints::pause(const Film& film, std::span<const unsigned> planned, dou
 
 void Checkpoints::save(const Film& film, std::span<const unsigned> planned, double seconds) {
     if (options_.output.checkpoint.empty()) return;
-    writeFilmFile(options_.output.checkpoint, film, {identity_, {planned.begin(), planned.end()}, secondsBefore_ + seconds});
+    head_.planned.assign(planned.begin(), planned.end());
+    head_.seconds = secondsBefore_ + seconds;
+    writeFilmFile(options_.output.checkpoint, film, head_);
 }
 
 }  // namespace eikonal

@@ -21,7 +21,7 @@ public:
     /// The samples per pixel that the render has to be laid out for; nothing: it begins anew.
     std::optional<int> samplesLaidOutFor() const;
     /// Puts what was rendered before into a film. Throws an Error that names each difference if that was another render.
-    void resume(const Session& session, Film& film);
+    void resume(const Session& session, Film& film, RenderOutput& output);
     /// RenderControl::planned.
     const std::vector<unsigned>& planned() const { return planned_; }
     double secondsBefore() const { return secondsBefore_; }
@@ -35,7 +35,7 @@ private:
     const Options& options_;
     Diagnostics& diagnostics_;
     std::unique_ptr<FilmFileReader> before_;
-    std::string identity_;
+    FilmFileHead head_;   ///< of the files to write
     std::vector<unsigned> planned_;
     double secondsBefore_ = 0;
     Stopwatch sinceLast_;

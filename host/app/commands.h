@@ -18,6 +18,8 @@ int tradeCommand(const Options& options);
 int cacheCommand(const Options& options);
 /// Prints the OpenCL devices.
 int listDevicesCommand(const Options& options);
+/// Makes one image, or one larger part, of parts that were rendered apart.
+int mergeCommand(const Options& options);
 /// Prints the difference of two images.
 int compareCommand(const Options& options);
 

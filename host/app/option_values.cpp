@@ -98,6 +98,26 @@ static std::optional<double> durationIn(const std::string& text) {
     return value && *value > 0 ? std::optional(*value * unit) : std::nullopt;
 }
 
+SampleRange parseSampleRange(const std::string& option, const std::string& text) {
+    const std::vector<std::string> ends = split(text, ':');
+    const auto first = numberIn<int>(ends.front()), end = numberIn<int>(ends.back());
+    if (ends.size() != 2 || !first || !end || *first < 0 || *first >= *end)
+        refuse(option, "a range of samples A:B, with A < B, like 0:64", text);
+    const SampleRange range{static_cast<unsigned>(*first), static_cast<unsigned>(*end)};
+    if (range.first % leafSamples != 0)
+        refuse(option,
+               fmt::format("ranges that begin at a multiple of {}, like {}:{}", leafSamples, leafBegin(range.first), range.end), text);
+    return range;
+}
+
+Tile parseTile(const std::string& option, const std::string& text) {
+    const std::vector<std::string> numbers = split(text, '/');
+    const auto index = numberIn<int>(numbers.front()), count = numberIn<int>(numbers.back());
+    if (numbers.size() != 2 || !index || !count || *index < 1 || *index > *count)
+        refuse(option, "a part I/N, with I from 1 to N, like 2/4", text);
+    return {*index, *count};
+}
+
 double parseDuration(const std::string& option, const std::string& text) {
     if (const auto seconds = durationIn(text)) return *seconds;
     refuse(option, "a time greater than 0, like 90s, 10m or 1h", text);

@@ -3,6 +3,8 @@
 
 #include "app/wish.h"
 #include "error.h"
+#include "film/sample_nodes.h"
+#include "film/tile.h"
 #include "render/options.h"
 #include "scene/film.h"
 
@@ -33,6 +35,10 @@ StageFlags parseStageFlags(const std::string& option, const std::string& text);
 /// "all", or names separated by commas.
 Aovs parseAovs(const std::string& option, const std::string& text);
 
+/// "A:B", samples A <= i < B; A begins a leaf (film/sample_nodes.h).
+SampleRange parseSampleRange(const std::string& option, const std::string& text);
+/// "I/N", with 1 <= I <= N.
+Tile parseTile(const std::string& option, const std::string& text);
 /// A time greater than 0 in seconds: "90", "90s", "10m", "1h".
 double parseDuration(const std::string& option, const std::string& text);
 /// "30s", "2m" or "2%".

@@ -15,7 +15,8 @@ namespace eikonal {
 namespace {
 
 constexpr int unlimited = std::numeric_limits<int>::max();
-constexpr const char *sceneGroup = "Scene (overrides the file)", *objGroup = "Camera of an OBJ", *deviceGroup = "Device";
+constexpr const char *sceneGroup = "Scene (overrides the file)", *objGroup = "Camera of an OBJ", *deviceGroup = "Device",
+                     *imageGroup = "Image";
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Declares an option whose value is read by `parse(option, text)`.
@@ -186,23 +187,29 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     value(app, "--fov", s.fov, "DEGREES", "Field of view along the shorter side", number(0, 180))->group(objGroup);
 }
 
-void addOutput(CLI::App* app, Options& o) {
-    OutputOptions& out = o.output;
-    const std::string group = "Image";
+void addImageFiles(CLI::App* app, OutputOptions& out) {
+    const std::string group = imageGroup;
     app->add_option("-o,--outfile", out.files,
-                    "An image file: exr, hdr, pfm, png, jpg, tif, tga, bmp, webp; may be repeated. A single EXR is accompanied by a PNG "
+                    "An image file: exr, hdr, pfm, png, jpg, tif, tga, bmp, webp; may be repeated. A single EXR is accompanied by a PNG; "
+                    "film: a part for merge "
                     "(default: the scene's name with .exr)")
         ->type_name("FILE")
         ->type_size(1)
         ->allow_extra_args(false)
         ->group(group);
-    std::string channels;
-    for (const AovName& each : aovNames) channels += each.name + std::string(", ");
-    value(app, "--aov", out.aovs, "NAMES", "Additional channels of an EXR: " + channels + "separated by commas; or all", parseAovs)
-        ->group(group);
     value(app, "--tonemap", out.toneMapping.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
           [](const std::string&, const std::string& text) { return toneCurve(text); })->group(group);
     value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))
+        ->group(group);
+}
+
+void addOutput(CLI::App* app, Options& o) {
+    OutputOptions& out = o.output;
+    const std::string group = imageGroup;
+    addImageFiles(app, out);
+    std::string channels;
+    for (const AovName& each : aovNames) channels += each.name + std::string(", ");
+    value(app, "--aov", out.aovs, "NAMES", "Additional channels of an EXR: " + channels + "separated by commas; or all", parseAovs)
         ->group(group);
     value(app, "--time-limit", out.timeLimit, "SECONDS", "Stop rendering after this time, but not before every pixel has a sample",
           number(0))
@@ -219,10 +226,13 @@ void addOutput(CLI::App* app, Options& o) {
 }
 
 void addCheckpoints(CLI::App* app, OutputOptions& out) {
-    const std::string group = "Checkpoints";
+    const std::string group = "Checkpoints and parts";
     app->add_option("--checkpoint", out.checkpoint, "Keep what is rendered in this file, at intervals and however the render ends")
         ->type_name("FILE")
         ->group(group);
+    value(app, "--samples", out.samples, "A:B", "Render only these samples of each pixel, A <= i < B; merge joins them", parseSampleRange)
+        ->group(group);
+    value(app, "--tile", out.tile, "I/N", "Render only part I of N parts of the image; merge joins them", parseTile)->group(group);
     value(app, "--checkpoint-every", out.checkpointEvery, "TIME", "How often to write the checkpoint and the image (default: 5m)",
           parseDuration)
         ->group(group);
@@ -329,6 +339,13 @@ struct Parser {
         compare->add_option("--heat-map", options.heatMap, "Write the FLIP of each pixel as an image: black is equal, light yellow is 1")
             ->type_name("FILE");
         value(compare, "--fail-above", options.failAbove, "X", "Exit with status 1 if the mean FLIP is above X", numberFrom(0, 1));
+
+        auto* merge = add("merge", Command::merge, "Make one image of parts that were rendered apart");
+        merge->add_option("PART", options.parts, "Film files of render: --samples, --tile, -o PART.film")->type_name("");
+        addImageFiles(merge, options.output);
+        merge->add_flag("--partial", options.isPartial, "Samples and pixels may be missing");
+        addLogging(merge, options);
+
     }
 };
 
@@ -367,6 +384,34 @@ std::vector<std::string> optionsOf(const CLI::App* app) {
                                                 : fmt::format("did you mean {}?", near), getHelp));
 }
 
+/// The extension of film files.
+constexpr const char* filmExtension = ".film";
+
+/// Among the files of -o, one may be a film, which is then the checkpoint. A part of an image makes no image unless one is named.
+void chooseFilm(Options& o) {
+    OutputOptions& out = o.output;
+    const auto isFilm = [](const std::string& file) { return file.ends_with(filmExtension); };
+    const auto films = std::ranges::count_if(out.files, isFilm);
+    if (films + !out.checkpoint.empty() > 1) throw UsageError("-o and --checkpoint name more than one film; one is enough");
+    if (films) {
+        out.checkpoint = *std::ranges::find_if(out.files, isFilm);
+        std::erase_if(out.files, isFilm);
+    }
+    out.hasImage = !out.files.empty() || (!films && !out.samples && !out.tile && o.command != Command::merge);
+}
+
+/// Checks that concern parts of an image.
+void checkParts(const Options& o) {
+    const OutputOptions& out = o.output;
+    if (o.command == Command::merge && o.parts.empty()) throw UsageError("merge needs parts: eikonal merge a.film b.film -o image.exr");
+    if (o.command == Command::merge && !out.hasImage && out.checkpoint.empty())
+        throw UsageError("merge needs a file to write: -o image.exr, or -o all.film for a larger part");
+    if (!out.samples && !out.tile) return;
+    if (out.checkpoint.empty()) throw UsageError("--samples and --tile render a part, which merge joins to others; keep it: -o part.film");
+    if (out.targetError)
+        throw UsageError("--max-error decides by the whole image and all samples, so it goes with neither --samples nor --tile");
+}
+
 /// Checks that concern several options.
 void checkTogether(const Parser& parser, const CLI::App* command) {
     const Options& o = parser.options;
@@ -385,6 +430,7 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
     if (o.efficiency && o.repeats < SeedVariance::leastSeeds)
         throw UsageError(fmt::format("--efficiency measures the variance between repeats; --repeats must be at least {}, not {}",
                                      SeedVariance::leastSeeds, o.repeats));
+    checkParts(o);
     if (o.output.resume && o.output.checkpoint.empty())
         throw UsageError("--resume goes on from a checkpoint; name it: --checkpoint FILE --resume");
     if (o.scene.cropWindow && o.scene.pixelBounds)
@@ -459,6 +505,7 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     if (options.device.list) options.command = Command::listDevices;
     else if (command == &parser.app)
         throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
+    chooseFilm(options);
     checkTogether(parser, command);
     if (options.command == Command::trade) {
         options.passedOn = optionsForRender(command);

@@ -4,6 +4,8 @@
 #include "app/presets.h"
 #include "app/wish.h"
 #include "film/noise.h"
+#include "film/sample_nodes.h"
+#include "film/tile.h"
 #include "image/tone_map.h"
 #include "render/options.h"
 
@@ -13,7 +15,7 @@
 
 namespace eikonal {
 
-enum class Command { print, render, info, bench, trade, cache, listDevices, compare, compileKernels };
+enum class Command { print, render, info, bench, trade, cache, listDevices, compare, merge, compileKernels };
 
 struct OutputOptions {
     std::vector<std::string> files;                   ///< empty: the scene's name with .exr
@@ -26,6 +28,9 @@ struct OutputOptions {
     std::string checkpoint;                           ///< a file; empty: none
     double checkpointEvery = 300;                     ///< seconds
     bool resume = false;                              ///< go on from the checkpoint, if it is there
+    bool hasImage = true;                             ///< false: only the film is kept
+    std::optional<SampleRange> samples;               ///< of each pixel, within those of --spp
+    std::optional<Tile> tile;
     bool partialImages = false;                       ///< write the image each time that a checkpoint is due
 };
 
@@ -37,6 +42,8 @@ struct Options : SessionOptions {
     const Preset* preset = nullptr;                   ///< --quality; its options are among the others. Null: none
     OutputOptions output;
     bool json = false;                                ///< info, compare, render: print JSON
+    std::vector<std::string> parts;                   ///< merge
+    bool isPartial = false;                           ///< merge: samples may be missing
     std::string jsonFile;                             ///< bench: if not empty, write JSON there
     bool loop = false;                                ///< bench
     bool efficiency = false;                          ///< bench: each repeat has its own seed

@@ -11,11 +11,16 @@
 namespace eikonal {
 
 std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& scene) {
+    if (!options.hasImage) return {};
     std::vector<std::string> files = options.files;
     if (files.empty()) files.push_back(scene.film.filename.empty() ? scene.name + ".exr" : scene.film.filename);
     if (options.aovs.any() && std::ranges::none_of(files, holdsChannels))
         throw UsageError(
             fmt::format("--aov needs an EXR file, and {} cannot hold its channels; add `-o FILE.exr`", fmt::join(files, ", ")));
+    return imageFiles(std::move(files));
+}
+
+std::vector<std::string> imageFiles(std::vector<std::string> files) {
     if (files.size() == 1 && holdsChannels(files.front()))
         files.push_back(std::filesystem::path(files.front()).replace_extension(".png").string());
     return files;
@@ -23,7 +28,7 @@ std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& 
 
 /// Whether some file can hold additional channels; warns if none can.
 static bool canHold(const char* what, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
-    if (std::ranges::any_of(files, holdsChannels)) return true;
+    if (files.empty() || std::ranges::any_of(files, holdsChannels)) return true;
     diagnostics.warn(film.where, fmt::format("{} are omitted: {} cannot hold them; add `-o FILE.exr`", what, fmt::join(files, ", ")));
     return false;
 }

@@ -9,8 +9,10 @@
 namespace eikonal {
 
 /// The files to write: those of -o, else the file that the scene names, else the scene's name with .exr. A single EXR is accompanied by a
-/// PNG. Throws a UsageError if --aov asks for channels that none of these files can hold.
+/// PNG. None for a part of an image. Throws a UsageError if --aov asks for channels that none of these files can hold.
 std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& scene);
+/// A single EXR is accompanied by a PNG.
+std::vector<std::string> imageFiles(std::vector<std::string> files);
 /// The channels to keep: those of --aov, and all of them for a film "gbuffer" if some file can hold them. Warns if none can.
 Aovs aovsOf(const OutputOptions& options, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics);
 /// Whether to keep a spectrum of each pixel: for a film "spectral", if some file can hold it. Warns if none can.

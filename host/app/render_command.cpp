@@ -52,12 +52,12 @@ private:
     std::optional<double> signalled_;
 };
 
-/// Renders until each pixel has `samples` samples, the error is small enough, the time is over, or a signal arrives.
-RenderResult renderFilm(const Options& o, Session& session, Film& film, unsigned samples, Deadline& deadline, Checkpoints& checkpoints,
+/// Renders until each pixel has the samples `samples`, the error is small enough, the time is over, or a signal arrives.
+RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRange samples, Deadline& deadline, Checkpoints& checkpoints,
                         RenderOutput& output) {
-    ProgressBar bar(samples, o.log < LogLevel::warning);
+    ProgressBar bar(samples.length(), o.log < LogLevel::warning);
     RenderControl control;
-    control.endSample = samples;
+    control.endSample = samples.end;
     control.targetError = o.output.targetError;
     control.errorMetric = o.output.errorMetric;
     control.planned = checkpoints.planned();
@@ -112,6 +112,17 @@ void checkMemory(const FilmDescription& film, const PackedScene& packed, const M
 
 }  // namespace
 
+/// The samples of each pixel that are rendered, of a render of `wanted`.
+static SampleRange samplesToTake(const OutputOptions& out, unsigned wanted) {
+    const SampleRange samples = out.samples.value_or(SampleRange{0, wanted});
+    if (samples.end > wanted)
+        throw UsageError(fmt::format("--samples: a pixel has {} samples, so ranges end at {}; give more with --spp", wanted, wanted));
+    if (samples.end % leafSamples != 0 && samples.end != wanted)
+        throw UsageError(fmt::format("--samples: ranges end at a multiple of {}, like {}, or at the last sample, {}", leafSamples,
+                                     leafEnd(samples.end) <= wanted ? leafEnd(samples.end) : leafBegin(samples.end), wanted));
+    return samples;
+}
+
 int renderCommand(const Options& o) {
     Diagnostics diagnostics(o.log, o.scene.strict);
     for (const std::string& file : o.output.files) checkWritable(file);
@@ -125,6 +136,8 @@ int renderCommand(const Options& o) {
     const Aovs aovs = aovsOf(o.output, session.scene().film, files, diagnostics);
     session.pack(aovs, keepsSpectrum(session.scene().film, files, diagnostics));
     const PackedScene& packed = session.packed();
+    if (o.output.tile) session.select(*o.output.tile);
+    const SampleRange samples = samplesToTake(o.output, wanted);
     checkMemory(session.scene().film, packed, session.plan());
     for (const std::string& file : files) {
         checkIsNoInput(file);
@@ -133,16 +146,17 @@ int renderCommand(const Options& o) {
     }
     diagnostics.info("planned memory: " + describe(session.plan()));
     RenderOutput output(o, session, files, aovs);
-    std::optional<Film> film(std::in_place, packed);
-    checkpoints.resume(session, *film);
+    std::optional<Film> film(std::in_place, packed, packed.features, samples.first);
+    checkpoints.resume(session, *film, output);
     session.prepare();
 
     const Interrupt interrupt;
-    diagnostics.info(fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), wanted));
+    diagnostics.info(
+        fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), samples.length()));
     const Stopwatch renderTime;
     Deadline deadline(o.output.timeLimit);
-    if (std::ranges::min(film->taken()) < wanted) session.survey([&] { return deadline.isFinal(); });
-    const RenderResult result = renderFilm(o, session, *film, wanted, deadline, checkpoints, output);
+    if (std::ranges::min(film->taken()) < samples.end) session.survey([&] { return deadline.isFinal(); });
+    const RenderResult result = renderFilm(o, session, *film, samples, deadline, checkpoints, output);
     const double renderSeconds = renderTime.seconds();
     /* A signal that arrives while the finished image is written does not count */
     const int endedBy = result.isFinished ? 0 : Interrupt::signal();
@@ -155,7 +169,7 @@ int renderCommand(const Options& o) {
         unsaved = std::current_exception();
     }
     const ImageReport report = output.report(*film, checkpoints.secondsBefore() + renderSeconds);
-    reportShortfall(o, report.samples, film->invalid(), result, wanted, endedBy, diagnostics);
+    reportShortfall(o, report.samples, film->invalid(), result, samples.length(), endedBy, diagnostics);
     const std::string described = describe(report.error, o.output.errorMetric);
     say(o, described);
     reportUnresolvedRays(session.unresolvedRays(), diagnostics);
@@ -164,7 +178,9 @@ int renderCommand(const Options& o) {
     film.reset();   // frees what may be most of the memory in use
     output.write(image, report.metadata);
     const double writeSeconds = writeTime.seconds();
-    say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()));
+    std::vector<std::string> written = files;
+    if (!o.output.checkpoint.empty()) written.push_back(o.output.checkpoint);
+    say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(written, " and "), secondsSinceStart()));
     if (o.output.stats)
         std::fputs(describeRun(session, session.profile(), report.samples, described, renderSeconds, writeSeconds).c_str(), stdout);
     if (o.json)

@@ -12,26 +12,35 @@ RenderOutput::RenderOutput(const Options& options, const Session& session, std::
     : options_(options), session_(session), files_(std::move(files)), aovs_(aovs),
       hash_(std::async(std::launch::async, [&session] { return sceneHash(session.packed()); }).share()) {}
 
-ImageReport RenderOutput::report(const Film& film, double seconds) {
-    const ErrorMetric metric = options_.output.errorMetric;
-    ImageReport report{film.samples(), film.error(metric), {}};
-    Metadata& m = report.metadata;
-    m.samples = static_cast<int>(report.samples.fewest);
-    if (report.samples.most > report.samples.fewest) m.meanSamples = report.samples.mean;
+void describeFilm(Metadata& metadata, const Film::Samples& samples, const ErrorEstimate& error, ErrorMetric metric) {
+    metadata.samples = static_cast<int>(samples.fewest);
+    if (samples.most > samples.fewest) metadata.meanSamples = samples.mean;
+    metadata.error = error.error;
+    metadata.errorLow = error.low;
+    metadata.errorHigh = error.high;
+    metadata.errorMetric = nameIn(errorMetricNames, metric);
+    metadata.errorDoubt = error.doubt;
+}
+
+StoredMetadata RenderOutput::metadata() {
+    Metadata m;
     m.targetError = options_.output.targetError;
-    m.error = report.error.error;
-    m.errorLow = report.error.low;
-    m.errorHigh = report.error.high;
-    m.errorMetric = nameIn(errorMetricNames, metric);
-    m.errorDoubt = report.error.doubt;
-    m.renderSeconds = seconds;
     m.seed = session_.scene().sampler.seed;
     m.version = "Eikonal " EIKONAL_VERSION;
     m.scene = options_.scene.path;
     m.sceneHash = hash_.get();
     m.device = session_.context().device().name;
     m.biasedChoices = describe(session_.biasedChoices());
-    m.commandLine = options_.commandLine;
+    return {m, aovs_, options_.output.errorMetric};
+}
+
+ImageReport RenderOutput::report(const Film& film, double seconds) {
+    const ErrorMetric metric = options_.output.errorMetric;
+    const FilmTotals totals = film.totals();
+    ImageReport report{totals.samples(), totals.error(metric), metadata().metadata};
+    describeFilm(report.metadata, report.samples, report.error, metric);
+    report.metadata.renderSeconds = seconds;
+    report.metadata.commandLine = options_.commandLine;
     return report;
 }
 

@@ -2,6 +2,7 @@
 // The image files of a render, which may be written several times while it goes on.
 
 #include "app/options.h"
+#include "app/stored_metadata.h"
 #include "film/film.h"
 #include "render/session.h"
 
@@ -12,6 +13,9 @@
 namespace eikonal {
 
 /// What is known about the image that a film has now.
+/// The part of metadata that follows from a film.
+void describeFilm(Metadata& metadata, const Film::Samples& samples, const ErrorEstimate& error, ErrorMetric metric);
+
 struct ImageReport {
     Film::Samples samples;
     ErrorEstimate error;
@@ -24,6 +28,8 @@ public:
     RenderOutput(const Options& options, const Session& session, std::vector<std::string> files, const Aovs& aovs);
 
     const std::vector<std::string>& files() const { return files_; }
+    /// What is known before anything is rendered.
+    StoredMetadata metadata();
     /// seconds: of rendering so far.
     ImageReport report(const Film& film, double seconds);
     /// The image, with the channels to write.

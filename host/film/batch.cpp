@@ -1,5 +1,7 @@
 #include "film/batch.h"
 
+#include "film/sample_nodes.h"
+
 #include <bit>
 #include <cstdlib>
 
@@ -36,7 +38,7 @@ Batch Batches::next() {
     Batch batch{size_, {}};
     for (unsigned room = mostLayers_; room > 0 && !empty();) {
         Block& left = blocks_[at_];
-        const unsigned taken = std::min(left.samples, room);
+        const unsigned taken = std::min({left.samples, room, leafEnd(left.firstSample) - left.firstSample});
         batch.blocks.push_back({left.x, left.y, left.firstSample, taken});
         left.firstSample += taken;
         left.samples -= taken;

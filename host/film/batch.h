@@ -37,8 +37,8 @@ struct Batch {
     unsigned pixels() const { return static_cast<unsigned>(blocks.size()) << (size.log2Width + size.log2Height); }
 };
 
-/// Groups blocks into batches with as many paths as possible, at most `mostPaths`. The samples of a block may be split over consecutive
-/// batches, in order.
+/// Groups blocks into batches with as many paths as possible, at most `mostPaths`. The samples of a block are split into leaves
+/// (sample_nodes.h), which may be split over consecutive batches, in order.
 class Batches {
 public:
     /// mostPaths must be at least the number of pixels of a block.

@@ -1,155 +1,148 @@
 #include "film/film.h"
 
-#include "film/planes.h"
-#include "film/projection.h"
-
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <limits>
-#include <numeric>
+#include <map>
 
 namespace eikonal {
 
-Film::Film(const PackedScene& scene, const Features& features)
-    : width_(static_cast<int>(scene.frame().width)),
-      height_(static_cast<int>(scene.frame().height)),
-      pixels_(scene.pixels),
-      layout_(filmLayout(features, scene.frame().bucket_count)) {
-    const size_t words = plane() * static_cast<size_t>(layout_.words);
-    data_.reset(static_cast<uint*>(std::calloc(words, sizeof(uint))));
-    if (!data_)
-        throw Error(ExitCode::scene, "not enough memory for an image of " + std::to_string(pixels_.width()) + " x " +
-                                         std::to_string(pixels_.height()) + " pixels");
-    taken_.resize(plane());
+std::shared_ptr<uint[]> allocatePlanes(const PixelRect& pixels, int words) {
+    const size_t count = static_cast<size_t>(pixels.width()) * static_cast<size_t>(pixels.height()) * static_cast<size_t>(words);
+    auto* memory = static_cast<uint*>(std::calloc(count, sizeof(uint)));
+    if (!memory)
+        throw Error(ExitCode::scene, "not enough memory for an image of " + std::to_string(pixels.width()) + " x " +
+                                         std::to_string(pixels.height()) + " pixels");
+    return {memory, [](uint* p) { std::free(p); }};
 }
 
-/// Calls copy(word of the film, word of staged_, words) for each row of each block of a batch and each word of its pixels.
-template <class Copy> void Film::forStagedRows(const Batch& batch, Copy copy) {
-    const size_t pixels = batch.pixels();
-    tbb::parallel_for(0, layout_.words, [&](int word) {
-        for (size_t block = 0; block < batch.blocks.size(); ++block) {
-            const PixelRect part = batch.blocks[block].within(pixels_, batch.size);
-            for (int y = part.y0; y < part.y1; ++y) {
-                const size_t row = block * batch.size.pixels() + static_cast<size_t>(y - part.y0) * batch.size.width();
-                copy(&data_[static_cast<size_t>(word) * plane() + index(part.x0, y)], &staged_[static_cast<size_t>(word) * pixels + row],
-                     static_cast<size_t>(part.width()));
-            }
-        }
-    });
+Film::Film(const PackedScene& scene, const Features& features, unsigned firstSample)
+    : scene_(scene),
+      pixels_(scene.pixels),
+      layout_(filmLayout(features, scene.frame().bucket_count)),
+      sums_(layout_),
+      firstSample_(firstSample) {
+    needNodes(1);
+    taken_.resize(plane(), firstSample);
+}
+
+void Film::needNodes(size_t count) {
+    while (nodes_.size() < count) nodes_.push_back(allocatePlanes(pixels_, layout_.words));
 }
 
 void Film::upload(const Context& context, Buffer& buffer, const Batch& batch) {
-    staged_.resize(static_cast<size_t>(batch.pixels()) * static_cast<size_t>(layout_.words));
-    forStagedRows(batch, [](const uint* film, uint* staged, size_t n) { std::copy_n(film, n, staged); });
+    const size_t pixels = batch.pixels(), words = static_cast<size_t>(layout_.words);
+    staged_.resize(pixels * words);
+    const auto isBegun = [](const Block& block) { return block.firstSample != leafBegin(block.firstSample); };
+    buffer.clear(context, 0, staged_.size() * sizeof(uint));
+    if (std::ranges::none_of(batch.blocks, isBegun)) return;
+    std::ranges::fill(staged_, 0u);
+    for (size_t block = 0; block < batch.blocks.size(); ++block) {
+        const Block& b = batch.blocks[block];
+        if (!isBegun(b)) continue;
+        const uint* node = nodes_[nodesUntil(b.firstSample).size() - 1].get();
+        const PixelRect part = b.within(pixels_, batch.size);
+        for (size_t word = 0; word < words; ++word)
+            for (int y = part.y0; y < part.y1; ++y)
+                std::copy_n(&node[word * plane() + index(part.x0, y)], part.width(),
+                            &staged_[word * pixels + block * batch.size.pixels() + static_cast<size_t>(y - part.y0) * batch.size.width()]);
+    }
     buffer.write(context, staged_.data(), staged_.size() * sizeof(uint));
 }
 
 void Film::download(const Context& context, const Buffer& buffer, const Batch& batch) {
-    staged_.resize(static_cast<size_t>(batch.pixels()) * static_cast<size_t>(layout_.words));
+    staged_.resize(batch.pixels() * static_cast<size_t>(layout_.words));
     buffer.read(context, staged_.data(), staged_.size() * sizeof(uint));
 }
 
+/// Joins row y of a block, whose samples are all in one leaf, to the earlier nodes.
+void Film::keepRow(const Batch& batch, size_t block, int y) {
+    const Block& b = batch.blocks[block];
+    const PixelRect part = b.within(pixels_, batch.size);
+    const size_t width = static_cast<size_t>(part.width()), stagedStride = batch.pixels();
+    const PixelRow<uint> row{&staged_[block * batch.size.pixels() + static_cast<size_t>(y - part.y0) * batch.size.width()], stagedStride};
+    const auto rowOf = [&](size_t node) { return PixelRow<uint>{&nodes_[node][index(part.x0, y)], plane()}; };
+
+    SampleRange range{leafBegin(b.firstSample), b.firstSample + b.samples};
+    std::vector<SampleRange> nodes = nodesUntil(range.first);
+    while (!nodes.empty() && joins(nodes.back(), range)) {
+        const PixelRow<uint> earlier = rowOf(nodes.size() - 1);
+        sums_.join({earlier.first, earlier.stride}, nodes.back(), row, range, width);
+        range.first = nodes.back().first;
+        nodes.pop_back();
+    }
+    const PixelRow<uint> place = rowOf(nodes.size());
+    for (size_t word = 0; word < static_cast<size_t>(layout_.words); ++word)
+        std::copy_n(row.first + word * row.stride, width, place.first + word * place.stride);
+    std::fill_n(&taken_[index(part.x0, y)], width, range.end);
+}
+
 void Film::keep(const Batch& batch) {
-    forStagedRows(batch, [](uint* film, const uint* staged, size_t n) { std::copy_n(staged, n, film); });
-    for (const Block& block : batch.blocks) {
-        const PixelRect part = block.within(pixels_, batch.size);
-        for (int y = part.y0; y < part.y1; ++y) std::fill_n(&taken_[index(part.x0, y)], part.width(), block.firstSample + block.samples);
+    /* Rows may be kept at the same time, but the leaves of one pixel follow one another */
+    std::map<std::pair<int, int>, std::vector<size_t>> blocksAt;
+    for (size_t block = 0; block < batch.blocks.size(); ++block) {
+        const Block& b = batch.blocks[block];
+        blocksAt[{b.y, b.x}].push_back(block);
+        needNodes(nodesUntil(leafBegin(b.firstSample)).size() + 1);
     }
-}
-
-void Film::restore(int y, int x0, int x1, unsigned samples, std::span<const uint> words) {
-    const size_t n = static_cast<size_t>(x1 - x0);
-    for (int word = 0; word < layout_.words; ++word)
-        std::copy_n(&words[static_cast<size_t>(word) * n], n, &data_[static_cast<size_t>(word) * plane() + index(x0, y)]);
-    std::fill_n(&taken_[index(x0, y)], n, samples);
-}
-
-const uint* Film::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
-const float* Film::floats(const char* field) const { return reinterpret_cast<const float*>(numbers(field)); }
-
-/// A sum of directions, normalised.
-static glm::vec3 meanDirection(const float* sum, size_t n, size_t i) {
-    const glm::vec3 direction(sum[i], sum[n + i], sum[2 * n + i]);
-    const float length = glm::length(direction);
-    return length > 0 ? direction / length : glm::vec3(0);
-}
-
-void Film::developAovs(FilmImage& image, const PackedScene& scene) const {
-    const size_t n = plane();
-    for (auto* v : {&image.albedo, &image.normal, &image.geometricNormal, &image.position}) v->resize(n);
-    for (auto* v : {&image.uv, &image.depthSlope, &image.motion}) v->resize(n);
-    const bool moves = layout_.field("opening").words > 0;
-    for (auto* v : {&image.depth, &image.object, &image.material}) v->resize(n);
-    const float *weight = floats("weight"), *albedo = floats("albedo"), *position = floats("position"), *uv = floats("uv"),
-                *distance = floats("distance"), *seen = floats("seen");
-    for (size_t i = 0; i < n; ++i) {
-        const float inverse = weight[i] != 0 ? 1 / weight[i] : 0;
-        image.albedo[i] = glm::clamp(glm::vec3(albedo[i], albedo[n + i], albedo[2 * n + i]) * inverse, 0.0f, 1.0f);
-        image.normal[i] = meanDirection(floats("normal"), n, i);
-        image.geometricNormal[i] = meanDirection(floats("ng"), n, i);
-        image.object[i] = static_cast<float>(numbers("object")[i]);
-        image.material[i] = static_cast<float>(numbers("material")[i]);
-        image.depth[i] = std::numeric_limits<float>::infinity();
-        if (!(seen[i] > 0)) continue;
-        const double count = seen[i];
-        const auto meanPoint = [&](const float* sum) { return glm::dvec3(sum[i], sum[n + i], sum[2 * n + i]) / count; };
-        const glm::dvec3 p = meanPoint(position);
-        image.motion[i] =
-            glm::vec2(motionInImage(scene, moves ? meanPoint(floats("opening")) : p, moves ? meanPoint(floats("closing")) : p));
-        image.depthSlope[i] = glm::vec2(depthSlope(scene, p, image.geometricNormal[i]));
-        image.uv[i] = glm::vec2(uv[i] / count, uv[n + i] / count);
-        image.position[i] = glm::vec3(p * scene.worldScale + scene.worldCenter);
-        image.depth[i] = static_cast<float>(distance[i] / count * scene.worldScale);
+    std::vector<std::pair<const std::vector<size_t>*, int>> rows;
+    for (const auto& [place, blocks] : blocksAt) {
+        const PixelRect part = batch.blocks[blocks.front()].within(pixels_, batch.size);
+        for (int y = part.y0; y < part.y1; ++y) rows.emplace_back(&blocks, y);
     }
+    tbb::parallel_for(size_t(0), rows.size(), [&](size_t i) {
+        for (const size_t block : *rows[i].first) keepRow(batch, block, rows[i].second);
+    });
 }
 
-size_t Film::bytes(const PackedScene& scene) {
-    return static_cast<size_t>(filmLayout(scene.features, scene.frame().bucket_count).words) * sizeof(uint);
+void Film::restore(int y, int x0, int x1, unsigned end, std::span<const uint> words) {
+    const size_t n = static_cast<size_t>(x1 - x0), count = nodesUntil(end).size();
+    needNodes(count);
+    for (size_t node = 0; node < count; ++node)
+        for (size_t word = 0; word < static_cast<size_t>(layout_.words); ++word)
+            std::copy_n(&words[(node * static_cast<size_t>(layout_.words) + word) * n], n, &nodes_[node][word * plane() + index(x0, y)]);
+    std::fill_n(&taken_[index(x0, y)], n, end);
+}
+
+FilmTotals Film::totals() const {
+    std::map<unsigned, std::vector<SampleRange>> nodesOfEnd;
+    bool isSimple = true;
+    for (unsigned before = firstSample_; const unsigned end : taken_) {
+        if (end == before) continue;
+        before = end;
+        const auto [found, isNew] = nodesOfEnd.try_emplace(end);
+        if (isNew) found->second = nodesUntil(end);
+        isSimple &= found->second.size() <= 1;
+    }
+    if (isSimple) return {scene_, layout_, nodes_.front()};
+
+    std::shared_ptr<uint[]> sums = allocatePlanes(pixels_, layout_.words);
+    tbb::parallel_for(pixels_.y0, pixels_.y1, [&](int y) {
+        for (int x = pixels_.x0, end = x; x < pixels_.x1; x = end) {
+            const unsigned samples = taken_[index(x, y)];
+            while (end < pixels_.x1 && taken_[index(end, y)] == samples) ++end;
+            if (samples == firstSample_) continue;
+            const size_t count = static_cast<size_t>(end - x), at = index(x, y);
+            const std::vector<SampleRange>& nodes = nodesOfEnd.at(samples);
+            std::vector<PixelRow<const uint>> rows;
+            for (size_t node = 0; node < nodes.size(); ++node) rows.push_back({&nodes_[node][at], plane()});
+            sums_.joinAll(nodes, rows, {&sums[at], plane()}, count);
+        }
+    });
+    return {scene_, layout_, std::move(sums)};
+}
+
+size_t Film::bytes(const PackedScene& scene, unsigned end) {
+    /* Several nodes of each pixel, and their totals */
+    const size_t nodes = nodesOf({0, end}).size(), planes = nodes > 1 ? nodes + 1 : 1;
+    return planes * static_cast<size_t>(filmLayout(scene.features, scene.frame().bucket_count).words) * sizeof(uint);
 }
 
 size_t Film::developedBytes(const PackedScene& scene) {
     const size_t always = sizeof(glm::vec3) + 2 * sizeof(float),
                  ofSurfaces = 4 * sizeof(glm::vec3) + 3 * sizeof(glm::vec2) + 3 * sizeof(float);
     return always + (scene.features.has(Feature::AOVS) ? ofSurfaces : 0) + scene.frame().bucket_count * sizeof(float);
-}
-
-FilmImage Film::develop(const PackedScene& scene) const {
-    FilmImage image(width_, height_, {pixels_.x0, pixels_.x1, pixels_.y0, pixels_.y1});
-    const size_t n = plane();
-    const Planes planes(*this);
-    image.variance.resize(n);
-    image.sampleCount.resize(n);
-    for (size_t i = 0; i < n; ++i) {
-        image.color[i] = planes.color(i);
-        image.sampleCount[i] = static_cast<float>(planes.count[i]);
-        image.variance[i] = planes.variance(i, image.color[i]);
-    }
-    if (layout_.field("albedo").words > 0) developAovs(image, scene);
-    if (scene.frame().bucket_count > 0) developSpectrum(image, scene);
-    return image;
-}
-
-Film::Invalid Film::invalid() const {
-    Invalid found;
-    const uint* counts = numbers("invalid");
-    for (size_t i = 0; i < plane(); ++i) {
-        if (!counts[i]) continue;
-        if (!found.count) {
-            found.x = pixels_.x0 + static_cast<int>(i % static_cast<size_t>(pixels_.width()));
-            found.y = pixels_.y0 + static_cast<int>(i / static_cast<size_t>(pixels_.width()));
-        }
-        found.count += counts[i];
-    }
-    return found;
-}
-
-Film::Samples Film::samples() const {
-    const uint *begin = numbers("count"), *end = begin + plane();
-    const auto [low, high] = std::minmax_element(begin, end);
-    return {*low, *high, std::accumulate(begin, end, 0.0) / static_cast<double>(plane())};
 }
 
 }  // namespace eikonal

@@ -4,69 +4,120 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 namespace eikonal {
 namespace {
 
 constexpr const char* kind = "Eikonal film 1";
 constexpr RecordTag identityTag = recordTag("WHAT"), plannedTag = recordTag("PLAN"), secondsTag = recordTag("TIME"),
-                    pixelsTag = recordTag("PIXL");
+                    sceneTag = recordTag("SCEN"), metadataTag = recordTag("META"), pixelsTag = recordTag("PIXL");
 
-/// Some pixels of a row that have the same number of samples. Their words follow, as in Film::restore.
-struct Run { int y, x0, x1; unsigned samples; };
+/// The beginning of a run's record. Its nodes follow, then their words.
+struct Head { int y, x0, x1, nodes; };
 
-void writeRow(RecordWriter& file, const Film& film, int y) {
+/// The pixels of row y from x0 on that have the same samples.
+FilmRun runOf(const Film& film, int y, int x0) {
     const PixelRect& rect = film.pixels();
-    const size_t width = static_cast<size_t>(rect.width());
+    const size_t width = static_cast<size_t>(rect.width()), begin = static_cast<size_t>(x0 - rect.x0);
     const std::span<const unsigned> taken = film.taken().subspan(static_cast<size_t>(y - rect.y0) * width, width);
-    for (size_t begin = 0, end = 0; begin < width; begin = end) {
-        while (end < width && taken[end] == taken[begin]) ++end;
-        const Run run{y, rect.x0 + static_cast<int>(begin), rect.x0 + static_cast<int>(end), taken[begin]};
-        if (run.samples == 0) continue;
-        std::vector<uint> words(sizeof run / sizeof(uint));
-        std::memcpy(words.data(), &run, sizeof run);
+    size_t end = begin;
+    while (end < width && taken[end] == taken[begin]) ++end;
+    FilmRun run{y, x0, rect.x0 + static_cast<int>(end), nodesOf({film.firstSample(), taken[begin]}), {}};
+    for (size_t node = 0; node < run.nodes.size(); ++node)
         for (int word = 0; word < film.words(); ++word) {
-            const std::span<const uint> row = film.row(word, y).subspan(begin, end - begin);
-            words.insert(words.end(), row.begin(), row.end());
+            const std::span<const uint> row = film.row(node, word, y).subspan(begin, end - begin);
+            run.words.insert(run.words.end(), row.begin(), row.end());
         }
-        file.write(pixelsTag, std::span<const uint>(words));
-    }
+    return run;
 }
+
+std::string asText(const std::vector<unsigned char>& content) { return {content.begin(), content.end()}; }
 
 }  // namespace
 
+FilmFileWriter::FilmFileWriter(const std::string& path, const FilmFileHead& head) : file_(path, kind) {
+    file_.write(identityTag, std::span<const char>(head.identity));
+    file_.write(plannedTag, std::span<const unsigned>(head.planned));
+    file_.write(secondsTag, std::span<const double>(&head.seconds, 1));
+    file_.write(sceneTag, std::span<const char>(head.scene));
+    file_.write(metadataTag, std::span<const char>(head.metadata));
+}
+
+void FilmFileWriter::write(const FilmRun& run) {
+    const Head head{run.y, run.x0, run.x1, static_cast<int>(run.nodes.size())};
+    std::vector<unsigned char> content(sizeof head + run.nodes.size() * sizeof(SampleRange) + run.words.size() * sizeof(uint));
+    std::memcpy(content.data(), &head, sizeof head);
+    std::memcpy(content.data() + sizeof head, run.nodes.data(), run.nodes.size() * sizeof(SampleRange));
+    std::memcpy(content.data() + sizeof head + run.nodes.size() * sizeof(SampleRange), run.words.data(), run.words.size() * sizeof(uint));
+    file_.write(pixelsTag, content);
+}
+
 void writeFilmFile(const std::string& path, const Film& film, const FilmFileHead& head) {
-    RecordWriter file(path, kind);
-    file.write(identityTag, std::span<const char>(head.identity));
-    file.write(plannedTag, std::span<const unsigned>(head.planned));
-    file.write(secondsTag, std::span<const double>(&head.seconds, 1));
-    for (int y = film.pixels().y0; y < film.pixels().y1; ++y) writeRow(file, film, y);
+    FilmFileWriter file(path, head);
+    const PixelRect& rect = film.pixels();
+    for (int y = rect.y0; y < rect.y1; ++y)
+        for (int x = rect.x0; x < rect.x1;) {
+            const FilmRun run = runOf(film, y, x);
+            if (!run.nodes.empty()) file.write(run);
+            x = run.x1;
+        }
     file.commit();
 }
 
-FilmFileReader::FilmFileReader(const std::string& path) : records_(path, kind, "a checkpoint of Eikonal") {
-    const std::vector<unsigned char> identity = records_.read(identityTag), planned = records_.read(plannedTag),
-                                     seconds = records_.read(secondsTag);
-    if (seconds.size() == sizeof head_.seconds) std::memcpy(&head_.seconds, seconds.data(), seconds.size());
-    head_.identity.assign(identity.begin(), identity.end());
+FilmFileReader::FilmFileReader(const std::string& path) : records_(path, kind, "a film file of Eikonal (a checkpoint or a part)") {
+    const std::vector<unsigned char> planned = records_.read(plannedTag), seconds = records_.read(secondsTag);
+    head_.identity = asText(records_.read(identityTag));
+    head_.scene = asText(records_.read(sceneTag));
+    head_.metadata = asText(records_.read(metadataTag));
     head_.planned.resize(planned.size() / sizeof(unsigned));
     std::memcpy(head_.planned.data(), planned.data(), head_.planned.size() * sizeof(unsigned));
+    if (seconds.size() == sizeof head_.seconds) std::memcpy(&head_.seconds, seconds.data(), seconds.size());
+}
+
+std::vector<RecordReader::Record> FilmFileReader::pixelRecords() const {
+    std::vector<RecordReader::Record> found;
+    std::ranges::copy_if(records_.records(), std::back_inserter(found), [](auto& record) { return record.tag == pixelsTag; });
+    return found;
+}
+
+FilmRun FilmFileReader::readHead(const RecordReader::Record& record) const {
+    Head head{};
+    if (record.bytes >= sizeof head) records_.readPart(record, 0, &head, sizeof head);
+    const std::uint64_t most = (record.bytes - std::min<std::uint64_t>(record.bytes, sizeof head)) / sizeof(SampleRange);
+    if (head.nodes <= 0 || static_cast<std::uint64_t>(head.nodes) > most || head.x0 >= head.x1)
+        records_.fail("is damaged: pixels without samples");
+    FilmRun run{head.y, head.x0, head.x1, std::vector<SampleRange>(static_cast<size_t>(head.nodes)), {}};
+    records_.readPart(record, sizeof head, run.nodes.data(), run.nodes.size() * sizeof(SampleRange));
+    if (std::ranges::any_of(run.nodes, [](SampleRange node) { return node.first >= node.end; }))
+        records_.fail("is damaged: pixels without samples");
+    return run;
+}
+
+FilmRun FilmFileReader::readRun(const RecordReader::Record& record, size_t wordsPerPixel) const {
+    const std::vector<unsigned char> content = records_.read(record);
+    Head head{};
+    if (content.size() >= sizeof head) std::memcpy(&head, content.data(), sizeof head);
+    FilmRun run{head.y, head.x0, head.x1, {}, {}};
+    if (head.nodes <= 0 || head.x0 >= head.x1) records_.fail("is damaged: pixels without samples");
+    const size_t nodes = static_cast<size_t>(head.nodes), rangeBytes = nodes * sizeof(SampleRange),
+                 wordBytes = nodes * wordsPerPixel * (static_cast<size_t>(head.x1) - static_cast<size_t>(head.x0)) * sizeof(uint);
+    if (content.size() != sizeof head + rangeBytes + wordBytes) records_.fail("is damaged: its pixels do not fit its image");
+    run.nodes.resize(nodes);
+    run.words.resize(wordBytes / sizeof(uint));
+    std::memcpy(run.nodes.data(), content.data() + sizeof head, rangeBytes);
+    std::memcpy(run.words.data(), content.data() + sizeof head + rangeBytes, wordBytes);
+    return run;
 }
 
 void FilmFileReader::readInto(Film& film) const {
     const PixelRect& rect = film.pixels();
-    for (const RecordReader::Record& record : records_.records()) {
-        if (record.tag != pixelsTag) continue;
-        const std::vector<unsigned char> content = records_.read(record);
-        Run run{};
-        if (content.size() >= sizeof run) std::memcpy(&run, content.data(), sizeof run);
-        const bool isInside = run.y >= rect.y0 && run.y < rect.y1 && run.x0 >= rect.x0 && run.x0 < run.x1 && run.x1 <= rect.x1;
-        const size_t pixels = static_cast<size_t>(run.x1 - run.x0), words = pixels * static_cast<size_t>(film.words());
-        if (!isInside || content.size() != sizeof run + words * sizeof(uint))
+    for (const RecordReader::Record& record : pixelRecords()) {
+        const FilmRun run = readRun(record, static_cast<size_t>(film.words()));
+        if (run.y < rect.y0 || run.y >= rect.y1 || run.x0 < rect.x0 || run.x1 > rect.x1)
             records_.fail("is damaged: its pixels do not fit its image");
-        std::vector<uint> values(words);
-        std::memcpy(values.data(), content.data() + sizeof run, words * sizeof(uint));
-        film.restore(run.y, run.x0, run.x1, run.samples, values);
+        if (run.nodes != nodesOf({film.firstSample(), run.nodes.back().end})) records_.fail("has other samples than this render takes");
+        film.restore(run.y, run.x0, run.x1, run.nodes.back().end, run.words);
     }
 }
 

@@ -15,9 +15,29 @@ struct FilmFileHead {
     std::string identity;            ///< what was rendered, and how: JSON (render/render_identity.h)
     std::vector<unsigned> planned;   ///< RenderControl::planned
     double seconds = 0;              ///< of rendering so far
+    std::string scene;               ///< what developing needs (stored_scene.h)
+    std::string metadata;            ///< of the image: JSON
 };
 
-/// Replaces a film file, completely or not at all. Throws what AtomicFile throws.
+/// Pixels x0 <= x < x1 of row y that have the same nodes. Word w of node k of pixel x is
+/// words[(k * words per pixel + w) * (x1 - x0) + x - x0].
+struct FilmRun {
+    int y = 0, x0 = 0, x1 = 0;
+    std::vector<SampleRange> nodes;   ///< in order
+    std::vector<uint> words;
+};
+
+/// Replaces a film file, completely or not at all. The functions throw what AtomicFile's throw.
+class FilmFileWriter {
+public:
+    FilmFileWriter(const std::string& path, const FilmFileHead& head);
+    /// Rows from the top, runs from the left.
+    void write(const FilmRun& run);
+    void commit() { file_.commit(); }
+
+private:
+    RecordWriter file_;
+};
 void writeFilmFile(const std::string& path, const Film& film, const FilmFileHead& head);
 
 /// Throws Error (ExitCode::scene), "path: what is wrong", for files that are truncated, damaged or something else.
@@ -28,6 +48,11 @@ public:
     const FilmFileHead& head() const { return head_; }
     /// Puts the file's pixels into a film, all of which must be there, with as many words.
     void readInto(Film& film) const;
+
+    /// The records of runs, one of them, and one without its words.
+    std::vector<RecordReader::Record> pixelRecords() const;
+    FilmRun readRun(const RecordReader::Record& record, size_t wordsPerPixel) const;
+    FilmRun readHead(const RecordReader::Record& record) const;
 
 private:
     RecordReader records_;

@@ -1,4 +1,4 @@
-// Film::noise and Film::error: what the pixels' quarters of samples say about their error.
+// FilmTotals::noise and FilmTotals::error: what the pixels' quarters of samples say about their error.
 
 #include "film/planes.h"
 
@@ -18,7 +18,7 @@ constexpr double most = 0.75;
 /// The luminance that squared errors are relative to. A pixel whose mean is due to a few samples is brighter than the truth, and its error
 /// would seem small. It is replaced by the mean of its neighbours, but at least that of its three darker quarters, and at most `most` of
 /// the way from there to its own.
-double Film::expectedLuminance(const Planes& planes, int x, int y) const {
+double FilmTotals::expectedLuminance(const Planes& planes, int x, int y) const {
     const size_t i = index(x, y);
     const glm::vec3 color = planes.color(i);
     const double own = luminance(color), low = std::clamp<double>(planes.lowMean[i], std::min(0.0, own), own);
@@ -36,7 +36,7 @@ double Film::expectedLuminance(const Planes& planes, int x, int y) const {
     return own - doubt * (own - std::clamp(count ? around / count : own, low, low + most * (own - low)));
 }
 
-NoiseSums Film::noise(const PixelRect& part, ErrorMetric metric, double decay) const {
+NoiseSums FilmTotals::noise(const PixelRect& part, ErrorMetric metric, double decay) const {
     const Planes planes(*this);
     NoiseSums sums;
     unsigned samples = 0;
@@ -64,7 +64,7 @@ NoiseSums Film::noise(const PixelRect& part, ErrorMetric metric, double decay) c
     return sums;
 }
 
-ErrorEstimate Film::error(ErrorMetric metric) const {
+ErrorEstimate FilmTotals::error(ErrorMetric metric) const {
     const auto total = [&](double decay) {
         std::vector<NoiseSums> rows(static_cast<size_t>(pixels_.height()));
         tbb::parallel_for(size_t(0), rows.size(), [&](size_t row) {

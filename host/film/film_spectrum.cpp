@@ -1,4 +1,4 @@
-#include "film/film.h"
+#include "film/totals.h"
 #include "eikonal/film.h"
 #include "color/observer.h"
 
@@ -14,7 +14,7 @@ static double photometricIntegralOfOne() {
     return integrateXyz(one).y;
 }
 
-void Film::developSpectrum(FilmImage& image, const PackedScene& scene) const {
+void FilmTotals::developSpectrum(FilmImage& image, const PackedScene& scene) const {
     const wavelength_range& range = scene.tables.wavelengths.front();
     const size_t n = plane(), buckets = scene.frame().bucket_count;
     const double width = static_cast<double>(range.extent) / static_cast<double>(buckets);

@@ -2,7 +2,7 @@
 // The film's fields that estimate a pixel and its noise.
 
 #include "color/luminance.h"
-#include "film/film.h"
+#include "film/totals.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,12 +10,12 @@
 namespace eikonal {
 
 /// Estimates of a pixel, and their variance.
-struct Film::Planes {
+struct FilmTotals::Planes {
     size_t n;
     const float *sum, *weight, *squareWeight, *mean, *spread, *halfSquare, *quarterSquare, *eighthSquare, *lowMean;
     const uint* count;
 
-    explicit Planes(const Film& f)
+    explicit Planes(const FilmTotals& f)
         : n(f.plane()),
           sum(f.floats("sum")),
           weight(f.floats("weight")),

@@ -52,6 +52,10 @@ public:
     std::vector<unsigned char> read(const Record& record) const;
     /// The content of the only record with this tag.
     std::vector<unsigned char> read(RecordTag tag) const;
+    /// Bytes of a record's content, unchecked.
+    void readPart(const Record& record, std::uint64_t offset, void* bytes, std::size_t count) const {
+        readAt(record.place + offset, bytes, count);
+    }
     /// Throws an Error about this file.
     [[noreturn]] void fail(const std::string& problem) const;
 

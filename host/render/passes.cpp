@@ -8,16 +8,16 @@ namespace eikonal {
 /// The fewest pixels of a block in uniform passes. Neighbouring pixels are traced together for coherence.
 constexpr unsigned smallestBlock = 1024;
 
-Pass uniformPass(const PixelRect& rect, unsigned done, unsigned end, unsigned mostPaths) {
-    const unsigned left = end - done;
+Pass uniformPass(const PixelRect& rect, SampleRange done, unsigned end, unsigned mostPaths) {
+    const unsigned left = end - done.end;
     const unsigned long pixels = static_cast<unsigned long>(rect.width()) * static_cast<unsigned long>(rect.height());
-    const unsigned fill = static_cast<unsigned>(std::max<unsigned long>(mostPaths / std::max(pixels, 1ul), 1));
-    const unsigned wanted = std::min(std::max(fill, done + 1), left);
+    const unsigned fill = std::bit_floor(static_cast<unsigned>(std::max<unsigned long>(mostPaths / std::max(pixels, 1ul), 1)));
+    const unsigned wanted = std::min(std::max(fill, std::bit_floor(done.length())), left);
     const unsigned blockPixels = std::bit_floor(std::max(mostPaths / wanted, std::min(smallestBlock, mostPaths)));
-    const unsigned samples = std::min(left, std::max(mostPaths / blockPixels, 1u));
+    const unsigned samples = std::min(left, std::bit_floor(std::max(mostPaths / blockPixels, 1u)));
     Pass pass{chooseBlockSize(rect, blockPixels), {}, samples};
     for (int y = rect.y0; y < rect.y1; y += pass.size.height())
-        for (int x = rect.x0; x < rect.x1; x += pass.size.width()) pass.blocks.push_back({x, y, done, samples});
+        for (int x = rect.x0; x < rect.x1; x += pass.size.width()) pass.blocks.push_back({x, y, done.end, samples});
     return pass;
 }
 

@@ -14,9 +14,10 @@ struct Pass {
     unsigned samples = 0;       ///< samples that it adds to every pixel
 };
 
-/// The next pass over all pixels, which have `done` samples: first as few samples as fill a wave, then about as many as are already done,
-/// so that a complete image exists early and later waves are coherent.
-Pass uniformPass(const PixelRect& rect, unsigned done, unsigned end, unsigned mostPaths);
+/// The next pass over all pixels, which have the samples `done`, up to `end`: first as few samples as fill a wave, then about as many as
+/// are already done, so that a complete image exists early and later waves are coherent. Powers of two, so that leaves are seldom begun
+/// (film/sample_nodes.h).
+Pass uniformPass(const PixelRect& rect, SampleRange done, unsigned end, unsigned mostPaths);
 
 /// A pass with the blocks split until each fits a wave of mostPaths paths.
 Pass cutBlocks(const std::vector<Block>& blocks, BlockSize size, const PixelRect& rect, unsigned mostPaths);

@@ -19,13 +19,13 @@ public:
         : context_(context), tracer_(tracer), film_(film), profile_(profile), control_(control) {
         const std::span<const unsigned> taken = film.taken();
         pixels_ = static_cast<double>(taken.size());
-        paths_ = pathsBefore_ = std::accumulate(taken.begin(), taken.end(), 0.0);
+        paths_ = pathsBefore_ = std::accumulate(taken.begin(), taken.end(), 0.0) - pixels_ * film.firstSample();
         samples_ = *std::ranges::min_element(taken);
     }
 
     RenderResult run() {
         const unsigned end = control_.endSample, firstEnd = control_.targetError ? std::min(end, AdaptiveSampling::firstSamples) : end;
-        allPaths_ = std::max(pixels_ * firstEnd, paths_);
+        allPaths_ = std::max(pixels_ * (firstEnd - film_.firstSample()), paths_);
         planned_ = control_.planned;
         if (!control_.targetError && !planned_.empty()) planned_ = {end};   // adaptive before, uniform from now on
         finishPass();
@@ -51,7 +51,7 @@ private:
         unsigned begun = samples_;
         trace([&]() -> std::optional<Pass> {
             if (begun >= end) return {};
-            Pass pass = uniformPass(film_.pixels(), begun, end, tracer_.mostPaths());
+            Pass pass = uniformPass(film_.pixels(), {film_.firstSample(), begun}, end, tracer_.mostPaths());
             begun += pass.samples;
             return pass;
         });
@@ -117,7 +117,7 @@ private:
     Progress progress() const {
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
         const double left = std::max(allPaths_ - paths_, 0.0) * seconds / (paths_ - pathsBefore_);
-        return {std::min(paths_ / allPaths_, 1.0), seconds, left, samples_, paths_ / pixels_};
+        return {std::min(paths_ / allPaths_, 1.0), seconds, left, samples_ - film_.firstSample(), paths_ / pixels_};
     }
 
     static unsigned long layersOf(const Pass& pass) {

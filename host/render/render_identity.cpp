@@ -86,7 +86,7 @@ Values settingsOf(const Session& session, const SessionOptions& options, const F
     const Scene& scene = session.scene();
     const IntegratorKind& integrator = *scene.integrator.kind;
     const PackedScene& packed = session.packed();
-    const PixelRect& p = packed.pixels;
+    const PixelRect& p = session.wholePixels();
     const settings& frame = packed.frame();
     const DeviceOptions& device = options.device;
     std::string mathFlags;
@@ -116,6 +116,11 @@ Values settingsOf(const Session& session, const SessionOptions& options, const F
             {"contraction", device.contraction ? "on" : "off"},
             {"math flags", mathFlags.empty() ? "as shipped" : mathFlags},
             {"build options", device.buildOptions}};
+}
+
+Values partOf(const Film& film) {
+    const PixelRect& p = film.pixels();
+    return {{"rendered part", fmt::format("{},{},{},{}", p.x0, p.x1, p.y0, p.y1)}, {"first sample", fmt::format("{}", film.firstSample())}};
 }
 
 Json asJson(const Values& values) {
@@ -148,14 +153,16 @@ std::vector<std::string> compare(const Values& here, const Values& there, Senten
 }  // namespace
 
 RenderIdentity identityOf(const Session& session, const SessionOptions& options, const Film& film) {
-    RenderIdentity identity{settingsOf(session, options, film), tablesOf(session.packed()), {}, session.context().device().name,
-                            session.packed().samples};
+    RenderIdentity identity{settingsOf(session, options, film), partOf(film),
+                            tablesOf(session.packed()),         {},
+                            session.context().device().name,    session.packed().samples};
     for (const std::string& file : inputFiles()) identity.files.emplace_back(file, contentHash(file));
     return identity;
 }
 
 std::string toJson(const RenderIdentity& identity) {
     const Json json{{"settings", asJson(identity.settings)},
+                    {"part", asJson(identity.part)},
                     {"scene", asJson(identity.tables)},
                     {"files", asJson(identity.files)},
                     {"device", identity.device},
@@ -166,17 +173,19 @@ std::string toJson(const RenderIdentity& identity) {
 RenderIdentity identityFromJson(const std::string& text, const std::string& name) {
     try {
         const Json json = Json::parse(text);
-        return {valuesFrom(json.at("settings")), valuesFrom(json.at("scene")), valuesFrom(json.at("files")),
+        return {valuesFrom(json.at("settings")), valuesFrom(json.at("part")), valuesFrom(json.at("scene")), valuesFrom(json.at("files")),
                 json.at("device").get<std::string>(), json.at("samples").get<int>()};
     } catch (const Json::exception& error) {
         throw Error(ExitCode::scene, fmt::format("{}: is damaged: {}", name, error.what()));
     }
 }
 
-std::vector<std::string> differences(const RenderIdentity& here, const RenderIdentity& there, const std::string& name) {
+std::vector<std::string> partDifferences(const RenderIdentity& here, const RenderIdentity& there, const std::string& name) {
     std::vector<std::string> found = compare(here.settings, there.settings, [&](auto&& what, auto&& value, auto&& other) {
         return fmt::format("{} is \"{}\" here and \"{}\" in {}", what, value, other, name);
     });
+    if (here.samples != there.samples)
+        found.push_back(fmt::format("samples per pixel: {} here and {} in {}", here.samples, there.samples, name));
     const std::vector<std::string> tables = compare(here.tables, there.tables, [&](auto&& what, auto&& value, auto&& other) {
         return fmt::format("{} of the scene: hash {} here, {} in {}", what, value, other, name);
     });
@@ -186,6 +195,15 @@ std::vector<std::string> differences(const RenderIdentity& here, const RenderIde
     });
     found.insert(found.end(), files.begin(), files.end());
     return found.empty() ? tables : found;
+}
+
+std::vector<std::string> differences(const RenderIdentity& here, const RenderIdentity& there, const std::string& name) {
+    std::vector<std::string> found = partDifferences(here, there, name);
+    const std::vector<std::string> part = compare(here.part, there.part, [&](auto&& what, auto&& value, auto&& other) {
+        return fmt::format("{} is \"{}\" here and \"{}\" in {}", what, value, other, name);
+    });
+    found.insert(found.end(), part.begin(), part.end());
+    return found;
 }
 
 }  // namespace eikonal

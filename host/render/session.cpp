@@ -131,6 +131,7 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     displace();
     Packing packing = packTables(scene_, diagnostics_);
     packed_ = std::move(packing.scene);
+    wholePixels_ = packed_.pixels;
     warnOfDarkness(scene_, packed_, diagnostics_);
     scene_.shapes.clear();
     scene_.objects.clear();
@@ -158,10 +159,18 @@ void Session::buildKernels() {
     times_.compile = time.seconds();
 }
 
+void Session::select(const Tile& tile) {
+    if (tile.count > wholePixels_.height())
+        throw UsageError(
+            fmt::format("--tile: the image has {} rows, so it can have as many parts, not {}", wholePixels_.height(), tile.count));
+    packed_.pixels = rowsOf(wholePixels_, tile);
+}
+
 MemoryPlan Session::plan() const {
     const size_t pixels = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height());
     const size_t onDevice = std::min<size_t>(pixels, shape_.wavePaths);
-    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape_), (pixels + onDevice) * Film::bytes(packed_),
+    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape_),
+            pixels * Film::bytes(packed_, static_cast<unsigned>(packed_.samples)) + onDevice * Film::bytes(packed_, 0),
             pixels * Film::developedBytes(packed_)};
 }
 

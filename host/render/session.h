@@ -2,6 +2,7 @@
 // What it takes to render a scene, made ready step by step, with the time that each step took.
 
 #include "film/film.h"
+#include "film/tile.h"
 #include "render/biased_choices.h"
 #include "render/options.h"
 #include "pack/tables.h"
@@ -68,6 +69,10 @@ public:
     /// Fills its tables, forgets the scene's meshes and images, and builds its hierarchies while the kernels are built, if there is a
     /// device; the film keeps what `aovs` take, and a spectrum if the scene asks for it and keepsSpectrum.
     void pack(const Aovs& aovs, bool keepsSpectrum = true);
+    /// Renders only a part of the pixels. After pack(), before prepare(). Throws a UsageError if there are more parts than rows.
+    void select(const Tile& tile);
+    /// The pixels to render, without select().
+    const PixelRect& wholePixels() const { return wholePixels_; }
     /// What prepare() is going to allocate.
     MemoryPlan plan() const;
     /// Uploads the tables and launches every kernel once.
@@ -118,6 +123,7 @@ private:
     std::optional<tbb::global_control> hostThreads_;
     Scene scene_;
     PackedScene packed_;
+    PixelRect wholePixels_;
     StageShape shape_;
     SessionTimes times_;
     Profile profile_;

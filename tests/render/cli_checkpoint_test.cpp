@@ -1,15 +1,14 @@
 // Checkpoints: a render that ended early, in whatever way, goes on to the bits of one that did not.
 
 #include "cli.h"
+#include "same_files.h"
 
 #include "film/film_file.h"
-#include "image/channels.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <csignal>
-#include <cstring>
 #include <random>
 
 #include <unistd.h>
@@ -18,19 +17,6 @@ namespace eikonal {
 namespace {
 
 using testing::HasSubstr;
-
-/// Every channel of two files has the same bits.
-void expectSameFiles(const std::string& a, const std::string& b) {
-    const FilmImage first = readImage(a).image, second = readImage(b).image;
-    const auto firsts = channelsOf<const float>(first), seconds = channelsOf<const float>(second);
-    ASSERT_EQ(firsts.size(), seconds.size());
-    ASSERT_EQ(first.pixelCount(), second.pixelCount());
-    for (size_t c = 0; c < firsts.size(); ++c) {
-        ASSERT_EQ(firsts[c].name, seconds[c].name);
-        for (size_t i = 0; i < first.pixelCount(); ++i)
-            ASSERT_EQ(std::memcmp(&firsts[c][i], &seconds[c][i], sizeof(float)), 0) << firsts[c].name << " of pixel " << i << " of " << b;
-    }
-}
 
 class Checkpoint : public Cli {
 protected:
@@ -172,8 +158,8 @@ TEST_F(Checkpoint, DamageIsNoticed) {
         EXPECT_THAT(complaint(damaged), HasSubstr("d.film: is damaged")) << place;
     }
     EXPECT_THAT(complaint(whole + "x"), HasSubstr("d.film: is damaged"));
-    EXPECT_THAT(complaint(read(path("a.exr"))), HasSubstr("d.film: is not a checkpoint"));
-    EXPECT_THAT(complaint(""), HasSubstr("d.film: is not a checkpoint"));
+    EXPECT_THAT(complaint(read(path("a.exr"))), HasSubstr("d.film: is not a film file of Eikonal"));
+    EXPECT_THAT(complaint(""), HasSubstr("d.film: is not a film file of Eikonal"));
     EXPECT_THAT(complaint("Eikonal film 9" + whole.substr(14)), HasSubstr("d.film: is \"Eikonal film 9\", and this program reads"));
 }
 

@@ -1,0 +1,125 @@
+#include "app/commands.h"
+#include "app/output.h"
+#include "app/render_output.h"
+#include "app/stored_metadata.h"
+#include "diagnostics.h"
+#include "film/exposure.h"
+#include "film/film_parts.h"
+#include "film/projection.h"
+#include "film/stored_scene.h"
+#include "image/image_file.h"
+#include "render/render_identity.h"
+
+#include <fmt/format.h>
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace eikonal {
+namespace {
+
+/// Lets the process open as many files as the system allows.
+void openManyFiles() {
+    struct rlimit limit {};
+    if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+    limit.rlim_cur = limit.rlim_max;
+    ::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
+/// Throws an Error that names every part that is of another render than the first, and why.
+void checkSameRender(const std::vector<std::unique_ptr<FilmFileReader>>& files, Diagnostics& diagnostics) {
+    const std::string& name = files.front()->path();
+    const RenderIdentity first = identityFromJson(files.front()->head().identity, name);
+    std::string problems;
+    for (const auto& file : files) {
+        const RenderIdentity other = identityFromJson(file->head().identity, file->path());
+        const std::vector<std::string> found = partDifferences(other, first, name);
+        if (!found.empty())
+            problems += fmt::format("{}{} is of another render than {}:\n  {}", problems.empty() ? "" : "\n", file->path(), name,
+                                    fmt::join(found, "\n  "));
+        if (other.device != first.device)
+            diagnostics.warnOnce("device", {},
+                                 fmt::format("{} was rendered by \"{}\" and {} by \"{}\": samples may differ in their last bits",
+                                             file->path(), other.device, name, first.device));
+    }
+    if (!problems.empty()) throw Error(ExitCode::scene, problems);
+}
+
+/// The samples that each pixel is to have: those that the render was laid out for. With adaptive sampling, what is there.
+unsigned samplesWanted(const std::vector<std::unique_ptr<FilmFileReader>>& files, bool isPartial) {
+    const bool isAdaptive = std::ranges::any_of(files, [](const auto& file) { return !file->head().planned.empty(); });
+    if (isPartial || isAdaptive) return 0;
+    return static_cast<unsigned>(identityFromJson(files.front()->head().identity, files.front()->path()).samples);
+}
+
+FilmImage developImage(const FilmTotals& totals, const StoredScene& scene, const Aovs& aovs) {
+    FilmImage image = totals.develop(scene.packed);
+    if (!scene.packed.features.has(Feature::SPECTRAL)) expose(image, scene.film);
+    selectAovs(image, aovs);
+    if (scene.film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, scene.packed);
+    return image;
+}
+
+}  // namespace
+
+int mergeCommand(const Options& o) {
+    Diagnostics diagnostics(o.log);
+    for (const std::string& file : o.output.files) checkWritable(file);
+    if (!o.output.checkpoint.empty()) checkFileWritable(o.output.checkpoint, 0);
+    openManyFiles();
+    std::vector<std::unique_ptr<FilmFileReader>> files;
+    for (const std::string& part : o.parts) files.push_back(std::make_unique<FilmFileReader>(part));
+    checkSameRender(files, diagnostics);
+
+    const FilmFileHead head = files.front()->head();
+    const std::string name = files.front()->path();
+    const StoredScene scene = storedScene(head.scene, name);
+    const PixelRect pixels = scene.packed.pixels;
+    const QueueLayout layout = filmLayout(scene.packed.features, scene.packed.frame().bucket_count);
+    const JoinedSums sums(layout);
+    const unsigned end = o.output.hasImage ? samplesWanted(files, o.isPartial) : 0;
+    FilmFileHead merged = head;
+    merged.seconds = 0;
+    for (const auto& file : files) merged.seconds += file->head().seconds;
+    const bool isPartial = o.isPartial || !o.output.hasImage;
+    FilmParts parts(std::move(files), layout, pixels, isPartial);
+
+    /* Row by row: into the image's sums, and into a file */
+    std::optional<FilmFileWriter> film;
+    if (!o.output.checkpoint.empty()) film.emplace(o.output.checkpoint, merged);
+    const size_t width = static_cast<size_t>(pixels.width()), plane = width * static_cast<size_t>(pixels.height());
+    const auto words = o.output.hasImage ? allocatePlanes(pixels, layout.words) : nullptr;
+    for (int y = pixels.y0; y < pixels.y1; ++y)
+        parts.forRuns(y, end, [&](const FilmRun& run) {
+            if (film) film->write(run);
+            if (!words) return;
+            const size_t count = static_cast<size_t>(run.x1 - run.x0);
+            std::vector<PixelRow<const uint>> rows;
+            for (size_t node = 0; node < run.nodes.size(); ++node)
+                rows.push_back({run.words.data() + node * static_cast<size_t>(layout.words) * count, count});
+            uint* const total = &words[static_cast<size_t>(y - pixels.y0) * width + static_cast<size_t>(run.x0 - pixels.x0)];
+            sums.joinAll(run.nodes, rows, {total, plane}, count);
+        });
+    if (film) film->commit();
+    if (!o.output.hasImage) return static_cast<int>(ExitCode::success);
+
+    const FilmTotals totals(scene.packed, layout, words);
+    StoredMetadata stored = storedMetadata(head.metadata, name);
+    const ErrorEstimate error = totals.error(stored.metric);
+    Metadata& metadata = stored.metadata;
+    describeFilm(metadata, totals.samples(), error, stored.metric);
+    metadata.renderSeconds = merged.seconds;
+    metadata.commandLine = o.commandLine;
+    if (o.log >= LogLevel::warning) std::fputs((describe(error, stored.metric) + "\n").c_str(), stderr);
+    const FilmImage image = developImage(totals, scene, stored.aovs);
+    const std::vector<std::string> images = imageFiles(o.output.files);
+    for (const std::string& file : images) writeImage(file, image, metadata, o.output.toneMapping);
+    const std::string done =
+        fmt::format("merged {} part{} into {}\n", o.parts.size(), o.parts.size() == 1 ? "" : "s", fmt::join(images, " and "));
+    if (o.log >= LogLevel::warning) std::fputs(done.c_str(), stderr);
+    return static_cast<int>(ExitCode::success);
+}
+
+}  // namespace eikonal

@@ -1,0 +1,95 @@
+#include "film/totals.h"
+
+#include "film/planes.h"
+#include "film/projection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace eikonal {
+
+FilmTotals::FilmTotals(const PackedScene& scene, const QueueLayout& layout, std::shared_ptr<uint[]> words)
+    : width_(static_cast<int>(scene.frame().width)),
+      height_(static_cast<int>(scene.frame().height)),
+      pixels_(scene.pixels),
+      layout_(layout),
+      data_(std::move(words)) {}
+
+const uint* FilmTotals::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
+const float* FilmTotals::floats(const char* field) const { return reinterpret_cast<const float*>(numbers(field)); }
+
+/// A sum of directions, normalised.
+static glm::vec3 meanDirection(const float* sum, size_t n, size_t i) {
+    const glm::vec3 direction(sum[i], sum[n + i], sum[2 * n + i]);
+    const float length = glm::length(direction);
+    return length > 0 ? direction / length : glm::vec3(0);
+}
+
+void FilmTotals::developAovs(FilmImage& image, const PackedScene& scene) const {
+    const size_t n = plane();
+    for (auto* v : {&image.albedo, &image.normal, &image.geometricNormal, &image.position}) v->resize(n);
+    for (auto* v : {&image.uv, &image.depthSlope, &image.motion}) v->resize(n);
+    const bool moves = layout_.field("opening").words > 0;
+    for (auto* v : {&image.depth, &image.object, &image.material}) v->resize(n);
+    const float *weight = floats("weight"), *albedo = floats("albedo"), *position = floats("position"), *uv = floats("uv"),
+                *distance = floats("distance"), *seen = floats("seen");
+    for (size_t i = 0; i < n; ++i) {
+        const float inverse = weight[i] != 0 ? 1 / weight[i] : 0;
+        image.albedo[i] = glm::clamp(glm::vec3(albedo[i], albedo[n + i], albedo[2 * n + i]) * inverse, 0.0f, 1.0f);
+        image.normal[i] = meanDirection(floats("normal"), n, i);
+        image.geometricNormal[i] = meanDirection(floats("ng"), n, i);
+        image.object[i] = static_cast<float>(numbers("object")[i]);
+        image.material[i] = static_cast<float>(numbers("material")[i]);
+        image.depth[i] = std::numeric_limits<float>::infinity();
+        if (!(seen[i] > 0)) continue;
+        const double count = seen[i];
+        const auto meanPoint = [&](const float* sum) { return glm::dvec3(sum[i], sum[n + i], sum[2 * n + i]) / count; };
+        const glm::dvec3 p = meanPoint(position);
+        image.motion[i] =
+            glm::vec2(motionInImage(scene, moves ? meanPoint(floats("opening")) : p, moves ? meanPoint(floats("closing")) : p));
+        image.depthSlope[i] = glm::vec2(depthSlope(scene, p, image.geometricNormal[i]));
+        image.uv[i] = glm::vec2(uv[i] / count, uv[n + i] / count);
+        image.position[i] = glm::vec3(p * scene.worldScale + scene.worldCenter);
+        image.depth[i] = static_cast<float>(distance[i] / count * scene.worldScale);
+    }
+}
+
+FilmImage FilmTotals::develop(const PackedScene& scene) const {
+    FilmImage image(width_, height_, {pixels_.x0, pixels_.x1, pixels_.y0, pixels_.y1});
+    const size_t n = plane();
+    const Planes planes(*this);
+    image.variance.resize(n);
+    image.sampleCount.resize(n);
+    for (size_t i = 0; i < n; ++i) {
+        image.color[i] = planes.color(i);
+        image.sampleCount[i] = static_cast<float>(planes.count[i]);
+        image.variance[i] = planes.variance(i, image.color[i]);
+    }
+    if (layout_.field("albedo").words > 0) developAovs(image, scene);
+    if (scene.frame().bucket_count > 0) developSpectrum(image, scene);
+    return image;
+}
+
+FilmTotals::Invalid FilmTotals::invalid() const {
+    Invalid found;
+    const uint* counts = numbers("invalid");
+    for (size_t i = 0; i < plane(); ++i) {
+        if (!counts[i]) continue;
+        if (!found.count) {
+            found.x = pixels_.x0 + static_cast<int>(i % static_cast<size_t>(pixels_.width()));
+            found.y = pixels_.y0 + static_cast<int>(i / static_cast<size_t>(pixels_.width()));
+        }
+        found.count += counts[i];
+    }
+    return found;
+}
+
+FilmTotals::Samples FilmTotals::samples() const {
+    const uint *begin = numbers("count"), *end = begin + plane();
+    const auto [low, high] = std::minmax_element(begin, end);
+    return {*low, *high, std::accumulate(begin, end, 0.0) / static_cast<double>(plane())};
+}
+
+}  // namespace eikonal

@@ -1,0 +1,52 @@
+#pragma once
+// What a film has added up of each pixel, with the per-pixel fields of include/eikonal/film.h, and what follows from it: the image, and
+// its error.
+
+#include "device/layout.h"
+#include "film/noise.h"
+#include "image/film_image.h"
+#include "pack/tables.h"
+
+#include <memory>
+
+namespace eikonal {
+
+class FilmTotals {
+public:
+    /// words: word w of pixel i of the pixels that are rendered of the scene is words[w * number of pixels + i].
+    FilmTotals(const PackedScene& scene, const QueueLayout& layout, std::shared_ptr<uint[]> words);
+
+    const PixelRect& pixels() const { return pixels_; }
+
+    /// The image so far: sums divided by weights. Distances and positions are in world space of `scene`.
+    FilmImage develop(const PackedScene& scene) const;
+
+    /// The number of samples that were not finite, and the first pixel with one.
+    struct Invalid { size_t count = 0; int x = -1, y = -1; };
+    Invalid invalid() const;
+    /// The fewest, most and mean samples per pixel.
+    struct Samples { unsigned fewest = 0, most = 0; double mean = 0; };
+    Samples samples() const;
+    /// What the samples of the pixels of `part`, a part of pixels(), say about their error; see noise.h. decay: of the variance.
+    NoiseSums noise(const PixelRect& part, ErrorMetric metric, double decay = 1) const;
+    /// The error of the image.
+    ErrorEstimate error(ErrorMetric metric) const;
+
+private:
+    void developAovs(FilmImage& image, const PackedScene& scene) const;
+    void developSpectrum(FilmImage& image, const PackedScene& scene) const;
+    size_t plane() const { return static_cast<size_t>(pixels_.width()) * static_cast<size_t>(pixels_.height()); }
+    size_t index(int x, int y) const {
+        return static_cast<size_t>(y - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(x - pixels_.x0);
+    }
+    struct Planes;
+    double expectedLuminance(const Planes& planes, int x, int y) const;
+    const float* floats(const char* field) const;
+    const uint* numbers(const char* field) const;
+    int width_, height_;
+    PixelRect pixels_;
+    QueueLayout layout_;
+    std::shared_ptr<uint[]> data_;
+};
+
+}  // namespace eikonal
