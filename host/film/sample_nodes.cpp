@@ -23,7 +23,7 @@ std::vector<SampleRange> nodesOf(SampleRange range) {
         std::uint64_t size = leafSamples;
         while (begin % (size * nodeChildren) == 0 && size * nodeChildren <= range.end - begin) size *= nodeChildren;
         const bool isNode = begin % leafSamples == 0 && size <= range.end - begin;
-        const std::uint64_t end = isNode ? begin + size : std::min<std::uint64_t>(leafEnd(begin), range.end);
+        const std::uint64_t end = isNode ? begin + size : std::min<std::uint64_t>(std::uint64_t{leafBegin(begin)} + leafSamples, range.end);
         SampleRange next{begin, static_cast<unsigned>(end)};
         begin = next.end;
         while (!nodes.empty() && joins(nodes.back(), next)) {
