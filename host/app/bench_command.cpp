@@ -34,7 +34,7 @@ Repeat renderOnce(Session& session, Tracer& tracer, Profile& profile, SeedVarian
     render(session.context(), tracer, film, profile, control);
     const double seconds = time.seconds();
     profile.collect();
-    if (images) images->add(session.develop(film));
+    if (images) images->add(session.develop(film.totals()));
     return {seconds, profile.stages(), profile.rays, profile.shadowRays, profile.paths};
 }
 

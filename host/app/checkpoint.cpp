@@ -54,7 +54,8 @@ void Checkpoints::pause(const Film& film, std::span<const unsigned> planned, dou
     if ((out.checkpoint.empty() && !out.partialImages) || sinceLast_.seconds() < out.checkpointEvery) return;
     try {
         save(film, planned, seconds);
-        output.write(output.develop(film), output.report(film, secondsBefore_ + seconds).metadata);
+        const FilmTotals totals = film.totals();
+        output.write(output.develop(totals), output.report(totals, secondsBefore_ + seconds).metadata);
     } catch (const Error& error) {
         diagnostics_.warn({}, fmt::format("{}; rendering goes on", error.what()));
     }

@@ -3,9 +3,7 @@
 #include "app/render_output.h"
 #include "app/stored_metadata.h"
 #include "diagnostics.h"
-#include "film/exposure.h"
 #include "film/film_parts.h"
-#include "film/projection.h"
 #include "film/stored_scene.h"
 #include "image/image_file.h"
 #include "render/render_identity.h"
@@ -52,14 +50,6 @@ unsigned samplesWanted(const std::vector<std::unique_ptr<FilmFileReader>>& files
     const bool isAdaptive = std::ranges::any_of(files, [](const auto& file) { return !file->head().planned.empty(); });
     if (isPartial || isAdaptive) return 0;
     return static_cast<unsigned>(identityFromJson(files.front()->head().identity, files.front()->path()).samples);
-}
-
-FilmImage developImage(const FilmTotals& totals, const StoredScene& scene, const Aovs& aovs) {
-    FilmImage image = totals.develop(scene.packed);
-    if (!scene.packed.features.has(Feature::SPECTRAL)) expose(image, scene.film);
-    selectAovs(image, aovs);
-    if (scene.film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, scene.packed);
-    return image;
 }
 
 }  // namespace
@@ -113,7 +103,7 @@ int mergeCommand(const Options& o) {
     metadata.renderSeconds = merged.seconds;
     metadata.commandLine = o.commandLine;
     if (o.log >= LogLevel::warning) std::fputs((describe(error, stored.metric) + "\n").c_str(), stderr);
-    const FilmImage image = developImage(totals, scene, stored.aovs);
+    const FilmImage image = developImage(totals, scene.packed, scene.film, stored.aovs);
     const std::vector<std::string> images = imageFiles(o.output.files);
     for (const std::string& file : images) writeImage(file, image, metadata, o.output.toneMapping);
     const std::string done =

@@ -73,7 +73,7 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRa
 }
 
 /// Reports why the image has fewer samples or more error than asked for, and which samples were not finite.
-void reportShortfall(const Options& o, const Film::Samples& samples, const Film::Invalid& invalid, const RenderResult& result,
+void reportShortfall(const Options& o, const FilmTotals::Samples& samples, const FilmTotals::Invalid& invalid, const RenderResult& result,
                      unsigned wanted, int endedBy, Diagnostics& diagnostics) {
     if (!result.isFinished)
         say(o, fmt::format("{}: {} of {} samples per pixel", endedBy ? "interrupted" : "ended by --time-limit",
@@ -168,14 +168,16 @@ int renderCommand(const Options& o) {
     } catch (const Error&) {
         unsaved = std::current_exception();
     }
-    const ImageReport report = output.report(*film, checkpoints.secondsBefore() + renderSeconds);
-    reportShortfall(o, report.samples, film->invalid(), result, samples.length(), endedBy, diagnostics);
+    std::optional<FilmTotals> totals = film->totals();
+    const ImageReport report = output.report(*totals, checkpoints.secondsBefore() + renderSeconds);
+    reportShortfall(o, report.samples, totals->invalid(), result, samples.length(), endedBy, diagnostics);
     const std::string described = describe(report.error, o.output.errorMetric);
     say(o, described);
     reportUnresolvedRays(session.unresolvedRays(), diagnostics);
 
-    const FilmImage image = output.develop(*film);
-    film.reset();   // frees what may be most of the memory in use
+    const FilmImage image = output.develop(*totals);
+    totals.reset();   // frees what may be most of the memory in use
+    film.reset();
     output.write(image, report.metadata);
     const double writeSeconds = writeTime.seconds();
     std::vector<std::string> written = files;

@@ -1,6 +1,7 @@
 #include "app/render_output.h"
 
 #include "app/output.h"
+#include "film/exposure.h"
 #include "film/projection.h"
 #include "image/image_file.h"
 #include "names.h"
@@ -12,7 +13,7 @@ RenderOutput::RenderOutput(const Options& options, const Session& session, std::
     : options_(options), session_(session), files_(std::move(files)), aovs_(aovs),
       hash_(std::async(std::launch::async, [&session] { return sceneHash(session.packed()); }).share()) {}
 
-void describeFilm(Metadata& metadata, const Film::Samples& samples, const ErrorEstimate& error, ErrorMetric metric) {
+void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const ErrorEstimate& error, ErrorMetric metric) {
     metadata.samples = static_cast<int>(samples.fewest);
     if (samples.most > samples.fewest) metadata.meanSamples = samples.mean;
     metadata.error = error.error;
@@ -20,6 +21,13 @@ void describeFilm(Metadata& metadata, const Film::Samples& samples, const ErrorE
     metadata.errorHigh = error.high;
     metadata.errorMetric = nameIn(errorMetricNames, metric);
     metadata.errorDoubt = error.doubt;
+}
+
+FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs) {
+    FilmImage image = developExposed(totals, scene, film);
+    selectAovs(image, aovs);
+    if (film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, scene);
+    return image;
 }
 
 StoredMetadata RenderOutput::metadata() {
@@ -34,9 +42,8 @@ StoredMetadata RenderOutput::metadata() {
     return {m, aovs_, options_.output.errorMetric};
 }
 
-ImageReport RenderOutput::report(const Film& film, double seconds) {
+ImageReport RenderOutput::report(const FilmTotals& totals, double seconds) {
     const ErrorMetric metric = options_.output.errorMetric;
-    const FilmTotals totals = film.totals();
     ImageReport report{totals.samples(), totals.error(metric), metadata().metadata};
     describeFilm(report.metadata, report.samples, report.error, metric);
     report.metadata.renderSeconds = seconds;
@@ -44,11 +51,8 @@ ImageReport RenderOutput::report(const Film& film, double seconds) {
     return report;
 }
 
-FilmImage RenderOutput::develop(const Film& film) const {
-    FilmImage image = session_.develop(film);
-    selectAovs(image, aovs_);
-    if (session_.scene().film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, session_.packed());
-    return image;
+FilmImage RenderOutput::develop(const FilmTotals& totals) const {
+    return developImage(totals, session_.packed(), session_.scene().film, aovs_);
 }
 
 void RenderOutput::write(const FilmImage& image, const Metadata& metadata) const {

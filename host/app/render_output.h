@@ -3,7 +3,7 @@
 
 #include "app/options.h"
 #include "app/stored_metadata.h"
-#include "film/film.h"
+#include "film/totals.h"
 #include "render/session.h"
 
 #include <future>
@@ -12,12 +12,14 @@
 
 namespace eikonal {
 
-/// What is known about the image that a film has now.
 /// The part of metadata that follows from a film.
-void describeFilm(Metadata& metadata, const Film::Samples& samples, const ErrorEstimate& error, ErrorMetric metric);
+void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const ErrorEstimate& error, ErrorMetric metric);
+/// The image to write, exposed, with the channels that are asked for.
+FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs);
 
+/// What is known about the image that a film has now.
 struct ImageReport {
-    Film::Samples samples;
+    FilmTotals::Samples samples;
     ErrorEstimate error;
     Metadata metadata;
 };
@@ -31,9 +33,8 @@ public:
     /// What is known before anything is rendered.
     StoredMetadata metadata();
     /// seconds: of rendering so far.
-    ImageReport report(const Film& film, double seconds);
-    /// The image, with the channels to write.
-    FilmImage develop(const Film& film) const;
+    ImageReport report(const FilmTotals& totals, double seconds);
+    FilmImage develop(const FilmTotals& totals) const;
     /// Writes all files, even if one of them fails; then throws one Error with all problems.
     void write(const FilmImage& image, const Metadata& metadata) const;
 

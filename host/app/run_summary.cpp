@@ -7,7 +7,7 @@
 namespace eikonal {
 
 std::string describeAsJson(const Session& session, const std::vector<std::string>& files, const Metadata& metadata,
-                           const Film::Samples& samples, const RenderResult& result, int endedBy, double writeSeconds,
+                           const FilmTotals::Samples& samples, const RenderResult& result, int endedBy, double writeSeconds,
                            const std::vector<std::string>& warnings) {
     const SessionTimes& t = session.times();
     nlohmann::ordered_json json{{"files", files},

@@ -13,7 +13,7 @@ namespace eikonal {
 
 /// What `eikonal render --json` prints: one JSON object. `endedBy`: the signal that ended the render, or 0.
 std::string describeAsJson(const Session& session, const std::vector<std::string>& files, const Metadata& metadata,
-                           const Film::Samples& samples, const RenderResult& result, int endedBy, double writeSeconds,
+                           const FilmTotals::Samples& samples, const RenderResult& result, int endedBy, double writeSeconds,
                            const std::vector<std::string>& warnings);
 
 }  // namespace eikonal

@@ -27,7 +27,7 @@ std::string asOptions(const Roulette& roulette) {
                        roulette.depth);
 }
 
-std::string describeRun(const Session& session, const Profile& profile, const Film::Samples& samples, const std::string& error,
+std::string describeRun(const Session& session, const Profile& profile, const FilmTotals::Samples& samples, const std::string& error,
                         double renderSeconds, double writeSeconds) {
     const SessionTimes& t = session.times();
     std::string text;

@@ -13,7 +13,7 @@ std::string describe(const MemoryPlan& plan);
 /// "--roulette root --roulette-scale 1.5 --roulette-depth 3".
 std::string asOptions(const Roulette& roulette);
 /// What --stats prints: time and memory by part. error: describe(ErrorEstimate). The caller measures `renderSeconds` and `writeSeconds`.
-std::string describeRun(const Session& session, const Profile& profile, const Film::Samples& samples, const std::string& error,
+std::string describeRun(const Session& session, const Profile& profile, const FilmTotals::Samples& samples, const std::string& error,
                         double renderSeconds, double writeSeconds);
 
 }  // namespace eikonal

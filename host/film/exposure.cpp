@@ -20,4 +20,10 @@ void expose(FilmImage& image, const FilmDescription& film) {
     }
 }
 
+FilmImage developExposed(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film) {
+    FilmImage image = totals.develop(scene);
+    if (!scene.features.has(Feature::SPECTRAL)) expose(image, film);
+    return image;
+}
+
 }  // namespace eikonal

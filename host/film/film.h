@@ -18,9 +18,6 @@ std::shared_ptr<uint[]> allocatePlanes(const PixelRect& pixels, int words);
 
 class Film {
 public:
-    using Invalid = FilmTotals::Invalid;
-    using Samples = FilmTotals::Samples;
-
     /// The film of the pixels that are rendered of a scene, for kernels built with `features`. Memory pages are taken only when written.
     /// firstSample: of each pixel, the beginning of a leaf; samples before it are not taken.
     Film(const PackedScene& scene, const Features& features, unsigned firstSample = 0);
@@ -53,12 +50,8 @@ public:
     static size_t bytes(const PackedScene& scene, unsigned end);
     static size_t developedBytes(const PackedScene& scene);
 
-    /// All samples together. Shares memory with the film if that keeps one node of each pixel.
+    /// All samples together: joined anew at each call, unless the film keeps one node of each pixel, whose memory they then share.
     FilmTotals totals() const;
-    FilmImage develop(const PackedScene& scene) const { return totals().develop(scene); }
-    Invalid invalid() const { return totals().invalid(); }
-    Samples samples() const { return totals().samples(); }
-    ErrorEstimate error(ErrorMetric metric) const { return totals().error(metric); }
 
 private:
     size_t plane() const { return static_cast<size_t>(pixels_.width()) * static_cast<size_t>(pixels_.height()); }

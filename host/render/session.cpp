@@ -201,11 +201,7 @@ void Session::survey(const std::function<bool()>& abandon) {
     profile_.reset();
 }
 
-FilmImage Session::develop(const Film& film) const {
-    FilmImage image = film.develop(packed_);
-    if (!packed_.features.has(Feature::SPECTRAL)) expose(image, scene_.film);
-    return image;
-}
+FilmImage Session::develop(const FilmTotals& totals) const { return developExposed(totals, packed_, scene_.film); }
 
 void Session::setSeed(int seed) {
     packed_.frame().seed = static_cast<uint>(seed);

@@ -87,8 +87,8 @@ public:
     /// How many rays at implicit surfaces have run out of splits so far. After prepare(). Blocks.
     uint unresolvedRays() const;
 
-    /// The image that the film has now, exposed as the scene's film is.
-    FilmImage develop(const Film& film) const;
+    /// The image of all samples of a film, exposed as the scene's film is.
+    FilmImage develop(const FilmTotals& totals) const;
 
     /// What is rendered from now on has this seed: other noise. After prepare().
     void setSeed(int seed);

@@ -152,7 +152,8 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
         control.endSample = end;
         result = render(device(), wave, film, profile, control);
     }
-    return {film.develop(scene), film.invalid(), result, roulette, film.error(ErrorMetric::mseRoot)};
+    const FilmTotals totals = film.totals();
+    return {totals.develop(scene), totals.invalid(), result, roulette, totals.error(ErrorMetric::mseRoot)};
 }
 
 FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {
@@ -166,7 +167,7 @@ FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {
     control.endSample = static_cast<unsigned>(scene.samples);
     control.targetError = setup.targetError;
     render(device(), loop, film, profile, control);
-    return film.develop(scene);
+    return film.totals().develop(scene);
 }
 
 Estimate estimate(const FilmImage& image) {

@@ -48,7 +48,7 @@ RenderSetup media();
 
 struct Rendered {
     FilmImage image;
-    Film::Invalid invalid;
+    FilmTotals::Invalid invalid;
     RenderResult result;
     Roulette roulette;
     ErrorEstimate error;   ///< absolute: ErrorMetric::mseRoot

@@ -38,9 +38,10 @@ TimedImage SettingRenderer::render(int seed, const std::function<bool()>& stop) 
     TimedImage timed;
     timed.renderSeconds = time.seconds();
     timed.isFinished = result.isFinished;
-    timed.meanSamples = film.samples().mean;
-    timed.expectedError = film.error(ErrorMetric::relmseRoot).error;
-    timed.image = session_.develop(film);
+    const FilmTotals totals = film.totals();
+    timed.meanSamples = totals.samples().mean;
+    timed.expectedError = totals.error(ErrorMetric::relmseRoot).error;
+    timed.image = session_.develop(totals);
     return timed;
 }
 
