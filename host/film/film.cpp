@@ -33,14 +33,10 @@ void Film::needNodes(size_t count) {
 
 void Film::upload(const Context& context, Buffer& buffer, const Batch& batch) {
     const size_t pixels = batch.pixels(), words = static_cast<size_t>(layout_.words);
-    staged_.resize(pixels * words);
-    const auto isBegun = [](const Block& block) { return block.firstSample != leafBegin(block.firstSample); };
-    buffer.clear(context, 0, staged_.size() * sizeof(uint));
-    if (std::ranges::none_of(batch.blocks, isBegun)) return;
-    std::ranges::fill(staged_, 0u);
+    staged_.assign(pixels * words, 0u);
     for (size_t block = 0; block < batch.blocks.size(); ++block) {
         const Block& b = batch.blocks[block];
-        if (!isBegun(b)) continue;
+        if (b.firstSample == leafBegin(b.firstSample)) continue;
         const uint* node = nodes_[nodesUntil(b.firstSample).size() - 1].get();
         const PixelRect part = b.within(pixels_, batch.size);
         for (size_t word = 0; word < words; ++word)
