@@ -4,6 +4,7 @@
 #include "kinds/integrator_kind.h"
 #include "names.h"
 #include "read/formats/input_files.h"
+#include "render/table_hash.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -16,23 +17,6 @@ namespace {
 
 using Values = RenderIdentity::Values;
 using Json = nlohmann::ordered_json;
-
-/// A hash of the tables that `addTables` adds.
-class TableHash {
-public:
-    template <class Element> void add(const Table<Element>& table) {
-        hash_ = hashBytes({reinterpret_cast<const char*>(table.data()), table.size() * sizeof(Element)}, hash_);
-    }
-    void add(const settings& frame) {
-        settings same = frame;
-        same.seed = same.sequence_sample_bits = same.sequence_tile_bits = 0;   // compared by themselves
-        hash_ = hashBytes({reinterpret_cast<const char*>(&same), sizeof same}, hash_);
-    }
-    std::string text() const { return fmt::format("{:016x}", hash_); }
-
-private:
-    std::uint64_t hash_ = hashSeed;
-};
 
 Values tablesOf(const PackedScene& scene) {
     Values all;

@@ -13,6 +13,7 @@
 #include "render/displacement.h"
 #include "render/path_loop.h"
 #include "render/roulette_pilot.h"
+#include "render/table_hash.h"
 #include "render/wave_queues.h"
 
 #include <fmt/format.h>
@@ -213,19 +214,16 @@ std::unique_ptr<Tracer> Session::makeLoop(Profile& profile) {
 }
 
 std::string sceneHash(const PackedScene& scene) {
-    settings frame = scene.frame();
-    frame.seed = 0;
-    frame.sequence_sample_bits = frame.sequence_tile_bits = 0;  /* follow from the samples and the image */
-    std::uint64_t hash = hashBytes({reinterpret_cast<const char*>(&frame), sizeof frame});
+    TableHash hash;
+    hash.add(scene.frame());
     const auto add = [&](const auto& table) {
         using Element = typename std::decay_t<decltype(table)>::value_type;
-        if constexpr (!std::is_same_v<Element, settings>)
-            hash = hashBytes({reinterpret_cast<const char*>(table.data()), table.size() * sizeof(Element)}, hash);
+        if constexpr (!std::is_same_v<Element, settings>) hash.add(table);
     };
 #define HASH_TABLE(type, name) add(scene.tables.name);
     SCENE_TABLES(HASH_TABLE)
 #undef HASH_TABLE
-    return fmt::format("{:016x}", hash);
+    return hash.text();
 }
 
 }  // namespace eikonal
