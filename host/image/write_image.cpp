@@ -160,9 +160,17 @@ std::vector<unsigned char> encodePfm(const FilmImage& image) {
 
 }  // namespace
 
+void checkHolds(const std::string& path, int columns, int rows) {
+    const Format& format = formatOf(path);
+    if (std::max(columns, rows) > format.mostPixels)
+        fail(path, fmt::format("a file of this kind holds at most {0} x {0} pixels, and the image has {1} x {2}", format.mostPixels,
+                               columns, rows));
+}
+
 void writeImage(const std::string& path, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping) {
     const Format& format = formatOf(path);
     if (image.pixelCount() == 0) fail(path, "the image has no pixels");
+    checkHolds(path, image.columns(), image.rows());
     if (std::string(format.name) == "pfm") { writeFileAtomically(path, encodePfm(image)); return; }
     EncodedImage file = describe(format, image, metadata);
     if (file.stored != EncodedImage::Values::floats) {
@@ -180,13 +188,6 @@ void writeImage(const std::string& path, const FilmImage& image, const Metadata&
 bool holdsChannels(const std::string& path) {
     const Format* format = findFormat(path);
     return format && format->content == Content::layers;
-}
-
-void checkHolds(const std::string& path, int columns, int rows) {
-    const Format& format = formatOf(path);
-    if (std::max(columns, rows) > format.mostPixels)
-        fail(path, fmt::format("a file of this kind holds at most {0} x {0} pixels, and the image has {1} x {2}", format.mostPixels,
-                               columns, rows));
 }
 
 void checkWritable(const std::string& path, std::uint64_t bytes) {
