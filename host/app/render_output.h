@@ -29,7 +29,6 @@ public:
     /// Of a session that is packed. All arguments but the last two must outlive this object.
     RenderOutput(const Options& options, const Session& session, std::vector<std::string> files, const Aovs& aovs);
 
-    const std::vector<std::string>& files() const { return files_; }
     /// What is known before anything is rendered.
     StoredMetadata metadata();
     /// seconds: of rendering so far.

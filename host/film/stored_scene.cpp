@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-
 namespace eikonal {
 namespace {
 
@@ -77,8 +76,9 @@ StoredScene storedScene(const std::string& text, const std::string& name) {
         film.sensor = json.at("sensor");
         film.colorSpace = static_cast<ColorSpace>(json.at("colorSpace").get<int>());
         film.gbuffer = static_cast<GBuffer>(json.at("gbuffer").get<int>());
+    } catch (const Error&) {
+        throw;
     } catch (const std::exception& error) {   // of JSON, or of numbers
-        if (const auto* known = dynamic_cast<const Error*>(&error)) throw *known;
         throw Error(ExitCode::scene, fmt::format("{}: is damaged: {}", name, error.what()));
     }
     return scene;

@@ -118,7 +118,6 @@ AtomicFile::AtomicFile(const std::string& path) : path_(path) {
 }
 
 AtomicFile::~AtomicFile() = default;
-AtomicFile::AtomicFile(AtomicFile&&) noexcept = default;
 
 void AtomicFile::write(std::span<const unsigned char> content) { file_->write(content); }
 void AtomicFile::commit() { file_->moveTo(target(path_)); }

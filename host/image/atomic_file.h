@@ -15,7 +15,6 @@ public:
     explicit AtomicFile(const std::string& path);
     /// Removes the temporary file unless commit() has been called.
     ~AtomicFile();
-    AtomicFile(AtomicFile&&) noexcept;
     void write(std::span<const unsigned char> content);
     /// Once it returns, the new content is on disk, and survives a crash of the machine.
     void commit();

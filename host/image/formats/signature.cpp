@@ -101,9 +101,9 @@ std::optional<std::string> problemOfTga(std::ifstream& file, std::size_t fileSiz
     const int hasColorMap = start[1], kind = start[2], bits = start[16];
     const std::size_t width = littleEndian(start + 12, 2), height = littleEndian(start + 14, 2);
     const bool isRunLength = kind & 8;
-    if (hasColorMap > 1 || (kind & ~8) < 1 || (kind & ~8) > 3 || width == 0 || height == 0 || bits % 8 > 0 + 7 * (bits == 15)) return {};
+    const bool isSize = bits == 8 || bits == 15 || bits == 16 || bits == 24 || bits == 32;
+    if (hasColorMap > 1 || (kind & ~8) < 1 || (kind & ~8) > 3 || width == 0 || height == 0 || !isSize) return {};
     const std::size_t bytesOfPixel = static_cast<std::size_t>((bits + 7) / 8);
-    if (bytesOfPixel < 1 || bytesOfPixel > 4) return {};
     const std::size_t colorMap = hasColorMap ? littleEndian(start + 5, 2) * ((start[7] + 7u) / 8) : 0, before = 18 + start[0] + colorMap;
     file.clear();
     file.seekg(static_cast<std::streamoff>(before));
