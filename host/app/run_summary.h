@@ -1,7 +1,7 @@
 #pragma once
 // The result of a render as JSON, for programs.
 
-#include "film/film.h"
+#include "film/totals.h"
 #include "image/film_image.h"
 #include "render/render.h"
 #include "render/session.h"

@@ -1,7 +1,7 @@
 #pragma once
 // Statistics of a render, as text.
 
-#include "film/film.h"
+#include "film/totals.h"
 #include "render/session.h"
 
 namespace eikonal {

@@ -1,6 +1,7 @@
 #pragma once
 // What an image's bits depend on, so that a film is only continued by the render that began it.
 
+#include "film/film.h"
 #include "render/session.h"
 
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 // What it takes to render a scene, made ready step by step, with the time that each step took.
 
-#include "film/film.h"
 #include "film/tile.h"
+#include "film/totals.h"
 #include "render/biased_choices.h"
 #include "render/options.h"
 #include "pack/tables.h"

@@ -2,7 +2,8 @@
 // Hashes of packed scenes.
 
 #include "device/source.h"
-#include "pack/tables.h"
+#include "eikonal/scene.h"
+#include "memory_pages.h"
 
 #include <fmt/format.h>
 
