@@ -71,6 +71,36 @@ TEST(TextureProgram, ComputesWhatItSays) {
     }
 }
 
+/// Coordinates that fit no integer: floats of 2^24 and more are even, and an image goes on as its ends do.
+TEST(TextureProgram, HasValuesFarAway) {
+    Textures t;
+    const spectrum a{1, 0, 0}, b{0, 1, 0};
+    const auto image = [&](image_wrap wrap, image_filter filter) {
+        return t.program({t.lookup(t.image(2, 1, 1, format_float, wrap, filter, {0.25f, 0.75f}))});
+    };
+    const uint checks = t.program({t.constant(a), t.constant(b), Textures::instruction(kind_checkerboard_texture)});
+    const uint clamped = image(wrap_clamp, filter_bilinear), clampedNearest = image(wrap_clamp, filter_nearest);
+    const uint black = image(wrap_black, filter_bilinear), blackNearest = image(wrap_black, filter_nearest);
+    struct Case { uint program; vec2 uv; float red; };
+    std::vector<Case> cases = {{checks, {8388609, 0}, 0}, {checks, {8388608, 0}, 1}, {checks, {-8388609, 0}, 0}};
+    for (float far : {3e9f, 1e20f, 3e38f}) {
+        for (uint image : {clamped, clampedNearest}) {
+            cases.push_back({image, {far, -far}, 0.75f});
+            cases.push_back({image, {-far, far}, 0.25f});
+        }
+        for (uint image : {black, blackNearest}) {
+            cases.push_back({image, {far, 0.5f}, 0});
+            cases.push_back({image, {0.5f, -far}, 0});
+        }
+        cases.push_back({checks, {far, -far}, 1});
+    }
+    std::vector<uint> program;
+    std::vector<vec2> uv;
+    for (const Case& c : cases) program.push_back(c.program), uv.push_back(c.uv);
+    const auto results = evaluate(t.scene, program, uv, std::vector<vec3>(uv.size()));
+    for (size_t i = 0; i < cases.size(); ++i) EXPECT_EQ(results[i].value.r, cases[i].red) << "program " << program[i] << " at " << uv[i].x;
+}
+
 /// bilerp beyond the unit square, directionmix over the plane z = 0, and what is brought into [0, 1].
 TEST(TextureProgram, BlendsAndClamps) {
     Textures t;
