@@ -4,6 +4,7 @@
 #include "random_inputs.h"
 #include "stage.h"
 #include "statistics.h"
+#include "test_paths.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

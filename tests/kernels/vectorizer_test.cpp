@@ -6,6 +6,7 @@
 #include "kind_features.h"
 #include "measured_file.h"
 #include "stage.h"
+#include "test_paths.h"
 
 #include <gtest/gtest.h>
 

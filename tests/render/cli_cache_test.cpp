@@ -3,6 +3,7 @@
 #include "cli.h"
 
 #include "feature_set.h"
+#include "test_paths.h"
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>

@@ -1,6 +1,7 @@
 // Exit statuses and messages of what cannot be done.
 
 #include "cli.h"
+#include "test_paths.h"
 
 #include <gmock/gmock.h>
 

@@ -3,6 +3,7 @@
 #include "lit_floor.h"
 
 #include "kind_features.h"
+#include "test_paths.h"
 
 #include <fmt/format.h>
 

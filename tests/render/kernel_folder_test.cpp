@@ -1,6 +1,7 @@
 // Where the program finds its kernels: wherever they are installed, whatever the folder is called, and none of another version.
 
 #include "run_program.h"
+#include "test_paths.h"
 
 #include <gmock/gmock.h>
 

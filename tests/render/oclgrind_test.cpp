@@ -2,6 +2,7 @@
 
 #include "measured_file.h"
 #include "run_program.h"
+#include "test_paths.h"
 
 #include <gtest/gtest.h>
 

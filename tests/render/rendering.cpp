@@ -10,6 +10,7 @@
 #include "render/survey.h"
 #include "render/wave.h"
 #include "read/pbrt/read_pbrt.h"
+#include "test_paths.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,7 @@
 #include "run_program.h"
 
+#include "test_paths.h"
+
 #include <fcntl.h>
 #include <sys/wait.h>
 
@@ -9,6 +11,8 @@
 namespace eikonal {
 
 using Clock = std::chrono::steady_clock;
+
+const std::string ProgramTest::builtProgram = EIKONAL_BINARY;
 
 ProgramTest::Running ProgramTest::start(const std::vector<std::string>& arguments, const Environment& environment) const {
     static int count = 0;

@@ -25,7 +25,8 @@ protected:
     /// A run that goes on. Every one is to be waited for.
     struct Running { int process; std::string out, error; };
     Running start(const std::vector<std::string>& arguments, const Environment& environment = {}) const;
-    std::string program_ = EIKONAL_BINARY;   ///< that is run
+    static const std::string builtProgram;
+    std::string program_ = builtProgram;   ///< that is run
     Outcome wait(const Running& running) const;
 
     /// Waits until the running program has printed `text` as an error or warning; false: it did not, for 60 seconds.

@@ -2,6 +2,7 @@
 
 #include "kind_features.h"
 #include "lit_floor.h"
+#include "test_paths.h"
 
 #include <algorithm>
 

@@ -4,6 +4,7 @@
 #include "app/output.h"
 #include "app/progress_bar.h"
 #include "app/options.h"
+#include "test_paths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

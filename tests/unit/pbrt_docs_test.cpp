@@ -7,6 +7,7 @@
 #include "read/pbrt/setting_kinds.h"
 #include "read/pbrt/shapes.h"
 #include "read/pbrt/textures.h"
+#include "test_paths.h"
 
 #include <gmock/gmock.h>
 
