@@ -1,4 +1,5 @@
 #include "app/commands.h"
+#include "app/output.h"
 #include "pack/missed_light.h"
 #include "render/session.h"
 #include "app/statistics.h"
@@ -76,7 +77,7 @@ int infoCommand(const Options& o) {
     Diagnostics diagnostics(o.log, o.scene.strict);
     Session session(o, diagnostics);
     session.load(false);
-    session.pack({});
+    session.pack(aovsOf(o.output, session.scene().film, {}, diagnostics));
     const std::string text =
         o.json ? asJson(o, session.packed(), session.plan()).dump(2) + "\n" : asText(o, session.packed(), session.plan());
     std::fputs(text.c_str(), stdout);

@@ -1,7 +1,6 @@
 #include "app/render_output.h"
 
 #include "app/output.h"
-#include "film/exposure.h"
 #include "film/projection.h"
 #include "image/image_file.h"
 #include "names.h"
@@ -23,10 +22,10 @@ void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const 
     metadata.errorDoubt = error.doubt;
 }
 
-FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs) {
-    FilmImage image = developExposed(totals, scene, film);
+FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, GBuffer gbuffer, const Aovs& aovs) {
+    FilmImage image = totals.develop(scene);
     selectAovs(image, aovs);
-    if (film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, scene);
+    if (gbuffer == GBuffer::cameraSpace) toCameraSpace(image, scene);
     return image;
 }
 
@@ -52,7 +51,7 @@ ImageReport RenderOutput::report(const FilmTotals& totals, double seconds) {
 }
 
 FilmImage RenderOutput::develop(const FilmTotals& totals) const {
-    return developImage(totals, session_.packed(), session_.scene().film, aovs_);
+    return developImage(totals, session_.packed(), session_.scene().film.gbuffer, aovs_);
 }
 
 void RenderOutput::write(const FilmImage& image, const Metadata& metadata) const {

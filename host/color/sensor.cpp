@@ -119,14 +119,14 @@ std::array<glm::dvec3, wavelengthCount> linearSrgbResponse(const SensorDescripti
     return response;
 }
 
-glm::dmat3 pixelFromLinearSrgb(const SensorDescription& sensor) {
+glm::dmat3 imageFromLight(const SensorDescription& sensor) {
+    const glm::dmat3 imageFromXyz = sensor.imagingRatio * rgbFromXyz(ColorSpace::srgb);
     if (sensor.name == "cie1931") {
-        if (!(sensor.whiteBalance > 0) && sensor.output == ColorSpace::srgb) return glm::dmat3(sensor.imagingRatio);
-        return sensor.imagingRatio * rgbFromXyz(sensor.output) * balanceOf(sensor) * xyzFromRgb(ColorSpace::srgb);
+        if (!(sensor.whiteBalance > 0)) return glm::dmat3(sensor.imagingRatio);
+        return imageFromXyz * balanceOf(sensor) * xyzFromRgb(ColorSpace::srgb);
     }
     const Camera camera = cameraNamed(sensor.name);
-    return sensor.imagingRatio * rgbFromXyz(sensor.output) * xyzFromResponse(camera, whiteOf(sensor), sensor.output) *
-           responseFromLinearSrgb(camera);
+    return imageFromXyz * xyzFromResponse(camera, whiteOf(sensor), sensor.output) * responseFromLinearSrgb(camera);
 }
 
 std::vector<std::string> sensorNames() {

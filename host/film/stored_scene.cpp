@@ -27,7 +27,7 @@ template <class T> Table<T> tableFrom(const std::string& text) {
 
 }  // namespace
 
-std::string toJson(const PackedScene& packed, const PixelRect& pixels, const FilmDescription& film) {
+std::string toJson(const PackedScene& packed, const PixelRect& pixels, GBuffer gbuffer) {
     Json json{{"frame", hex(&packed.frame(), sizeof(settings))},
               {"lens", hex(packed.tables.lens_elements)},
               {"wavelengths", hex(packed.tables.wavelengths)},
@@ -37,12 +37,7 @@ std::string toJson(const PackedScene& packed, const PixelRect& pixels, const Fil
               {"cameraUnit", packed.cameraUnit},
               {"pixels", {pixels.x0, pixels.y0, pixels.x1, pixels.y1}},
               {"samples", packed.samples},
-              {"iso", film.iso},
-              {"exposureTime", film.exposureTime},
-              {"whiteBalance", film.whiteBalance},
-              {"sensor", film.sensor},
-              {"colorSpace", static_cast<int>(film.colorSpace)},
-              {"gbuffer", static_cast<int>(film.gbuffer)}};
+              {"gbuffer", static_cast<int>(gbuffer)}};
     for (size_t i = 0; i < featureCount(); ++i)
         if (packed.features.has(static_cast<Feature>(i))) json["features"].push_back(featureName(static_cast<Feature>(i)));
     return json.dump();
@@ -69,13 +64,7 @@ StoredScene storedScene(const std::string& text, const std::string& name) {
         packed.samples = json.at("samples");
         for (const Json& feature : json.value("features", Json::array()))
             if (const Feature known = featureNamed(feature); known != Feature::none) packed.features.require(known);
-        FilmDescription& film = scene.film;
-        film.iso = json.at("iso");
-        film.exposureTime = json.at("exposureTime");
-        film.whiteBalance = json.at("whiteBalance");
-        film.sensor = json.at("sensor");
-        film.colorSpace = static_cast<ColorSpace>(json.at("colorSpace").get<int>());
-        film.gbuffer = static_cast<GBuffer>(json.at("gbuffer").get<int>());
+        scene.gbuffer = static_cast<GBuffer>(json.at("gbuffer").get<int>());
     } catch (const Error&) {
         throw;
     } catch (const std::exception& error) {   // of JSON, or of numbers

@@ -20,11 +20,11 @@ FilmTotals::FilmTotals(const PackedScene& scene, const QueueLayout& layout, std:
 const uint* FilmTotals::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
 const float* FilmTotals::floats(const char* field) const { return reinterpret_cast<const float*>(numbers(field)); }
 
-/// A sum of directions, normalised.
-static glm::vec3 meanDirection(const float* sum, size_t n, size_t i) {
+/// A weighted sum of directions over the sum of the weights, which filters with negative values make negative, normalised.
+static glm::vec3 meanDirection(const float* sum, float weight, size_t n, size_t i) {
     const glm::vec3 direction(sum[i], sum[n + i], sum[2 * n + i]);
-    const float length = glm::length(direction);
-    return length > 0 ? direction / length : glm::vec3(0);
+    const float length = std::copysign(glm::length(direction), weight);
+    return length != 0 ? direction / length : glm::vec3(0);
 }
 
 void FilmTotals::developAovs(FilmImage& image, const PackedScene& scene) const {
@@ -38,8 +38,8 @@ void FilmTotals::developAovs(FilmImage& image, const PackedScene& scene) const {
     for (size_t i = 0; i < n; ++i) {
         const float inverse = weight[i] != 0 ? 1 / weight[i] : 0;
         image.albedo[i] = glm::clamp(glm::vec3(albedo[i], albedo[n + i], albedo[2 * n + i]) * inverse, 0.0f, 1.0f);
-        image.normal[i] = meanDirection(floats("normal"), n, i);
-        image.geometricNormal[i] = meanDirection(floats("ng"), n, i);
+        image.normal[i] = meanDirection(floats("normal"), weight[i], n, i);
+        image.geometricNormal[i] = meanDirection(floats("ng"), weight[i], n, i);
         image.object[i] = static_cast<float>(numbers("object")[i]);
         image.material[i] = static_cast<float>(numbers("material")[i]);
         image.depth[i] = std::numeric_limits<float>::infinity();

@@ -118,7 +118,8 @@ Comparison compare(const FilmImage& image, const FilmImage& reference, int block
             result.blocks.push_back(
                 {x0, y0, block.image / count, block.reference / count, noiseKnown ? block.knownError() : block.scatterError()});
         }
-    const double count = std::max(whole.count, 1.);
+    if (whole.count == 0) throw Error(ExitCode::scene, "the images have no pixel that is finite in both");
+    const double count = whole.count;
     result.mean = whole.image / count;
     result.referenceMean = whole.reference / count;
     result.relativeMse = relativeMse(image, reference, both, whole.reference / count);

@@ -22,10 +22,15 @@ namespace eikonal {
 namespace {
 
 enum class Content { layers, linear, screen8, screen16 };
-struct Format { const char *extension, *name; Content content; int mostPixels = 1 << 30; };  // columns, and rows
+struct Format {
+    const char *extension, *name;
+    Content content;
+    int mostPixels = 1 << 30;      // columns, and rows
+    bool holdsNegatives = true;    // of `linear`
+};
 
 constexpr std::array<Format, 11> formats{{{"exr", "openexr", Content::layers},
-                                          {"hdr", "hdr", Content::linear},
+                                          {"hdr", "hdr", Content::linear, 1 << 30, false},
                                           {"pfm", "pfm", Content::linear},
                                           {"png", "png", Content::screen8},
                                           {"jpg", "jpeg", Content::screen8, 65500},
@@ -181,6 +186,7 @@ void writeImage(const std::string& path, const FilmImage& image, const Metadata&
         file.channels.clear();
         for (const auto& channel : channels) file.channels.push_back(channel.name);
         file.values = interleave(channels, image.pixelCount());
+        if (!format.holdsNegatives) std::ranges::transform(file.values, file.values.begin(), [](float v) { return v > 0 ? v : 0; });
     }
     writeFileAtomically(path, encode(path, format, file));
 }

@@ -5,6 +5,8 @@
 #include "pack/alias_table.h"
 #include "pack/motion.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace eikonal {
@@ -13,8 +15,11 @@ PixelRect renderedPixels(const FilmDescription& film, Diagnostics& diagnostics) 
     PixelRect rect{0, 0, film.width, film.height};
     if (film.cropWindow) {
         const auto& c = *film.cropWindow;
-        rect = {static_cast<int>(std::ceil(film.width * c[0])), static_cast<int>(std::ceil(film.height * c[2])),
-                static_cast<int>(std::ceil(film.width * c[1])), static_cast<int>(std::ceil(film.height * c[3]))};
+        /* In single precision, as in pbrt-v4: 0.55 of 100 columns are 55, not 56 */
+        const auto part = [](int size, double share) {
+            return static_cast<int>(std::ceil(static_cast<float>(size) * static_cast<float>(share)));
+        };
+        rect = {part(film.width, c[0]), part(film.height, c[2]), part(film.width, c[1]), part(film.height, c[3])};
     }
     if (film.pixelBounds) rect = {film.pixelBounds->x0, film.pixelBounds->y0, film.pixelBounds->x1, film.pixelBounds->y1};
     const PixelRect clipped{std::max(rect.x0, 0), std::max(rect.y0, 0), std::min(rect.x1, film.width), std::min(rect.y1, film.height)};
@@ -56,15 +61,18 @@ void packCamera(const CameraPacking& in, camera& view) {
     kind.traits.pack(in, description, view);
 }
 
+/// A filter is as fine as in pbrt-v4.
+constexpr double cellsPerPixel = 16;
+
 /// One axis as an alias table over cells of |f|; value over density is then the sign.
-static void packFilterAxis(CameraTables& tables, const FilterDescription& filter, double radius) {
+static void packFilterAxis(CameraTables& tables, const FilterDescription& filter, double radius, uint cells) {
     std::vector<double> weights;
-    for (int i = 0; i < FILTER_CELLS; ++i) {
+    for (uint i = 0; i < cells; ++i) {
         /* Average a few points of the cell */
         double mean = 0;
         constexpr int points = 8;
         for (int k = 0; k < points; ++k)
-            mean += filter.kind->eval(filter, std::abs(((i + (k + 0.5) / points) * 2 / FILTER_CELLS - 1) * radius), radius) / points;
+            mean += filter.kind->eval(filter, std::abs(((i + (k + 0.5) / points) * 2 / cells - 1) * radius), radius) / points;
         weights.push_back(std::abs(mean));
         tables.filter_values.push_back(mean < 0 ? -1.0f : 1.0f);
     }
@@ -74,11 +82,12 @@ static void packFilterAxis(CameraTables& tables, const FilterDescription& filter
 
 void packFilter(const CameraPacking& in, filter& packed) {
     const FilterDescription& description = in.context.scene.filter;
-    packed = {static_cast<float>(description.xRadius), static_cast<float>(description.yRadius)};
+    const double cells = std::clamp(cellsPerPixel * 2 * std::max(description.xRadius, description.yRadius), 64., double{MOST_FILTER_CELLS});
+    packed = {static_cast<float>(description.xRadius), static_cast<float>(description.yRadius), std::bit_ceil(static_cast<uint>(cells))};
     if (description.kind == &box_filter && description.xRadius == 0.5 && description.yRadius == 0.5) return;
     in.context.require(Feature::FILTER, description.where.toString());
-    packFilterAxis(in.tables, description, description.xRadius);
-    packFilterAxis(in.tables, description, description.yRadius);
+    packFilterAxis(in.tables, description, description.xRadius, packed.cells);
+    packFilterAxis(in.tables, description, description.yRadius, packed.cells);
 }
 
 std::array<glm::dmat4, 3> cameraFromScene(const PackContext& context) {

@@ -63,4 +63,8 @@ DenseCurve ofUnitLuminance(DenseCurve curve);
 /// Luminance of emitted light, times `factor`, rounded to single precision. Light samplers weight lights by it.
 double luminanceOf(const Spectrum& light, double factor = 1);
 
+/// How the film turns light into values of the image: for rendering in RGB its sensor, white balance, sensitivity and exposure time
+/// (color/sensor.h), which spectral rendering has in the curves of packSensor; and the limit of a sample.
+void packExposure(const FilmDescription& film, settings& frame);
+
 }  // namespace eikonal

@@ -107,9 +107,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     settings& frame = packed.frame();
     frame.light_count = static_cast<uint>(packed.tables.light_aliases.size());
     frame.world_scale = static_cast<float>(packed.worldScale);
-    /* Spectral samples include the film's response; RGB samples are radiance, which is exposed at the end */
-    frame.max_component_value =
-        static_cast<float>(scene.film.maxComponentValue / (context.spectral ? 1 : scene.film.exposureTime * scene.film.iso / 100));
+    packExposure(scene.film, frame);
     packed.constants.environments = static_cast<int>(packed.tables.environments.size());
 
     SceneCounts& counts = packed.counts;

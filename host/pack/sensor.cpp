@@ -2,6 +2,7 @@
 
 #include "color/sensor.h"
 #include "pack/colors.h"
+#include "pack/space.h"
 
 #include <algorithm>
 
@@ -17,13 +18,20 @@ uint ColorPacker::response(const std::array<glm::dvec3, wavelengthCount>& respon
     return first;
 }
 
+static SensorDescription sensorOf(const FilmDescription& film) {
+    return {film.sensor, film.whiteBalance, film.exposureTime * film.iso / 100, film.colorSpace};
+}
+
+void packExposure(const FilmDescription& film, settings& frame) {
+    frame.image_from_light = toAffine(glm::dmat4(imageFromLight(sensorOf(film))));
+    frame.max_component_value = toFloat(film.maxComponentValue);
+}
+
 void ColorPacker::packSensor(settings& frame) {
     DenseCurve one;
     one.fill(1);
     curve(one);
-    const FilmDescription& film = context_.scene.film;
-    frame.sensor_curves =
-        response(linearSrgbResponse({film.sensor, film.whiteBalance, film.exposureTime * film.iso / 100, film.colorSpace}));
+    frame.sensor_curves = response(linearSrgbResponse(sensorOf(context_.scene.film)));
     const DenseCurve white = ofUnitLuminance(whiteSpectrum(ColorSpace::srgb));
     auto albedo = matchingFunctions();
     for (int i = 0; i < wavelengthCount; ++i) albedo[i] = rgbFromXyz(ColorSpace::srgb) * albedo[i] * white[i];

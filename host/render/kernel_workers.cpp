@@ -42,7 +42,7 @@ PackedScene emptyScene(const CompileRequest& request) {
     PackedScene scene;
     scene.features = featuresOf(request.features);
     scene.constants = SceneConstants::fromText(request.constants);
-    constexpr size_t elements = std::max(1024, 2 * FILTER_CELLS);
+    constexpr size_t elements = 2 * MOST_FILTER_CELLS;
 #define FILL_WITH_ZEROS(type, name) scene.tables.name.resize(elements);
     SCENE_TABLES(FILL_WITH_ZEROS)
 #undef FILL_WITH_ZEROS

@@ -86,6 +86,12 @@ std::vector<float> readThroughputs(const Context& context, const QueueItems& ray
     return t;
 }
 
+/// White light that is as bright in the image as the film's limit of a sample; 0: there is no limit.
+float mostLight(const settings& frame) {
+    const affine& m = frame.image_from_light;
+    return frame.max_component_value / std::max({m.xx + m.xy + m.xz, m.yx + m.yy + m.yz, m.zx + m.zy + m.zz});
+}
+
 /// Records the paths of one batch after another.
 class Recorder {
 public:
@@ -159,7 +165,7 @@ std::optional<Roulette> pilotRoulette(const Context& context, DeviceScene& scene
     frame.sequence_tile_bits = 0;
     frame.roulette_depth = NONE;
     scene.setFrame(context, frame);
-    Recorder recorder(context, frame.max_component_value);
+    Recorder recorder(context, mostLight(frame));
     record(frame, scatterPixels(frame, size), wave, recorder);
     if (wave.stopFlag().isRaised()) {
         scene.setFrame(context, packed.frame());

@@ -6,7 +6,6 @@
 #include "render/kernel_workers.h"
 #include "render/scene_loading.h"
 #include "wait_notice.h"
-#include "film/exposure.h"
 #include "image/formats/image_formats.h"
 #include "kinds/integrator_kind.h"
 #include "kinds/medium_kind.h"
@@ -202,7 +201,7 @@ void Session::survey(const std::function<bool()>& abandon) {
     profile_.reset();
 }
 
-FilmImage Session::develop(const FilmTotals& totals) const { return developExposed(totals, packed_, scene_.film); }
+FilmImage Session::develop(const FilmTotals& totals) const { return totals.develop(packed_); }
 
 void Session::setSeed(int seed) {
     packed_.frame().seed = static_cast<uint>(seed);

@@ -41,11 +41,12 @@ typedef struct {
     uint medium;                   /* medium around the camera, or NONE */
 } camera;
 
-/* A separable reconstruction filter, importance-sampled from a piecewise-constant density: FILTER_CELLS cells per axis as an alias table
-   (in `filter_aliases`: x, then y), and the filter's value over that density. */
-#define FILTER_CELLS 64
+/* A separable reconstruction filter, importance-sampled from a piecewise-constant density: cells of equal width per axis as an alias table
+   (in `filter_aliases`: x, then y), and the filter's value over that density (in `filter_values`). */
+#define MOST_FILTER_CELLS 4096
 typedef struct {
     float radius_x, radius_y;      /* pixels */
+    uint cells;                    /* per axis; a power of two */
 } filter;
 
 CONTRACT_END

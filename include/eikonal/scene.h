@@ -206,7 +206,8 @@ typedef struct {
     uint sensor_curves;    /* with SPECTRAL: first of three in `curves`: linear sRGB of the image for light of each wavelength */
     uint albedo_curves;    /* with SPECTRAL: first of three in `curves`: linear sRGB of a reflectance in daylight */
     uint bucket_count;     /* SPECTRAL_FILM: number of equal buckets that divide the range of `wavelengths`; 0 without */
-    float max_component_value; /* brighter samples are scaled down to this; 0: no limit */
+    affine image_from_light; /* without SPECTRAL: a linear map from linear sRGB light to that of the image */
+    float max_component_value; /* samples of the image brighter than this are scaled down to it; 0: no limit */
 } settings;
 
 CONTRACT_END

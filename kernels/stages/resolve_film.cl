@@ -34,12 +34,18 @@ FN film_item add_luminance(film_item f, float y, float square_weight) {
     return f;
 }
 
+FN rgb image_from_light(affine map, rgb light) {
+    vec3 color = transform_vector(map, make_vec3(light.r, light.g, light.b));
+    return make_rgb(color.x, color.y, color.z);
+}
+
 /* The light that the film receives, and the sensor's colour for it; both are scaled down if the colour exceeds max_component_value. */
 typedef struct { spectrum light; rgb color; } exposure;
 FN exposure expose(path_item p, sampled_wavelengths colors, __global const settings *frame) {
     exposure e;
     e.light = HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L;
     e.color = color_seen(colors, frame->sensor_curves, e.light);
+    if (!HAS_SPECTRAL) e.color = image_from_light(frame->image_from_light, e.color);
     float most = frame->max_component_value, brightest = max_component(e.color);
     if (most > 0.0f && brightest > most) {
         e.light = mul(e.light, most / brightest);

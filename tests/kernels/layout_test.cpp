@@ -23,7 +23,8 @@ namespace {
     M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) \
     M(settings, sequence_sample_bits) M(settings, sequence_tile_bits) M(settings, max_depth) M(settings, light_count) \
     M(settings, first_infinite) M(settings, infinite_count) M(settings, lights_in_tree) M(settings, world_scale) \
-    M(settings, sensor_curves) M(settings, albedo_curves) M(settings, bucket_count) M(settings, max_component_value) \
+    M(settings, sensor_curves) M(settings, albedo_curves) M(settings, bucket_count) M(settings, image_from_light) \
+    M(settings, max_component_value) \
     M(wavelength_range, first) M(wavelength_range, extent) M(wavelength_range, share) M(wavelength_range, inverse_pdf) \
     M(wavelength_range, inverse_pdf_beside) \
     M(camera, kind) M(camera, scene_from_camera) M(camera, screen_x) M(camera, screen_y) M(camera, step_x) M(camera, step_y) \

@@ -93,6 +93,21 @@ TEST(Aovs, PositionsAndNormalsAreThoseOfTheWorld) {
     EXPECT_NEAR(std::abs(glm::dot(n, shading)), 1, 1e-5);
 }
 
+/// Of few samples the weights of such a filter may sum to less than 0: colours are divided by the sum, and so are normals.
+TEST(Aovs, NormalsKeepTheirSideUnderAFilterWithNegativeValues) {
+    View v = view(40, 32);
+    v.samples = 4;
+    v.more = "PixelFilter \"sinc\"\n";
+    const Rendered r = renderAovs(v, wall);
+    const float side = r.image.normal[0].z;
+    EXPECT_NEAR(std::abs(side), 1, 1e-5);
+    for (size_t i = 0; i < r.image.pixelCount(); ++i) {
+        if (r.image.normal[i] == glm::vec3(0)) continue;   // the weights sum to 0
+        ASSERT_NEAR(r.image.normal[i].z, side, 1e-5) << i;
+        ASSERT_NEAR(r.image.geometricNormal[i].z, side, 1e-5) << i;
+    }
+}
+
 /// On a plane 4 away, of which a pixel of the 16 x 16 sees half a unit by half a unit: a square that goes 1 to the right and half a unit up
 /// in the motion's time goes 2 pixels and -1. A shutter that is open for half of it sees half; a camera that goes along with it, or an
 /// instance that goes the other way, none; and what stands still moves against the camera.

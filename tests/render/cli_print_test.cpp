@@ -58,6 +58,9 @@ TEST_F(Cli, InfoTellsWhatASceneRequiresAndWhy) {
     };
     EXPECT_TRUE(requires_("BSDF_DIFFUSE"));
     EXPECT_FALSE(requires_("MEDIA"));
+    /* What a film asks for counts, too */
+    write("gbuffer.pbrt", "Film \"gbuffer\" \"integer xresolution\" 16 \"integer yresolution\" 12\nWorldBegin\nShape \"sphere\"\n");
+    EXPECT_THAT(run({"info", "gbuffer.pbrt"}).out, HasSubstr("AOVS"));
     write("empty.pbrt", "WorldBegin\n");
     EXPECT_THAT(run({"info", "empty.pbrt"}).out, HasSubstr("contents   nothing\n"));
 }

@@ -92,5 +92,40 @@ TEST(FilmError, IsThatOfSobolSamplesAndOfIndependentOnes) {
     EXPECT_GT(classical[1] / found[1], 3) << "the scene is not smooth, so this test shows nothing";
 }
 
+/// The scene with parameters added to its film.
+std::string withFilm(std::string scene, const std::string& parameters) {
+    const std::string film = "Film \"rgb\" ";
+    return scene.replace(scene.find(film), film.size(), film + parameters + " ");
+}
+
+// A film four times as sensitive shows four times the light, with four times the error: a power of two, so to the last bit.
+TEST(FilmExposure, ScalesTheImageAndItsError) {
+    const std::string scene = sceneText(floorUnderALamp("zsobol", 64, 0), lamp);
+    const Rendered usual = render(scene), fast = render(withFilm(scene, "\"float iso\" 400"));
+    for (size_t i = 0; i < usual.image.pixelCount(); ++i) {
+        ASSERT_EQ(fast.image.color[i], 4.0f * usual.image.color[i]);
+        ASSERT_EQ(fast.image.variance[i], 16 * usual.image.variance[i]);
+    }
+    EXPECT_GT(usual.error.error, 0);
+    EXPECT_DOUBLE_EQ(fast.error.error, 4 * usual.error.error);
+}
+
+// The limit is that of the image: what is left of a sky of 3 is a colour whose largest component is the limit, in the ratios that the white
+// balance makes, by wavelengths as in RGB.
+TEST(FilmExposure, LimitsSamplesOfTheImage) {
+    const std::string scene = sceneText({}, "LightSource \"infinite\" \"rgb L\" [3 3 3]");
+    const std::string balance = "\"float whitebalance\" 3200 \"float iso\" 400 ";
+    for (const ColorMode color : {ColorMode::rgb, ColorMode::spectral}) {
+        const auto sky = [&](const std::string& film) { return estimate(render(packScene(withFilm(scene, film), color)).image).mean; };
+        const glm::dvec3 free = sky(balance), limited = sky(balance + "\"float maxcomponentvalue\" 1");
+        EXPECT_GT(free.b, 2 * free.r);
+        /* By wavelengths, each sample has a colour of its own */
+        const double most = std::max({limited.r, limited.g, limited.b});
+        if (color == ColorMode::spectral) { EXPECT_LE(most, 1 + 1e-5); continue; }
+        EXPECT_NEAR(most, 1, 1e-5);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(limited[c], free[c] / std::max({free.r, free.g, free.b}), 1e-5);
+    }
+}
+
 }  // namespace
 }  // namespace eikonal

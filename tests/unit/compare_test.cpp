@@ -101,6 +101,8 @@ TEST(Compare, leavesOutWhatIsNotFinite) {
     EXPECT_EQ(result.invalid, 2);
     EXPECT_EQ(result.relativeMse, 0);
     EXPECT_EQ(result.mean, glm::dvec3(1));
+    for (glm::vec3& color : image.color) color.x = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_THROW(compare(image, reference), Error);
 }
 
 TEST(Compare, comparesACropWithItsPlaceInTheWhole) {

@@ -336,5 +336,15 @@ TEST_F(Film, refusesTruncatedFiles) {
     }
 }
 
+// A shared exponent leaves no sign.
+TEST_F(Film, anHdrHasNoNegativeValues) {
+    FilmImage image(2, 1);
+    image.color = {glm::vec3(-0.5f, 2, 8), glm::vec3(1, std::numeric_limits<float>::quiet_NaN(), -1e-8f)};
+    writeImage(path("a.hdr"), image, {});
+    const FilmImage stored = readImage(path("a.hdr")).image;
+    EXPECT_EQ(stored.color[0], glm::vec3(0, 2, 8));
+    EXPECT_EQ(stored.color[1], glm::vec3(1, 0, 0));
+}
+
 }  // namespace
 }  // namespace eikonal

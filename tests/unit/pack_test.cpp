@@ -170,21 +170,6 @@ TEST_F(Pack, IndicesThatDependOnTheWavelengthDisperse) {
     }
 }
 
-// Samples are held to a value of the image: of RGB, which is exposed in the end, to that much less light.
-TEST_F(Pack, SamplesAreHeldToAnExposedValue) {
-    const auto most = [&](const std::string& light) {
-        Diagnostics diagnostics(LogLevel::silent, true);
-        return packScene(read("Film \"rgb\" \"float maxcomponentvalue\" 2 \"float iso\" 400\nCamera \"perspective\" \"float shutterclose\" "
-                              ".5\nWorldBegin\nLightSource \"infinite\" " +
-                              light + "\nShape \"sphere\""),
-                         diagnostics)
-            .frame()
-            .max_component_value;
-    };
-    EXPECT_EQ(most("\"rgb L\" [1 1 1]"), 1);
-    EXPECT_EQ(most("\"blackbody L\" 5000"), 2);
-}
-
 // pbrt-v4's rule for microfacet widths below 0.3: doubled, at least 0.1, at most 0.3. What has none has no twin.
 TEST_F(Pack, RegularizationMakesARougherTwin) {
     const auto widthOfTwin = [&](const std::string& material) {

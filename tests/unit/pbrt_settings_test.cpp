@@ -4,6 +4,7 @@
 #include "kinds/integrator_kind.h"
 #include "kinds/filter_kind.h"
 #include "kinds/camera_kind.h"
+#include "pack/camera.h"
 #include "unit/pbrt_reading.h"
 
 namespace eikonal {
@@ -48,7 +49,22 @@ TEST_F(PbrtSettings, cameras) {
     EXPECT_EQ(flat.screenWindow, (std::array<double, 4>{-1, 2, -3, 4}));
     EXPECT_EQ(flat.focalDistance, 1e6);
     EXPECT_THAT(errorOfSettings("Camera \"orthographic\" \"float screenwindow\" [-1 2]"), HasSubstr("has 2 values; 4 are expected"));
-    EXPECT_THAT(errorOfSettings("Camera \"orthographic\" \"float shutteropen\" 2"), HasSubstr("the shutter must close after it opens"));
+    EXPECT_THAT(errorOfSettings("Camera \"orthographic\" \"float shutteropen\" 1"), HasSubstr("the shutter closes when it opens, at 1"));
+    const CameraDescription swapped = settings("Camera \"orthographic\" \"float shutteropen\" 2").camera;
+    EXPECT_EQ(swapped.shutterOpen, 1);
+    EXPECT_EQ(swapped.shutterClose, 2);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("the shutter closes at 1, before it opens at 2; the two are swapped")));
+}
+
+// In single precision, 0.55 of 100 is 55 and 0.28 of 100 is 28; in double precision both are a little more.
+TEST_F(PbrtSettings, cropWindowsAreRoundedAsInPbrt) {
+    Diagnostics diagnostics(LogLevel::silent, false);
+    const FilmDescription film = settings(
+        "Film \"rgb\" \"integer xresolution\" 100 \"integer yresolution\" 100 \"float cropwindow\" [0 .55 .28 1]").film;
+    const PixelRect pixels = renderedPixels(film, diagnostics);
+    EXPECT_EQ(pixels.x1, 55);
+    EXPECT_EQ(pixels.y0, 28);
+    EXPECT_EQ(pixels.y1, 100);
 }
 
 TEST_F(PbrtSettings, theCamerasMediumMayBeMadeLater) {

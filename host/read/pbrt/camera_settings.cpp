@@ -30,9 +30,14 @@ void Settings::applyCamera(const Arguments& arguments) {
                                      camera.focalDistance));
     camera.shutterOpen = arguments.number("shutteropen");
     camera.shutterClose = arguments.number("shutterclose");
-    if (!(camera.shutterClose > camera.shutterOpen))
-        throw SceneError(arguments.where(), "the shutter must close after it opens: shutteropen is " + std::to_string(camera.shutterOpen) +
-                                                ", shutterclose " + std::to_string(camera.shutterClose));
+    if (camera.shutterClose == camera.shutterOpen)
+        throw SceneError(arguments.where(), fmt::format("the shutter closes when it opens, at {:g}: no light reaches the film; make shutterclose "
+                                                        "larger than shutteropen", camera.shutterOpen));
+    if (camera.shutterClose < camera.shutterOpen) {
+        reading_.diagnostics.warn(arguments.where(), fmt::format("the shutter closes at {:g}, before it opens at {:g}; the two are swapped",
+                                                                 camera.shutterClose, camera.shutterOpen));
+        std::swap(camera.shutterOpen, camera.shutterClose);
+    }
 }
 
 }  // namespace eikonal::pbrt
