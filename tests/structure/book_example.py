@@ -3,7 +3,7 @@
 
 Copies the sources to a temporary folder, puts the blocks of the chapter in place (docs/book/tool/examples.py), builds that program, and
 renders. Expected are: with sigma 0 the image of a diffuse surface; from other surfaces another image; and on a white plane under a white
-sky the radiance that the chapter derives, nowhere above 1. Takes some minutes.
+sky the radiance that the chapter derives, nowhere above 1. Takes some minutes; with --build, only what the example reaches is compiled.
 
 --dry-run compiles nothing but the syntax of the example's host file: it checks that each place where lines are inserted exists once.
 """
@@ -12,9 +12,11 @@ import math
 import re
 import statistics
 import sys
+from pathlib import Path
 
 import add_kinds
 from add_kinds import ROOT, build_program, check_host, compile_flags, copy_tree, pixels
+from incremental_build import build_changed, can_build_from
 
 sys.path.insert(0, str(ROOT / "docs" / "book" / "tool"))
 from examples import examples_of  # noqa: E402
@@ -122,7 +124,9 @@ def try_program(program, tree, scene):
 
 
 def main():
-    options = add_kinds.parser_for(__doc__.splitlines()[0]).parse_args()
+    parser = add_kinds.parser_for(__doc__.splitlines()[0])
+    parser.add_argument("--build", type=Path, help="a build folder of this checkout, whose objects are used where the example changes nothing")
+    options = parser.parse_args()
     with add_kinds.working_tree(options.folder) as tree:
         copy_tree(tree, [])
         examples = examples_of(PAGE)
@@ -135,7 +139,9 @@ def main():
         if problems or options.dry_run:
             print("\n".join(problems) or f"{len(examples)} blocks are in place; the host file compiles")
             return int(bool(problems))
-        return int(try_program(build_program(tree), tree, "\n".join(scenes[0].lines) + "\n") > 0)
+        incremental = options.build and can_build_from(options.build)
+        program = build_changed(tree, options.build.resolve(), SIBLING) if incremental else build_program(tree)
+        return int(try_program(program, tree, "\n".join(scenes[0].lines) + "\n") > 0)
 
 
 if __name__ == "__main__":
