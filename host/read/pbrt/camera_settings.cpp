@@ -12,6 +12,16 @@ void Settings::applyCamera(const Arguments& arguments) {
     camera.where = arguments.where();
     camera.kind = &kindOf(static_cast<camera_kind>(arguments.kind().value));
     if (camera.kind->traits.read) camera.kind->traits.read({reading_, arguments}, camera);
+    if (camera.kind->traits.hasThinLens) applyScreen(arguments);
+    camera.shutterOpen = arguments.number("shutteropen");
+    camera.shutterClose = arguments.number("shutterclose");
+    if (!(camera.shutterClose > camera.shutterOpen))
+        throw SceneError(arguments.where(), "the shutter must close after it opens: shutteropen is " + std::to_string(camera.shutterOpen) +
+                                                ", shutterclose " + std::to_string(camera.shutterClose));
+}
+
+void Settings::applyScreen(const Arguments& arguments) {
+    CameraDescription& camera = reading_.scene.camera;
     if (arguments.has("frameaspectratio")) camera.frameAspectRatio = arguments.number("frameaspectratio");
     if (arguments.has("screenwindow")) {
         const std::vector<double> window = arguments.numbers("screenwindow");
@@ -28,11 +38,6 @@ void Settings::applyCamera(const Arguments& arguments) {
         throw SceneError(arguments.whereOf("focaldistance"),
                          fmt::format("{}: \"float focaldistance\" is {:g}; with a lens it must be in (0, inf)", arguments.kind().title(),
                                      camera.focalDistance));
-    camera.shutterOpen = arguments.number("shutteropen");
-    camera.shutterClose = arguments.number("shutterclose");
-    if (!(camera.shutterClose > camera.shutterOpen))
-        throw SceneError(arguments.where(), "the shutter must close after it opens: shutteropen is " + std::to_string(camera.shutterOpen) +
-                                                ", shutterclose " + std::to_string(camera.shutterClose));
 }
 
 }  // namespace eikonal::pbrt
