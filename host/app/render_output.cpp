@@ -26,6 +26,7 @@ void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const 
 FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs) {
     FilmImage image = developExposed(totals, scene, film);
     selectAovs(image, aovs);
+    image.halfFloats = film.halfFloats;
     if (film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, scene);
     return image;
 }

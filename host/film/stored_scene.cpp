@@ -42,7 +42,8 @@ std::string toJson(const PackedScene& packed, const PixelRect& pixels, const Fil
               {"whiteBalance", film.whiteBalance},
               {"sensor", film.sensor},
               {"colorSpace", static_cast<int>(film.colorSpace)},
-              {"gbuffer", static_cast<int>(film.gbuffer)}};
+              {"gbuffer", static_cast<int>(film.gbuffer)},
+              {"halfFloats", film.halfFloats}};
     for (size_t i = 0; i < featureCount(); ++i)
         if (packed.features.has(static_cast<Feature>(i))) json["features"].push_back(featureName(static_cast<Feature>(i)));
     return json.dump();
@@ -76,6 +77,7 @@ StoredScene storedScene(const std::string& text, const std::string& name) {
         film.sensor = json.at("sensor");
         film.colorSpace = static_cast<ColorSpace>(json.at("colorSpace").get<int>());
         film.gbuffer = static_cast<GBuffer>(json.at("gbuffer").get<int>());
+        film.halfFloats = json.at("halfFloats");
     } catch (const Error&) {
         throw;
     } catch (const std::exception& error) {   // of JSON, or of numbers
