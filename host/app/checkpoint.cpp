@@ -35,7 +35,7 @@ void Checkpoints::resume(const Session& session, Film& film, RenderOutput& outpu
     if (path.empty()) return;
     const RenderIdentity here = identityOf(session, options_, film);
     head_.identity = toJson(here);
-    head_.scene = toJson(session.packed(), session.wholePixels(), session.scene().film.gbuffer);
+    head_.scene = toJson(session.packed(), session.wholePixels(), session.scene().film);
     head_.metadata = toJson(output.metadata());
     if (!before_) return;
     const RenderIdentity there = identityFromJson(before_->head().identity, path);

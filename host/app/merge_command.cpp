@@ -103,7 +103,7 @@ int mergeCommand(const Options& o) {
     metadata.renderSeconds = merged.seconds;
     metadata.commandLine = o.commandLine;
     if (o.log >= LogLevel::warning) std::fputs((describe(error, stored.metric) + "\n").c_str(), stderr);
-    const FilmImage image = developImage(totals, scene.packed, scene.gbuffer, stored.aovs);
+    const FilmImage image = developImage(totals, scene.packed, scene.film, stored.aovs);
     const std::vector<std::string> images = imageFiles(o.output.files);
     for (const std::string& file : images) writeImage(file, image, metadata, o.output.toneMapping);
     const std::string done =

@@ -4,6 +4,7 @@
 #include "app/checkpoint.h"
 #include "clock.h"
 #include "app/commands.h"
+#include "app/error_log.h"
 #include "app/interrupt.h"
 #include "app/progress_bar.h"
 #include "app/output.h"
@@ -54,7 +55,7 @@ private:
 
 /// Renders until each pixel has the samples `samples`, the error is small enough, the time is over, or a signal arrives.
 RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRange samples, Deadline& deadline, Checkpoints& checkpoints,
-                        RenderOutput& output) {
+                        RenderOutput& output, ErrorLog& errors) {
     ProgressBar bar(samples.length(), o.log < LogLevel::warning);
     RenderControl control;
     control.endSample = samples.end;
@@ -65,6 +66,7 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRa
     control.progress = [&](const Progress& p) {
         deadline.isWhole = p.samples > 0;
         bar.show(p);
+        if (p.samples > 0) errors.note(p.samples, film, output);
     };
     control.pause = [&](std::span<const unsigned> planned) { checkpoints.pause(film, planned, time.seconds(), output); };
     control.stop = [&] { return deadline.isOver(); };
@@ -96,6 +98,17 @@ void reportUnresolvedRays(uint count, Diagnostics& diagnostics) {
         diagnostics.warn({}, fmt::format("{} ray{} at an implicit surface ran out of splits, so parts of that surface may be missing; "
                                          "use a smaller box or a simpler F",
                                          count, count == 1 ? "" : "s"));
+}
+
+/// Warns if colours are too bright for 16 bits.
+void warnOfClamping(const FilmImage& image, const FilmDescription& film, Diagnostics& diagnostics) {
+    constexpr float most = 65504;
+    if (!image.halfFloats) return;
+    const auto count = std::ranges::count_if(image.color, [](const glm::vec3& c) { return std::max({c.r, c.g, c.b}) > most; });
+    if (count)
+        diagnostics.warn(film.where, fmt::format("{} pixel{} brighter than {}, the most that 16-bit floats hold; in EXR files {} clamped: "
+                                                 "\"bool savefp16\" false keeps all",
+                                                 count, count == 1 ? " is" : "s are", most, count == 1 ? "it is" : "they are"));
 }
 
 /// Throws an error if the film and the output image would not fit into memory, because a process killed for memory loses the whole render.
@@ -146,6 +159,7 @@ int renderCommand(const Options& o) {
     }
     diagnostics.info("planned memory: " + describe(session.plan()));
     RenderOutput output(o, session, files, aovs);
+    ErrorLog errors(session.scene().film);
     std::optional<Film> film(std::in_place, packed, packed.features, samples.first);
     checkpoints.resume(session, *film, output);
     session.prepare();
@@ -156,7 +170,7 @@ int renderCommand(const Options& o) {
     const Stopwatch renderTime;
     Deadline deadline(o.output.timeLimit);
     if (std::ranges::min(film->taken()) < samples.end) session.survey([&] { return deadline.isFinal(); });
-    const RenderResult result = renderFilm(o, session, *film, samples, deadline, checkpoints, output);
+    const RenderResult result = renderFilm(o, session, *film, samples, deadline, checkpoints, output, errors);
     const double renderSeconds = renderTime.seconds();
     /* A signal that arrives while the finished image is written does not count */
     const int endedBy = result.isFinished ? 0 : Interrupt::signal();
@@ -176,6 +190,7 @@ int renderCommand(const Options& o) {
     reportUnresolvedRays(session.unresolvedRays(), diagnostics);
 
     const FilmImage image = output.develop(*totals);
+    warnOfClamping(image, session.scene().film, diagnostics);
     totals.reset();   // frees what may be most of the memory in use
     film.reset();
     output.write(image, report.metadata);

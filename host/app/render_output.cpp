@@ -22,10 +22,11 @@ void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const 
     metadata.errorDoubt = error.doubt;
 }
 
-FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, GBuffer gbuffer, const Aovs& aovs) {
+FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs) {
     FilmImage image = totals.develop(scene);
     selectAovs(image, aovs);
-    if (gbuffer == GBuffer::cameraSpace) toCameraSpace(image, scene);
+    image.halfFloats = film.halfFloats;
+    if (film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, scene);
     return image;
 }
 
@@ -51,7 +52,7 @@ ImageReport RenderOutput::report(const FilmTotals& totals, double seconds) {
 }
 
 FilmImage RenderOutput::develop(const FilmTotals& totals) const {
-    return developImage(totals, session_.packed(), session_.scene().film.gbuffer, aovs_);
+    return developImage(totals, session_.packed(), session_.scene().film, aovs_);
 }
 
 void RenderOutput::write(const FilmImage& image, const Metadata& metadata) const {

@@ -15,7 +15,7 @@ namespace eikonal {
 /// The part of metadata that follows from a film.
 void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const ErrorEstimate& error, ErrorMetric metric);
 /// The image to write, with the channels that are asked for.
-FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, GBuffer gbuffer, const Aovs& aovs);
+FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs);
 
 /// What is known about the image that a film has now.
 struct ImageReport {

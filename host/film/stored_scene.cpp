@@ -27,7 +27,7 @@ template <class T> Table<T> tableFrom(const std::string& text) {
 
 }  // namespace
 
-std::string toJson(const PackedScene& packed, const PixelRect& pixels, GBuffer gbuffer) {
+std::string toJson(const PackedScene& packed, const PixelRect& pixels, const FilmDescription& film) {
     Json json{{"frame", hex(&packed.frame(), sizeof(settings))},
               {"lens", hex(packed.tables.lens_elements)},
               {"wavelengths", hex(packed.tables.wavelengths)},
@@ -37,7 +37,8 @@ std::string toJson(const PackedScene& packed, const PixelRect& pixels, GBuffer g
               {"cameraUnit", packed.cameraUnit},
               {"pixels", {pixels.x0, pixels.y0, pixels.x1, pixels.y1}},
               {"samples", packed.samples},
-              {"gbuffer", static_cast<int>(gbuffer)}};
+              {"gbuffer", static_cast<int>(film.gbuffer)},
+              {"halfFloats", film.halfFloats}};
     for (size_t i = 0; i < featureCount(); ++i)
         if (packed.features.has(static_cast<Feature>(i))) json["features"].push_back(featureName(static_cast<Feature>(i)));
     return json.dump();
@@ -64,7 +65,8 @@ StoredScene storedScene(const std::string& text, const std::string& name) {
         packed.samples = json.at("samples");
         for (const Json& feature : json.value("features", Json::array()))
             if (const Feature known = featureNamed(feature); known != Feature::none) packed.features.require(known);
-        scene.gbuffer = static_cast<GBuffer>(json.at("gbuffer").get<int>());
+        scene.film.gbuffer = static_cast<GBuffer>(json.at("gbuffer").get<int>());
+        scene.film.halfFloats = json.at("halfFloats");
     } catch (const Error&) {
         throw;
     } catch (const std::exception& error) {   // of JSON, or of numbers

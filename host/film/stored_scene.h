@@ -10,11 +10,11 @@ namespace eikonal {
 
 struct StoredScene {
     PackedScene packed;      ///< with the tables of the camera and of wavelengths only
-    GBuffer gbuffer = GBuffer::none;
+    FilmDescription film;   ///< how its image is stored: gbuffer and halfFloats only
 };
 
 /// JSON. Numbers keep all bits; the camera and the settings are those of this build of the program. pixels: of the image that parts make.
-std::string toJson(const PackedScene& packed, const PixelRect& pixels, GBuffer gbuffer);
+std::string toJson(const PackedScene& packed, const PixelRect& pixels, const FilmDescription& film);
 /// Throws Error (ExitCode::scene), "name: ...", for a text that toJson did not make.
 StoredScene storedScene(const std::string& text, const std::string& name);
 

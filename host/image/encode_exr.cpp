@@ -9,6 +9,7 @@
 #include <ImfIntAttribute.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <half.h>
 
 #include <algorithm>
 
@@ -44,6 +45,18 @@ struct AttributeWriter {
     }
 };
 
+/// The greatest number of 16 bits.
+constexpr float mostHalf = HALF_MAX;
+
+/// The values of the channels that have 16 bits, interleaved.
+std::vector<Imath::half> halvesOf(const EncodedImage& image) {
+    std::vector<Imath::half> halves;
+    if (std::ranges::none_of(image.isHalf, [](bool isHalf) { return isHalf; })) return halves;
+    for (std::size_t i = 0; i < image.values.size(); ++i)
+        if (image.isHalf[i % image.channels.size()]) halves.emplace_back(std::clamp(image.values[i], -mostHalf, mostHalf));
+    return halves;
+}
+
 }  // namespace
 
 std::vector<unsigned char> encodeExr(const EncodedImage& image) {
@@ -53,11 +66,19 @@ std::vector<unsigned char> encodeExr(const EncodedImage& image) {
     for (const auto& [name, value] : image.attributes) std::visit(AttributeWriter{header, name}, value);
 
     /* OpenEXR wants the address that pixel (0, 0) would have */
-    const std::size_t pixel = image.channels.size() * sizeof(float), row = static_cast<std::size_t>(image.width) * pixel;
+    const std::size_t channels = image.channels.size(), width = static_cast<std::size_t>(image.width);
+    const std::vector<Imath::half> halves = halvesOf(image);
+    const std::size_t halfChannels = static_cast<std::size_t>(std::ranges::count(image.isHalf, true));
     Imf::FrameBuffer buffer;
-    for (std::size_t c = 0; c < image.channels.size(); ++c) {
-        header.channels().insert(image.channels[c], Imf::Channel(Imf::FLOAT));
-        buffer.insert(image.channels[c], Imf::Slice::Make(Imf::FLOAT, image.values.data() + c, data, pixel, row));
+    std::size_t half = 0;
+    for (std::size_t c = 0; c < channels; ++c) {
+        const auto insert = [&](Imf::PixelType type, const auto* first, std::size_t perPixel) {
+            const std::size_t pixel = perPixel * sizeof *first;
+            header.channels().insert(image.channels[c], Imf::Channel(type));
+            buffer.insert(image.channels[c], Imf::Slice::Make(type, first, data, pixel, width * pixel));
+        };
+        if (halfChannels && image.isHalf[c]) insert(Imf::HALF, halves.data() + half++, halfChannels);
+        else insert(Imf::FLOAT, image.values.data() + c, channels);
     }
     std::vector<unsigned char> bytes;
     {

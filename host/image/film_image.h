@@ -39,6 +39,7 @@ struct FilmImage {
     std::vector<float> variance;       ///< variance of the pixel's mean luminance
     std::vector<float> sampleCount;    ///< samples taken in the pixel
     PixelSpectra spectrum;             ///< empty unless the film keeps one
+    bool halfFloats = false;           ///< FilmDescription::halfFloats
 
     FilmImage() = default;
     /// A black image of the whole frame, or of the part within bounds.

@@ -123,6 +123,7 @@ EncodedImage describe(const Format& format, const FilmImage& image, const Metada
                       .fullWidth = image.columns(),
                       .fullHeight = image.rows(),
                       .channels = {"R", "G", "B"},
+                      .isHalf = {},
                       .attributes = {},
                       .values = {}};
     if (format.content == Content::layers) {
@@ -184,7 +185,10 @@ void writeImage(const std::string& path, const FilmImage& image, const Metadata&
         auto channels = channelsOf<const float>(image);
         if (format.content == Content::linear) channels.erase(channels.begin() + 3, channels.end());
         file.channels.clear();
-        for (const auto& channel : channels) file.channels.push_back(channel.name);
+        for (const auto& channel : channels) {
+            file.channels.push_back(channel.name);
+            file.isHalf.push_back(image.halfFloats && format.content == Content::layers && !channel.needsFloats);
+        }
         file.values = interleave(channels, image.pixelCount());
         if (!format.holdsNegatives) std::ranges::transform(file.values, file.values.begin(), [](float v) { return v > 0 ? v : 0; });
     }

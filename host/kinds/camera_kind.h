@@ -29,8 +29,10 @@ struct CameraTraits {
     std::optional<glm::dvec2> (*project)(const PackedScene&, glm::dvec3 p) = nullptr;
     /// Whether the right edge of the image continues at the left edge. Null: never.
     bool (*wrapsAround)(const camera&) = nullptr;
-    /// Whether `lensRadius` applies.
+    /// Whether `lensRadius`, `frameAspectRatio` and `screenWindow` apply.
     bool hasThinLens = false;
+    /// Whether rays pass through points of a lens whose size is not `lensRadius`.
+    bool hasLensSystem = false;
     /// Its name in pbrt-v3. Null: the same name.
     const char* version3Name = nullptr;
 };

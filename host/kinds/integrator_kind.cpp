@@ -24,13 +24,14 @@ static bool never(const IntegratorDescription&) { return false; }
 
 static void readRegularize(const Arguments& arguments, IntegratorDescription& d) { d.regularize = arguments.flag("regularize"); }
 
+constexpr const char* pathParameters = "string lightsampler in {bvh, power, uniform, exhaustive}; bool regularize = false";
 const IntegratorKind volpath_integrator{.name = "volpath",
-                                        .parameters = "string lightsampler; bool regularize = false",
+                                        .parameters = pathParameters,
                                         .countsMedia = true,
                                         .followsBsdfs = always,
                                         .read = readRegularize};
 const IntegratorKind path_integrator{
-    .name = "path", .parameters = "string lightsampler; bool regularize = false", .followsBsdfs = always, .read = readRegularize};
+    .name = "path", .parameters = pathParameters, .followsBsdfs = always, .read = readRegularize};
 const IntegratorKind direct_integrator{.name = "direct", .followsBsdfs = always, .mostDepth = 1};
 
 /* ---- ray splitting --------------------------------------------------------------------------------------------------- */

@@ -27,6 +27,8 @@ struct MaterialKind {
     next_queue (*pack)(InputWriter&) = nullptr;
     /// The inputs for a conductor's eta and k, which "reflectance" replaces. Null: not a conductor.
     std::array<const char*, 2> metalIndices{};
+    /// Whether it is a surface of its own, with a displacement and a normal map.
+    bool isSurface = true;
 };
 
 /* One for each kind, defined in the kind's file. */

@@ -1,10 +1,6 @@
 #include "kinds/shape_reading.h"
 
-#include <algorithm>
-
 namespace eikonal::pbrt {
-
-double phiMaxOf(const Arguments& arguments) { return std::clamp(arguments.number("phimax"), 0., 360.); }
 
 bool keepIf(bool hasArea, const ShapeReading& in) {
     if (!hasArea)

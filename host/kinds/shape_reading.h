@@ -14,9 +14,6 @@ struct ShapeReading {
     PlyFiles& plyFiles;
 };
 
-/// "phimax" in [0, 360].
-double phiMaxOf(const Arguments& arguments);
-
 /// Returns hasArea; if false, warns that the shape is skipped.
 bool keepIf(bool hasArea, const ShapeReading& in);
 

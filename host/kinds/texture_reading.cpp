@@ -8,20 +8,16 @@ void readOperands(const TextureReading& in, std::initializer_list<const char*> n
     for (const char* name : names) texture.operands.push_back(in.textures.input(in.arguments, name));
 }
 
-int choose(const Arguments& arguments, const std::string& name, std::initializer_list<const char*> words) {
-    const std::string word = arguments.text(name);
-    const auto found = std::ranges::find(words, word);
-    if (found != words.end()) return static_cast<int>(found - words.begin());
-    std::string list;
-    for (const char* w : words) list += std::string(list.empty() ? "\"" : ", \"") + w + '"';
-    throw SceneError(arguments.whereOf(name), "\"string " + name + "\" is \"" + word + "\"; it can be " + list);
+size_t choose(const Arguments& arguments, const std::string& name) {
+    const std::vector<std::string>& words = arguments.kind().rule(name)->choices;
+    return static_cast<size_t>(std::ranges::find(words, arguments.text(name)) - words.begin());
 }
 
 void readMapping(const TextureReading& in, Texture& texture) {
     constexpr texture_mapping mappings[] = {mapping_uv, mapping_spherical, mapping_cylindrical, mapping_planar};
     const Arguments& arguments = in.arguments;
     Mapping& mapping = texture.mapping;
-    mapping.kind = mappings[choose(arguments, "mapping", {"uv", "spherical", "cylindrical", "planar"})];
+    mapping.kind = mappings[choose(arguments, "mapping")];
     if (mapping.kind == mapping_uv) {
         mapping.uScale = arguments.number("uscale");
         mapping.vScale = arguments.number("vscale");
@@ -30,8 +26,10 @@ void readMapping(const TextureReading& in, Texture& texture) {
         mapping.uOffset = arguments.number("udelta");
         mapping.vOffset = arguments.number("vdelta");
     }
-    mapping.planeU = arguments.vector("v1", {1, 0, 0});
-    mapping.planeV = arguments.vector("v2", {0, 1, 0});
+    if (mapping.kind == mapping_planar) {
+        mapping.planeU = arguments.vector("v1", {1, 0, 0});
+        mapping.planeV = arguments.vector("v2", {0, 1, 0});
+    }
 }
 
 void readOctaves(const TextureReading& in, Texture& texture) {

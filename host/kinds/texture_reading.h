@@ -20,7 +20,8 @@ struct TextureReading {
 
 /* Parts of rows (read/pbrt/kinds.h) that several kinds share */
 constexpr const char* mappingParameters =
-    "string mapping = uv; float uscale = 1; float vscale = 1; float udelta = 0; float vdelta = 0; vector3 v1; vector3 v2";
+    "string mapping = uv in {uv, spherical, cylindrical, planar};"
+    "float uscale = 1; float vscale = 1; float udelta = 0; float vdelta = 0; vector3 v1; vector3 v2";
 constexpr const char* octaveParameters = "integer octaves = 8; float roughness = 0.5";
 
 /// Reads operands from the parameters with these names, in this order.
@@ -32,7 +33,7 @@ void readMapping(const TextureReading& in, Texture& texture);
 /// Reads "octaves" and "roughness". Throws SceneError if "octaves" is not in [0, MOST_OCTAVES].
 void readOctaves(const TextureReading& in, Texture& texture);
 
-/// The index in `words` of a parameter's value. Throws SceneError for other values.
-int choose(const Arguments& arguments, const std::string& name, std::initializer_list<const char*> words);
+/// The index of a parameter's value among the choices of its rule.
+size_t choose(const Arguments& arguments, const std::string& name);
 
 }  // namespace eikonal::pbrt

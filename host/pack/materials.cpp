@@ -18,7 +18,7 @@ void MaterialPacker::requireBsdf(next_queue h, const std::string& why) const {
 /// Packs everything but the materials of a mix and the regularized variant.
 void MaterialPacker::pack(const Material& description, PackedMaterial& m, bool regularize) {
     const IntegratorKind& integrator = *in_.context.scene.integrator.kind;
-    const bool isSurface = description.kind != &interface_material && description.kind != &mix_material;
+    const bool isSurface = description.kind->isSurface;
     if (isSurface && !integrator.countsMaterials()) { m.next_queue = *integrator.surfaceQueue; return; }
     if (description.kind == &subsurface_material && integrator.splitsRays) return pack(coatOver(description), m, regularize);
     InputWriter inputs(in_, description, regularize);

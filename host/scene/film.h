@@ -35,6 +35,8 @@ struct FilmDescription {
     double maxComponentValue = 0;                        ///< > 0: brighter samples are scaled down to this
     GBuffer gbuffer = GBuffer::none;
     std::optional<SpectrumKept> spectrum;                ///< for pbrt-v4's film "spectral"
+    bool halfFloats = false;                             ///< store colours and normals in 16 bits where the file can
+    std::string errorReference, errorLog;                ///< files: the mean squared error against the first is logged in the second
     SourceLocation where;
 };
 
@@ -44,7 +46,7 @@ extern const FilterKind gaussian_filter;
 
 struct FilterDescription {
     const FilterKind* kind = &gaussian_filter;
-    double xRadius = 1.5, yRadius = 1.5;
+    double xRadius = 1.5, yRadius = 1.5; ///< box only: 0 is the centre of the pixel
     double sigma = 0.5;                  ///< gaussian
     double B = 1. / 3, C = 1. / 3;       ///< mitchell
     double tau = 3;                      ///< sinc

@@ -76,15 +76,14 @@ TEST_F(PbrtCurves, errors) {
                 HasSubstr("has 5 control points; of degree 3 in the basis \"bezier\" it has 4, and 3 for each further segment"));
     EXPECT_THAT(error("\"string basis\" \"bspline\" \"point3 P\" [0 0 0 1 0 0 2 0 0]"),
                 HasSubstr("has 3 control points; of degree 3 in the basis \"bspline\" it has 4 or more"));
-    EXPECT_THAT(error(seven + "\"integer degree\" 4"), HasSubstr("the degree can be 2 or 3"));
+    EXPECT_THAT(error(seven + "\"integer degree\" 4"), HasSubstr("\"integer degree\" is 4; it must be in [2, 3]"));
     EXPECT_THAT(error(seven + "\"string basis\" \"catmull\""), HasSubstr("it can be \"bezier\" or \"bspline\""));
     EXPECT_THAT(error(seven + "\"string type\" \"ribbon\" \"normal N\" [0 0 1]"),
                 HasSubstr("at both ends of each segment: 3 normals, not 1"));
 }
 
 TEST_F(PbrtCurves, whatMakesNoSenseIsNamed) {
-    EXPECT_EQ(curve(seven + "\"string type\" \"tube\"").type, curve_cylinder);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("there is no curve of type \"tube\"")));
+    EXPECT_THAT(error(seven + "\"string type\" \"tube\""), HasSubstr("it can be \"flat\", \"cylinder\" or \"ribbon\""));
     curve(seven + "\"normal N\" [0 0 1  0 1 0  1 0 0]");
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("only curves of type \"ribbon\" have normals")));
     EXPECT_EQ(world("AreaLightSource \"diffuse\" Shape \"curve\" " + seven).shapes[0].areaLight, none);

@@ -43,8 +43,9 @@ TEST_F(PbrtDirectives, aMirroredCameraStaysMirrored) {
 
 TEST_F(PbrtDirectives, coordinateSystemsAreRemembered) {
     expectNear(origin("Translate 1 2 3 CoordinateSystem \"here\" Translate 5 5 5 CoordSysTransform \"here\""), {1, 2, 3});
-    const Scene scene = read("Translate 0 0 7 Camera \"perspective\" WorldBegin CoordSysTransform \"camera\" Shape \"sphere\" "
-                             "CoordSysTransform \"world\" Shape \"sphere\"");
+    const Scene scene = read(
+        "Translate 0 0 7 Camera \"perspective\" WorldBegin CoordSysTransform \"camera\" Shape \"sphere\" "
+        "CoordSysTransform \"world\" Shape \"sphere\"");
     expectNear(apply(scene.shapes[0].worldFromObject, {0, 0, 0}), {0, 0, -7});
     expectNear(apply(scene.shapes[1].worldFromObject, {0, 0, 0}), {0, 0, 0});
     EXPECT_THAT(warningsOfWorld("CoordinateSystem \"lamp\" CoordSysTransform \"lamb\""), ElementsAre(HasSubstr("did you mean \"lamp\"?")));
@@ -159,12 +160,47 @@ TEST_F(PbrtDirectives, settingsComeBeforeTheWorld) {
 TEST_F(PbrtDirectives, options) {
     EXPECT_EQ(read("Option \"seed\" 17 WorldBegin").sampler.seed, 17);
     EXPECT_EQ(
-        read("Option \"rendercoordsys\" \"world\" Option \"disable-wavelength-jitter\" true TransformTimes 0 1 WorldBegin").sampler.seed,
+        read("Option \"rendercoordsys\" \"world\" Option \"disable-texture-filtering\" true TransformTimes 0 1 WorldBegin").sampler.seed,
         0);
     EXPECT_THAT(warnings_, IsEmpty());
     read("Option \"forcediffuse\" true WorldBegin");
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("has no effect yet")));
+    EXPECT_THAT(warnings_, ElementsAre("test.pbrt:1:8: warning: option \"forcediffuse\": \"bool forcediffuse\" has no effect: "
+                                       "materials are rendered as they are"));
     EXPECT_THAT(errorOf("Option \"sead\" 1 WorldBegin"), HasSubstr("did you mean \"seed\"?"));
+}
+
+// All samples of a pixel are at its centre, the centre of the lens and the middle of the shutter interval; the exposure is that of the
+// interval.
+TEST_F(PbrtDirectives, withoutPixelJitterASampleIsInTheMiddleOfEverything) {
+    const std::string camera =
+        "Camera \"perspective\" \"float lensradius\" 1 \"float focaldistance\" 3 \"float shutteropen\" .25 \"float "
+        "shutterclose\" .75 ";
+    const Scene scene = read("Option \"disablepixeljitter\" true " + camera + "WorldBegin");
+    EXPECT_EQ(scene.filter.xRadius, 0);
+    EXPECT_EQ(scene.filter.yRadius, 0);
+    EXPECT_EQ(scene.camera.lensRadius, 0);
+    EXPECT_EQ(scene.camera.shutterOpen, .5);
+    EXPECT_EQ(scene.camera.shutterClose, .5);
+    EXPECT_EQ(scene.film.exposureTime, .5);
+    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_EQ(read("Option \"disablepixeljitter\" false " + camera + "WorldBegin").camera.lensRadius, 1);
+    write("lens.dat", "35 4 1.5 20\n0 2 0 10\n");
+    read("Option \"disablepixeljitter\" true Camera \"realistic\" \"string lensfile\" \"lens.dat\" WorldBegin");
+    EXPECT_THAT(warnings_,
+                ElementsAre("test.pbrt:1:8: warning: option \"disablepixeljitter\": camera \"realistic\" samples its lens all the "
+                            "same"));
+}
+
+TEST_F(PbrtDirectives, anErrorIsLoggedAgainstAnImageThatIsThere) {
+    write("reference.pfm", "");
+    const std::string image = "Option \"msereferenceimage\" \"reference.pfm\" ", log = "Option \"msereferenceout\" \"mse.txt\" ";
+    const FilmDescription film = read(image + log + "WorldBegin").film;
+    EXPECT_EQ(film.errorReference, path("reference.pfm"));
+    EXPECT_EQ(film.errorLog, "mse.txt");
+    EXPECT_EQ(errorOf(image + "WorldBegin"),
+              "test.pbrt:1:8: option \"msereferenceimage\" needs a file for the errors, \"msereferenceout\"");
+    EXPECT_EQ(errorOf(log + "WorldBegin"), "test.pbrt:1:8: option \"msereferenceout\" needs an \"msereferenceimage\" to compare with");
+    EXPECT_EQ(errorOf("Option \"msereferenceimage\" \"none.exr\" " + log + "WorldBegin"), "test.pbrt:1:8: there is no file \"none.exr\"");
 }
 
 }  // namespace

@@ -7,8 +7,10 @@
 #include "read/pbrt/setting_kinds.h"
 #include "read/pbrt/shapes.h"
 #include "read/pbrt/textures.h"
+#include "read/pbrt/without_effect.h"
 #include "test_paths.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
@@ -56,6 +58,31 @@ TEST(PbrtDocs, theTableOfKindsIsThatOfTheReader) {
 
     const std::string text = document();
     EXPECT_NE(text.find(table), text.npos) << "docs/pbrt.md must hold this table:\n" << table;
+}
+
+/// A table of what has no effect; what is there for the same reason shares a row.
+std::string tableOf(Answer answer, const std::string& heading) {
+    std::vector<std::pair<std::string, std::string>> rows;   // what, why
+    for (const WithoutEffect& line : withoutEffect()) {
+        if (line.answer != answer) continue;
+        std::string what = line.noun;
+        if (line.kind) what += fmt::format(" `{}`", line.kind);
+        if (line.parameter) what += fmt::format(" `{}`", line.parameter);
+        else if (!line.kind) what += ": all parameters";
+        if (line.value) what += fmt::format(" `\"{}\"`", line.value);
+        if (!rows.empty() && rows.back().second == line.why) rows.back().first += ", " + what;
+        else rows.emplace_back(what, line.why);
+    }
+    std::string table = heading + "\n|---|---|\n";
+    for (const auto& [what, why] : rows) table += fmt::format("| {} | {} |\n", what, why);
+    return table;
+}
+
+TEST(PbrtDocs, theListOfWhatHasNoEffectIsThatOfTheReader) {
+    const std::string text = document();
+    for (const std::string& table : {tableOf(Answer::warning, "| Warned about | Why it has no effect |"),
+                                     tableOf(Answer::silence, "| Read without a warning | Why it has no effect |")})
+        EXPECT_NE(text.find(table), text.npos) << "docs/pbrt.md must hold this table:\n" << table;
 }
 
 TEST(PbrtDocs, everyDirectiveIsNamed) {

@@ -65,8 +65,9 @@ TEST_F(PbrtMedia, uniformGrids) {
 }
 
 TEST_F(PbrtMedia, interfacesAreWhereMediaChange) {
-    const Scene scene = world(fog + "MediumInterface \"fog\" \"\" Shape \"sphere\" MediumInterface \"\" \"fog\" Shape \"sphere\" "
-                                    "MediumInterface \"fog\" Shape \"sphere\"");
+    const Scene scene = world(fog +
+                              "MediumInterface \"fog\" \"\" Shape \"sphere\" MediumInterface \"\" \"fog\" Shape \"sphere\" "
+                              "MediumInterface \"fog\" Shape \"sphere\"");
     EXPECT_EQ(scene.shapes[0].interface->inside, 0);
     EXPECT_EQ(scene.shapes[0].interface->outside, none);
     EXPECT_EQ(scene.shapes[1].interface->inside, none);
@@ -92,7 +93,7 @@ TEST_F(PbrtMedia, gridsMayShine) {
     EXPECT_EQ(hot.temperatureOffset, 10);
     EXPECT_EQ(medium(grid + "\"float temperatureoffset\" 5 \"float temperaturecutoff\" 10").temperatureOffset, 5);
     EXPECT_EQ(hot.temperatureScale, 3);
-    EXPECT_EQ(medium(grid).LeScale.values.size(), 1u);   // as in pbrt-v4: one value, for the whole grid
+    EXPECT_EQ(medium(grid).LeScale.values.size(), 1u);  // as in pbrt-v4: one value, for the whole grid
     EXPECT_THAT(errorOfMedium(grid + "\"float temperature\" [1 2] \"rgb Le\" [1 1 1]"), HasSubstr("both \"Le\" and \"temperature\""));
     EXPECT_THAT(errorOfMedium(grid + "\"float temperature\" [1 2 3]"),
                 HasSubstr("has 3 values; nx * ny * nz = 2 * 1 * 1 = 2 are expected"));
@@ -112,7 +113,7 @@ TEST_F(PbrtMedia, rgbGrids) {
     EXPECT_TRUE(m.colors.sigmaS.empty());
     EXPECT_EQ(m.sigmaA.value(), 4);
     EXPECT_EQ(m.g, .5);
-    EXPECT_NEAR(m.emissionScale, 2 * 106.857, 0.01);   // times the integral of the matching function y
+    EXPECT_NEAR(m.emissionScale, 2 * 106.857, 0.01);  // times the integral of the matching function y
     EXPECT_THAT(errorOfMedium("\"rgbgrid\""), HasSubstr("needs \"rgb sigma_a\" or \"rgb sigma_s\""));
     EXPECT_THAT(errorOfMedium("\"rgbgrid\" \"rgb sigma_s\" [1 1 1] \"rgb Le\" [1 1 1]"), HasSubstr("\"rgb Le\" needs \"rgb sigma_a\""));
     EXPECT_THAT(errorOfMedium("\"rgbgrid\" \"rgb sigma_s\" [1 1 1 1]"), HasSubstr("a multiple of 3 is expected"));
@@ -153,7 +154,7 @@ TEST_F(PbrtMedia, nanoVdbFiles) {
         EXPECT_EQ(m.sparseTemperature->high, glm::ivec3(1));
     }
     const std::string named = "\"nanovdb\" \"string filename\" \"" + file + "\" ";
-    EXPECT_EQ(medium(named).sparseTemperature, nullptr);   // there need not be a "temperature"
+    EXPECT_EQ(medium(named).sparseTemperature, nullptr);  // there need not be a "temperature"
     EXPECT_THAT(errorOfMedium(named + "\"string gridname\" \"smoke\""), HasSubstr("has no grid \"smoke\"; it has \"density\", \"fire\""));
     EXPECT_THAT(errorOfMedium(named + "\"string temperaturename\" \"ice\""), HasSubstr("has no grid \"ice\""));
     EXPECT_THAT(errorOfMedium("\"nanovdb\""), HasSubstr("needs a \"string filename\""));
@@ -172,9 +173,7 @@ TEST_F(PbrtMedia, damagedNanoVdbFiles) {
         try {
             (void)readNanoVdb(file, "density");
             return std::string();
-        } catch (const ReadProblem& problem) {
-            return std::string(problem.what());
-        }
+        } catch (const ReadProblem& problem) { return std::string(problem.what()); }
     };
     for (size_t size : {size_t{1}, size_t{20}, size_t{150}, size_t{1000}, whole.size() / 2, whole.size() - 1}) {
         rewrite({whole.begin(), whole.begin() + static_cast<long>(size)});
@@ -193,6 +192,22 @@ TEST_F(PbrtMedia, damagedNanoVdbFiles) {
         }
     writeNanoVdb(file, {{"density", 3, 1, [](int, int, int) { return 1.f; }, nanovdb::GridClass::LevelSet}});
     EXPECT_THAT(read(), HasSubstr("is a level set"));
+}
+
+// As in pbrt-v4. A homogeneous medium has no place, and so nothing that moves.
+TEST_F(PbrtMedia, whatMovesStaysWhereItsMotionStarts) {
+    const auto warningsOf = [&](const std::string& kind) {
+        return warningsOfWorld("ActiveTransform EndTime Translate 1 0 0\nMakeNamedMedium \"m\" \"string type\" \"" + kind + "\"");
+    };
+    EXPECT_THAT(warningsOf("cloud"),
+                ElementsAre("test.pbrt:3:1: warning: a moving medium is not rendered yet; it stays where its motion starts"));
+    EXPECT_THAT(warningsOf("homogeneous"), IsEmpty());
+}
+
+TEST_F(PbrtMedia, aPresetReplacesCoefficients) {
+    EXPECT_THAT(
+        warningsOfWorld("MakeNamedMedium \"m\" \"string type\" \"homogeneous\" \"string preset\" \"Skimmilk\" \"rgb sigma_a\" [1 1 1]"),
+        ElementsAre("test.pbrt:2:76: warning: medium \"homogeneous\": \"rgb sigma_a\" is ignored: nothing here uses it"));
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST_F(PbrtParameters, attributeGivesWhatADirectiveDoesNot) {
     const Scene scene = world(R"(
         AttributeBegin
           Attribute "material" "float roughness" .1 "rgb reflectance" [.1 .1 .1]
-          Attribute "shape" "float radius" 3 "integer unknown" 1
+          Attribute "shape" "float radius" 3
           Material "coateddiffuse"
           Material "coateddiffuse" "float roughness" .2
           Shape "sphere"
@@ -124,6 +124,26 @@ TEST_F(PbrtParameters, attributeGivesWhatADirectiveDoesNot) {
     EXPECT_EQ(scene.shapes[1].radius, 4);
     EXPECT_THAT(errorOfWorld("Attribute \"shapes\" \"float radius\" 1"),
                 HasSubstr("it can be \"shape\", \"light\", \"material\", \"medium\" or \"texture\""));
+}
+
+TEST_F(PbrtParameters, attributesThatNoKindHasAreNamed) {
+    EXPECT_THAT(warningsOfWorld("Attribute \"shape\" \"float raduis\" 1"),
+                ElementsAre("test.pbrt:2:19: warning: \"float raduis\" is ignored, since no shape has such a parameter; did you mean "
+                            "\"radius\"?"));
+    EXPECT_EQ(errorOfWorld("Attribute \"shape\" \"string radius\" \"a\""),
+              "test.pbrt:2:19: \"string radius\" found where a shape has \"float radius\"");
+    // Area lights are lights, too.
+    EXPECT_THAT(warningsOfWorld("Attribute \"light\" \"bool twosided\" true"), IsEmpty());
+}
+
+TEST_F(PbrtParameters, whatIsGivenAndNotUsedIsNamed) {
+    EXPECT_THAT(warningsOfWorld("Material \"conductor\" \"float roughness\" .1 \"float uroughness\" .2 \"float vroughness\" .3"),
+                ElementsAre("test.pbrt:2:22: warning: material \"conductor\": \"float roughness\" is ignored: nothing here uses it"));
+    EXPECT_THAT(warningsOfWorld("Material \"conductor\" \"float roughness\" .1 \"float roughness\" .2"),
+                ElementsAre("test.pbrt:2:22: warning: material \"conductor\": \"float roughness\" is ignored: it is given again, and the "
+                            "last counts"));
+    EXPECT_THAT(warningsOfWorld("Texture \"t\" \"float\" \"dots\" \"string mapping\" \"planar\" \"float uscale\" 2 \"float vscale\" 1"),
+                ElementsAre(HasSubstr("texture \"dots\": \"float uscale\" is ignored: nothing here uses it")));
 }
 
 TEST_F(PbrtParameters, includeBetweenParametersAndInsideOfValues) {

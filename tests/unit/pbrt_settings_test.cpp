@@ -176,7 +176,7 @@ TEST_F(PbrtSettings, integrators) {
     }
     EXPECT_EQ(read("\"simplevolpath\"").kind, &volpath_integrator);
     EXPECT_THAT(warnings_, IsEmpty());
-    EXPECT_THAT(errorOfSettings("Integrator \"path\" \"integer maxdepth\" -1"), HasSubstr("must not be negative"));
+    EXPECT_THAT(errorOfSettings("Integrator \"path\" \"integer maxdepth\" -1"), HasSubstr("it must be in [0, inf)"));
 }
 
 TEST_F(PbrtSettings, parametersOfIntegrators) {

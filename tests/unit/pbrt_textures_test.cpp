@@ -84,7 +84,7 @@ TEST_F(PbrtTextures, imagemaps) {
     EXPECT_EQ(image("\"string filename\" \"a.png\" \"string filter\" \"point\"").filter, filter_nearest);
     EXPECT_EQ(image("\"string filename\" \"a.png\" \"string filter\" \"ewa\"").filter, filter_bilinear);
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"imagemap\" \"string filename\" \"a.png\" \"string wrap\" \"mirror\""),
-                HasSubstr("it can be \"repeat\", \"black\", \"clamp\", \"octahedralsphere\""));
+                HasSubstr("it can be \"repeat\", \"black\", \"clamp\" or \"octahedralsphere\""));
 }
 
 // pbrt-v4 passes the encoding to its reader of PNG files alone; other files of integers are sRGB.
@@ -93,6 +93,11 @@ TEST_F(PbrtTextures, encodingsAreOfPngs) {
     EXPECT_EQ(image("\"string filename\" \"a.PNG\" \"string encoding\" \"sRGB\"").encoding, ColorEncoding::srgb);
     EXPECT_EQ(image("\"string filename\" \"a.png\" \"string encoding\" \"gamma 2.2\"").gamma, 2.2);
     EXPECT_EQ(image("\"string filename\" \"a.jpg\" \"string encoding\" \"linear\"").encoding, ColorEncoding::automatic);
+    EXPECT_THAT(warnings_,
+                ElementsAre(HasSubstr("warning: \"string encoding\" \"linear\" is ignored: only that of PNG files can be chosen, as in "
+                                      "pbrt-v4; this file is sRGB")));
+    image("\"string filename\" \"a.jpg\" \"string encoding\" \"sRGB\"");
+    EXPECT_THAT(warnings_, IsEmpty());
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"float\" \"imagemap\" \"string filename\" \"a.png\" \"string encoding\" \"log\""),
                 HasSubstr("\"gamma 2.2\""));
 }

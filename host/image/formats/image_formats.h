@@ -24,6 +24,7 @@ struct EncodedImage {
     int x = 0, y = 0;                         ///< their position in the whole image
     int fullWidth = 0, fullHeight = 0;        ///< size of the whole image
     std::vector<std::string> channels;
+    std::vector<bool> isHalf;                 ///< OpenEXR: which channels have 16 bits; empty: none
     std::vector<ImageAttribute> attributes;
     std::vector<float> values;                ///< channels interleaved, row by row from the top
 };

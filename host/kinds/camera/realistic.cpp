@@ -97,6 +97,7 @@ const CameraTraits realistic_camera{
     .parameters = "file lensfile; float aperturediameter = 1 in (0, inf); float focusdistance = 10 in (0, inf); string aperture",
     .read = read,
     .pack = pack,
-    .project = project};
+    .project = project,
+    .hasLensSystem = true};
 
 }  // namespace eikonal

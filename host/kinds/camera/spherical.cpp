@@ -8,11 +8,7 @@
 namespace eikonal {
 
 static void read(const pbrt::CameraReading& in, CameraDescription& camera) {
-    const std::string mapping = in.arguments.text("mapping");
-    if (mapping != "equalarea" && mapping != "equirectangular")
-        throw SceneError(in.arguments.whereOf("mapping"),
-                         "there is no mapping \"" + mapping + "\"; it can be \"equalarea\" or \"equirectangular\"");
-    camera.equalArea = mapping == "equalarea";
+    camera.equalArea = in.arguments.text("mapping") == "equalarea";
 }
 
 static void pack(const CameraPacking& in, const CameraDescription& description, camera& view) {
@@ -31,7 +27,8 @@ static std::optional<glm::dvec2> project(const PackedScene& scene, glm::dvec3 p)
 static bool wrapsAround(const camera& view) { return !view.equal_area; }
 
 const CameraTraits spherical_camera{
-    .parameters = "string mapping = equalarea", .read = read, .pack = pack, .project = project, .wrapsAround = wrapsAround,
+    .parameters = "string mapping = equalarea in {equalarea, equirectangular}",
+    .read = read, .pack = pack, .project = project, .wrapsAround = wrapsAround,
     .version3Name = "environment"};
 
 }  // namespace eikonal

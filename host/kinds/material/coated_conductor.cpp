@@ -13,7 +13,8 @@ static const MaterialDirective directives[] = {
      "floatmap interface.vroughness | interface.roughness = 0 clamped to [0, inf) -> vroughness;"
      "index interface.eta = 1.5 in [0, inf) -> eta; floatmap thickness = 0.01 clamped to [0, inf); floatmap g = 0 clamped to [-1, 1]; "
      "colormap albedo = 0;"
-     "integer maxdepth = 10 clamped to [0, inf); integer nsamples = 1 in [1, inf)"},
+     "integer maxdepth = 10 clamped to [0, inf); integer nsamples = 1 in [1, inf);"
+     "bool remaproughness = true -> -"},
 };
 
 static next_queue pack(InputWriter& in) {

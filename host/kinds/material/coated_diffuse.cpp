@@ -10,7 +10,7 @@ static const MaterialDirective directives[] = {
      "[0, inf);"
      "floatmap thickness = 0.01 clamped to [0, inf);"
      "index eta = 1.5 in [0, inf); floatmap g = 0 clamped to [-1, 1]; colormap albedo = 0; integer maxdepth = 10 clamped to [0, inf);"
-     "integer nsamples = 1 in [1, inf)"},
+     "integer nsamples = 1 in [1, inf); bool remaproughness = true -> -"},
 };
 
 static next_queue pack(InputWriter& in) {

@@ -9,7 +9,7 @@ static const MaterialDirective directives[] = {
     {"conductor",
      "spectrummap eta = metal-Cu-eta; spectrummap k = metal-Cu-k; colormap reflectance;"
      "floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf);"
-     "bool energycompensation = false -> -"},
+     "bool energycompensation = false -> -; bool remaproughness = true -> -"},
 };
 
 static next_queue pack(InputWriter& in) {

@@ -9,7 +9,7 @@ static const MaterialDirective directives[] = {
     {"dielectric",
      "index eta = 1.5 in [0, inf); floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to "
      "[0, inf);"
-     "bool energycompensation = false -> -"},
+     "bool energycompensation = false -> -; bool remaproughness = true -> -"},
 };
 
 static next_queue pack(InputWriter& in) {

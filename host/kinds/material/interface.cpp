@@ -15,6 +15,6 @@ static next_queue pack(InputWriter& in) {
     return next_crossing;
 }
 
-const MaterialKind interface_material{.directives = directives, .pack = pack};
+const MaterialKind interface_material{.directives = directives, .pack = pack, .isSurface = false};
 
 }  // namespace eikonal

@@ -22,6 +22,6 @@ static void read(const pbrt::MaterialReading& in, Material& material) {
 
 static next_queue pack(InputWriter&) { return next_mix; }
 
-const MaterialKind mix_material{.directives = directives, .read = read, .pack = pack};
+const MaterialKind mix_material{.directives = directives, .read = read, .pack = pack, .isSurface = false};
 
 }  // namespace eikonal

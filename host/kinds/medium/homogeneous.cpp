@@ -6,12 +6,16 @@
 
 namespace eikonal {
 
-static void readPreset(const pbrt::MediumReading& in, const std::string& preset, Medium& medium) {
+/// Reads the coefficients of a preset, or those that are given.
+static void readPresetOrCoefficients(const pbrt::MediumReading& in, Medium& medium) {
+    const std::string preset = in.arguments.text("preset");
     if (const pbrt::MediumPreset* measured = pbrt::mediumPreset(preset)) {
         medium.sigmaA = Spectrum::rgb(measured->sigmaA);
         medium.sigmaS = Spectrum::rgb(measured->reducedSigmaS);
         return;
     }
+    readCoefficients(in.arguments, medium);
+    if (preset.empty()) return;
     const std::string near = nearestWord(preset, pbrt::mediumPresetNames());
     in.reading.unsupported("preset " + preset, in.arguments.whereOf("preset"),
                            "there is no preset \"" + preset + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?") +
@@ -19,8 +23,7 @@ static void readPreset(const pbrt::MediumReading& in, const std::string& preset,
 }
 
 static bool read(const pbrt::MediumReading& in, Medium& medium) {
-    readCoefficients(in.arguments, medium);
-    if (const std::string preset = in.arguments.text("preset"); !preset.empty()) readPreset(in, preset, medium);
+    readPresetOrCoefficients(in, medium);
     pbrt::scaleCoefficients(medium, in.arguments.number("scale"));
     medium.Le = in.arguments.spectrum("Le") * in.arguments.number("Lescale");
     return true;

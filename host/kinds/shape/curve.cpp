@@ -59,7 +59,8 @@ static size_t pack(const ShapePacking& in) {
 
 static const ShapeDirective directives[] = {
     {"curve",
-     "point3s P; integer degree = 3; string basis = bezier; string type = flat; normals N; float width = 1; float width0; float width1;"
+     "point3s P; integer degree = 3 in [2, 3]; string basis = bezier in {bezier, bspline};"
+     "string type = flat in {flat, cylinder, ribbon}; normals N; float width = 1; float width0; float width1;"
      "integer splitdepth = 3",
      read},
 };

@@ -15,7 +15,7 @@ static bool read(const pbrt::ShapeReading& in, pbrt::PendingShape& pending) {
     s.radius = std::abs(in.arguments.number("radius"));
     s.zMin = std::min(z0, z1);
     s.zMax = std::max(z0, z1);
-    s.phiMax = phiMaxOf(in.arguments);
+    s.phiMax = in.arguments.number("phimax");
     return keepIf(s.radius > 0 && s.zMin < s.zMax && s.phiMax > 0, in);
 }
 
@@ -71,7 +71,7 @@ static void boundLight(const light& l, double, LightBounds& bounds) {
 const LightTraits cylinder_light{.packElement = packLight, .bound = boundLight};
 
 static const ShapeDirective directives[] = {
-    {"cylinder", "float radius = 1; float zmin = -1; float zmax = 1; float phimax = 360", read},
+    {"cylinder", "float radius = 1; float zmin = -1; float zmax = 1; float phimax = 360 clamped to [0, 360]", read},
 };
 
 const ShapeTraits cylinder_shape{.directives = directives, .bound = bound, .pack = pack, .lightKindOf = lightKindOf};

@@ -13,7 +13,7 @@ static bool read(const pbrt::ShapeReading& in, pbrt::PendingShape& pending) {
     s.radius = std::abs(in.arguments.number("radius"));
     s.innerRadius = std::abs(in.arguments.number("innerradius"));
     s.height = in.arguments.number("height");
-    s.phiMax = phiMaxOf(in.arguments);
+    s.phiMax = in.arguments.number("phimax");
     return keepIf(s.innerRadius < s.radius && s.phiMax > 0, in);
 }
 
@@ -56,7 +56,7 @@ static void boundLight(const light& l, double, LightBounds& bounds) {
 const LightTraits disk_light{.packElement = packLight, .bound = boundLight};
 
 static const ShapeDirective directives[] = {
-    {"disk", "float radius = 1; float innerradius = 0; float height = 0; float phimax = 360", read},
+    {"disk", "float radius = 1; float innerradius = 0; float height = 0; float phimax = 360 clamped to [0, 360]", read},
 };
 
 const ShapeTraits disk_shape{.directives = directives, .bound = bound, .pack = pack, .lightKindOf = lightKindOf};

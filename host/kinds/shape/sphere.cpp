@@ -14,7 +14,7 @@ static bool read(const pbrt::ShapeReading& in, pbrt::PendingShape& pending) {
     const double z0 = in.arguments.number("zmin", -s.radius), z1 = in.arguments.number("zmax", s.radius);
     s.zMin = std::clamp(std::min(z0, z1), -s.radius, s.radius);
     s.zMax = std::clamp(std::max(z0, z1), -s.radius, s.radius);
-    s.phiMax = phiMaxOf(in.arguments);
+    s.phiMax = in.arguments.number("phimax");
     return keepIf(s.radius > 0 && s.zMin < s.zMax && s.phiMax > 0, in);
 }
 
@@ -89,7 +89,7 @@ static void boundLightOfPart(const light& l, double, LightBounds& bounds) {
 const LightTraits ellipsoid_light{.packElement = packLightOfPart, .bound = boundLightOfPart};
 
 static const ShapeDirective directives[] = {
-    {"sphere", "float radius = 1; float zmin; float zmax; float phimax = 360", read},
+    {"sphere", "float radius = 1; float zmin; float zmax; float phimax = 360 clamped to [0, 360]", read},
 };
 
 const ShapeTraits sphere_shape{.directives = directives, .bound = bound, .pack = pack, .lightKindOf = lightKindOf};

@@ -11,7 +11,7 @@ static bool read(const pbrt::TextureReading& in, Texture& texture) {
         throw SceneError(in.arguments.whereOf("dimension"),
                          "\"integer dimension\" is " + std::to_string(texture.dimensions) + "; it can be 2 or 3");
     readOperands(in, {"tex1", "tex2"}, texture);
-    readMapping(in, texture);
+    if (texture.dimensions == 2) readMapping(in, texture);
     return true;
 }
 

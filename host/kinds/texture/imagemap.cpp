@@ -11,8 +11,9 @@
 
 namespace eikonal {
 
-/// "gamma 2.2", "sRGB" or "linear", which pbrt-v4 reads for PNG files only.
-static void readEncoding(const pbrt::Arguments& arguments, ImageFile& file) {
+/// "gamma 2.2", "sRGB" or "linear", which pbrt-v4 reads for PNG files only. Says so where another file holds something else.
+static void readEncoding(const pbrt::TextureReading& in, ImageFile& file) {
+    const pbrt::Arguments& arguments = in.arguments;
     const std::string encoding = arguments.text("encoding");
     if (encoding.empty()) return;
     std::string ending = std::filesystem::path(file.path).extension().string();
@@ -29,6 +30,11 @@ static void readEncoding(const pbrt::Arguments& arguments, ImageFile& file) {
                              "\"string encoding\" is \"" + encoding + "\"; it can be \"sRGB\", \"linear\" or \"gamma 2.2\"");
         if (isPng) file.gamma = gamma;
     }
+    const bool isLinear = ending == ".exr" || ending == ".hdr" || ending == ".pfm";
+    if (!isPng && encoding != (isLinear ? "linear" : "sRGB"))
+        in.reading.unsupported("encoding of " + ending, arguments.whereOf("encoding"),
+                               "\"string encoding\" \"" + encoding + "\" is ignored: only that of PNG files can be chosen, as in " +
+                                   "pbrt-v4; this file is " + (isLinear ? "linear" : "sRGB"));
 }
 
 static bool read(const pbrt::TextureReading& in, Texture& texture) {
@@ -39,9 +45,9 @@ static bool read(const pbrt::TextureReading& in, Texture& texture) {
     ImageFile file{*path};
     file.where = arguments.whereOf("filename");
     constexpr image_wrap wraps[] = {wrap_repeat, wrap_black, wrap_clamp, wrap_octahedral};
-    file.wrap = wraps[choose(arguments, "wrap", {"repeat", "black", "clamp", "octahedralsphere"})];
-    file.filter = choose(arguments, "filter", {"point", "bilinear", "trilinear", "ewa", "EWA"}) == 0 ? filter_nearest : filter_bilinear;
-    readEncoding(arguments, file);
+    file.wrap = wraps[choose(arguments, "wrap")];
+    file.filter = arguments.text("filter") == "point" ? filter_nearest : filter_bilinear;
+    readEncoding(in, file);
     texture.image = in.textures.image(file);
     readMapping(in, texture);
     texture.scale = arguments.number("scale");
@@ -61,7 +67,8 @@ static void pack(TexturePacking& into, const Texture& t, texture_instruction& i)
 }
 
 const TextureTraits imagemap_texture{
-    .parameters = {"file filename; string wrap = repeat; string filter = bilinear; float maxanisotropy = 8; float scale = 1; "
+    .parameters = {"file filename; string wrap = repeat in {repeat, black, clamp, octahedralsphere}; "
+                   "string filter = bilinear in {point, bilinear, trilinear, ewa, EWA}; float maxanisotropy = 8; float scale = 1; "
                    "bool invert = false; string encoding",
                    pbrt::mappingParameters},
     .read = read, .pack = pack};

@@ -1,6 +1,7 @@
 #include "read/pbrt/arguments.h"
 
 #include "read/pbrt/version3.h"
+#include "read/pbrt/without_effect.h"
 
 #include <fmt/format.h>
 
@@ -36,12 +37,29 @@ void reject(Reading& reading, const Kind& kind, const Parameter& parameter) {
 
 std::string shown(double number) { return fmt::format("{:g}", number); }
 
-/// The rule whose range the parameter's numbers must keep to; null if there is none.
-const Rule* rangedRule(const Kind& kind, const Parameter& parameter) {
-    if (parameter.type != ParameterType::number && parameter.type != ParameterType::integer) return nullptr;
-    for (const Rule& rule : kind.rules)
-        if (rule.range && (rule.name == parameter.name || rule.orElse == parameter.name) && accepts(rule, parameter.type)) return &rule;
-    return nullptr;
+/// The rule that limits the parameter's values; null if there is none.
+const Rule* limitingRule(const Kind& kind, const Parameter& parameter) {
+    const Rule* rule = kind.ruleFor(parameter);
+    if (!rule || !(rule->range || !rule->choices.empty())) return nullptr;
+    const bool isNumber = parameter.type == ParameterType::number || parameter.type == ParameterType::integer;
+    return isNumber || parameter.type == ParameterType::text ? rule : nullptr;
+}
+
+void checkChoice(const Rule& rule, const std::string& word, const Kind& kind, const Parameter& parameter) {
+    if (std::ranges::count(rule.choices, word)) return;
+    const std::string near = nearestWord(word, rule.choices);
+    throw SceneError(parameter.where, kind.title() + ": \"" + parameter.declaration() + "\" is \"" + word + "\"; it can be " +
+                                          alternatives(rule.choices) + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+}
+
+/// Reports a parameter that is in the list of those without an effect.
+void reportWithoutEffect(Reading& reading, const Kind& kind, const Parameter& parameter) {
+    const WithoutEffect* line = withoutEffect(kind, parameter);
+    if (!line || line->answer == Answer::silence) return;
+    const auto* words = std::get_if<std::vector<std::string>>(&parameter.values);
+    const std::string value = line->value && words ? " \"" + words->front() + "\"" : "";
+    reading.unsupported(kind.title() + " " + parameter.name, parameter.where,
+                        kind.title() + ": \"" + parameter.declaration() + "\"" + value + " has no effect: " + line->why);
 }
 
 /// Clamps a number to its range or throws SceneError.
@@ -60,26 +78,25 @@ template <class T> void keepTo(const Range& range, T& number, const Kind& kind, 
 Arguments::Arguments(Reading& reading, const Kind& kind, SourceLocation where, ParameterList own,
                      std::shared_ptr<const ParameterList> inherited, ColorSpace space)
     : reading_(&reading), kind_(&kind), where_(std::move(where)), own_(std::move(own)), inherited_(std::move(inherited)), space_(space) {
-    for (const Parameter& parameter : own_) {
-        const bool wanted = std::ranges::any_of(kind.rules, [&](const Rule& rule) {
-            return (rule.name == parameter.name || rule.orElse == parameter.name) && accepts(rule, parameter.type);
-        });
-        if (!wanted) reject(reading, kind, parameter);
-    }
-    checkRanges();
+    for (const Parameter& parameter : own_)
+        if (!kind.ruleFor(parameter)) reject(reading, kind, parameter);
+    checkValues();
+    for (const Parameter& parameter : own_) reportWithoutEffect(reading, kind, parameter);
 }
 
-void Arguments::checkRanges() {
+void Arguments::checkValues() {
     const auto keep = [this](Parameter& parameter) {
-        const Rule* rule = rangedRule(*kind_, parameter);
+        const Rule* rule = limitingRule(*kind_, parameter);
         if (!rule) return;
+        if (const auto* words = std::get_if<std::vector<std::string>>(&parameter.values))
+            for (const std::string& word : *words) checkChoice(*rule, word, *kind_, parameter);
         if (auto* numbers = std::get_if<std::vector<double>>(&parameter.values))
             for (double& number : *numbers) keepTo(*rule->range, number, *kind_, parameter, *reading_);
         if (auto* integers = std::get_if<std::vector<int>>(&parameter.values))
             for (int& integer : *integers) keepTo(*rule->range, integer, *kind_, parameter, *reading_);
     };
     for (Parameter& parameter : own_) keep(parameter);
-    if (!inherited_ || std::ranges::none_of(*inherited_, [this](const Parameter& parameter) { return rangedRule(*kind_, parameter); }))
+    if (!inherited_ || std::ranges::none_of(*inherited_, [this](const Parameter& parameter) { return limitingRule(*kind_, parameter); }))
         return;
     ParameterList kept = *inherited_;
     for (Parameter& parameter : kept) keep(parameter);
@@ -101,10 +118,29 @@ const Parameter* Arguments::given(const std::string& name) const {
     };
     for (const std::string& wanted : {r.name, r.orElse}) {
         if (wanted.empty()) continue;
-        if (const Parameter* found = last(own_, wanted)) return found;
+        if (const Parameter* found = last(own_, wanted)) {
+            found->isUsed = true;
+            return found;
+        }
         if (const Parameter* found = inherited_ ? last(*inherited_, wanted) : nullptr) return found;
     }
     return nullptr;
+}
+
+void Arguments::reportUnused() const {
+    const auto isLast = [this](const Parameter& parameter) {
+        const auto last = std::ranges::find(own_ | std::views::reverse, parameter.name, &Parameter::name);
+        return &*last == &parameter;
+    };
+    for (const Parameter& parameter : own_) {
+        const Rule* rule = kind_->ruleFor(parameter);
+        if (parameter.isUsed || !rule || withoutEffect(*kind_, parameter) || isDefault(*rule, parameter)) continue;
+        const std::string title = kind_->title() + ": \"" + parameter.declaration() + "\"";
+        if (!isLast(parameter))
+            reading_->diagnostics.warn(parameter.where, title + " is ignored: it is given again, and the last counts");
+        else
+            reading_->unsupported("unused " + title, parameter.where, title + " is ignored: nothing here uses it");
+    }
 }
 
 const SourceLocation& Arguments::whereOf(const std::string& name) const {
@@ -234,8 +270,10 @@ std::optional<std::string> Arguments::file(const std::string& name) const {
 
 std::string typeOf(const ParameterList& parameters, const char* directive, const SourceLocation& where) {
     for (const Parameter& parameter : parameters | std::views::reverse)
-        if (parameter.name == "type" && parameter.type == ParameterType::text)
+        if (parameter.name == "type" && parameter.type == ParameterType::text) {
+            parameter.isUsed = true;
             return std::get<std::vector<std::string>>(parameter.values).front();
+        }
     throw SceneError(where, std::string(directive) + " needs a \"string type\"");
 }
 

@@ -16,7 +16,7 @@ class Arguments {
 public:
     /// Reports parameters of `own` that the kind does not have (a warning, under --strict a problem). Throws SceneError for a wrong type,
     /// and for numbers out of range unless the rule clamps them. `inherited` may be null, and may have parameters that the kind does not
-    /// have.
+    /// have. Also reports parameters that have no effect (read/pbrt/without_effect.h).
     Arguments(Reading& reading, const Kind& kind, SourceLocation where, ParameterList own,
               std::shared_ptr<const ParameterList> inherited, ColorSpace space);
 
@@ -53,9 +53,13 @@ public:
     /// The path of an existing file; nothing if the parameter is not given or the file is missing (which is noted).
     std::optional<std::string> file(const std::string& name) const;
 
+    /// Reports parameters of this directive that nothing has asked for: others leave them without an effect. To be called when everything
+    /// is read.
+    void reportUnused() const;
+
 private:
     const Rule& rule(const std::string& name) const;
-    void checkRanges();
+    void checkValues();
     template <class T> const std::vector<T>* values(const std::string& name) const;
     template <class T> std::optional<T> single(const std::string& name) const;
     template <class V, class Stored> std::vector<V> vectors(const std::string& name) const;

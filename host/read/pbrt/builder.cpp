@@ -1,5 +1,7 @@
 #include "read/pbrt/builder.h"
 
+#include "read/pbrt/attributes.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -85,7 +87,9 @@ void Builder::addAttributes(const std::string& target, ParameterList parameters,
     if (found == std::end(attributeTargets))
         throw SceneError(
             where, "Attribute has the target \"" + target + "\"; it can be \"shape\", \"light\", \"material\", \"medium\" or \"texture\"");
-    auto& attributes = state.attributes[found - std::begin(attributeTargets)];
+    const auto number = found - std::begin(attributeTargets);
+    for (const Parameter& parameter : parameters) checkAttribute(reading, static_cast<Target>(number), parameter);
+    auto& attributes = state.attributes[static_cast<size_t>(number)];
     auto extended = attributes ? std::make_shared<ParameterList>(*attributes) : std::make_shared<ParameterList>();
     extended->insert(extended->end(), std::make_move_iterator(parameters.begin()), std::make_move_iterator(parameters.end()));
     attributes = std::move(extended);

@@ -12,6 +12,21 @@ void Settings::applyCamera(const Arguments& arguments) {
     camera.where = arguments.where();
     camera.kind = &kindOf(static_cast<camera_kind>(arguments.kind().value));
     if (camera.kind->traits.read) camera.kind->traits.read({reading_, arguments}, camera);
+    if (camera.kind->traits.hasThinLens) applyScreen(arguments);
+    camera.shutterOpen = arguments.number("shutteropen");
+    camera.shutterClose = arguments.number("shutterclose");
+    if (camera.shutterClose == camera.shutterOpen)
+        throw SceneError(arguments.where(), fmt::format("the shutter closes when it opens, at {:g}: no light reaches the film; make shutterclose "
+                                                        "larger than shutteropen", camera.shutterOpen));
+    if (camera.shutterClose < camera.shutterOpen) {
+        reading_.diagnostics.warn(arguments.where(), fmt::format("the shutter closes at {:g}, before it opens at {:g}; the two are swapped",
+                                                                 camera.shutterClose, camera.shutterOpen));
+        std::swap(camera.shutterOpen, camera.shutterClose);
+    }
+}
+
+void Settings::applyScreen(const Arguments& arguments) {
+    CameraDescription& camera = reading_.scene.camera;
     if (arguments.has("frameaspectratio")) camera.frameAspectRatio = arguments.number("frameaspectratio");
     if (arguments.has("screenwindow")) {
         const std::vector<double> window = arguments.numbers("screenwindow");
@@ -28,16 +43,6 @@ void Settings::applyCamera(const Arguments& arguments) {
         throw SceneError(arguments.whereOf("focaldistance"),
                          fmt::format("{}: \"float focaldistance\" is {:g}; with a lens it must be in (0, inf)", arguments.kind().title(),
                                      camera.focalDistance));
-    camera.shutterOpen = arguments.number("shutteropen");
-    camera.shutterClose = arguments.number("shutterclose");
-    if (camera.shutterClose == camera.shutterOpen)
-        throw SceneError(arguments.where(), fmt::format("the shutter closes when it opens, at {:g}: no light reaches the film; make shutterclose "
-                                                        "larger than shutteropen", camera.shutterOpen));
-    if (camera.shutterClose < camera.shutterOpen) {
-        reading_.diagnostics.warn(arguments.where(), fmt::format("the shutter closes at {:g}, before it opens at {:g}; the two are swapped",
-                                                                 camera.shutterClose, camera.shutterOpen));
-        std::swap(camera.shutterOpen, camera.shutterClose);
-    }
 }
 
 }  // namespace eikonal::pbrt

@@ -20,14 +20,9 @@ Points bezierOfSpline(const glm::vec3* p, int degree) {
     return {glm::mix(glm::mix(p[0], p[1], 2.f / 3), b, .5f), b, c, glm::mix(c, glm::mix(p[2], p[3], 1.f / 3), .5f)};
 }
 
-curve_type typeOf(Reading& reading, const Arguments& arguments) {
+curve_type typeOf(const Arguments& arguments) {
     const std::string type = arguments.text("type");
-    if (type == "flat") return curve_flat;
-    if (type == "ribbon") return curve_ribbon;
-    if (type != "cylinder")
-        reading.diagnostics.warn(arguments.whereOf("type"), "there is no curve of type \"" + type +
-                                                                "\" (types are flat, cylinder, ribbon); \"cylinder\" is used instead");
-    return curve_cylinder;
+    return type == "flat" ? curve_flat : type == "ribbon" ? curve_ribbon : curve_cylinder;
 }
 
 /// The number of segments of the control points. Throws SceneError if they do not fit.
@@ -51,10 +46,6 @@ size_t countSegments(const Arguments& arguments, size_t points, const std::strin
 std::shared_ptr<Curve> readCurve(Reading& reading, const Arguments& arguments) {
     const std::string title = arguments.kind().title(), basis = arguments.text("basis");
     const int degree = arguments.integer("degree");
-    if (degree != 2 && degree != 3)
-        throw SceneError(arguments.whereOf("degree"), title + " of degree " + std::to_string(degree) + "; the degree can be 2 or 3");
-    if (basis != "bezier" && basis != "bspline")
-        throw SceneError(arguments.whereOf("basis"), title + " has the basis \"" + basis + "\"; it can be \"bezier\" or \"bspline\"");
     if (!arguments.has("P")) throw SceneError(arguments.where(), title + " needs its control points, \"point3 P\"");
     const std::vector<glm::dvec3> given = arguments.points3("P");
     const glm::dvec3 origin = originOf(given);
@@ -63,7 +54,7 @@ std::shared_ptr<Curve> readCurve(Reading& reading, const Arguments& arguments) {
 
     auto curve = std::make_shared<Curve>();
     curve->origin = origin;
-    curve->type = typeOf(reading, arguments);
+    curve->type = typeOf(arguments);
     curve->splitDepth = arguments.integer("splitdepth");
     std::vector<glm::vec3> normals = arguments.vectors3("N");
     if (curve->type == curve_ribbon && normals.size() != count + 1)

@@ -58,7 +58,7 @@ void option(Parser& p, Builder& b, Where) {
     const std::string name = p.quoted("the name of an option");
     const SourceLocation where = p.lastPlace();
     const std::string value = p.word();
-    note(b, [&] { b.settings.setOption(name, value, where, p.lastPlace()); });
+    note(b, [&] { b.settings.setOption(name, value, b.inWorld, where, p.lastPlace()); });
 }
 
 void texture(Parser& p, Builder& b, Where where) {

@@ -10,15 +10,6 @@
 
 namespace eikonal::pbrt {
 
-/// The space of a gbuffer's positions and normals.
-static GBuffer gbufferOf(const Arguments& arguments) {
-    const std::string space = arguments.text("coordinatesystem");
-    if (space != "camera" && space != "world")
-        throw SceneError(arguments.whereOf("coordinatesystem"),
-                         "there is no coordinate system \"" + space + "\"; it can be \"camera\" or \"world\"");
-    return space == "world" ? GBuffer::worldSpace : GBuffer::cameraSpace;
-}
-
 static SpectrumKept spectrumOf(const Arguments& arguments) {
     const SpectrumKept kept{arguments.integer("nbuckets"), arguments.number("lambdamin"), arguments.number("lambdamax")};
     constexpr double narrowest = 1;
@@ -48,6 +39,7 @@ void Settings::applyFilm(const Arguments& arguments) {
             fmt::format("film \"{}\": \"float whitebalance\" is {:g}; it is a temperature in kelvin of at least {:g}, or 0 for none",
                         arguments.kind().name, film.whiteBalance, coldest));
     film.maxComponentValue = arguments.number("maxcomponentvalue");
+    film.halfFloats = arguments.flag("savefp16");
     film.diagonal = arguments.number("diagonal");
     film.sensor = arguments.text("sensor");
     if (const auto names = sensorNames(); !std::ranges::count(names, film.sensor)) {
@@ -57,7 +49,8 @@ void Settings::applyFilm(const Arguments& arguments) {
                              (near.empty() ? fmt::format("it can be {}", fmt::join(names, ", ")) : "did you mean \"" + near + "\"?"));
     }
     const auto kind = static_cast<FilmKind>(arguments.kind().value);
-    if (kind == FilmKind::gbuffer) film.gbuffer = gbufferOf(arguments);
+    if (kind == FilmKind::gbuffer)
+        film.gbuffer = arguments.text("coordinatesystem") == "world" ? GBuffer::worldSpace : GBuffer::cameraSpace;
     if (kind == FilmKind::spectral) film.spectrum = spectrumOf(arguments);
     if (arguments.has("pixelbounds")) {
         const std::vector<int> bounds = arguments.integers("pixelbounds");

@@ -6,19 +6,10 @@
 namespace eikonal::pbrt {
 
 void Settings::applyLightSampler(const Arguments& arguments) {
-    const std::string name = arguments.text("lightsampler");
     LightSampler& sampler = reading_.scene.integrator.lightSampler;
-    std::vector<std::string> words;
-    for (const auto& [word, value] : lightSamplerNames) {
-        words.emplace_back(word);
-        if (name == word) { sampler = value; return; }
-    }
-    /* pbrt-v4's fourth light sampler; the light tree approximates it, with the same expectation */
-    if (name == "exhaustive") { sampler = LightSampler::bvh; return; }
-    const std::string near = nearestWord(name, words);
-    throw SceneError(arguments.whereOf("lightsampler"),
-                     "there is no light sampler \"" + name + "\"; " +
-                         (near.empty() ? "there are \"bvh\", \"power\" and \"uniform\"" : "did you mean \"" + near + "\"?"));
+    sampler = LightSampler::bvh;   // also for "exhaustive"
+    for (const auto& [word, value] : lightSamplerNames)
+        if (arguments.text("lightsampler") == word) sampler = value;
 }
 
 void Settings::applyIntegrator(const Arguments& arguments) {
@@ -27,8 +18,7 @@ void Settings::applyIntegrator(const Arguments& arguments) {
     integrator.where = arguments.where();
     integrator.kind = integratorKindList()[static_cast<size_t>(kind.value)];
     if (kind.standIn) integrator.standsFor = kind.name;
-    integrator.maxDepth = arguments.integer("maxdepth");
-    if (integrator.maxDepth < 0) throw SceneError(arguments.whereOf("maxdepth"), "\"integer maxdepth\" must not be negative");
+    if (kind.rule("maxdepth")) integrator.maxDepth = arguments.integer("maxdepth");
     if (kind.rule("lightsampler") && arguments.has("lightsampler")) applyLightSampler(arguments);
     /* An integrator that is replaced shares "regularize" with the one that replaces it; another name of one has no parameters */
     if (kind.name == integrator.kind->name && integrator.kind->read) integrator.kind->read(arguments, integrator);

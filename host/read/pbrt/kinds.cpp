@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 namespace eikonal::pbrt {
 namespace {
@@ -74,12 +75,24 @@ Range parseRange(const std::string& text, bool clamps) {
     return range;
 }
 
+/// "{flat, ribbon}"
+std::vector<std::string> parseChoices(const std::string& text) {
+    if (!text.ends_with('}')) throw std::logic_error("not a list of words: " + text);
+    std::vector<std::string> choices;
+    for (std::string rest = text.substr(1, text.size() - 2); !rest.empty();) {
+        const std::string after = cutAt(rest, ",");
+        choices.push_back(std::exchange(rest, after));
+    }
+    return choices;
+}
+
 Rule parseRule(std::string text) {
     Rule rule;
     rule.as = cutAt(text, "->");
     const std::string clamped = cutAt(text, " clamped to "), within = cutAt(text, " in ");
     if (!clamped.empty()) rule.range = parseRange(clamped, true);
-    if (!within.empty()) rule.range = parseRange(within, false);
+    if (within.starts_with('{')) rule.choices = parseChoices(within);
+    else if (!within.empty()) rule.range = parseRange(within, false);
     rule.fallback = cutAt(text, "=");
     rule.orElse = cutAt(text, "|");
     rule.name = cutAt(text, " ");
@@ -99,17 +112,17 @@ void parseRules(std::string_view text, std::vector<Rule>& rules) {
     }
 }
 
-/// "a", "b" or "c"
-std::string alternatives(const std::vector<std::string>& items) {
-    std::string text;
-    for (size_t i = 0; i < items.size(); ++i) text += (i == 0 ? "\"" : i + 1 == items.size() ? " or \"" : ", \"") + items[i] + '"';
-    return text;
-}
-
 }  // namespace
 
 const Rule* Kind::rule(const std::string& parameter) const {
     const auto found = std::ranges::find(rules, parameter, &Rule::name);
+    return found == rules.end() ? nullptr : &*found;
+}
+
+const Rule* Kind::ruleFor(const Parameter& parameter) const {
+    const auto found = std::ranges::find_if(rules, [&](const Rule& rule) {
+        return (rule.name == parameter.name || rule.orElse == parameter.name) && accepts(rule, parameter.type);
+    });
     return found == rules.end() ? nullptr : &*found;
 }
 
@@ -140,6 +153,12 @@ const Kind& KindTable::find(const std::string& name, const SourceLocation& where
     const std::string near = nearestWord(name, names);
     throw SceneError(where, "there is no " + noun_ + " \"" + name + "\"" +
                                 (near.empty() ? ": it can be " + alternatives(names) : "; did you mean \"" + near + "\"?"));
+}
+
+std::string alternatives(const std::vector<std::string>& items) {
+    std::string text;
+    for (size_t i = 0; i < items.size(); ++i) text += (i == 0 ? "\"" : i + 1 == items.size() ? " or \"" : ", \"") + items[i] + '"';
+    return text;
 }
 
 bool accepts(const Rule& rule, ParameterType type) {

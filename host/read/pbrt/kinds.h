@@ -40,6 +40,7 @@ struct Rule {
     std::string fallback;       ///< the default as written in the row: a number, a word, a name of a spectrum; empty: none
     std::string as;             ///< its name in the scene
     std::optional<Range> range; ///< range of its numbers; textures and spectra are not checked
+    std::vector<std::string> choices;  ///< the words that a string can be; empty: any
 };
 
 /// A parsed row of a table.
@@ -51,6 +52,8 @@ struct Kind {
 
     std::string title() const { return noun + " \"" + name + "\""; }
     const Rule* rule(const std::string& parameter) const;
+    /// The rule that a parameter is read by; null if there is none.
+    const Rule* ruleFor(const Parameter& parameter) const;
     /// The names of all parameters, in the order of the row.
     std::vector<std::string> parameters() const;
 };
@@ -60,8 +63,8 @@ struct Row {
     int value;
     /// Such as "float radius = 1; floatmap uroughness
     /// roughness = 0; floatmap conductor.roughness = 0 -> uroughness": a type, a name, and optionally "| the parameter to read instead", "=
-    /// default", "in (0, 180]" (numbers outside are an error) or "clamped to [0, inf)" (numbers outside become the nearest end, with a
-    /// warning), and "-> the name in the scene".
+    /// default", "in (0, 180]" (numbers outside are an error), "clamped to [0, inf)" (numbers outside become the nearest end, with a
+    /// warning) or "in {flat, ribbon}" (other words are an error), and "-> the name in the scene".
     const char* parameters;
     const char* standIn = nullptr;
 };
@@ -80,6 +83,8 @@ private:
     std::vector<Kind> kinds_;
 };
 
+/// "a", "b" or "c"
+std::string alternatives(const std::vector<std::string>& items);
 /// The declarations that a rule accepts for one of its names, for messages: "rgb L", "spectrum L" or "blackbody L".
 std::string acceptedDeclarations(const Rule& rule, const std::string& name);
 bool accepts(const Rule& rule, ParameterType type);

@@ -25,7 +25,7 @@ void addLight(Reading& reading, TextureRegistry& textures, const std::string& ki
               ParameterList parameters, const SourceLocation& where) {
     const Kind& kind = lightKinds().find(kindName, where);
     const Arguments arguments(reading, kind, where, std::move(parameters), state.attributesOf(Target::light), state.space);
-    if (state.transform[0] != state.transform[1])
+    if (state.moves())
         reading.unsupported("moving light", where, "a moving light is not rendered yet; it stays where its motion starts");
     Light light;
     light.kind = &kindOf(static_cast<light_kind>(kind.value));
@@ -36,6 +36,7 @@ void addLight(Reading& reading, TextureRegistry& textures, const std::string& ki
     light.scale = arguments.number("scale");
     light.worldFromLight = state.transform[0];
     if (!traits.read({reading, textures, arguments}, light)) return;
+    arguments.reportUnused();
     reading.scene.lights.push_back(std::move(light));
 }
 
@@ -57,6 +58,7 @@ int addAreaLight(Reading& reading, TextureRegistry& textures, const std::string&
     light.scale = arguments.number("scale");
     light.twoSided = arguments.flag("twosided");
     if (const double power = arguments.number("power"); power > 0) light.power = power;
+    arguments.reportUnused();
     reading.scene.areaLights.push_back(std::move(light));
     return static_cast<int>(reading.scene.areaLights.size()) - 1;
 }

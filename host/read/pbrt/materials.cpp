@@ -21,7 +21,7 @@ const std::vector<DirectiveOfKind>& directiveList() {
 }
 
 constexpr const char* commonParameters =
-    "floatmap displacement -> -; file normalmap -> -; bool remaproughness = true -> -; string type -> -";
+    "floatmap displacement -> -; file normalmap -> -; string type -> -";
 
 }  // namespace
 
@@ -96,12 +96,15 @@ void MaterialRegistry::finish() {
 void MaterialRegistry::build(Entry& entry, Material& material) {
     const Arguments& arguments = *entry.arguments;
     readInputs(arguments, material);
-    material.remapRoughness = arguments.flag("remaproughness");
-    material.displacement = textures_.textureOf(arguments, "displacement");
-    material.normalMap = normalMap(arguments);
+    if (arguments.kind().rule("remaproughness")) material.remapRoughness = arguments.flag("remaproughness");
+    if (material.kind->isSurface) {
+        material.displacement = textures_.textureOf(arguments, "displacement");
+        material.normalMap = normalMap(arguments);
+    }
 
     if (material.kind->metalIndices[0]) preferReflectance(arguments, material);
     if (material.kind->read) material.kind->read({reading_, arguments, textures_, *this}, material);
+    arguments.reportUnused();
 }
 
 void MaterialRegistry::preferReflectance(const Arguments& arguments, Material& material) {

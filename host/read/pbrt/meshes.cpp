@@ -54,9 +54,6 @@ std::shared_ptr<Mesh> readSubdividedMesh(Reading& reading, const Arguments& argu
     const std::string title = arguments.kind().title();
     if (!arguments.has("indices")) throw SceneError(arguments.where(), title + " needs the vertices of its faces, \"integer indices\"");
     const std::shared_ptr<const Mesh> control = readMesh(reading, arguments, 3);
-    if (const std::string scheme = arguments.text("scheme"); scheme != "loop")
-        reading.diagnostics.warn(arguments.whereOf("scheme"),
-                                 "there is no subdivision scheme \"" + scheme + "\"; \"loop\" is used instead");
 
     const int levels = control->indices.empty() ? 0 : std::max(arguments.integer("levels"), 0);
     int possible = 0;

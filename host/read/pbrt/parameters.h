@@ -24,6 +24,8 @@ struct Parameter {
     SourceLocation where;
     SourceLocation whereText;  ///< strings: place of the first character of the first string
 
+    mutable bool isUsed = false;  ///< whether the reader has asked for it
+
     /// Whether it has no values. Parser::parameters never returns such a parameter.
     bool isEmpty() const;
     /// "type name", as it was written.

@@ -7,6 +7,9 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <list>
+#include <string>
+#include <utility>
 
 namespace eikonal::pbrt {
 namespace {
@@ -18,8 +21,7 @@ constexpr const char* filmParameters =
     "integer xresolution = 1280; integer yresolution = 720; floats cropwindow; integers pixelbounds; string filename; float diagonal = 35 "
     "in (0, inf);"
     "string sensor = cie1931; float iso = 100 in (0, inf); float whitebalance = 0 in [0, inf); float maxcomponentvalue = 0 in (0, inf); "
-    "bool savefp16 = true";
-constexpr const char* samplerParameters = "integer seed; string randomization";
+    "bool savefp16 = false";
 constexpr const char* instead = "\"volpath\" renders it";
 
 const KindTable& cameraKinds() {
@@ -36,7 +38,7 @@ const KindTable& filmKinds() {
         "film", filmParameters,
         {
             {"rgb", int(FilmKind::rgb), ""},
-            {"gbuffer", int(FilmKind::gbuffer), "string coordinatesystem = camera"},
+            {"gbuffer", int(FilmKind::gbuffer), "string coordinatesystem = camera in {camera, world}"},
             {"spectral", int(FilmKind::spectral),
              "integer nbuckets = 16 in [1, 512]; float lambdamin = 360 in [360, 830]; float lambdamax = 830 in [360, 830]"},
         });
@@ -53,11 +55,13 @@ const KindTable& filterKinds() {
 }
 
 const KindTable& samplerKinds() {
-    static const KindTable table("sampler", samplerParameters, {
-        {"zsobol", int(SamplerKind::zsobol), "integer pixelsamples = 16"},
-        {"paddedsobol", int(SamplerKind::paddedsobol), "integer pixelsamples = 16"},
-        {"sobol", int(SamplerKind::sobol), "integer pixelsamples = 16"},
-        {"halton", int(SamplerKind::sobol), "integer pixelsamples = 16"},
+    constexpr const char* sobol = "integer pixelsamples = 16; string randomization = fastowen in {none, permutedigits, owen, fastowen}";
+    static const KindTable table("sampler", "integer seed", {
+        {"zsobol", int(SamplerKind::zsobol), sobol},
+        {"paddedsobol", int(SamplerKind::paddedsobol), sobol},
+        {"sobol", int(SamplerKind::sobol), sobol},
+        {"halton", int(SamplerKind::sobol),
+         "integer pixelsamples = 16; string randomization = permutedigits in {none, permutedigits, owen}"},
         {"pmj02bn", int(SamplerKind::zsobol), "integer pixelsamples = 16"},
         {"stratified", int(SamplerKind::sobol), "integer xsamples = 4; integer ysamples = 4; bool jitter = true"},
         {"independent", int(SamplerKind::independent), "integer pixelsamples = 4"},
@@ -73,21 +77,25 @@ int volpathRow() {
 const KindTable& integratorKinds() {
     static const KindTable table = [] {
         std::vector<Row> rows;
+        std::list<std::string> texts;   // of each row
+        const auto add = [&](const char* name, int value, const char* parameters, bool hasDepth, const char* standIn) {
+            const std::string& text = texts.emplace_back(std::string(parameters) + (hasDepth ? "; integer maxdepth = 5 in [0, inf)" : ""));
+            rows.push_back({name, value, text.c_str(), standIn});
+        };
         for (const IntegratorKind* kind : integratorKindList())
-            rows.push_back({kind->name, static_cast<int>(rows.size()), kind->parameters});
+            add(kind->name, static_cast<int>(rows.size()), kind->parameters, kind->leastDepth < kind->mostDepth, nullptr);
         const int volpath = volpathRow();
-        for (const Row& row : std::initializer_list<Row>{
-                 {volpathAlias, volpath, ""},
-                 {"lightpath", volpath, "", instead},
-                 {"bdpt", volpath, "bool visualizestrategies = false; bool visualizeweights = false; bool regularize = false", instead},
-                 {"mlt", volpath,
+        add(volpathAlias, volpath, "", true, nullptr);
+        for (const auto& [name, parameters] : std::initializer_list<std::pair<const char*, const char*>>{
+                 {"lightpath", ""},
+                 {"bdpt", "bool visualizestrategies = false; bool visualizeweights = false; bool regularize = false"},
+                 {"mlt",
                   "integer bootstrapsamples = 100000; integer chains = 1000; integer mutationsperpixel = 100; float largestepprobability = "
-                  "0.3; float sigma = 0.01; bool regularize = false",
-                  instead},
-                 {"sppm", volpath, "integer photonsperiteration = -1; float radius = 1; integer seed = 0", instead},
-                 {"function", volpath, "string function = step; string filename; bool skipbad = true; string imagefilename", instead}})
-            rows.push_back(row);
-        return KindTable("integrator", "integer maxdepth = 5", rows);
+                  "0.3; float sigma = 0.01; bool regularize = false"},
+                 {"sppm", "integer photonsperiteration = -1; float radius = 1; integer seed = 0"},
+                 {"function", "string function = step; string filename; bool skipbad = true; string imagefilename"}})
+            add(name, volpath, parameters, true, instead);
+        return KindTable("integrator", "", rows);
     }();
     return table;
 }
@@ -96,9 +104,10 @@ const KindTable& acceleratorKinds() {
     static const KindTable table(
         "accelerator", "",
         {
-            {"bvh", 0, "string splitmethod = sah; integer maxnodeprims = 4"},
+            {"bvh", 0, "string splitmethod = sah in {sah, middle, equal, hlbvh}; integer maxnodeprims = 4 in [1, inf)"},
             {"kdtree", 0,
-             "integer intersectcost = 5; integer traversalcost = 1; float emptybonus = 0.5; integer maxprims = 1; integer maxdepth = -1"},
+             "integer intersectcost = 5; integer traversalcost = 1; float emptybonus = 0.5; integer maxprims = 1 in [1, inf);"
+             "integer maxdepth = -1"},
         });
     return table;
 }
@@ -107,6 +116,23 @@ const KindTable& acceleratorKinds() {
 
 std::vector<const KindTable*> settingKinds() {
     return {&cameraKinds(), &filmKinds(), &filterKinds(), &samplerKinds(), &integratorKinds(), &acceleratorKinds()};
+}
+
+const KindTable& optionKinds() {
+    static const KindTable table("option", "", {
+        {"seed", 0, "integer seed = 0"},
+        {"displacementedgescale", 0, "float displacementedgescale = 1 in (0, inf)"},
+        {"disablepixeljitter", 0, "bool disablepixeljitter = false"},
+        {"disablewavelengthjitter", 0, "bool disablewavelengthjitter = false"},
+        {"disabletexturefiltering", 0, "bool disabletexturefiltering = false"},
+        {"forcediffuse", 0, "bool forcediffuse = false"},
+        {"msereferenceimage", 0, "file msereferenceimage"},
+        {"msereferenceout", 0, "string msereferenceout"},
+        {"pixelstats", 0, "bool pixelstats = false"},
+        {"rendercoordsys", 0, "string rendercoordsys = cameraworld in {camera, cameraworld, world}"},
+        {"wavefront", 0, "bool wavefront = false"},
+    });
+    return table;
 }
 
 }  // namespace eikonal::pbrt

@@ -10,4 +10,7 @@ namespace eikonal::pbrt {
 /// The tables of cameras, films, pixel filters, samplers, integrators and accelerators.
 std::vector<const KindTable*> settingKinds();
 
+/// The options of Option directives, by pbrt-v4's plain names. Each has a single parameter, which has the option's name.
+const KindTable& optionKinds();
+
 }  // namespace eikonal::pbrt

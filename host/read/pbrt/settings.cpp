@@ -1,6 +1,10 @@
 #include "read/pbrt/settings.h"
 
+#include "kinds/camera_kind.h"
+#include "kinds/filter_kind.h"
 #include "read/pbrt/setting_kinds.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
@@ -38,32 +42,54 @@ void Settings::set(Sort sort, const std::string& kindName, const GraphicsState& 
         reading_.unsupported(kind.title(), where, kind.title() + " is not rendered yet; " + kind.standIn);
 }
 
-void Settings::setOption(const std::string& name, const std::string& value, const SourceLocation& where, const SourceLocation& valueWhere) {
-    // Options that change no pixel are accepted silently; the others are not rendered.
-    const std::vector<std::string> harmless = {"disablewavelengthjitter", "disabletexturefiltering", "msereferenceimage", "msereferenceout",
-                                               "pixelstats", "rendercoordsys", "wavefront"};
-    const std::vector<std::string> missing = {"disablepixeljitter", "forcediffuse"};
-    const std::string option = plain(name);
-    const auto read = [&](auto& number) {
+/// The value of an option as a parameter with the type of its rule. Throws SceneError.
+static Parameter parameterOf(const Kind& option, const std::string& value, const SourceLocation& where, const SourceLocation& valueWhere) {
+    const Rule& rule = option.rules.front();
+    Parameter parameter;
+    parameter.name = rule.name;
+    parameter.where = where;
+    parameter.whereText = valueWhere;
+    const auto expect = [&](bool holds, const char* what) {
+        if (!holds) throw SceneError(valueWhere, "\"" + value + "\" found where " + option.title() + " has " + what);
+    };
+    const auto numbers = [&](auto number, ParameterType type, const char* what) {
         const char* const end = value.data() + value.size();
         const auto [stop, error] = std::from_chars(value.data() + value.starts_with('+'), end, number);
-        return error == std::errc() && stop == end;
+        expect(error == std::errc() && stop == end && std::isfinite(static_cast<double>(number)), what);
+        parameter.type = type;
+        parameter.values = std::vector{number};
     };
-    if (option == "seed") {
-        if (!read(seed_)) throw SceneError(valueWhere, "\"" + value + "\" found where an integer is expected");
-    } else if (option == "displacementedgescale") {
-        double& scale = reading_.displacementEdgeScale;
-        if (!read(scale) || !(scale > 0 && std::isfinite(scale)))
-            throw SceneError(valueWhere, "\"" + value + "\" found where a number above 0 is expected");
-    } else if (std::ranges::count(missing, option)) {
-        if (value != "false") reading_.unsupported("option " + option, where, "option \"" + name + "\" has no effect yet");
-    } else if (!std::ranges::count(harmless, option)) {
-        std::vector<std::string> all = {"seed", "displacementedgescale"};
-        all.insert(all.end(), harmless.begin(), harmless.end());
-        all.insert(all.end(), missing.begin(), missing.end());
-        const std::string near = nearestWord(option, all);
-        throw SceneError(where, "there is no option \"" + name + "\"" + (near.empty() ? "" : "; did you mean \"" + near + "\"?"));
+    if (rule.wanted == Wanted::flag) {
+        expect(value == "true" || value == "false", "true or false");
+        parameter.type = ParameterType::boolean;
+        parameter.values = std::vector{value == "true"};
+    } else if (rule.wanted == Wanted::integer) numbers(int{}, ParameterType::integer, "an integer");
+    else if (rule.wanted == Wanted::number) numbers(double{}, ParameterType::number, "a number");
+    else {
+        parameter.type = ParameterType::text;
+        parameter.values = std::vector{value};
     }
+    return parameter;
+}
+
+void Settings::setOption(const std::string& name, const std::string& value, bool inWorld, const SourceLocation& where,
+                         const SourceLocation& valueWhere) {
+    const Kind& option = optionKinds().find(plain(name), where);
+    const Arguments arguments(reading_, option, where, {parameterOf(option, value, where, valueWhere)}, nullptr, ColorSpace::srgb);
+    FilmDescription& film = reading_.scene.film;
+    if (option.name == "seed") seed_ = arguments.integer("seed");
+    else if (option.name == "disablepixeljitter")
+        withoutJitter_ = arguments.flag("disablepixeljitter") ? std::optional(where) : std::nullopt;
+    else if (option.name == "displacementedgescale") reading_.displacementEdgeScale = arguments.number("displacementedgescale");
+    else if (option.name == "msereferenceimage") {
+        errorReference_ = where;
+        film.errorReference = arguments.file("msereferenceimage").value_or("");
+    } else if (option.name == "msereferenceout") {
+        errorLog_ = where;
+        film.errorLog = arguments.text("msereferenceout");
+    }
+    if (inWorld && (option.name == "seed" || option.name == "disablepixeljitter"))
+        reading_.unsupported("late " + option.name, where, option.title() + " is ignored after WorldBegin; write it before");
 }
 
 void Settings::apply() {
@@ -73,11 +99,33 @@ void Settings::apply() {
                                                {Sort::integrator, &Settings::applyIntegrator}};
     reading_.scene.sampler.seed = seed_;
     for (const auto& [sort, step] : steps)
-        if (given_.contains(sort)) reading_.problems.guard([&] { (this->*step)(*given_[sort]); });
+        if (given_.contains(sort))
+            reading_.problems.guard([&] {
+                (this->*step)(*given_[sort]);
+                if (!given_[sort]->kind().standIn) given_[sort]->reportUnused();
+            });
     FilmDescription& film = reading_.scene.film;
     film.exposureTime = reading_.scene.camera.shutterClose - reading_.scene.camera.shutterOpen;
+    if (withoutJitter_) removeJitter();
 }
 
-void Settings::finish(MediumRegistry& media) { reading_.scene.camera.medium = media.resolve(cameraMedium_, reading_.scene.camera.where); }
+void Settings::removeJitter() {
+    CameraDescription& camera = reading_.scene.camera;
+    reading_.scene.filter = {.kind = &box_filter, .xRadius = 0, .yRadius = 0, .where = *withoutJitter_};
+    camera.lensRadius = 0;
+    camera.shutterOpen = camera.shutterClose = (camera.shutterOpen + camera.shutterClose) / 2;
+    if (kindOf(camera).traits.hasLensSystem)
+        reading_.unsupported("jitter of a lens", *withoutJitter_,
+                             fmt::format(
+                                 "option \"disablepixeljitter\": camera \"{}\" samples its lens all the same", kindOf(camera).name));
+}
+
+void Settings::finish(MediumRegistry& media) {
+    reading_.scene.camera.medium = media.resolve(cameraMedium_, reading_.scene.camera.where);
+    if (errorReference_.has_value() != errorLog_.has_value())
+        reading_.problems.add(errorLog_ ? *errorLog_ : *errorReference_,
+                              errorLog_ ? "option \"msereferenceout\" needs an \"msereferenceimage\" to compare with"
+                                        : "option \"msereferenceimage\" needs a file for the errors, \"msereferenceout\"");
+}
 
 }  // namespace eikonal::pbrt

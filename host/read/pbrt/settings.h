@@ -7,6 +7,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,15 +22,20 @@ public:
 
     /// Sets a camera, film ... Throws SceneError for an unknown kind.
     void set(Sort sort, const std::string& kind, const GraphicsState& state, ParameterList parameters, const SourceLocation& where);
-    /// An Option directive; `value` as written, without quotes. Throws SceneError.
-    void setOption(const std::string& name, const std::string& value, const SourceLocation& where, const SourceLocation& valueWhere);
+    /// An Option directive; `value` as written, without quotes. Options that the settings depend on must come before WorldBegin. Throws
+    /// SceneError.
+    void setOption(const std::string& name, const std::string& value, bool inWorld, const SourceLocation& where,
+                   const SourceLocation& valueWhere);
 
     /// Fills in the scene's camera, film, filter, sampler and integrator. finish() fills in the camera's medium.
     void apply();
     void finish(MediumRegistry& media);
 
 private:
+    /// Puts all samples of a pixel at its centre, the centre of the lens and the middle of the shutter interval.
+    void removeJitter();
     void applyCamera(const Arguments& arguments);
+    void applyScreen(const Arguments& arguments);
     void applyFilm(const Arguments& arguments);
     void applyFilter(const Arguments& arguments);
     void applySampler(const Arguments& arguments);
@@ -40,6 +46,8 @@ private:
     std::map<Sort, std::unique_ptr<Arguments>> given_;
     int cameraMedium_ = none;  ///< number in MediumRegistry
     int seed_ = 0;             ///< Option "seed"
+    std::optional<SourceLocation> withoutJitter_;                 ///< where Option "disablepixeljitter" says so
+    std::optional<SourceLocation> errorReference_, errorLog_;     ///< where Option "msereferenceimage" and "msereferenceout" are
 };
 
 }  // namespace eikonal::pbrt

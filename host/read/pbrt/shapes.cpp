@@ -82,6 +82,7 @@ void ShapeRegistry::add(const std::string& kindName, const GraphicsState& state,
         pending.shape.areaLight = none;
     }
     if (const Parameter* alpha = arguments.given("alpha")) pending.alpha = *alpha;
+    arguments.reportUnused();
     pending_.push_back(std::move(pending));
 }
 

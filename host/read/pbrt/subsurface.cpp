@@ -110,11 +110,8 @@ DiffusionProfile texturedProfile(TextureRegistry& textures, const Input& sigmaA,
 
 void readInterior(Reading& reading, const Arguments& arguments, Material& material, TextureRegistry& textures) {
     const double eta = material.inputs.at("eta").value.value();
-    const std::string method = arguments.text("method");
-    const auto* known = std::ranges::find(subsurfaceMethodNames, method, &std::pair<const char*, SubsurfaceMethod>::first);
-    if (known == std::end(subsurfaceMethodNames))
-        throw SceneError(arguments.whereOf("method"), "there is no method \"" + method + "\"; it can be \"diffusion\" or \"randomwalk\"");
-    material.method = known->second;
+    for (const auto& [name, method] : subsurfaceMethodNames)
+        if (arguments.text("method") == name) material.method = method;
 
     std::optional<Spectrum> albedo;
     auto medium = std::make_shared<Medium>();

@@ -58,7 +58,7 @@ void TextureRegistry::define(const std::string& name, bool isFloat, const std::s
         throw SceneError(where, std::string("there is already a ") + (isFloat ? "float" : "spectrum") + " texture \"" + name + "\", at " +
                                     place->second.arguments.where().toString());
     order_.push_back(place->first);
-    if (state.transform[0] != state.transform[1])
+    if (state.moves())
         reading_.unsupported("moving texture", where,
                              "a moving texture is not rendered yet; it stays where its motion starts");
 }
@@ -156,7 +156,9 @@ void TextureRegistry::read(const Definition& definition, Texture& texture) {
     bool isComplete = true;
     if (arguments.kind().standIn) texture.operands = {standIn(arguments)};
     else if (kind.traits.read) isComplete = kind.traits.read({reading_, *this, arguments}, texture);
-    if (isComplete) texture.kind = &kind;
+    if (!isComplete) return;
+    texture.kind = &kind;
+    if (!arguments.kind().standIn) arguments.reportUnused();
 }
 
 Input TextureRegistry::standIn(const Arguments& arguments) {
