@@ -70,6 +70,17 @@ class BookTools(unittest.TestCase):
         self.page.parent.mkdir(parents=True)
         self.file.parent.mkdir(parents=True)
         self.page.write_text(CHAPTER)
+        self.file.write_text(FILE)
+        self.git("init", "--quiet")
+        self.commit()
+        self.file.unlink()
+
+    def git(self, *arguments):
+        subprocess.run(["git", "-C", self.root, "-c", "user.name=T", "-c", "user.email=t@t", *arguments], check=True, capture_output=True)
+
+    def commit(self):
+        self.git("add", "--all")
+        self.git("commit", "--quiet", "--allow-empty", "-m", "state")
 
     def run_tool(self, *options):
         return subprocess.run([sys.executable, TOOL, "--root", self.root, "--book", self.page.parent, *options], capture_output=True, text=True)
@@ -83,6 +94,10 @@ class BookTools(unittest.TestCase):
         result = self.run_tool(*options)
         self.assertNotEqual(result.returncode, 0)
         self.assertIn(text, result.stderr)
+
+    def number_of(self, line):
+        """The number of a line of the page."""
+        return self.page.read_text().split("\n").index(line) + 1
 
     def stitch(self, text):
         """Stitches the edited file; afterwards the book makes it."""
@@ -100,18 +115,34 @@ class BookTools(unittest.TestCase):
         number = CHAPTER.split("\n").index("x = 0.5f;") + 1
         self.assertIn(f"1-light.md:{number}: Clamp", place)
 
-    def test_check_names_what_differs_and_what_no_fragment_holds(self):
-        self.fail_with("spot.clh does not exist", "--check")
-        self.succeed()
-        self.file.write_text(FILE.replace("2.0f", "3.0f"))
+    def test_check_names_the_first_line_that_differs_and_what_no_fragment_holds(self):
+        self.fail_with("kernels/light/spot.clh does not exist: ./dev tangle writes it; if it is to go, remove its block, "
+                       f"{self.page}:{self.number_of('```opencl kernels/light/spot.clh =')}, and the fragments that only it uses\n", "--check")
         (self.root / "kernels" / "light" / "new.clh").write_text("float y;\n")
-        self.fail_with("spot.clh differs from the book", "--check")
-        self.fail_with("new.clh is in no chapter", "--check")
+        advice = ": ./dev stitch takes the code's edits into the book, ./dev tangle writes the book's\n"
+        for text, line, page_line in ((FILE.replace("0.5f;", "0.6f;"), 6, "x = 0.5f;"), (FILE + "more\n", 12, "}"), (FILE.removesuffix("\n"), 12, "}"),
+                                      (FILE.removesuffix("}\n"), 11, "}"), (FILE.replace("Fall off", "Fall"), 3, "    /* <<Fall off>> */")):
+            self.file.write_text(text)
+            self.fail_with(f"kernels/light/spot.clh:{line} differs from the book, {self.page}:{self.number_of(page_line)}{advice}", "--check")
+        self.fail_with("kernels/light/new.clh is in no chapter: add a block that begins with ```opencl kernels/light/new.clh =", "--check")
+
+    def test_ends_of_lines_count(self):
+        self.file.write_bytes(FILE.replace("\n", "\r\n").encode())
+        where = (f"kernels/light/spot.clh:1 differs from the book, {self.page}:{self.number_of('/* A spot light. */')} (its lines end with CR LF; the book's "
+                 "end with LF): ")
+        self.fail_with(where, "--check")
+        self.fail_with(where + "save it with LF", "--stitch")
+        self.assertEqual(self.page.read_text(), CHAPTER)
+
+    def test_a_file_is_text(self):
+        self.file.write_bytes(b"/* \xff */")
+        self.fail_with("error: kernels/light/spot.clh is no UTF-8 text at byte 4: save it as UTF-8", "--check")
 
     def test_tangle_keeps_edits_that_are_not_committed(self):
         self.succeed()
         self.file.write_text(FILE.replace("2.0f", "3.0f"))
-        self.fail_with("has edits that are not committed")
+        self.fail_with("error: kernels/light/spot.clh has edits that the book does not have: ./dev stitch takes them into the book, ./dev tangle --force "
+                       "loses them")
         self.assertIn("3.0f", self.file.read_text())
         self.succeed("--force")
         self.assertEqual(self.file.read_text(), FILE)
@@ -123,9 +154,97 @@ class BookTools(unittest.TestCase):
                                (CHAPTER.replace("<<Return the intensity>> +=", "<<Return the intensity>> ="), "already defined"),
                                (CHAPTER.replace("<<Return the intensity>> =", "<<Return the intensity>> +="), "is not defined before this"),
                                (CHAPTER.replace("opencl <<Clamp>> =", "opencl <<Clamp> ="), "this fence defines nothing"),
+                               (CHAPTER.replace("opencl <<Clamp>> =", "opencl <<Clamp>>"), "this fence defines nothing"),
+                               (CHAPTER.replace("opencl kernels/", "opencl ../kernels/"), "../kernels/light/spot.clh is outside the repository"),
+                               (CHAPTER.replace("opencl kernels/", "opencl /kernels/"), "/kernels/light/spot.clh is outside the repository"),
                                (CHAPTER.removesuffix("```\n"), "this block has no end")):
             self.page.write_text(wrong)
             self.fail_with(message, "--check")
+
+    def test_a_blank_after_a_fence_is_nothing(self):
+        self.page.write_text(CHAPTER.replace("<<Clamp>> =", "<<Clamp>> = "))
+        self.succeed()
+        self.assertEqual(self.file.read_text(), FILE)
+
+    def edit(self, file, old, new):
+        text = file.read_text()
+        self.assertEqual(text.count(old), 1)
+        file.write_text(text.replace(old, new))
+
+    def test_stitch_leaves_edits_of_the_book_alone(self):
+        self.succeed()
+        self.edit(self.page, "x = 0.5f;", "x = 0.7f;")
+        result = self.run_tool("--stitch")
+        self.assertEqual(result.stdout, "only the book has edits of kernels/light/spot.clh: ./dev tangle writes it\n")
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("\nx = 0.7f;\n", self.page.read_text())
+        self.succeed()
+        self.assertEqual(self.file.read_text(), FILE.replace("x = 0.5f;", "x = 0.7f;"))
+
+    def test_edits_of_both_sides_come_together(self):
+        self.succeed()
+        self.edit(self.page, "x = 0.5f;", "x = 0.7f;\nx += 1.0f;")
+        self.edit(self.page, "More of the end", "Prose,\nand more of it")
+        self.edit(self.file, "* 2.0f", "* 3.0f")
+        self.edit(self.file, "/* Fall off */", "/* Fall off smoothly */")
+        self.fail_with("has edits that the book does not have")
+        self.assertEqual(self.succeed("--stitch"), "stitched, and written with the book's edits: kernels/light/spot.clh\n")
+        self.assertEqual(self.file.read_text(), FILE.replace("x = 0.5f;", "x = 0.7f;\n        x += 1.0f;").replace("2.0f", "3.0f").replace("off", "off smoothly"))
+        self.succeed("--check")
+        self.assertIn("Prose,\nand more of it", self.page.read_text())
+
+    def test_different_edits_of_a_fragment_are_refused(self):
+        self.succeed()
+        self.edit(self.page, "x = 0.5f;", "x = 0.7f;")
+        self.edit(self.file, "x = 0.5f;", "x = 0.9f;")
+        page, file = self.page.read_text(), self.file.read_text()
+        self.fail_with(f"error: {self.page}:{self.number_of('```opencl <<Clamp>> =')}: <<Clamp>> has one edit here and another in the code\n"
+                       "make the two the same, or choose one: ./dev stitch --force takes the code's, ./dev tangle --force the book's\n", "--stitch")
+        self.assertEqual((self.page.read_text(), self.file.read_text()), (page, file))
+        self.succeed("--stitch", "--force")
+        self.assertEqual((self.page.read_text(), self.file.read_text()), (page.replace("0.7f", "0.9f"), file))
+
+    def test_the_same_edit_on_both_sides_is_no_conflict(self):
+        self.succeed()
+        self.edit(self.page, "x = 0.5f;", "x = 0.7f;")
+        self.edit(self.file, "x = 0.5f;", "x = 0.7f;")
+        self.edit(self.file, "* 2.0f", "* 3.0f")
+        self.succeed("--stitch")
+        self.assertEqual(self.page.read_text(), CHAPTER.replace("x = 0.5f;", "x = 0.7f;").replace("2.0f", "3.0f"))
+
+    def test_work_goes_on_without_commits(self):
+        """Stitching and tangling again and again, of one fragment: each begins with the state after the last."""
+        self.succeed()
+        for value in ("0.6f", "0.7f"):
+            self.stitch(FILE.replace("x = 0.5f", f"x = {value}"))
+            self.page.write_text(CHAPTER.replace("x = 0.5f", f"x = {value}1"))
+            self.succeed()
+            self.assertIn(f"x = {value}1;", self.file.read_text())
+        self.commit()
+        self.stitch(self.file.read_text().replace("0.7f1", "0.8f"))
+        self.git("checkout", ".")
+        self.stitch(self.file.read_text().replace("0.7f1", "0.9f"))
+
+    def test_a_new_block_does_not_replace_a_file(self):
+        self.succeed()
+        self.page.write_text(CHAPTER + "\n```opencl kernels/light/new.clh =\nfloat x;\n```\n")
+        new = self.file.with_name("new.clh")
+        new.write_text("float y;\n")
+        self.fail_with("kernels/light/new.clh has edits that the book does not have")
+        self.fail_with("error: the block of kernels/light/new.clh is new and differs from the file: make the two the same, or choose one: ./dev stitch --force "
+                       "takes the file's text, ./dev tangle --force the book's\n", "--stitch")
+        self.succeed("--stitch", "--force")
+        self.assertEqual(new.read_text(), "float y;\n")
+        self.assertIn("=\nfloat y;\n```\n", self.page.read_text())
+
+    def test_without_a_commit_someone_must_choose(self):
+        self.succeed()
+        self.edit(self.file, "2.0f", "3.0f")
+        (self.root / ".git").rename(self.root / "no-git")
+        self.fail_with("error: no commit tells whether the book or the code was edited: ./dev stitch --force takes the code's text, ./dev tangle --force the "
+                       "book's\n", "--stitch")
+        self.succeed("--stitch", "--force")
+        self.assertIn("3.0f", self.page.read_text())
 
     def test_edits_come_back(self):
         self.succeed()
