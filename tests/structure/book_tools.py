@@ -11,6 +11,7 @@ from pathlib import Path
 TOOL = Path(__file__).resolve().parents[2] / "docs" / "book" / "tool" / "tangle.py"
 sys.path.insert(0, str(TOOL.parent))
 from concepts import Concepts  # noqa: E402
+from mathematics import mended  # noqa: E402
 
 CHAPTER = """# Light
 
@@ -325,6 +326,38 @@ class ConceptsTest(unittest.TestCase):
         self.assertEqual(linked["01-chapter"], '<p>A <strong id="c-lobe">lobe</strong>.</p>')
         self.assertEqual(linked["02-chapter"],
                          '<p><code>lobe</code> <a class="concept" id="u-lobe" href="01-chapter.html#c-lobe">Lobes</a>. A lobe.</p>')
+
+
+def paired(stretchy, inner):
+    """MathML of (inner), as pandoc writes it if stretchy is "true"."""
+    return f'<mrow><mo stretchy="{stretchy}" form="prefix">(</mo>{inner}<mo stretchy="{stretchy}" form="postfix">)</mo></mrow>'
+
+
+class MathematicsTest(unittest.TestCase):
+    """Pandoc's MathML becomes such that MathML Core shows it as TeX does."""
+
+    def expect(self, pandocs, ours):
+        self.assertEqual(mended(f"<p>cos <math><mrow>{pandocs}</mrow></math></p>"), f"<p>cos <math><mrow>{ours}</mrow></math></p>")
+
+    def test_names_are_upright_and_whole(self):
+        self.expect('<mstyle mathvariant="normal"><mi>p</mi><mi>d</mi><mi>f</mi></mstyle><mi>x</mi>', '<mi mathvariant="normal">pdf</mi><mi>x</mi>')
+        self.expect('<mstyle mathvariant="normal"><mi>n</mi><mn>2</mn></mstyle>', '<mi mathvariant="normal">n2</mi>')
+
+    def test_functions_have_thin_spaces_between_factors_only(self):
+        self.expect("<mo>cos</mo><mi>t</mi>", '<mo lspace="0" rspace="0.167em">cos</mo><mi>t</mi>')
+        self.expect("<mi>f</mi><mo>cos</mo><mi>t</mi>", '<mi>f</mi><mo lspace="0.167em" rspace="0.167em">cos</mo><mi>t</mi>')
+        self.expect("<mi>f</mi><mo>max</mo>" + paired("true", "<mi>t</mi>"), '<mi>f</mi><mo lspace="0.167em" rspace="0">max</mo>' + paired("false", "<mi>t</mi>"))
+        self.expect("<mo>=</mo><mi>x</mi>", "<mo>=</mo><mi>x</mi>")
+
+    def test_a_minus_without_a_left_side_is_a_sign(self):
+        self.expect("<mi>a</mi><mo>=</mo><mo>−</mo><mi>b</mi><mo>−</mo><mi>c</mi>", '<mi>a</mi><mo>=</mo><mo form="prefix">−</mo><mi>b</mi><mo>−</mo><mi>c</mi>')
+        self.expect(paired("true", "<mo>−</mo><mi>b</mi>"), paired("false", '<mo form="prefix">−</mo><mi>b</mi>'))
+
+    def test_parentheses_stretch_around_what_is_high(self):
+        fraction = "<mfrac><mi>a</mi><mi>b</mi></mfrac>"
+        self.expect(paired("true", fraction), paired("true", fraction))
+        self.expect(paired("true", "<mi>a</mi>" + paired("true", "<mi>b</mi>")), paired("false", "<mi>a</mi>" + paired("false", "<mi>b</mi>")))
+        self.expect(paired("true", fraction + paired("true", "<mi>b</mi>")), paired("true", fraction + paired("false", "<mi>b</mi>")))
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ from examples import EXAMPLE
 from fragments import BOOK, ROOT, Book, BookError, pages
 from identifiers import Index
 from listing import Listings
+from mathematics import FONT, mended
 from site_pages import check_links, figures_of, finished, index_pages, page_html, single_page
 
 FORMAT = "markdown+gfm_auto_identifiers+implicit_figures+tex_math_dollars+pipe_tables+autolink_bare_uris-smart"
@@ -60,7 +61,7 @@ def pandoc(text):
     result = subprocess.run(command, input=text, capture_output=True, text=True)
     if result.returncode:
         raise BookError(f"pandoc: {result.stderr.strip()}")
-    return result.stdout, result.stderr
+    return mended(result.stdout), result.stderr
 
 
 def bibliography():
@@ -87,6 +88,9 @@ def weave(output, with_pdf):
         shutil.copy(file, output / "figures")
     for file in ("style.css", "search.js"):
         shutil.copy(Path(__file__).parent / file, output)
+    if FONT.exists():
+        (output / "fonts").mkdir()
+        shutil.copy(FONT, output / "fonts" / "math.otf")
     complete = finished(bodies, names, output)
     for stem, text in page_html(complete, names, output).items():
         (output / f"{stem}.html").write_text(text, encoding="utf-8")
