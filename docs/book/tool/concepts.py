@@ -44,6 +44,8 @@ def prose_of(text):
 
 def pattern_of(terms):
     """Matches a use of any of the terms: as it is or in the plural, across the end of a line."""
+    if not terms:
+        return re.compile("(?!)")
     longest_first = sorted(terms, key=len, reverse=True)
     return re.compile(r"(?<![\w-])(" + "|".join(r"\s+".join(map(re.escape, term.split(" "))) for term in longest_first) + r")(?:s|es)?(?![\w-])",
                       re.IGNORECASE)

@@ -6,11 +6,12 @@ import re
 from pathlib import Path
 from urllib.parse import unquote
 
-from fragments import BOOK
 from identifiers import key_of
 
 HEADING = re.compile(r"<h([1-3])(?: [^>]*?)?id=\"([^\"]+)\"[^>]*>(.*?)</h\1>", re.DOTALL)
 FIGURE = re.compile(r"<figure>\s*<img src=\"(?P<src>[^\"]+)\"(?P<attributes>[^>]*?)/?>\s*<figcaption[^>]*>(?P<caption>.*?)</figcaption>\s*</figure>", re.DOTALL)
+# What makes a figure lies beside it: NAME.pbrt or NAME.py
+MAKERS = {".pbrt": "scene", ".py": "script"}
 INDICES = {"references": "References", "index-of-concepts": "Index of concepts", "index-of-figures": "Index of figures",
            "index-of-fragments": "Index of fragments", "index-of-identifiers": "Index of identifiers"}
 
@@ -38,7 +39,7 @@ def name_figure(match, number):
     return (re.search(r'id="([^"]+)"', match["attributes"]) or [None, f"fig-{number}"])[1]
 
 
-def number_figures(stem, body, names):
+def number_figures(stem, body, names, folder):
     """Figures with a number, an id, and for images a link to the scene that makes them; SVG inline, so that it has the page's colours."""
     count = 0
 
@@ -48,16 +49,16 @@ def number_figures(stem, body, names):
         source = match["src"]
         identity = name_figure(match, count)
         picture = f'<img src="{source}"{match["attributes"]} loading="lazy">'.replace(f' id="{identity}"', "")
-        if source.endswith(".svg") and (BOOK / source).exists():
+        if source.endswith(".svg") and (folder / source).exists():
             label = f'<svg role="img" aria-label="{html.escape(plain(match["caption"]))}"'
-            picture = re.sub(r"^.*?<svg", lambda _: label, (BOOK / source).read_text(encoding="utf-8"), count=1, flags=re.DOTALL)
-        scene = Path(source).with_suffix(".pbrt")
-        made = f' <a href="{scene}">(scene)</a>' if (BOOK / scene).exists() else ""
+            picture = re.sub(r"^.*?<svg", lambda _: label, (folder / source).read_text(encoding="utf-8"), count=1, flags=re.DOTALL)
+        made = "".join(f' <a href="{maker}">({name})</a>' for suffix, name in MAKERS.items()
+                       if (folder / (maker := Path(source).with_suffix(suffix))).exists())
         return (f'<figure id="{identity}">{picture}<figcaption><b>Figure {names.get(stem, stem)}.{count}.</b> {match["caption"]}{made}</figcaption></figure>')
     return FIGURE.sub(figure, body)
 
 
-def link_out(body, output):
+def link_out(body, folder, repository):
     """Links of Markdown to pages of the book, and to files of the repository, as the site has them."""
     def address(match):
         target, _, anchor = match[1].partition("#")
@@ -66,12 +67,12 @@ def link_out(body, output):
             return f'href="references.html{anchor}"'
         if not target or re.match(r"[a-z]+:", target):
             return match[0]
-        if re.fullmatch(r"[\w-]+\.md", target) and (BOOK / target).exists() and target != "README.md":
+        if re.fullmatch(r"[\w-]+\.md", target) and (folder / target).exists() and target != "README.md":
             return f'href="{target[:-3]}.html{anchor}"'
-        file = (BOOK / target).resolve()
-        if file.is_relative_to(BOOK / "figures") or target.endswith(".html"):
-            return match[0]
-        return f'href="{os.path.relpath(file, output)}"'
+        file = (folder / target).resolve()
+        if file.is_relative_to(folder / "figures") or target.endswith(".html") or not file.is_file():
+            return match[0]  # check_links() names it if it is nowhere
+        return f'href="{repository.link(file)}{anchor}"'
     return re.sub(r'href="([^"]+)"', address, body)
 
 
@@ -112,11 +113,11 @@ def index_pages(book, listings, concepts, names, bodies, bibliography):
     return {"index": front + f'<nav aria-label="contents"><ol class="contents">{"".join(contents)}</ol></nav>'} | made
 
 
-def finished(bodies, names, output):
+def finished(bodies, names, folder, repository):
     """The bodies with numbered figures and the site's addresses."""
     def finish(stem, body):
         body = body.replace('<math display="block"', '<math display="block" tabindex="0"')  # it may scroll: keys must reach it
-        return link_out(number_figures(stem, body, names), output)
+        return link_out(number_figures(stem, body, names, folder), folder, repository)
     return {stem: finish(stem, body) for stem, body in bodies.items()}
 
 
@@ -146,7 +147,8 @@ def page_html(bodies, names, output):
         for part in parts:
             heading = HEADING.match(part)
             if heading:
-                words.append([f"{stem}.html#{heading[2]}", plain(heading[3]), plain(re.sub(r"<(math|svg|aside).*?</\1>", "", part, flags=re.DOTALL))])
+                chapter = "" if heading[1] == "1" else f"{names[stem]} {titles[stem]}" if names.get(stem, stem) != stem else titles[stem]
+                words.append([f"{stem}.html#{heading[2]}", plain(heading[3]), chapter, plain(re.sub(r"<(math|svg|aside).*?</\1>", "", part, flags=re.DOTALL))])
     (output / "search-words.js").write_text("const words = " + json.dumps(words, ensure_ascii=False).replace("</", "<\\/") + ";\n", encoding="utf-8")
     return pages
 
@@ -167,7 +169,7 @@ def single_page(bodies):
 
 def check_links(output):
     """What is wrong with the links and ids of the site."""
-    texts = {file.name: file.read_text(encoding="utf-8") for file in output.glob("*.html")}
+    texts = {str(file.relative_to(output)): file.read_text(encoding="utf-8") for file in sorted(output.rglob("*.html"))}
     ids = {name: re.findall(r'\bid="([^"]+)"', text) for name, text in texts.items()}
     problems = []
     for name, text in texts.items():
@@ -176,7 +178,7 @@ def check_links(output):
             if re.match(r"[a-z]+:", target):
                 continue
             path, _, anchor = html.unescape(unquote(target)).partition("#")
-            file = path or name
+            file = os.path.normpath(Path(name).parent / path) if path else name
             if not (output / file).exists():
                 problems.append(f"{name}: {target} leads to no file")
             elif anchor and file in ids and anchor not in ids[file]:
