@@ -11,6 +11,7 @@ from pathlib import Path
 TOOL = Path(__file__).resolve().parents[2] / "docs" / "book" / "tool" / "tangle.py"
 sys.path.insert(0, str(TOOL.parent))
 from concepts import Concepts  # noqa: E402
+from macro_lists import MacroLists  # noqa: E402
 from mathematics import mended  # noqa: E402
 
 CHAPTER = """# Light
@@ -326,6 +327,63 @@ class ConceptsTest(unittest.TestCase):
         self.assertEqual(linked["01-chapter"], '<p>A <strong id="c-lobe">lobe</strong>.</p>')
         self.assertEqual(linked["02-chapter"],
                          '<p><code>lobe</code> <a class="concept" id="u-lobe" href="01-chapter.html#c-lobe">Lobes</a>. A lobe.</p>')
+
+
+LISTS = """#define RAY_FIELDS(F, q) \\
+    F(q, float, t_max, MEDIA) /* F(q, float, comment, MEDIA) */
+#define QUEUES(Q) \\
+    Q(ray, RAY_FIELDS) \\
+    Q(hit, RAY_FIELDS)
+#define BSDFS(B) \\
+    B(diffuse, HERE)
+#define FIELD_LOAD(q, type, name, FEATURE) if (HAS_##FEATURE) item.name = load_##type(q##_##name##_slot);
+#define DEFINE_QUEUE(q, FIELDS) \\
+    FN q##_item load_##q(void) { FIELDS(FIELD_LOAD, q) }
+QUEUES(DEFINE_QUEUE)
+#define JOIN(a, b) JOIN_(a, b)
+#define EVAL_BSDF JOIN(eval_, BSDF)
+#define EVAL_HERE(name) x_##name
+#define EVAL(name, PLACE) EVAL_##PLACE(name)
+BSDFS(EVAL)
+STAGE(shade_hits, SHADE_HITS) {}
+"""
+
+
+class MacroListsTest(unittest.TestCase):
+    """Names that macros make have the list's row and the macro."""
+
+    def setUp(self):
+        self.lists = MacroLists({"a.h": LISTS})
+
+    def ways(self, name):
+        return [(row.line, pattern.macro, pattern.line) for row, pattern in self.lists.made(name)]
+
+    def line(self, text):
+        return next(number for number, line in enumerate(LISTS.split("\n"), 1) if text in line)
+
+    def test_rows_of_lists(self):
+        self.assertEqual(self.ways("hit_item"), [(self.line("Q(hit"), "DEFINE_QUEUE", self.line("q##_item"))])
+        self.assertIn((self.line("Q(hit"), "DEFINE_QUEUE", self.line("q##_item")), self.ways("load_hit"))
+
+    def test_rows_of_the_lists_that_a_list_names(self):
+        field = self.line("F(q, float, t_max")
+        self.assertEqual(self.ways("load_float")[0], (field, "FIELD_LOAD", self.line("load_##type")))
+        self.assertEqual(self.ways("HAS_MEDIA"), [(field, "FIELD_LOAD", self.line("load_##type"))])
+        self.assertEqual([way[1] for way in self.ways("ray_t_max_slot")], ["FIELD_LOAD"])
+        self.assertIn("t_max", dict(self.lists.fields()))
+
+    def test_words_that_the_host_replaces(self):
+        self.assertEqual(self.ways("eval_diffuse"), [(self.line("B(diffuse"), "BSDF", self.line("EVAL_BSDF"))])
+
+    def test_macros_whose_names_are_joined(self):
+        self.assertEqual(self.ways("x_diffuse"), [(self.line("B(diffuse"), "EVAL_HERE", self.line("x_##name"))])
+
+    def test_other_words_are_not_made(self):
+        for name in ("miss_item", "next_ray", "load_comment", "eval_hit", "hit"):
+            self.assertEqual(self.ways(name), [])
+
+    def test_stages(self):
+        self.assertEqual(list(self.lists.kernels()), [("shade_hits", "a.h", self.line("STAGE("))])
 
 
 def paired(stretchy, inner):

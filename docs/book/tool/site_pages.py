@@ -10,6 +10,8 @@ from identifiers import key_of
 
 HEADING = re.compile(r"<h([1-3])(?: [^>]*?)?id=\"([^\"]+)\"[^>]*>(.*?)</h\1>", re.DOTALL)
 FIGURE = re.compile(r"<figure>\s*<img src=\"(?P<src>[^\"]+)\"(?P<attributes>[^>]*?)/?>\s*<figcaption[^>]*>(?P<caption>.*?)</figcaption>\s*</figure>", re.DOTALL)
+MEMBERS = ("<p>Bold: where a name is defined. <code>.x</code> is a member <code>x</code>, of every struct that has one. What a list or a macro makes has the list's "
+           "row and the macro. Local variables, parameters and members of one letter are left out.</p>")
 # What makes a figure lies beside it: NAME.pbrt or NAME.py
 MAKERS = {".pbrt": "scene", ".py": "script"}
 INDICES = {"references": "References", "index-of-concepts": "Index of concepts", "index-of-figures": "Index of figures",
@@ -83,10 +85,10 @@ def rows(entries):
 def index_pages(book, listings, concepts, names, bodies, bibliography):
     """The bodies of the first page and of the indices, by stem."""
     identifiers = []
-    for name in sorted(listings.index.defined, key=str.lower):
+    for name in sorted(listings.index.defined, key=lambda name: name.lower().lstrip(".")):
         places = listings.index.defined[name]
         defined = ", ".join(f'{place.kind} <a href="{listings.address(key_of(place.definition))}"><b>{listings.number_of[key_of(place.definition)]}</b></a>' for place in places)
-        identifiers.append(f'<dt id="i-{html.escape(name)}"><code>{html.escape(name)}</code></dt><dd>{defined}; {listings.uses(name) or "not used"}</dd>')
+        identifiers.append(f'<dt id="i-{html.escape(name)}"><code>{html.escape(name)}</code></dt><dd>{defined}; {listings.uses(name)}</dd>')
     fragments = []
     for name in sorted(book.fragments, key=str.lower):
         parts = " ".join(listings.link(part, listings.number_of[key_of(part)]) for part in book.fragments[name])
@@ -101,7 +103,7 @@ def index_pages(book, listings, concepts, names, bodies, bibliography):
         caption = match["caption"].replace('href="#', f'href="{stem}.html#')
         figures.append(f'<dt><a href="{stem}.html#{name_figure(match, counts[stem])}">Figure {names.get(stem, stem)}.{counts[stem]}</a></dt><dd>{caption}</dd>')
     texts = {"references": bibliography, "index-of-concepts": rows(concepts.index(bodies, names)), "index-of-figures": rows(figures), "index-of-fragments": rows(fragments),
-             "index-of-identifiers": rows(identifiers)}
+             "index-of-identifiers": MEMBERS + rows(identifiers)}
     made = {stem: f'<h1 id="{stem}">{title}</h1>\n{texts[stem]}' for stem, title in INDICES.items()}
     contents = []
     for stem, body in (bodies | made).items():
