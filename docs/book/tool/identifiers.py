@@ -67,7 +67,8 @@ class Index:
                 file = Path(folder) / path
                 file.parent.mkdir(parents=True, exist_ok=True)
                 file.write_text(texts[path], encoding="utf-8")
-            definitions += ctags_of(folder, kernels)
+            # STAGE(name, ...) { is a function called STAGE to ctags
+            definitions += [tag for tag in ctags_of(folder, kernels) if tag[3] == "macro" or tag[2] not in self.lists.macros]
         definitions += [(path, line, name, "kernel") for name, path, line in self.lists.kernels()]
         for path, number, name, kind in definitions:
             if not (name.startswith(".") and (len(name) < 3 or name.isupper())):

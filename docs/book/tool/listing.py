@@ -11,6 +11,8 @@ from identifiers import key_of, placed_tokens_of
 TYPES = {"vec2", "vec3", "spectrum", "uint", "uchar", "ushort", "ulong", "float2", "float4", "float8", "uint8", "int8", "size_t", "__global", "__constant",
          "__kernel", "FN", "SHARED_FN", "const", "inline", "static"}
 
+SHORT = 10  # lines of a block that is not parted in print
+
 
 def slug(name):
     """A name as part of an address."""
@@ -52,25 +54,26 @@ class Listings:
         return f'<a class="id" href="{self.address(key_of(places[0].definition))}">{html.escape(text)}</a>'
 
     def code(self, definition):
-        """Its lines. Tokens may span lines (comments), references stand between them."""
-        here, texts, at = key_of(definition), [], 0
+        """Its lines, each an element that tells its indentation. Tokens may span lines (comments), references stand between them."""
+        here, texts = key_of(definition), ["" if not REFERENCE.match(line) else self._reference_line(line) for line in definition.lines]
         for kind, value, line, column in placed_tokens_of(definition.lines):
             css = STANDARD_TYPES.get(Token.Keyword.Type if value in TYPES else kind, "")
             name = self.index.name_at(definition, kind, value, line, column)
             for part_number, part in enumerate(value.split("\n")):
-                if part_number:
-                    at = self._end_line(texts, definition, at)
                 if part:
                     text = self.identifier(name, part, here)
-                    texts.append(f'<span class="{css}">{text}</span>' if css else text)
-        self._end_line(texts, definition, at)
-        return "".join(texts).strip("\n")
+                    texts[line + part_number] += f'<span class="{css}">{text}</span>' if css else text
+        return "".join(map(self._line, definition.lines, texts))
 
-    def _end_line(self, texts, definition, line):
-        if line < len(definition.lines) and (reference := REFERENCE.match(definition.lines[line])):
-            texts.append(reference["indent"] + self.reference(reference["name"]))
-        texts.append("\n")
-        return line + 1
+    def _reference_line(self, line):
+        reference = REFERENCE.match(line)
+        return reference["indent"] + self.reference(reference["name"])
+
+    @staticmethod
+    def _line(line, text):
+        indent = len(line) - len(line.lstrip())
+        style = f' style="--in:{indent}"' if indent else ""
+        return f'<span class="line"{style}>{text}\n</span>'
 
     def block(self, definition):
         key, number = key_of(definition), self.number_of[key_of(definition)]
@@ -86,8 +89,9 @@ class Listings:
             user, _ = self.book.uses[definition.name]
             notes.append("used in " + self.link(user, f"{html.escape(user.name)} {self.number_of[key_of(user)]}"))
         sign = "+≡" if at else "≡"
-        return (f'<div class="listing" id="{self.anchor_of[key]}"><div class="title">⟨{name} <span class="number">{number}</span>⟩{sign}'
-                f'</div>{self.margin(key)}<pre tabindex="0">{self.code(definition)}</pre><div class="notes">{" · ".join(notes)}</div></div>')
+        whole = " whole" if len(definition.lines) <= SHORT else ""
+        return (f'<div class="listing{whole}" id="{self.anchor_of[key]}"><div class="title">⟨{name} <span class="number">{number}</span>⟩{sign}'
+                f'</div>{self.margin(key)}<pre>{self.code(definition)}</pre><div class="notes">{" · ".join(notes)}</div></div>')
 
     def margin(self, key):
         """The margin index: identifiers that the block defines, with the blocks that use them."""

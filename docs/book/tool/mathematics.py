@@ -1,9 +1,5 @@
 """Mathematics of the site: what pandoc writes as MathML, made fit for MathML Core, which is all that Chromium knows."""
 import re
-from pathlib import Path
-
-# Debian's fonts-texgyre-math. Its licence (GUST, a kind of LPPL) lets anyone pass it on.
-FONT = Path("/usr/share/texmf/fonts/opentype/public/tex-gyre-math/texgyrepagella-math.otf")
 
 UPRIGHT = re.compile(r'<mstyle mathvariant="[\w-]+">((?:<m[in]>[^<]*</m[in]>)+)</mstyle>')
 NAMED_FUNCTION = re.compile(r"<mo>([a-z]{2,})</mo>")

@@ -155,8 +155,8 @@ def page_html(bodies, names, output):
     return pages
 
 
-def single_page(bodies):
-    """All pages as one, of finished bodies, for printing: addresses of pages become addresses within it."""
+def sections_of(bodies):
+    """The pages as sections of one, of finished bodies, the contents first: addresses of pages become addresses within it."""
     texts = []
     for stem, body in bodies.items():
         body = re.sub(r'\bid="([^"]+)"', rf'id="{stem}--\1"', body)
@@ -165,8 +165,13 @@ def single_page(bodies):
         body = re.sub(r'href="([\w-]+)\.html"', r'href="#page-\1"', body)
         texts.append(f'<section id="page-{stem}">{body}</section>')
     texts.insert(0, texts.pop(list(bodies).index("index")))
+    return texts
+
+
+def printed(sections):
+    """The page that is printed."""
     return ('<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>Eikonal</title><link rel="stylesheet" href="style.css"></head>'
-            f'<body class="print"><main>{"".join(texts)}</main></body></html>')
+            f'<body class="print"><main>{"".join(sections)}</main></body></html>')
 
 
 def check_links(output):

@@ -34,12 +34,17 @@ from figures import problems_of_figures
 from fragments import BOOK, ROOT, Book, BookError, texts_of
 from identifiers import Index
 from listing import Listings
-from mathematics import FONT, mended
+from mathematics import mended
+from pdf import write_pdf
 from repository_pages import RepositoryPages
-from site_pages import check_links, figures_of, finished, index_pages, page_html, single_page
+from site_pages import check_links, figures_of, finished, index_pages, page_html, sections_of
 
 FORMAT = "markdown+gfm_auto_identifiers+implicit_figures+tex_math_dollars+pipe_tables+autolink_bare_uris-smart"
 TICKS = "`" * 10
+# Debian's fonts-texgyre-math and fonts-texgyre. Their licence (GUST, a kind of LPPL) lets anyone pass them on. Without them, the reader's fonts serve.
+GYRE = Path("/usr/share/texmf/fonts/opentype/public")
+FONTS = {"math.otf": GYRE / "tex-gyre-math" / "texgyrepagella-math.otf",
+         **{f"{style}.otf": GYRE / "tex-gyre" / f"texgyrepagella-{style}.otf" for style in ("regular", "bold", "italic", "bolditalic")}}
 
 
 def chapter_names(pages):
@@ -105,21 +110,19 @@ def weave(folder, output, with_pdf):
         shutil.copy(file, output / "figures")
     for file in ("style.css", "search.js"):
         shutil.copy(Path(__file__).parent / file, output)
-    if FONT.exists():
-        (output / "fonts").mkdir()
-        shutil.copy(FONT, output / "fonts" / "math.otf")
+    (output / "fonts").mkdir()
+    for name, file in FONTS.items():
+        if file.exists():
+            shutil.copy(file, output / "fonts" / name)
     repository = RepositoryPages(folder, lambda text: pandoc(text, references)[0])
     complete = finished(bodies, names, folder, repository)
     for stem, text in page_html(complete, names, output).items():
         (output / f"{stem}.html").write_text(text, encoding="utf-8")
     repository.write(output)
     problems = [*warnings, *check_links(output), *problems_of_figures(folder)]
-    if with_pdf:
-        (output / "all.html").write_text(single_page(complete), encoding="utf-8")
-        subprocess.run(["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--disable-pdf-tagging", "--no-pdf-header-footer", f"--print-to-pdf={output / 'eikonal.pdf'}",
-                        f"file://{(output / 'all.html').resolve()}"], check=True, capture_output=True)
+    printed = f", {write_pdf(sections_of(complete), output)} printed pages" if with_pdf else ""
     print(f"{len(sources)} pages, {len(book.definitions)} blocks of {len(book.fragments)} fragments and {len(book.files)} files, "
-          f"{len(listings.index.defined)} identifiers, {len(figures_of(bodies))} figures: {output}/index.html in {time.monotonic() - start:.1f} s")
+          f"{len(listings.index.defined)} identifiers, {len(figures_of(bodies))} figures{printed}: {output}/index.html in {time.monotonic() - start:.1f} s")
     return problems
 
 
