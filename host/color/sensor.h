@@ -18,9 +18,9 @@ struct SensorDescription {
 };
 
 /// The matrix from linear sRGB light to the image's linear sRGB; exactly a multiple of the identity for cie1931 without white balance,
-/// otherwise von Kries adaptation with Bradford's cones. A camera responds to spectra, not colours: its response to a colour is the best fit
-/// over the swatches of a colour chart under daylight and incandescent light, followed by pbrt-v4's matrix from the camera's response to
-/// XYZ. The name must be known.
+/// otherwise von Kries adaptation with Bradford's cones. A camera responds to spectra, not colours: its response to a colour is the best
+/// fit over the swatches of a colour chart under daylight and incandescent light, followed by pbrt-v4's matrix from the camera's response
+/// to XYZ. The name must be known.
 glm::dmat3 imageFromLight(const SensorDescription& sensor);
 
 /// The image value in linear sRGB of unit light at 360, 361, ... 830 nm: pbrt-v4's sensors exactly. The name must be known.

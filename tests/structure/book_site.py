@@ -1,21 +1,22 @@
 #!/usr/bin/env python3
-"""Weaves the book and opens pages of it in headless Chromium, at three widths: no error in the console, nothing wider than the window, and, with
---axe FILE, no serious fault that axe-core finds at the smallest width (axe.min.js; PyPI's axe-playwright-python contains it; a minute a page).
+"""Weaves the book and opens all its pages in headless Chromium, at three widths: no error in the console, nothing wider than the window, and no
+serious fault that axe-core finds at the smallest width. axe.min.js is that of PyPI's axe-playwright-python, if it is installed, or --axe FILE.
 
 Exits with 77, skipped, without Chromium or the tools that weave.
 """
 import argparse
+import importlib.util
 import json
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 WIDTHS = (1400, 900, 400)
-PAGES = ("index", "01-one-ray", "08-surfaces", "a-10-light", "index-of-identifiers", "references")
 
 # Puts what it found into the page, where --dump-dom shows it. Code and formulas may scroll within themselves.
 REPORT = """<script>
@@ -35,7 +36,7 @@ addEventListener("load", async () => {
 
 def open_page(page, width, axe):
     """What is wrong with a page at a width."""
-    probe = page.with_name(f"probe-{page.name}")
+    probe = page.with_name(f"probe-{width}-{page.name}")
     scripts = f"<script>{axe.read_text(encoding='utf-8')}</script>" if axe else ""
     probe.write_text(page.read_text(encoding="utf-8").replace("</body>", scripts + REPORT + "</body>"), encoding="utf-8")
     command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--enable-logging=stderr", f"--window-size={width},1000",
@@ -53,9 +54,15 @@ def open_page(page, width, axe):
     yield from (line for line in result.stderr.splitlines() if "CONSOLE" in line)
 
 
+def installed_axe():
+    package = importlib.util.find_spec("axe_playwright_python")
+    return next(Path(package.origin).parent.rglob("axe.min.js"), None) if package else None
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--axe", type=Path)
+    parser.add_argument("--axe", type=Path, default=installed_axe())
+    parser.add_argument("--page", help="only this one")
     options = parser.parse_args()
     missing = [tool for tool in ("chromium", "pandoc", "ctags") if not shutil.which(tool)]
     if missing or subprocess.run(["/usr/bin/python3", "-c", "import clang.cindex, pygments"], capture_output=True).returncode:
@@ -65,8 +72,12 @@ def main():
         site = Path(folder) / "book"
         if subprocess.run(["/usr/bin/python3", ROOT / "docs/book/tool/weave.py", "--no-pdf", "--output", site]).returncode:
             return 1
-        problems = [f"{page} at {width}: {problem}" for page in PAGES for width in WIDTHS for problem in open_page(site / f"{page}.html", width, options.axe if width == WIDTHS[-1] else None)]
-    print("\n".join(problems) or f"{len(PAGES)} pages at {len(WIDTHS)} widths: nothing wrong")
+        pages = sorted(site.glob(f"{options.page or '*'}.html"))
+        with ThreadPoolExecutor(2) as pool:
+            found = pool.map(lambda where: (where, list(open_page(*where, options.axe if where[1] == WIDTHS[-1] else None))),
+                             [(page, width) for page in pages for width in WIDTHS])
+            problems = [f"{page.stem} at {width}: {problem}" for (page, width), all_of_it in found for problem in all_of_it]
+    print("\n".join(problems) or f"{len(pages)} pages at {len(WIDTHS)} widths: nothing wrong{'' if options.axe else ', without axe-core'}")
     return int(bool(problems))
 
 

@@ -1,7 +1,7 @@
 """Definitions and references in the scheduler's C++ and the contract's headers, as libclang parses them.
 
 The files' texts come from the book; what they include and the book does not have (the rest of host/, OpenCL, GLM, fmt) comes from the repository
-and the system. Classes qualify the names of their members, namespaces do not.
+and the system. Classes qualify the names of their members, namespaces and the contract's structs do not.
 """
 from collections import namedtuple
 
@@ -26,18 +26,22 @@ FUNCTIONS = {CursorKind.FUNCTION_DECL, CursorKind.FUNCTION_TEMPLATE, CursorKind.
 UNIT = str(ROOT / "host" / "all_of_the_book.cpp")
 
 
+def is_in_contract(cursor):
+    return "/include/eikonal/" in cursor.location.file.name
+
+
 def qualified(cursor):
+    if cursor.kind is CursorKind.FIELD_DECL and is_in_contract(cursor):
+        return f".{cursor.spelling}"  # as in kernels, of which no parse here tells the struct
     parent = cursor.semantic_parent
     return f"{parent.spelling}::{cursor.spelling}" if parent and parent.kind in SCOPES and parent.spelling else cursor.spelling
 
 
 def is_indexed(cursor):
-    """Whether the declaration is no local, no parameter and no member of the contract's structs, whose uses in kernels no parse here sees."""
+    """Whether the declaration is no local and no parameter."""
     if cursor.kind not in KINDS or not cursor.spelling:
         return False
-    if cursor.kind is CursorKind.FIELD_DECL:
-        return "/include/eikonal/" not in cursor.location.file.name
-    return cursor.kind is CursorKind.MACRO_DEFINITION or cursor.semantic_parent.kind not in FUNCTIONS
+    return cursor.kind in (CursorKind.MACRO_DEFINITION, CursorKind.FIELD_DECL) or cursor.semantic_parent.kind not in FUNCTIONS
 
 
 class Parser:

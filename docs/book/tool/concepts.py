@@ -17,9 +17,9 @@ Concept = namedtuple("Concept", "stem line position")
 
 # Concepts whose words are everyday English, too: only a reader can tell which is meant, so they are neither checked nor linked.
 EVERYDAY = frozenset((
-    "base", "bias", "block", "buckets", "centre", "channels", "crossing", "dead", "dense", "error", "frame", "groups", "importance", "instance",
-    "interval", "item", "kind", "layer", "map", "object", "padding", "parts", "place", "program", "segment", "shape", "sparse", "stop", "stream",
-    "stretch", "strip", "table", "vector", "weight", "words"))
+    "base", "bias", "block", "centre", "channels", "dead", "dense", "error", "instance",
+    "interval", "kind", "layer", "map", "object", "parts", "place", "program", "shape", "sparse", "stop",
+    "stretch", "weight", "words"))
 
 BOLD = re.compile(r"\*\*(.+?)\*\*", re.DOTALL)
 # What is not prose: code, mathematics, comments, citations, headings, and the sections that ask and are answered by the chapter
@@ -44,6 +44,8 @@ def prose_of(text):
 
 def pattern_of(terms):
     """Matches a use of any of the terms: as it is or in the plural, across the end of a line."""
+    if not terms:
+        return re.compile("(?!)")
     longest_first = sorted(terms, key=len, reverse=True)
     return re.compile(r"(?<![\w-])(" + "|".join(r"\s+".join(map(re.escape, term.split(" "))) for term in longest_first) + r")(?:s|es)?(?![\w-])",
                       re.IGNORECASE)

@@ -22,7 +22,7 @@ COVERED = ("kernels/**/*.cl", "kernels/**/*.clh", "include/eikonal/*.h",
            *(f"host/render/{stem}.{end}" for stem in ("wave", "path_loop", "batches_in_flight", "wave_counts", "wave_queues", "stages")
              for end in ("h", "cpp")), "host/render/stage_table.h")
 
-FENCE = re.compile(r"^```\w+ (?:<<(?P<name>.+)>>|(?P<path>[\w./]+)) (?P<sign>\+?=)$")
+FENCE = re.compile(r"^```\w+ (?:<<(?P<name>.+)>>|(?P<path>[\w./]+)) (?P<sign>\+?=)\s*$")
 REFERENCE = re.compile(r"^(?P<indent> *)(?P<open>/\* |// )?<<(?P<name>.+)>>(?P<close> \*/)?$")
 
 # One fenced block: the fragment that it adds to (a name, or a path if is_file), its page, and the number (from 1) and text of its lines.
@@ -41,15 +41,22 @@ def pages(book=BOOK):
     return sorted(book.glob("[0-9a-z]*-*.md"), key=lambda page: (not page.name[0].isdigit(), page.name))
 
 
-def definitions_of(page):
+def texts_of(book=BOOK):
+    """The text of each page of a book's folder, in the order of the book: path -> text."""
+    return {page: page.read_text(encoding="utf-8") for page in pages(book)}
+
+
+def definitions_of(page, text):
     """The definitions of one page, in order."""
-    found, lines = [], page.read_text(encoding="utf-8").split("\n")
+    found, lines = [], text.split("\n")
     start = None
     for number, line in enumerate(lines, 1):
         if start is None and line.startswith("```"):
             start, fence = number, FENCE.match(line)
-            if not fence and re.search(r"\+?=$", line):
+            if not fence and re.search(r"<<|\+?=\s*$", line):
                 raise BookError(f"{page}:{number}: this fence defines nothing: write ```opencl <<Name>> = or ```opencl path/of/file =")
+            if fence and fence["path"] and (fence["path"].startswith("/") or ".." in fence["path"].split("/")):
+                raise BookError(f"{page}:{number}: {fence['path']} is outside the repository: write the path from its root")
         elif start is not None and line == "```":
             if fence:
                 found.append(Definition(fence["name"] or fence["path"], bool(fence["path"]), page, start + 1,
@@ -61,10 +68,11 @@ def definitions_of(page):
 
 
 class Book:
-    """The fragments of all pages. Raises BookError unless each is defined, before it is continued, and used exactly once."""
+    """The fragments of pages (path -> text, in order). Raises BookError unless each is defined, before it is continued, and used exactly once."""
 
-    def __init__(self, book=BOOK):
-        self.definitions = [definition for page in pages(book) for definition in definitions_of(page)]
+    def __init__(self, texts=None):
+        self.texts = texts_of() if texts is None else texts
+        self.definitions = [definition for page, text in self.texts.items() for definition in definitions_of(page, text)]
         self.fragments, self.files, self.uses = {}, {}, {}
         for definition in self.definitions:
             table = self.files if definition.is_file else self.fragments
@@ -84,6 +92,10 @@ class Book:
         for name, parts in self.fragments.items():
             if name not in self.uses:
                 raise BookError(f"{parts[0].page}:{parts[0].first_line - 1}: no fragment uses <<{name}>>")
+
+    def parts_of(self, definition):
+        """All definitions of what this one adds to."""
+        return (self.files if definition.is_file else self.fragments).get(definition.name, [])
 
     def _note_use(self, name, definition, number):
         if name in self.uses:

@@ -6,11 +6,14 @@ import re
 from pathlib import Path
 from urllib.parse import unquote
 
-from fragments import BOOK
 from identifiers import key_of
 
 HEADING = re.compile(r"<h([1-3])(?: [^>]*?)?id=\"([^\"]+)\"[^>]*>(.*?)</h\1>", re.DOTALL)
 FIGURE = re.compile(r"<figure>\s*<img src=\"(?P<src>[^\"]+)\"(?P<attributes>[^>]*?)/?>\s*<figcaption[^>]*>(?P<caption>.*?)</figcaption>\s*</figure>", re.DOTALL)
+MEMBERS = ("<p>Bold: where a name is defined. <code>.x</code> is a member <code>x</code>, of every struct that has one. What a list or a macro makes has the list's "
+           "row and the macro. Local variables, parameters and members of one letter are left out.</p>")
+# What makes a figure lies beside it: NAME.pbrt or NAME.py
+MAKERS = {".pbrt": "scene", ".py": "script"}
 INDICES = {"references": "References", "index-of-concepts": "Index of concepts", "index-of-figures": "Index of figures",
            "index-of-fragments": "Index of fragments", "index-of-identifiers": "Index of identifiers"}
 
@@ -38,7 +41,7 @@ def name_figure(match, number):
     return (re.search(r'id="([^"]+)"', match["attributes"]) or [None, f"fig-{number}"])[1]
 
 
-def number_figures(stem, body, names):
+def number_figures(stem, body, names, folder):
     """Figures with a number, an id, and for images a link to the scene that makes them; SVG inline, so that it has the page's colours."""
     count = 0
 
@@ -48,16 +51,16 @@ def number_figures(stem, body, names):
         source = match["src"]
         identity = name_figure(match, count)
         picture = f'<img src="{source}"{match["attributes"]} loading="lazy">'.replace(f' id="{identity}"', "")
-        if source.endswith(".svg") and (BOOK / source).exists():
+        if source.endswith(".svg") and (folder / source).exists():
             label = f'<svg role="img" aria-label="{html.escape(plain(match["caption"]))}"'
-            picture = re.sub(r"^.*?<svg", lambda _: label, (BOOK / source).read_text(encoding="utf-8"), count=1, flags=re.DOTALL)
-        scene = Path(source).with_suffix(".pbrt")
-        made = f' <a href="{scene}">(scene)</a>' if (BOOK / scene).exists() else ""
+            picture = re.sub(r"^.*?<svg", lambda _: label, (folder / source).read_text(encoding="utf-8"), count=1, flags=re.DOTALL)
+        made = "".join(f' <a href="{maker}">({name})</a>' for suffix, name in MAKERS.items()
+                       if (folder / (maker := Path(source).with_suffix(suffix))).exists())
         return (f'<figure id="{identity}">{picture}<figcaption><b>Figure {names.get(stem, stem)}.{count}.</b> {match["caption"]}{made}</figcaption></figure>')
     return FIGURE.sub(figure, body)
 
 
-def link_out(body, output):
+def link_out(body, folder, repository):
     """Links of Markdown to pages of the book, and to files of the repository, as the site has them."""
     def address(match):
         target, _, anchor = match[1].partition("#")
@@ -66,12 +69,12 @@ def link_out(body, output):
             return f'href="references.html{anchor}"'
         if not target or re.match(r"[a-z]+:", target):
             return match[0]
-        if re.fullmatch(r"[\w-]+\.md", target) and (BOOK / target).exists() and target != "README.md":
+        if re.fullmatch(r"[\w-]+\.md", target) and (folder / target).exists() and target != "README.md":
             return f'href="{target[:-3]}.html{anchor}"'
-        file = (BOOK / target).resolve()
-        if file.is_relative_to(BOOK / "figures") or target.endswith(".html"):
-            return match[0]
-        return f'href="{os.path.relpath(file, output)}"'
+        file = (folder / target).resolve()
+        if file.is_relative_to(folder / "figures") or target.endswith(".html") or not file.is_file():
+            return match[0]  # check_links() names it if it is nowhere
+        return f'href="{repository.link(file)}{anchor}"'
     return re.sub(r'href="([^"]+)"', address, body)
 
 
@@ -82,10 +85,10 @@ def rows(entries):
 def index_pages(book, listings, concepts, names, bodies, bibliography):
     """The bodies of the first page and of the indices, by stem."""
     identifiers = []
-    for name in sorted(listings.index.defined, key=str.lower):
+    for name in sorted(listings.index.defined, key=lambda name: name.lower().lstrip(".")):
         places = listings.index.defined[name]
         defined = ", ".join(f'{place.kind} <a href="{listings.address(key_of(place.definition))}"><b>{listings.number_of[key_of(place.definition)]}</b></a>' for place in places)
-        identifiers.append(f'<dt id="i-{html.escape(name)}"><code>{html.escape(name)}</code></dt><dd>{defined}; {listings.uses(name) or "not used"}</dd>')
+        identifiers.append(f'<dt id="i-{html.escape(name)}"><code>{html.escape(name)}</code></dt><dd>{defined}; {listings.uses(name)}</dd>')
     fragments = []
     for name in sorted(book.fragments, key=str.lower):
         parts = " ".join(listings.link(part, listings.number_of[key_of(part)]) for part in book.fragments[name])
@@ -100,7 +103,7 @@ def index_pages(book, listings, concepts, names, bodies, bibliography):
         caption = match["caption"].replace('href="#', f'href="{stem}.html#')
         figures.append(f'<dt><a href="{stem}.html#{name_figure(match, counts[stem])}">Figure {names.get(stem, stem)}.{counts[stem]}</a></dt><dd>{caption}</dd>')
     texts = {"references": bibliography, "index-of-concepts": rows(concepts.index(bodies, names)), "index-of-figures": rows(figures), "index-of-fragments": rows(fragments),
-             "index-of-identifiers": rows(identifiers)}
+             "index-of-identifiers": MEMBERS + rows(identifiers)}
     made = {stem: f'<h1 id="{stem}">{title}</h1>\n{texts[stem]}' for stem, title in INDICES.items()}
     contents = []
     for stem, body in (bodies | made).items():
@@ -112,11 +115,11 @@ def index_pages(book, listings, concepts, names, bodies, bibliography):
     return {"index": front + f'<nav aria-label="contents"><ol class="contents">{"".join(contents)}</ol></nav>'} | made
 
 
-def finished(bodies, names, output):
+def finished(bodies, names, folder, repository):
     """The bodies with numbered figures and the site's addresses."""
     def finish(stem, body):
         body = body.replace('<math display="block"', '<math display="block" tabindex="0"')  # it may scroll: keys must reach it
-        return link_out(number_figures(stem, body, names), output)
+        return link_out(number_figures(stem, body, names, folder), folder, repository)
     return {stem: finish(stem, body) for stem, body in bodies.items()}
 
 
@@ -146,13 +149,14 @@ def page_html(bodies, names, output):
         for part in parts:
             heading = HEADING.match(part)
             if heading:
-                words.append([f"{stem}.html#{heading[2]}", plain(heading[3]), plain(re.sub(r"<(math|svg|aside).*?</\1>", "", part, flags=re.DOTALL))])
+                chapter = "" if heading[1] == "1" else f"{names[stem]} {titles[stem]}" if names.get(stem, stem) != stem else titles[stem]
+                words.append([f"{stem}.html#{heading[2]}", plain(heading[3]), chapter, plain(re.sub(r"<(math|svg|aside).*?</\1>", "", part, flags=re.DOTALL))])
     (output / "search-words.js").write_text("const words = " + json.dumps(words, ensure_ascii=False).replace("</", "<\\/") + ";\n", encoding="utf-8")
     return pages
 
 
-def single_page(bodies):
-    """All pages as one, of finished bodies, for printing: addresses of pages become addresses within it."""
+def sections_of(bodies):
+    """The pages as sections of one, of finished bodies, the contents first: addresses of pages become addresses within it."""
     texts = []
     for stem, body in bodies.items():
         body = re.sub(r'\bid="([^"]+)"', rf'id="{stem}--\1"', body)
@@ -161,13 +165,18 @@ def single_page(bodies):
         body = re.sub(r'href="([\w-]+)\.html"', r'href="#page-\1"', body)
         texts.append(f'<section id="page-{stem}">{body}</section>')
     texts.insert(0, texts.pop(list(bodies).index("index")))
+    return texts
+
+
+def printed(sections):
+    """The page that is printed."""
     return ('<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>Eikonal</title><link rel="stylesheet" href="style.css"></head>'
-            f'<body class="print"><main>{"".join(texts)}</main></body></html>')
+            f'<body class="print"><main>{"".join(sections)}</main></body></html>')
 
 
 def check_links(output):
     """What is wrong with the links and ids of the site."""
-    texts = {file.name: file.read_text(encoding="utf-8") for file in output.glob("*.html")}
+    texts = {str(file.relative_to(output)): file.read_text(encoding="utf-8") for file in sorted(output.rglob("*.html"))}
     ids = {name: re.findall(r'\bid="([^"]+)"', text) for name, text in texts.items()}
     problems = []
     for name, text in texts.items():
@@ -176,7 +185,7 @@ def check_links(output):
             if re.match(r"[a-z]+:", target):
                 continue
             path, _, anchor = html.unescape(unquote(target)).partition("#")
-            file = path or name
+            file = os.path.normpath(Path(name).parent / path) if path else name
             if not (output / file).exists():
                 problems.append(f"{name}: {target} leads to no file")
             elif anchor and file in ids and anchor not in ids[file]:

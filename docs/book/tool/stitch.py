@@ -2,7 +2,8 @@
 
 Each line of a tangled file has one place in the book, so a difference between a file and what the book makes of it is a difference of
 these places: changed lines replace theirs, new ones follow the line above them (or precede the one below, if only its fragment is indented
-deeply enough), and a changed title renames its fragment.
+deeply enough), and a changed title renames its fragment. The difference is taken from a base, a book in which pages and code were the same;
+a fragment that only the code has changed since then is replaced in the pages as they are now.
 """
 from difflib import SequenceMatcher
 
@@ -27,17 +28,18 @@ class Edits:
             raise BookError(f"{line.page}:{line.number}: a title has no place for lines beside it")
         self.replaced[key] = kept + texts if after else texts + kept
 
-    def write(self, pages):
-        for page in pages:
-            lines = page.read_text(encoding="utf-8").split("\n")
-            changed = []
-            for number, text in enumerate(lines, 1):
-                for new in self.replaced.get((page, number), [text]):
-                    for old_name, name in self.renamed.items():
-                        new = new.replace(f"<<{old_name}>>", f"<<{name}>>")
-                    changed.append(new)
-            if changed != lines:
-                page.write_text("\n".join(changed), encoding="utf-8")
+    def applied(self, texts):
+        """The pages (path -> text) with the edits."""
+        return {page: self._applied(page, text.split("\n")) for page, text in texts.items()}
+
+    def _applied(self, page, lines):
+        changed = []
+        for number, text in enumerate(lines, 1):
+            for new in self.replaced.get((page, number), [text]):
+                for old_name, name in self.renamed.items():
+                    new = new.replace(f"<<{old_name}>>", f"<<{name}>>")
+                changed.append(new)
+        return "\n".join(changed)
 
 
 def fits(line, texts):
@@ -95,3 +97,27 @@ def stitch(book, path, texts, edits):
             insert(edits, lines[i - 1] if i else None, lines[i] if i < len(lines) else None, texts[j:j_end], path)
         elif kind != "equal":
             change(edits, lines[i:i_end], texts[j:j_end], path)
+
+
+def merged(base, edited, book):
+    """The pages of `book` with what `edited` changes of `base`; the two have the same blocks. Raises BookError where `book` changes the same block."""
+    lines = {page: [[line] for line in text.split("\n")] for page, text in book.texts.items()}
+    conflicts = []
+    for was, new in zip(base.definitions, edited.definitions):
+        if (was.name, was.lines) == (new.name, new.lines):
+            continue
+        parts, at = book.parts_of(was), base.parts_of(was).index(was)
+        now = next((part for part in parts if part.lines == was.lines), parts[at] if at < len(parts) else None)
+        if now is None:
+            conflicts.append(f"{was.page}: <<{was.name}>> has an edit in the code, but the page no longer has this block")
+        elif now.lines not in (was.lines, new.lines):
+            conflicts.append(f"{now.page}:{now.first_line - 1}: <<{was.name}>> has one edit here and another in the code")
+        else:
+            place, fence = lines[now.page], now.first_line - 2
+            place[fence] = [place[fence][0].replace(f"<<{was.name}>>", f"<<{new.name}>>")]
+            place[fence + 1:fence + 1 + len(now.lines)] = [new.lines, *[[]] * (len(now.lines) - 1)] if now.lines else []
+            if not now.lines:
+                place[fence] += new.lines
+    if conflicts:
+        raise BookError("\n".join((*conflicts, "make the two the same, or choose one: ./dev stitch --force takes the code's, ./dev tangle --force the book's")))
+    return {page: "\n".join(text for texts in place for text in texts) for page, place in lines.items()}

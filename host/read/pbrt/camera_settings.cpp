@@ -16,8 +16,8 @@ void Settings::applyCamera(const Arguments& arguments) {
     camera.shutterOpen = arguments.number("shutteropen");
     camera.shutterClose = arguments.number("shutterclose");
     if (camera.shutterClose == camera.shutterOpen)
-        throw SceneError(arguments.where(), fmt::format("the shutter closes when it opens, at {:g}: no light reaches the film; make shutterclose "
-                                                        "larger than shutteropen", camera.shutterOpen));
+        throw SceneError(arguments.where(), fmt::format("the shutter closes when it opens, at {:g}: no light reaches the film; make "
+                                                        "shutterclose larger than shutteropen", camera.shutterOpen));
     if (camera.shutterClose < camera.shutterOpen) {
         reading_.diagnostics.warn(arguments.where(), fmt::format("the shutter closes at {:g}, before it opens at {:g}; the two are swapped",
                                                                  camera.shutterClose, camera.shutterOpen));
