@@ -195,5 +195,26 @@ TEST_F(PbrtMedia, damagedNanoVdbFiles) {
     EXPECT_THAT(read(), HasSubstr("is a level set"));
 }
 
+/// Small files that describe a lot take no memory and no time.
+class NanoVdbBomb : public PbrtMedia {
+protected:
+    NanoVdbBomb() {
+        handle_ = makeNanoVdb({"density", 4100, 1, [](int x, int y, int z) { return (x == 1 || x == -4100) && y == 1 && z == 1 ? 1.f : 0; }});
+    }
+    std::string reading() {
+        std::vector<nanovdb::GridHandle<>> handles;
+        handles.push_back(std::move(handle_));
+        nanovdb::io::writeGrids(path("bomb.nvdb"), handles, nanovdb::io::Codec::ZIP);
+        try {
+            (void)readNanoVdb(path("bomb.nvdb"), "density");
+            return "";
+        } catch (const ReadProblem& problem) {
+            return problem.what();
+        }
+    }
+    using Tree = nanovdb::FloatTree;
+    nanovdb::GridHandle<> handle_;
+};
+
 }  // namespace
 }  // namespace eikonal
