@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace eikonal {
@@ -29,7 +28,8 @@ double pauseOf(ProgressForm form) {
     }
 }
 
-double roundedDown(double x, double step) { return std::floor(x / step) * step; }
+/// Rounded down to a multiple of 1 / parts.
+double roundedDown(double x, double parts) { return std::floor(x * parts) / parts; }
 
 /// What a line says, the most important first.
 std::vector<std::string> partsOf(const Progress& p, unsigned samples) {
@@ -74,15 +74,14 @@ void ProgressDisplay::show(Progress p) {
         loggedAt_ = p.seconds;
         logProgress(fmt::format("{}", fmt::join(partsOf(p, subject_.samples), "  ")));
     }
-    if (!isShown_ || p.seconds - shownAt_ < pauseOf(form_)) return;
+    if (!isShown_ || p.seconds - shownAt_ < pauseOf(form_) || p.fraction >= 1) return;   // the end is told by end()
     shownAt_ = p.seconds;
     print(p);
 }
 
-void ProgressDisplay::finish() {
-    last_.fraction = 1;
+void ProgressDisplay::end(bool isFinished) {
+    if (isFinished) last_.fraction = 1;
     last_.secondsLeft = 0;
-    errorDue_ = std::numeric_limits<double>::infinity();
     if (isShown_ && form_ != ProgressForm::plain) print(last_);
 }
 
@@ -105,15 +104,15 @@ const std::optional<ErrorEstimate>& ProgressDisplay::error(const Progress& p) {
 }
 
 void ProgressDisplay::printJson(const Progress& p) {
-    constexpr double smallest = 1e-4, millisecond = 1e-3;
+    constexpr double shares = 1e4, milliseconds = 1e3;
     nlohmann::ordered_json json{{"event", "progress"},
-                                {"fraction", roundedDown(p.fraction, smallest)},
+                                {"fraction", roundedDown(p.fraction, shares)},
                                 {"samplesDone", static_cast<std::uint64_t>(p.meanSamples)},
                                 {"samplesInAll", subject_.samples},
-                                {"seconds", roundedDown(p.seconds, millisecond)},
+                                {"seconds", roundedDown(p.seconds, milliseconds)},
                                 {"secondsLeft", nullptr},
                                 {"error", nullptr}};
-    if (p.secondsLeft) json["secondsLeft"] = roundedDown(*p.secondsLeft, millisecond);
+    if (p.secondsLeft) json["secondsLeft"] = roundedDown(*p.secondsLeft, milliseconds);
     if (const auto& e = error(p)) {
         json["error"] = {{"metric", nameIn(errorMetricNames, subject_.metric)}, {"value", e->error}, {"low", e->low}, {"high", e->high}};
         if (!e->doubt.empty()) json["error"]["doubt"] = e->doubt;
@@ -122,8 +121,8 @@ void ProgressDisplay::printJson(const Progress& p) {
 }
 
 void ProgressDisplay::printOpenJd(const Progress& p) {
-    constexpr double tenth = 0.1;
-    percent_ = std::max(percent_, roundedDown(100 * p.fraction, tenth));
+    constexpr double tenths = 10;
+    percent_ = std::max(percent_, roundedDown(100 * p.fraction, tenths));
     std::vector<std::string> parts = partsOf(p, subject_.samples);
     parts.front() = "rendering";
     if (const auto& e = error(p)) parts.push_back(describe(*e, subject_.metric));

@@ -32,8 +32,8 @@ public:
 
     /// Counts are rounded down, so that nothing is done before it is.
     void show(Progress progress);
-    /// All samples are taken, or the error is small enough.
-    void finish();
+    /// The render is over. isFinished: all samples are taken, or the error is small enough.
+    void end(bool isFinished);
 
 private:
     void print(const Progress& progress);

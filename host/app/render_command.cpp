@@ -80,7 +80,7 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRa
     control.stop = [&] { return deadline.isOver(); };
     control.abandon = [&] { return deadline.isFinal(); };
     RenderResult result = render(session.context(), session.wave(), film, session.profile(), control);
-    if (result.isFinished) display.finish();
+    display.end(result.isFinished);
     return result;
 }
 

@@ -16,6 +16,7 @@
 #include "render/path_loop.h"
 #include "render/roulette_pilot.h"
 #include "render/table_hash.h"
+#include "render/thread_limit.h"
 #include "render/wave_queues.h"
 
 #include <fmt/format.h>
@@ -84,9 +85,15 @@ void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& 
 Session::Session(const SessionOptions& options, Diagnostics& diagnostics, bool profiling)
     : options_(options), diagnostics_(diagnostics), profiling_(profiling) {
     times_.start = secondsSinceStart();
-    prepareOpenCl(options.device);
-    if (options.device.threads > 0)
-        hostThreads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(options.device.threads));
+    DeviceOptions device = options.device;
+    const int cores = static_cast<int>(std::thread::hardware_concurrency()), wanted = device.threads > 0 ? device.threads : cores;
+    if (const int threads = affordableThreads(wanted); threads < wanted) {
+        diagnostics.warn({}, fmt::format("the system has {} threads for this process, not {} (ulimit -u)", threads, wanted));
+        device.threads = threads;
+    }
+    prepareOpenCl(device);
+    if (device.threads > 0)
+        hostThreads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(device.threads));
 }
 
 Session::~Session() = default;

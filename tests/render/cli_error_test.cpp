@@ -3,6 +3,9 @@
 #include "cli.h"
 
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include <unistd.h>
 
 #include <cctype>
 
@@ -104,6 +107,32 @@ TEST_F(Cli, ErrorsOfTheDeviceExitWith3) {
     const Outcome none = run({"render", "tiny.pbrt"}, {{"OCL_ICD_VENDORS", path("")}});
     EXPECT_EQ(none.status, 3);
     EXPECT_THAT(none.error, HasSubstr("pocl-opencl-icd"));
+}
+
+/// PoCL and TBB would end the program. The limit does not hold for root, so the program runs as nobody.
+TEST_F(Cli, WithoutThreadsThereIsAnError) {
+    if (::geteuid() != 0) GTEST_SKIP() << "only root may become a user without processes";
+    program_ = "/usr/bin/prlimit";
+    const Outcome run = this->run({"--nproc=1", "setpriv", "--reuid=61234", "--clear-groups", EIKONAL_BINARY, "info", "tiny.pbrt"});
+    EXPECT_EQ(run.status, 3);
+    EXPECT_EQ(run.error,
+              "error: only 0 more threads can be started, and a render needs 6; raise the limit of processes (ulimit -u)\n");
+}
+
+TEST_F(Cli, NamesOfFilesDoNotReachTheTerminalAsTheyAre) {
+    const std::string name = "a\x1b[31m\xff.pbrt";
+    write(name, tinyScene());
+    for (const std::vector<std::string>& words : {std::vector<std::string>{"info", name}, {"info", name, "--json"},
+                                                  {"render", name, "-o", "b\x1b[31m\xff.exr", "--stats", "--json"}, {"render", "c\x1b.pbrt"}}) {
+        const Outcome run = this->run(words);
+        EXPECT_EQ(run.status, words[1] == name ? 0 : 1) << run.error;
+        for (const std::string& text : {run.out, run.error}) {
+            EXPECT_EQ(text.find('\x1b'), std::string::npos) << text;
+            EXPECT_EQ(text.find('\xff'), std::string::npos) << text;
+        }
+    }
+    const auto info = nlohmann::json::parse(run({"info", name, "--json"}).out);
+    EXPECT_EQ(info.at("scene"), "a\x1b[31m\xef\xbf\xbd.pbrt") << "U+FFFD";
 }
 
 TEST_F(Cli, StrictTurnsWhatIsNotRenderedIntoAnError) {

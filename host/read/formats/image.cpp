@@ -66,9 +66,9 @@ private:
     std::size_t bytes_;
 };
 
-/// What an image takes: as read, with the channels that are kept, and once more in the scene's tables.
+/// What an image takes: as read, and twice with the channels that are kept, since it moves to the scene's tables.
 std::size_t bytesToRead(const ImageReader::Header& header, std::size_t kept, bool isBytes) {
-    const std::size_t values = header.channels.size() + (kept == header.channels.size() ? 1 : 2) * kept;
+    const std::size_t values = header.channels.size() + 2 * kept;
     return header.pixels() * values * (isBytes ? 1 : sizeof(float));
 }
 

@@ -255,6 +255,8 @@ std::shared_ptr<const SparseGrid> readNanoVdb(const std::string& path, const std
         return std::make_shared<const SparseGrid>(Copy(handle, found.meta.fileSize).result());
     } catch (const ReadProblem&) {
         throw;
+    } catch (const std::bad_alloc&) {
+        throw ReadProblem("has a grid that does not fit into memory");
     } catch (const std::exception& e) {
         throw ReadProblem(std::string("cannot be read: ") + e.what());
     }

@@ -1,5 +1,7 @@
 #include "read/pbrt/tokens.h"
 
+#include "printable.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -25,15 +27,6 @@ struct Source {
 };
 
 std::string quote(std::string_view text) { return '"' + std::string(text.substr(0, 60)) + (text.size() > 60 ? "..." : "") + '"'; }
-
-std::string quoteWord(std::string_view word) {
-    constexpr size_t longest = 40;
-    const auto belongs = [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) || std::string_view("_.+-,<>").find(c) != std::string_view::npos;
-    };
-    if (word.size() <= longest && std::ranges::all_of(word, belongs)) return quote(word);
-    return "a word of " + std::to_string(word.size()) + " characters";
-}
 
 std::string quote(const Token& token) { return token.kind == Token::Kind::word ? quoteWord(token.text) : quote(token.text); }
 

@@ -26,11 +26,8 @@ struct Token {
 
 /// The beginning of a text in quotes, for messages.
 std::string quote(std::string_view text);
-/// A token as messages name it. A word that could not be part of a scene is not quoted: any readable file may be named as a scene or an
-/// include, and its content is nobody's business.
+/// A token as messages name it; a word without quotes by quoteWord().
 std::string quote(const Token& token);
-/// The same for a word without quotes.
-std::string quoteWord(std::string_view word);
 
 /// Splits a stack of texts into tokens: reads the text pushed last, and returns to the one below at its end. Errors are thrown as
 /// SceneError.
