@@ -114,10 +114,11 @@ public:
 
 private:
     void openLog(const std::string& path) {
-        log_ = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-        if (log_ < 0) log_ = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);   // of devices and pipes
-        if (log_ < 0) throw Error(ExitCode::scene, fmt::format("cannot write \"{}\": {}", path, std::strerror(errno)));
-        checkIsLog(path, log_);
+        int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+        if (file < 0) file = ::open(path.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);   // of devices and pipes
+        if (file < 0) throw Error(ExitCode::scene, fmt::format("cannot write \"{}\": {}", path, std::strerror(errno)));
+        checkIsLog(path, file);
+        log_ = file;
         path_ = path;
     }
 

@@ -15,7 +15,7 @@ enum class ProgressForm {
     bar,        ///< one line that is drawn over
     plain,      ///< a line every ten seconds
     json,       ///< every line of standard error, also a message, is one JSON object with a member "event"
-    openjd,     ///< lines "openjd_progress: PERCENT", "openjd_status: TEXT" and "openjd_fail: TEXT" of Open Job Description, beside messages
+    openjd,     ///< beside messages, lines of Open Job Description: openjd_progress, openjd_status and openjd_fail
 };
 
 struct MessageOptions {

@@ -42,7 +42,7 @@ static int fail(ExitCode code, const std::string& message) {
     return static_cast<int>(code);
 }
 
-/// Whether nobody reads standard output any more.
+/// Whether the reader of standard output has gone.
 static bool hasReaderGone() {
     struct pollfd out { STDOUT_FILENO, 0, 0 };
     return ::poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
@@ -56,9 +56,9 @@ static void finishPrinting() {
     if (!hasReaderGone()) throw Error(ExitCode::scene, std::string("cannot write to standard output: ") + std::strerror(error));
 }
 
-/// Writing into a pipe that nobody reads, or a file that is too large, becomes an error of that write, which must not end a render. Streams
-/// that the parent has closed are opened, so that no image is opened in their place; what should be printed on a closed standard output is
-/// an error in the end.
+/// A pipe without a reader, or a file that is too large, becomes an error of the write, which must not end a render. Streams that the parent
+/// has closed are opened, so that no image is opened in their place; what should be printed on a closed standard output is an error in the
+/// end.
 static void keepStreams() {
     for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})

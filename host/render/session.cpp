@@ -88,7 +88,8 @@ Session::Session(const SessionOptions& options, Diagnostics& diagnostics, bool p
     DeviceOptions device = options.device;
     const int cores = static_cast<int>(std::thread::hardware_concurrency()), wanted = device.threads > 0 ? device.threads : cores;
     if (const int threads = affordableThreads(wanted); threads < wanted) {
-        diagnostics.warn({}, fmt::format("the system has {} threads for this process, not {} (ulimit -u)", threads, wanted));
+        diagnostics.warn({}, fmt::format("only {} of {} threads are used: the system has no more for this process (ulimit -u)",
+                                         threads, wanted));
         device.threads = threads;
     }
     prepareOpenCl(device);

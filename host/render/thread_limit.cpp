@@ -42,8 +42,9 @@ static int startableThreads(int wanted) {
 int affordableThreads(int wanted) {
     const int startable = startableThreads(2 * wanted + otherThreads), threads = (startable - otherThreads) / 2;
     if (threads < 1)
-        throw DeviceError(fmt::format("only {} more threads can be started, and a render needs {}; raise the limit of processes (ulimit -u)",
-                                      startable, otherThreads + 2));
+        throw DeviceError(
+            fmt::format("only {} more threads can be started, and a render needs {}; raise the limit of processes (ulimit -u)", startable,
+                        otherThreads + 2));
     return threads;
 }
 

@@ -109,7 +109,7 @@ TEST_F(Cli, ErrorsOfTheDeviceExitWith3) {
     EXPECT_THAT(none.error, HasSubstr("pocl-opencl-icd"));
 }
 
-/// PoCL and TBB would end the program. The limit does not hold for root, so the program runs as nobody.
+/// PoCL and TBB would end the program. The limit does not hold for root, so the program runs as another user.
 TEST_F(Cli, WithoutThreadsThereIsAnError) {
     if (::geteuid() != 0) GTEST_SKIP() << "only root may become a user without processes";
     program_ = "/usr/bin/prlimit";
@@ -119,11 +119,24 @@ TEST_F(Cli, WithoutThreadsThereIsAnError) {
               "error: only 0 more threads can be started, and a render needs 6; raise the limit of processes (ulimit -u)\n");
 }
 
+/// It has no end.
+TEST_F(Cli, ADeviceIsNoScene) {
+    std::filesystem::create_symlink("/dev/zero", path("zero.pbrt"));
+    const Outcome run = this->run({"info", "zero.pbrt"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.error, "zero.pbrt: the file is a device, which may have no end\n");
+    write("including.pbrt", "WorldBegin\nInclude \"/dev/zero\"\n");
+    EXPECT_THAT(this->run({"info", "including.pbrt"}).error, HasSubstr("including.pbrt:2:9: there is no file \"/dev/zero\""));
+}
+
 TEST_F(Cli, NamesOfFilesDoNotReachTheTerminalAsTheyAre) {
     const std::string name = "a\x1b[31m\xff.pbrt";
     write(name, tinyScene());
-    for (const std::vector<std::string>& words : {std::vector<std::string>{"info", name}, {"info", name, "--json"},
-                                                  {"render", name, "-o", "b\x1b[31m\xff.exr", "--stats", "--json"}, {"render", "c\x1b.pbrt"}}) {
+    const std::vector<std::vector<std::string>> lines{{"info", name},
+                                                      {"info", name, "--json"},
+                                                      {"render", name, "-o", "b\x1b[31m\xff.exr", "--stats", "--json"},
+                                                      {"render", "c\x1b.pbrt"}};
+    for (const auto& words : lines) {
         const Outcome run = this->run(words);
         EXPECT_EQ(run.status, words[1] == name ? 0 : 1) << run.error;
         for (const std::string& text : {run.out, run.error}) {

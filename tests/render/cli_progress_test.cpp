@@ -1,4 +1,4 @@
-// How a render tells how it goes: progress for users and programs, the log file, and streams that nobody reads.
+// How a render tells how it goes: progress for users and programs, the log file, and streams without a reader.
 
 #include "cli.h"
 
@@ -100,7 +100,7 @@ TEST_F(Progresses, JsonIsOneObjectALine) {
     EXPECT_GE(error.at("high").get<double>(), error.at("value").get<double>());
     const std::vector<json> messages = events(run, "message");
     EXPECT_TRUE(std::ranges::any_of(messages, [](const json& m) {
-        return m.at("level") == "warning" && m.at("text").get<std::string>().find("\"scle\"") != std::string::npos;
+        return m.at("level") == "warning" && m.at("text").get<std::string>().find("\"float scle\" is ignored") != std::string::npos;
     })) << run.error;
 }
 
@@ -186,7 +186,8 @@ TEST_F(Progresses, TheBarFitsTheTerminal) {
 }
 
 TEST_F(Progresses, ATerminalShowsHowManyKernelsAreCompiled) {
-    const std::string text = onTerminal(40, {"render", "tiny.pbrt", "-o", "a.exr", "--nthreads", "2"}, {{"EIKONAL_CACHE_DIR", path("cache")}});
+    const std::string text =
+        onTerminal(40, {"render", "tiny.pbrt", "-o", "a.exr", "--nthreads", "2"}, {{"EIKONAL_CACHE_DIR", path("cache")}});
     EXPECT_EQ(status_, 0) << text;
     EXPECT_THAT(text, ContainsRegex("\rcompiling kernels: [0-9]+ of [0-9]+, [0-9]+ s\x1b"));
     EXPECT_THAT(text, ContainsRegex("\rcompiling kernels: [1-9][0-9]* of [0-9]+, [0-9]+ s\x1b"));
@@ -245,7 +246,8 @@ TEST_F(Progresses, ClosedStreamsEndNothing) {
     ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "whole.exr"}).status, 0);
     const auto expected = image("whole.exr").color;
     for (const char* closed : {"2>&-", ">&-", "<&-", "<&- >&- 2>&-"}) {
-        const Outcome run = shell("rm -f a.exr; \"$0\" render tiny.pbrt -o a.exr --log-level debug --log-file a.log " + std::string(closed));
+        const std::string command = "rm -f a.exr; \"$0\" render tiny.pbrt -o a.exr --log-level debug --log-file a.log ";
+        const Outcome run = shell(command + closed);
         EXPECT_EQ(run.status, 0) << closed << run.error;
         EXPECT_EQ(image("a.exr").color, expected) << closed;
     }
