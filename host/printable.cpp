@@ -36,7 +36,7 @@ std::string quoteWord(std::string_view word) {
     const auto belongs = [](char c) {
         return std::isalnum(static_cast<unsigned char>(c)) || std::string_view("_.+-,<>").find(c) != std::string_view::npos;
     };
-    if (word.size() > longest || !std::ranges::all_of(word, belongs)) return fmt::format("a word of {} characters", word.size());
+    if (word.size() > longest || !std::ranges::all_of(word, belongs)) return fmt::format("a word of {} character{}", word.size(), word.size() == 1 ? "" : "s");
     return fmt::format("\"{}\"", word);
 }
 

@@ -56,9 +56,9 @@ static void finishPrinting() {
     if (!hasReaderGone()) throw Error(ExitCode::scene, std::string("cannot write to standard output: ") + std::strerror(error));
 }
 
-/// A pipe without a reader, or a file that is too large, becomes an error of the write, which must not end a render. Streams that the parent
-/// has closed are opened, so that no image is opened in their place; what should be printed on a closed standard output is an error in the
-/// end.
+/// A pipe without a reader, or a file that is too large, becomes an error of the write, which must not end a render. Streams that the
+/// parent has closed are opened, so that no image is opened in their place; what should be printed on a closed standard output is an error
+/// in the end.
 static void keepStreams() {
     for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})

@@ -50,7 +50,7 @@ using OtherFile = PbrtTest;
 TEST_F(OtherFile, IsNotQuoted) {
     const std::string secret = "root:$y$j9T$Ab:19700:0:99999:7:::";
     write("shadow", secret + "\ndaemon:*:19000\n");
-    const std::string camera = "Camera \"realistic\" \"string lensfile\" \"shadow\"\n";
+    const std::string camera = "Camera \"realistic\" \"string lensfile\" \"shadow\"\nWorldBegin\n";
     for (const std::string& text : {camera, std::string("Include \"shadow\""), std::string("WorldBegin Import \"shadow\""),
                                     std::string("WorldBegin Material \"conductor\" \"spectrum eta\" \"shadow\"")}) {
         const std::string error = errorOf(text);
