@@ -1,8 +1,6 @@
 #include "diagnostics.h"
 
-#include "printable.h"
-
-#include <cstdio>
+#include "messages.h"
 
 namespace eikonal {
 
@@ -11,7 +9,7 @@ void Diagnostics::warn(const SourceLocation& where, const std::string& message) 
     const std::string text = (place.empty() ? "" : place + ": ") + "warning: " + message;
     std::lock_guard lock(mutex_);
     warnings_.push_back(text);
-    if (level_ >= LogLevel::warning) std::fprintf(stderr, "%s\n", printable(text).c_str());
+    tell(LogLevel::warning, text, level_ >= LogLevel::warning);
 }
 
 void Diagnostics::warnOnce(const std::string& kind, const SourceLocation& where, const std::string& message) {
@@ -27,15 +25,9 @@ void Diagnostics::unsupported(const std::string& kind, const SourceLocation& whe
     warnOnce(kind, where, message);
 }
 
-void Diagnostics::info(const std::string& message) {
-    std::lock_guard lock(mutex_);
-    if (level_ >= LogLevel::info) std::fprintf(stderr, "%s\n", printable(message).c_str());
-}
+void Diagnostics::info(const std::string& message) { tell(LogLevel::info, message, level_ >= LogLevel::info); }
 
-void Diagnostics::debug(const std::string& message) {
-    std::lock_guard lock(mutex_);
-    if (level_ >= LogLevel::debug) std::fprintf(stderr, "%s\n", printable(message).c_str());
-}
+void Diagnostics::debug(const std::string& message) { tell(LogLevel::debug, message, level_ >= LogLevel::debug); }
 
 std::vector<std::string> Diagnostics::warnings() const {
     std::lock_guard lock(mutex_);

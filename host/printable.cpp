@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace eikonal {
 
@@ -28,6 +29,16 @@ std::string printable(std::string_view text) {
         text.remove_prefix(std::max<size_t>(length, 1));
     }
     return result;
+}
+
+std::string quoteWord(std::string_view word) {
+    constexpr std::size_t longest = 40;
+    const auto belongs = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || std::string_view("_.+-,<>").find(c) != std::string_view::npos;
+    };
+    if (word.size() > longest || !std::ranges::all_of(word, belongs))
+        return fmt::format("a word of {} character{}", word.size(), word.size() == 1 ? "" : "s");
+    return fmt::format("\"{}\"", word);
 }
 
 }  // namespace eikonal

@@ -10,4 +10,8 @@ namespace eikonal {
 /// \x1b: a binary file must not move the cursor or change colours.
 std::string printable(std::string_view text);
 
+/// A word of a file in quotes, for messages, but only if it looks like a name or a number: any file that the user can read may be named as
+/// part of a scene, and what is in it may be a secret. Otherwise says how long the word is.
+std::string quoteWord(std::string_view word);
+
 }  // namespace eikonal

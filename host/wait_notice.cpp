@@ -1,15 +1,27 @@
 #include "wait_notice.h"
 
+#include "json_text.h"
+#include "messages.h"
+
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <unistd.h>
-
-#include <cstdio>
+#include <algorithm>
+#include <system_error>
 
 namespace eikonal {
 
-WaitNotice::WaitNotice(std::string what, bool silent) : what_(std::move(what)) {
-    if (!silent) watcher_ = std::thread([this] { watch(); });
+constexpr double secondsBetweenLines = 10;
+
+WaitNotice::WaitNotice(std::string what, bool silent) : WaitNotice(what, what, {nullptr, 0}, silent) {}
+
+WaitNotice::WaitNotice(std::string what, std::string brief, Parts parts, bool silent)
+    : what_(std::move(what)), brief_(std::move(brief)), parts_(parts) {
+    try {
+        if (!silent) watcher_ = std::thread([this] { watch(); });
+    } catch (const std::system_error&) {
+        /* No thread is left: then it is not told */
+    }
 }
 
 WaitNotice::~WaitNotice() {
@@ -26,15 +38,36 @@ void WaitNotice::watch() {
     std::unique_lock lock(mutex_);
     const auto isOver = [this] { return over_; };
     if (wake_.wait_for(lock, 500ms, isOver)) return;
-    if (!isatty(STDERR_FILENO)) {
-        std::fputs((what_ + "\n").c_str(), stderr);
+    show(true);
+    while (!wake_.wait_for(lock, 250ms, isOver)) show(false);
+    if (progressForm() == ProgressForm::bar) endStatus(false);
+}
+
+std::string WaitNotice::state() const {
+    return parts_.done ? fmt::format(": {} of {}", std::min(parts_.done->load(), parts_.all), parts_.all) : "";
+}
+
+void WaitNotice::show(bool isFirst) {
+    const int done = parts_.done ? std::min(parts_.done->load(), parts_.all) : 0;
+    const bool isNew = done > shownDone_ && time_.seconds() - shownAt_ >= secondsBetweenLines;
+    const ProgressForm form = progressForm();
+    if (isFirst) logProgress(what_);
+    if (form == ProgressForm::bar) {
+        drawStatus(fmt::format("{}{}, {:.0f} s", brief_, state(), time_.seconds()));
         return;
     }
-    do {
-        std::fputs(fmt::format("\r{}: {:.0f} s\x1b[K", what_, time_.seconds()).c_str(), stderr);
-        std::fflush(stderr);
-    } while (!wake_.wait_for(lock, 250ms, isOver));
-    std::fputs("\r\x1b[K", stderr);
+    if (!isFirst && !(form == ProgressForm::plain ? isNew : done > shownDone_)) return;
+    shownAt_ = time_.seconds();
+    shownDone_ = done;
+    if (form == ProgressForm::openjd) {
+        printProgress(fmt::format("openjd_status: {}{}", brief_, state()));
+    } else if (form == ProgressForm::json) {
+        nlohmann::ordered_json json{{"event", "wait"}, {"text", what_}, {"seconds", time_.seconds()}};
+        if (parts_.done) json.update({{"done", done}, {"inAll", parts_.all}});
+        printProgress(jsonText(json));
+    } else {
+        printProgress(isFirst ? what_ : brief_ + state());
+    }
 }
 
 }  // namespace eikonal

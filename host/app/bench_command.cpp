@@ -1,6 +1,7 @@
 #include "clock.h"
 #include "app/commands.h"
 #include "app/efficiency.h"
+#include "json_text.h"
 #include "render/session.h"
 #include "app/statistics.h"
 #include "app/bandwidth.h"
@@ -208,7 +209,7 @@ int benchCommand(const Options& o) {
     nlohmann::ordered_json json = measure(o, session, repeats, loops, queueCopyRate(session.context(), compiler, session.shape()));
     if (o.efficiency) addEfficiency(json, repeats, images, reference ? &*reference : nullptr);
     std::fputs(asTable(json).c_str(), stdout);
-    if (!o.jsonFile.empty()) writeTextAtomically(o.jsonFile, json.dump(2) + "\n");
+    if (!o.jsonFile.empty()) writeTextAtomically(o.jsonFile, jsonText(json, 2) + "\n");
     return static_cast<int>(ExitCode::success);
 }
 

@@ -5,8 +5,11 @@
 
 namespace eikonal {
 
-/// Renders a scene into image files. Returns 0 if all files are written and every sample was taken or the time limit was reached, and 128
-/// plus the signal's number if a signal ended the render early.
+/// The exit status beside those of ExitCode: a valid image is on disk, but it has fewer samples than were asked for.
+constexpr int partialImage = 4;
+
+/// Renders a scene into image files. Returns 0 if all files are written and every sample was taken, partialImage if the time limit was
+/// reached before, and 128 plus the signal's number if a signal ended the render early.
 int renderCommand(const Options& options);
 /// Prints the contents of a scene, the features that it requires with the reasons, and the memory that a render would take.
 int infoCommand(const Options& options);
@@ -18,7 +21,7 @@ int tradeCommand(const Options& options);
 int cacheCommand(const Options& options);
 /// Prints the OpenCL devices.
 int listDevicesCommand(const Options& options);
-/// Makes one image, or one larger part, of parts that were rendered apart.
+/// Makes one image, or one larger part, of parts that were rendered apart. Returns partialImage if the image lacks samples.
 int mergeCommand(const Options& options);
 /// Prints the difference of two images.
 int compareCommand(const Options& options);

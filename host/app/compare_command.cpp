@@ -4,6 +4,7 @@
 #include "image/compare.h"
 #include "image/flip.h"
 #include "image/image_file.h"
+#include "json_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -53,7 +54,7 @@ int compareCommand(const Options& o) {
                               {"distance", worst.distance(relative, sigmas)},
                               {"image", asJson(worst.image)},
                               {"reference", asJson(worst.reference)}};
-        std::fputs((json.dump(2) + "\n").c_str(), stdout);
+        std::fputs((jsonText(json, 2) + "\n").c_str(), stdout);
     } else {
         std::fputs(fmt::format("mean            {:.6g} {:.6g} {:.6g}\nreference mean  {:.6g} {:.6g} {:.6g}\nworst channel   {:.3f} % "
                                "off\nrelative MSE    {:.4g}\nFLIP            {:.4f}\n"

@@ -1,5 +1,7 @@
 #include "app/commands.h"
 #include "app/output.h"
+#include "json_text.h"
+#include "printable.h"
 #include "pack/missed_light.h"
 #include "render/session.h"
 #include "app/statistics.h"
@@ -79,8 +81,8 @@ int infoCommand(const Options& o) {
     session.load(false);
     session.pack(aovsOf(o.output, session.scene().film, {}, diagnostics));
     const std::string text =
-        o.json ? asJson(o, session.packed(), session.plan()).dump(2) + "\n" : asText(o, session.packed(), session.plan());
-    std::fputs(text.c_str(), stdout);
+        o.json ? jsonText(asJson(o, session.packed(), session.plan()), 2) + "\n" : asText(o, session.packed(), session.plan());
+    std::fputs(printable(text).c_str(), stdout);
     return static_cast<int>(ExitCode::success);
 }
 

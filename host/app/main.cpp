@@ -3,11 +3,17 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "render/kernel_workers.h"
-#include "printable.h"
+#include "messages.h"
 
+#include <fmt/format.h>
+
+#include <fcntl.h>
 #include <malloc.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <new>
@@ -30,17 +36,35 @@ static int run(const Options& options) {
     return static_cast<int>(ExitCode::usage);
 }
 
-/// Prints an error. Errors in scenes and files already begin with file:line:column, so they get no prefix.
+/// Tells an error. Errors in scenes and files already begin with file:line:column, so they get no prefix.
 static int fail(ExitCode code, const std::string& message) {
-    std::fprintf(stderr, "%s\n", printable(message).c_str());
+    tell(LogLevel::error, message);
     return static_cast<int>(code);
+}
+
+/// Whether the reader of standard output has gone.
+static bool hasReaderGone() {
+    struct pollfd out { STDOUT_FILENO, 0, 0 };
+    return ::poll(&out, 1, 0) == 1 && (out.revents & POLLERR) != 0;
 }
 
 /// Throws Error unless all that was printed has arrived: a full disk would lose it without a word. A reader that has gone, as `head` does,
 /// is no error.
 static void finishPrinting() {
     if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return;
-    if (errno != EPIPE) throw Error(ExitCode::scene, std::string("cannot write to standard output: ") + std::strerror(errno));
+    const int error = errno;
+    if (!hasReaderGone()) throw Error(ExitCode::scene, std::string("cannot write to standard output: ") + std::strerror(error));
+}
+
+/// A pipe without a reader, or a file that is too large, becomes an error of the write, which must not end a render. Streams that the
+/// parent has closed are opened, so that no image is opened in their place; what should be printed on a closed standard output is an error
+/// in the end.
+static void keepStreams() {
+    for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (::fcntl(stream, F_GETFD) < 0) {
+            [[maybe_unused]] const int lowest = ::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+        }
 }
 
 /// Makes free() return blocks above 128 KiB to the system at once, because reading and packing a scene take much memory for a short time.
@@ -48,10 +72,14 @@ static void returnFreedMemory() { ::mallopt(M_MMAP_THRESHOLD, 128 << 10); }
 
 int main(int argc, char** argv) {
     returnFreedMemory();
+    keepStreams();
     keepIgnoredSignals();
     try {
-        const int status = run(parseOptions(std::vector<std::string>(argv, argv + argc)));
+        const Options options = parseOptions(std::vector<std::string>(argv, argv + argc));
+        setMessages({options.progress, options.logFile}, options.commandLine);
+        const int status = run(options);
         finishPrinting();
+        logProgress(fmt::format("exit status {}", status));
         return status;
     } catch (const Error& error) {
         return fail(error.code(), (error.code() == ExitCode::scene ? "" : "error: ") + std::string(error.what()));

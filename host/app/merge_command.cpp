@@ -6,6 +6,7 @@
 #include "film/film_parts.h"
 #include "film/stored_scene.h"
 #include "image/image_file.h"
+#include "messages.h"
 #include "render/render_identity.h"
 
 #include <fmt/format.h>
@@ -13,7 +14,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace eikonal {
 namespace {
@@ -46,10 +46,20 @@ void checkSameRender(const std::vector<std::unique_ptr<FilmFileReader>>& files, 
 }
 
 /// The samples that each pixel is to have: those that the render was laid out for. With adaptive sampling, what is there.
-unsigned samplesWanted(const std::vector<std::unique_ptr<FilmFileReader>>& files, bool isPartial) {
+unsigned samplesWanted(const std::vector<std::unique_ptr<FilmFileReader>>& files) {
     const bool isAdaptive = std::ranges::any_of(files, [](const auto& file) { return !file->head().planned.empty(); });
-    if (isPartial || isAdaptive) return 0;
+    if (isAdaptive) return 0;
     return static_cast<unsigned>(identityFromJson(files.front()->head().identity, files.front()->path()).samples);
+}
+
+/// Whether pixels have all of their first `wanted` samples, and none is missing before a later one.
+bool hasAll(const FilmRun& run, unsigned wanted) {
+    unsigned next = 0;
+    for (const SampleRange& node : run.nodes) {
+        if (node.first != next) return false;
+        next = node.end;
+    }
+    return next > 0 && next >= wanted;
 }
 
 }  // namespace
@@ -69,7 +79,7 @@ int mergeCommand(const Options& o) {
     const PixelRect pixels = scene.packed.pixels;
     const QueueLayout layout = filmLayout(scene.packed.features, scene.packed.frame().bucket_count);
     const JoinedSums sums(layout);
-    const unsigned end = o.output.hasImage ? samplesWanted(files, o.isPartial) : 0;
+    const unsigned wanted = samplesWanted(files), end = o.output.hasImage && !o.isPartial ? wanted : 0;
     FilmFileHead merged = head;
     merged.seconds = 0;
     for (const auto& file : files) merged.seconds += file->head().seconds;
@@ -81,11 +91,13 @@ int mergeCommand(const Options& o) {
     if (!o.output.checkpoint.empty()) film.emplace(o.output.checkpoint, merged);
     const size_t width = static_cast<size_t>(pixels.width()), plane = width * static_cast<size_t>(pixels.height());
     const auto words = o.output.hasImage ? allocatePlanes(pixels, layout.words) : nullptr;
+    size_t wholePixels = 0;   // that have all samples
     for (int y = pixels.y0; y < pixels.y1; ++y)
         parts.forRuns(y, end, [&](const FilmRun& run) {
             if (film) film->write(run);
             if (!words) return;
             const size_t count = static_cast<size_t>(run.x1 - run.x0);
+            if (hasAll(run, wanted)) wholePixels += count;
             std::vector<PixelRow<const uint>> rows;
             for (size_t node = 0; node < run.nodes.size(); ++node)
                 rows.push_back({run.words.data() + node * static_cast<size_t>(layout.words) * count, count});
@@ -102,14 +114,14 @@ int mergeCommand(const Options& o) {
     describeFilm(metadata, totals.samples(), error, stored.metric);
     metadata.renderSeconds = merged.seconds;
     metadata.commandLine = o.commandLine;
-    if (o.log >= LogLevel::warning) std::fputs((describe(error, stored.metric) + "\n").c_str(), stderr);
+    const bool isShown = o.log >= LogLevel::warning;
+    tell(LogLevel::warning, describe(error, stored.metric), isShown);
     const FilmImage image = developImage(totals, scene.packed, scene.film, stored.aovs);
     const std::vector<std::string> images = imageFiles(o.output.files);
     for (const std::string& file : images) writeImage(file, image, metadata, o.output.toneMapping);
-    const std::string done =
-        fmt::format("merged {} part{} into {}\n", o.parts.size(), o.parts.size() == 1 ? "" : "s", fmt::join(images, " and "));
-    if (o.log >= LogLevel::warning) std::fputs(done.c_str(), stderr);
-    return static_cast<int>(ExitCode::success);
+    tell(LogLevel::warning,
+         fmt::format("merged {} part{} into {}", o.parts.size(), o.parts.size() == 1 ? "" : "s", fmt::join(images, " and ")), isShown);
+    return wholePixels == plane ? static_cast<int>(ExitCode::success) : partialImage;
 }
 
 }  // namespace eikonal

@@ -50,6 +50,7 @@ void addLogging(CLI::App* app, Options& o) {
                            {"warning", LogLevel::warning},
                            {"info", LogLevel::info},
                            {"debug", LogLevel::debug}}));
+    app->add_option("--log-file", o.logFile, "Also append messages to this file, with the time, as at --log-level info")->type_name("FILE");
 }
 
 CLI::Option* addListDevices(CLI::App* app, Options& o) {
@@ -267,6 +268,14 @@ struct Parser {
         addCheckpoints(render, options.output);
         addDevice(render, options);
         addLogging(render, options);
+        value(render, "--progress", options.progress, "FORM",
+              "How to show progress on standard error: auto (default): a bar on a terminal, otherwise plain lines; bar; plain; json: one "
+              "object a line; openjd: lines of Open Job Description",
+              oneOf<ProgressForm>({{"auto", ProgressForm::automatic},
+                                   {"bar", ProgressForm::bar},
+                                   {"plain", ProgressForm::plain},
+                                   {"json", ProgressForm::json},
+                                   {"openjd", ProgressForm::openjd}}));
 
         auto* info = add("info", Command::info, "Print the contents of a scene, and which features it requires and why");
         addScene(info, options);

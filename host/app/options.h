@@ -7,6 +7,7 @@
 #include "film/sample_nodes.h"
 #include "film/tile.h"
 #include "image/tone_map.h"
+#include "messages.h"
 #include "render/options.h"
 
 #include <optional>
@@ -39,6 +40,8 @@ struct Options : SessionOptions {
     std::string text;                                 ///< what Command::print prints
     std::string commandLine;                          ///< as the user gave it
     bool quiet = false;
+    ProgressForm progress = ProgressForm::automatic;
+    std::string logFile;                              ///< empty: none
     const Preset* preset = nullptr;                   ///< --quality; its options are among the others. Null: none
     OutputOptions output;
     bool json = false;                                ///< info, compare, render: print JSON

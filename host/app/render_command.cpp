@@ -1,15 +1,18 @@
 #include "render/render.h"
 #include "image/image_file.h"
-#include "app/available_memory.h"
+#include "available_memory.h"
 #include "app/checkpoint.h"
 #include "clock.h"
 #include "app/commands.h"
 #include "app/error_log.h"
 #include "app/interrupt.h"
-#include "app/progress_bar.h"
+#include "app/progress_display.h"
 #include "app/output.h"
 #include "app/render_output.h"
 #include "app/run_summary.h"
+#include "messages.h"
+#include "printable.h"
+#include "render/render_identity.h"
 #include "render/session.h"
 #include "app/statistics.h"
 #include "eikonal/film.h"
@@ -26,7 +29,7 @@ namespace {
 
 /// Prints a line for the user, unless --quiet.
 void say(const Options& o, const std::string& line) {
-    if (o.log >= LogLevel::warning) std::fputs((line + "\n").c_str(), stderr);
+    tell(LogLevel::warning, line, o.log >= LogLevel::warning);
 }
 
 /// How long after a signal or the time limit paths in flight may still end, in seconds. Later they are abandoned.
@@ -45,6 +48,11 @@ public:
         if (!signalled_) signalled_ = time_.seconds();
         return time_.seconds() > *signalled_ + grace;
     }
+    /// Seconds until the time limit, if there is one; at least 0.
+    std::optional<double> secondsLeft() const {
+        if (!limit_) return {};
+        return std::max(*limit_ - time_.seconds(), 0.0);
+    }
     std::atomic<bool> isWhole = false;   ///< every pixel has a sample
 
 private:
@@ -56,22 +64,26 @@ private:
 /// Renders until each pixel has the samples `samples`, the error is small enough, the time is over, or a signal arrives.
 RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRange samples, Deadline& deadline, Checkpoints& checkpoints,
                         RenderOutput& output, ErrorLog& errors) {
-    ProgressBar bar(samples.length(), o.log < LogLevel::warning);
+    const auto error = [&] { return std::optional(film.totals().error(o.output.errorMetric)); };
+    ProgressDisplay display({samples.length(), o.output.errorMetric, error}, showsProgress(o.log));
     RenderControl control;
     control.endSample = samples.end;
     control.targetError = o.output.targetError;
     control.errorMetric = o.output.errorMetric;
     control.planned = checkpoints.planned();
     const Stopwatch time;
-    control.progress = [&](const Progress& p) {
+    control.progress = [&](Progress p) {
         deadline.isWhole = p.samples > 0;
-        bar.show(p);
+        if (const auto limit = deadline.secondsLeft()) p.secondsLeft = std::min(p.secondsLeft.value_or(*limit), *limit);
+        display.show(p);
         if (p.samples > 0) errors.note(p.samples, film, output);
     };
     control.pause = [&](std::span<const unsigned> planned) { checkpoints.pause(film, planned, time.seconds(), output); };
     control.stop = [&] { return deadline.isOver(); };
     control.abandon = [&] { return deadline.isFinal(); };
-    return render(session.context(), session.wave(), film, session.profile(), control);
+    RenderResult result = render(session.context(), session.wave(), film, session.profile(), control);
+    display.end(result.isFinished);
+    return result;
 }
 
 /// Reports why the image has fewer samples or more error than asked for, and which samples were not finite.
@@ -191,21 +203,33 @@ int renderCommand(const Options& o) {
 
     const FilmImage image = output.develop(*totals);
     warnOfClamping(image, session.scene().film, diagnostics);
+    RunSummary summary;
+    if (o.json) summary.identity = identityOf(session, o, *film);
     totals.reset();   // frees what may be most of the memory in use
     film.reset();
     output.write(image, report.metadata);
     const double writeSeconds = writeTime.seconds();
     std::vector<std::string> written = files;
-    if (!o.output.checkpoint.empty()) written.push_back(o.output.checkpoint);
+    if (!o.output.checkpoint.empty() && !unsaved) written.push_back(o.output.checkpoint);
     say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(written, " and "), secondsSinceStart()));
     if (o.output.stats)
-        std::fputs(describeRun(session, session.profile(), report.samples, described, renderSeconds, writeSeconds).c_str(), stdout);
-    if (o.json)
-        std::fputs(describeAsJson(session, files, report.metadata, report.samples, result, endedBy, writeSeconds, diagnostics.warnings())
-                       .c_str(),
+        std::fputs(printable(describeRun(session, session.profile(), report.samples, described, renderSeconds, writeSeconds)).c_str(),
                    stdout);
+    const int status = endedBy ? 128 + endedBy : (result.isFinished ? static_cast<int>(ExitCode::success) : partialImage);
+    if (o.json) {
+        summary.files = files;
+        if (!unsaved) summary.checkpoint = o.output.checkpoint;
+        summary.isComplete = result.isFinished;
+        summary.endedBy = endedBy;
+        summary.status = unsaved ? static_cast<int>(ExitCode::scene) : status;
+        summary.metadata = report.metadata;
+        summary.samples = report.samples;
+        summary.writeSeconds = writeSeconds;
+        summary.warnings = diagnostics.warnings();
+        std::fputs(describeAsJson(session, summary).c_str(), stdout);
+    }
     if (unsaved) std::rethrow_exception(unsaved);
-    return endedBy ? 128 + endedBy : static_cast<int>(ExitCode::success);
+    return status;
 }
 
 }  // namespace eikonal

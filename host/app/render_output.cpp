@@ -1,8 +1,10 @@
 #include "app/render_output.h"
 
 #include "app/output.h"
+#include "background.h"
 #include "film/projection.h"
 #include "image/image_file.h"
+#include "messages.h"
 #include "names.h"
 #include "wait_notice.h"
 
@@ -10,7 +12,7 @@ namespace eikonal {
 
 RenderOutput::RenderOutput(const Options& options, const Session& session, std::vector<std::string> files, const Aovs& aovs)
     : options_(options), session_(session), files_(std::move(files)), aovs_(aovs),
-      hash_(std::async(std::launch::async, [&session] { return sceneHash(session.packed()); }).share()) {}
+      hash_(inBackground([&session] { return sceneHash(session.packed()); }).share()) {}
 
 void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const ErrorEstimate& error, ErrorMetric metric) {
     metadata.samples = static_cast<int>(samples.fewest);
@@ -58,7 +60,7 @@ FilmImage RenderOutput::develop(const FilmTotals& totals) const {
 void RenderOutput::write(const FilmImage& image, const Metadata& metadata) const {
     std::string problems;
     for (const std::string& file : files_) {
-        const WaitNotice notice("writing " + file, options_.log < LogLevel::warning);
+        const WaitNotice notice("writing " + file, !showsProgress(options_.log));
         try {
             writeImage(file, image, metadata, options_.output.toneMapping);
         } catch (const Error& error) {

@@ -1,25 +1,35 @@
 #include "app/run_summary.h"
 
 #include "clock.h"
+#include "json_text.h"
 
 #include <nlohmann/json.hpp>
 
 namespace eikonal {
 
-std::string describeAsJson(const Session& session, const std::vector<std::string>& files, const Metadata& metadata,
-                           const FilmTotals::Samples& samples, const RenderResult& result, int endedBy, double writeSeconds,
-                           const std::vector<std::string>& warnings) {
+static nlohmann::ordered_json asJson(const RenderIdentity::Values& values) {
+    nlohmann::ordered_json json = nlohmann::ordered_json::object();
+    for (const auto& [name, value] : values) json[name] = value;
+    return json;
+}
+
+std::string describeAsJson(const Session& session, const RunSummary& run) {
     const SessionTimes& t = session.times();
-    nlohmann::ordered_json json{{"files", files},
-                                {"isComplete", result.isFinished},
+    const Metadata& metadata = run.metadata;
+    nlohmann::ordered_json json{{"files", run.files},
+                                {"checkpoint", run.checkpoint.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(run.checkpoint)},
+                                {"isComplete", run.isComplete},
+                                {"status", run.status},
                                 {"scene", metadata.scene},
                                 {"sceneHash", metadata.sceneHash},
+                                {"hashes", {{"tables", asJson(run.identity.tables)}, {"files", asJson(run.identity.files)}}},
+                                {"settings", asJson(run.identity.settings)},
                                 {"seed", metadata.seed.value_or(0)},
                                 {"version", metadata.version},
                                 {"device", metadata.device},
                                 {"commandLine", metadata.commandLine},
-                                {"samples", {{"fewest", samples.fewest}, {"mean", samples.mean}, {"most", samples.most}}}};
-    if (endedBy) json["signal"] = endedBy;
+                                {"samples", {{"fewest", run.samples.fewest}, {"mean", run.samples.mean}, {"most", run.samples.most}}}};
+    if (run.endedBy) json["signal"] = run.endedBy;
     if (metadata.error) {
         json["error"] = {
             {"metric", metadata.errorMetric}, {"value", *metadata.error}, {"low", *metadata.errorLow}, {"high", *metadata.errorHigh}};
@@ -28,12 +38,12 @@ std::string describeAsJson(const Session& session, const std::vector<std::string
     json["seconds"] = {{"read", t.load},        {"pack", t.pack},
                        {"build", t.build},      {"compile", t.compile},
                        {"upload", t.upload},    {"render", metadata.renderSeconds.value_or(0)},
-                       {"write", writeSeconds}, {"all", secondsSinceStart()}};
+                       {"write", run.writeSeconds}, {"all", secondsSinceStart()}};
     json["compiledKernels"] = session.compiledStages();
     json["biasedChoices"] = nlohmann::ordered_json::array();
     for (const BiasedChoice& c : session.biasedChoices()) json["biasedChoices"].push_back({{"what", c.what}, {"remedy", c.remedy}});
-    json["warnings"] = warnings;
-    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    json["warnings"] = run.warnings;
+    return jsonText(json) + "\n";
 }
 
 }  // namespace eikonal

@@ -3,7 +3,7 @@
 
 #include "film/totals.h"
 #include "image/film_image.h"
-#include "render/render.h"
+#include "render/render_identity.h"
 #include "render/session.h"
 
 #include <string>
@@ -11,9 +11,21 @@
 
 namespace eikonal {
 
-/// What `eikonal render --json` prints: one JSON object. `endedBy`: the signal that ended the render, or 0.
-std::string describeAsJson(const Session& session, const std::vector<std::string>& files, const Metadata& metadata,
-                           const FilmTotals::Samples& samples, const RenderResult& result, int endedBy, double writeSeconds,
-                           const std::vector<std::string>& warnings);
+/// How a render went, beside what its session knows.
+struct RunSummary {
+    std::vector<std::string> files;        ///< images that were written
+    std::string checkpoint;                ///< that was written; empty: none
+    bool isComplete = true;                ///< no samples are missing
+    int endedBy = 0;                       ///< a signal, or 0
+    int status = 0;                        ///< exit status
+    Metadata metadata;
+    FilmTotals::Samples samples;
+    RenderIdentity identity;
+    double writeSeconds = 0;
+    std::vector<std::string> warnings;
+};
+
+/// What `eikonal render --json` prints: one line with one JSON object.
+std::string describeAsJson(const Session& session, const RunSummary& run);
 
 }  // namespace eikonal

@@ -1,6 +1,7 @@
 #include "app/stored_metadata.h"
 
 #include "error.h"
+#include "json_text.h"
 #include "names.h"
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ std::string toJson(const StoredMetadata& stored) {
     if (m.targetError) json["targetError"] = *m.targetError;
     for (const AovName& each : aovNames)
         if (stored.aovs.*each.asked) json["channels"].push_back(each.name);
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return jsonText(json);
 }
 
 StoredMetadata storedMetadata(const std::string& text, const std::string& name) {

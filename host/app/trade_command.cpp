@@ -1,14 +1,13 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
-#include "app/progress_bar.h"
+#include "app/progress_display.h"
 #include "app/trade/findings.h"
 #include "app/trade/report.h"
 #include "clock.h"
 #include "image/atomic_file.h"
+#include "messages.h"
 
 #include <fmt/format.h>
-
-#include <unistd.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -21,7 +20,7 @@ class StudyLine {
 public:
     explicit StudyLine(bool silent) : silent_(silent) {}
     ~StudyLine() {
-        if (drawn_) std::fputs("\r\033[K", stderr);
+        endStatus(false);
     }
     void show(const StudyProgress& p) {
         if (silent_) return;
@@ -30,18 +29,16 @@ public:
         const std::string bar = std::string(filled, '#') + std::string(width - filled, '-');
         const std::string text =
             fmt::format("[{}] {:3.0f} % of the budget, {} left: {}", bar, p.fraction * 100, clockTime(p.secondsLeft), p.what);
-        if (::isatty(STDERR_FILENO)) {
-            std::fprintf(stderr, "\r\033[K%s", text.substr(0, 100).c_str());
-            drawn_ = true;
+        if (progressForm() == ProgressForm::bar) {
+            drawStatus(text);
         } else if (time_.seconds() >= next_) {
-            std::fprintf(stderr, "%s\n", text.c_str());
+            printProgress(text);
             next_ = time_.seconds() + 10;
         }
     }
 
 private:
     const bool silent_;
-    bool drawn_ = false;
     double next_ = 0;
     const Stopwatch time_;
 };
@@ -78,7 +75,7 @@ int tradeCommand(const Options& o) {
     Study study(request);
     study.run();
     if (study.isInterrupted() && study.state().ladderOf(0).empty()) {
-        std::fputs("interrupted before anything was measured\n", stderr);
+        tell(LogLevel::error, "interrupted before anything was measured");
         return 128 + Interrupt::signal();
     }
     confirmRecommendations(study, o.wishes);
@@ -91,7 +88,7 @@ int tradeCommand(const Options& o) {
     for (const Recommendation& r : findings.recommendations) text += describe(study, r) + "\n";
     std::fputs(text.c_str(), stdout);
     if (Interrupt::signal()) {
-        std::fprintf(stderr, "interrupted; the same command goes on where it was, with what is in %s.study\n", stem.c_str());
+        tell(LogLevel::error, fmt::format("interrupted; the same command goes on where it was, with what is in {}.study", stem));
         return 128 + Interrupt::signal();
     }
     return static_cast<int>(ExitCode::success);

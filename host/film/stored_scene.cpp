@@ -1,6 +1,7 @@
 #include "film/stored_scene.h"
 
 #include "error.h"
+#include "json_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -41,7 +42,7 @@ std::string toJson(const PackedScene& packed, const PixelRect& pixels, const Fil
               {"halfFloats", film.halfFloats}};
     for (size_t i = 0; i < featureCount(); ++i)
         if (packed.features.has(static_cast<Feature>(i))) json["features"].push_back(featureName(static_cast<Feature>(i)));
-    return json.dump();
+    return jsonText(json);
 }
 
 StoredScene storedScene(const std::string& text, const std::string& name) {

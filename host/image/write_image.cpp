@@ -145,6 +145,8 @@ std::vector<unsigned char> encode(const std::string& path, const Format& format,
     try {
         if (name == "openexr") return encodeExr(image);
         if (name == "png") return encodePng(image);
+    } catch (const std::bad_alloc&) {
+        fail(path, "not enough memory");
     } catch (const std::exception& error) { fail(path, error.what()); }
     std::string error;
     std::vector<unsigned char> bytes = imageFormats().encode(name, format.extension, image, error);

@@ -5,10 +5,12 @@
 
 #include <fmt/format.h>
 
+#include <fcntl.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <thread>
 
@@ -51,10 +53,12 @@ PackedScene emptyScene(const CompileRequest& request) {
 
 }  // namespace
 
-void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int missing) {
+void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int missing, const std::function<void()>& stepDone) {
     const int cores = o.threads > 0 ? o.threads : static_cast<int>(std::thread::hardware_concurrency());
     const int workers = std::min({cores, missing / stagesWorthAWorker, mostWorkers});
     if (workers < 2) return;
+    int steps[2];   // a pipe: a byte for each step of each worker
+    if (::pipe2(steps, O_CLOEXEC) != 0) return;
     std::vector<pid_t> processes;
     for (int i = 0; i < workers; ++i) {
         std::vector<std::string> arguments{"eikonal",
@@ -74,8 +78,16 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
         if (o.localSize) arguments.insert(arguments.end(), {"--local-size", std::to_string(*o.localSize)});
         if (o.itemsPerWorkItem) arguments.insert(arguments.end(), {"--items-per-work-item", std::to_string(*o.itemsPerWorkItem)});
         if (o.wavePaths) arguments.insert(arguments.end(), {"--wave-paths", std::to_string(*o.wavePaths)});
-        if (const pid_t process = startSelf(arguments)) processes.push_back(process);
+        if (const pid_t process = startSelf(arguments, steps[1])) processes.push_back(process);
     }
+    ::close(steps[1]);
+    char step = 0;
+    for (ssize_t size = 1; size != 0; size = ::read(steps[0], &step, 1)) {
+        if (size < 0 && errno != EINTR) break;
+        if (step) stepDone();
+        step = 0;
+    }
+    ::close(steps[0]);
     for (const pid_t process : processes) exitStatusOf(process);
 }
 
@@ -88,7 +100,8 @@ void compileKernels(const DeviceOptions& o, const CompileRequest& request) {
     const StageShape shape = shapeFor(context.device(), o);
     const DeviceScene tables(context, scene);
     Profile profile;
-    Stages stages(compiler, scene, shape, buildSettingsFor(o), {request.part, request.parts});
+    Stages stages(compiler, scene, shape, buildSettingsFor(o), {request.part, request.parts},
+                  [] { [[maybe_unused]] const ssize_t size = ::write(STDOUT_FILENO, ".", 1); });
     Wave wave(context, tables, scene, stages, shape, profile);
     wave.warmUp();
     stages.keep(compiler);

@@ -5,15 +5,17 @@
 
 #include "render/options.h"
 
+#include <functional>
+
 namespace eikonal {
 
 struct PackedScene;
 
 /// Compiles the `missing` stages of a scene into the cache, with up to one process per core, and waits for them. Does nothing if there
-/// are too few stages to be worth it.
-void compileInWorkers(const DeviceOptions& options, const PackedScene& scene, int missing);
+/// are too few stages to be worth it. stepDone: called by this thread each time that a worker has built or first launched a kernel.
+void compileInWorkers(const DeviceOptions& options, const PackedScene& scene, int missing, const std::function<void()>& stepDone);
 
-/// The worker's task: compiles its part of the stages, launches each once, and stores them in the cache.
+/// The worker's task: compiles its part of the stages, launches each once, and stores them in the cache. Prints a character for each step.
 void compileKernels(const DeviceOptions& options, const CompileRequest& request);
 
 }  // namespace eikonal

@@ -25,7 +25,7 @@ public:
 
     RenderResult run() {
         const unsigned end = control_.endSample, firstEnd = control_.targetError ? std::min(end, AdaptiveSampling::firstSamples) : end;
-        allPaths_ = std::max(pixels_ * (firstEnd - film_.firstSample()), paths_);
+        allPaths_ = std::max(pixels_ * (end - film_.firstSample()), paths_);
         planned_ = control_.planned;
         if (!control_.targetError && !planned_.empty()) planned_ = {end};   // adaptive before, uniform from now on
         finishPass();
@@ -65,6 +65,7 @@ private:
             planned_ = adaptive.samples();
             if (blocks.empty()) return {true, samples_, adaptive.error(), planned_};
             allPaths_ = adaptive.plannedSamples();
+            isPlanned_ = true;
             std::optional<Pass> pass = cutBlocks(blocks, AdaptiveSampling::blockSize, film_.pixels(), tracer_.mostPaths());
             trace([&] { return std::exchange(pass, std::nullopt); });
             if (stopped_) return {false, samples_, {}, planned_};
@@ -116,7 +117,8 @@ private:
 
     Progress progress() const {
         const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-        const double left = std::max(allPaths_ - paths_, 0.0) * seconds / (paths_ - pathsBefore_);
+        std::optional<double> left;
+        if (isPlanned_ || !control_.targetError) left = std::max(allPaths_ - paths_, 0.0) * seconds / (paths_ - pathsBefore_);
         return {std::min(paths_ / allPaths_, 1.0), seconds, left, samples_ - film_.firstSample(), paths_ / pixels_};
     }
 
@@ -136,6 +138,7 @@ private:
     struct Traced { unsigned samples; unsigned long layers; };
     std::deque<Traced> traced_;             ///< passes in progress: the samples that they add to every pixel, and the layers still to trace
     bool stopped_ = false;
+    bool isPlanned_ = false;                ///< adaptive sampling has planned the samples
     std::vector<unsigned> planned_;         ///< as for RenderControl::pause
     unsigned samples_ = 0;                  ///< samples that every pixel has
     double pixels_ = 0;

@@ -15,9 +15,9 @@ namespace eikonal {
 
 /// Progress of a render.
 struct Progress {
-    double fraction = 0;     ///< of all samples, in [0, 1]; with adaptive sampling, of the samples expected
+    double fraction = 0;     ///< of all samples, in [0, 1]; with adaptive sampling, of those expected, or at first of those allowed
     double seconds = 0;      ///< since rendering began
-    double secondsLeft = 0;  ///< expected, from the rate so far
+    std::optional<double> secondsLeft;  ///< expected, from the rate so far; unset before adaptive sampling has made its first plan
     unsigned samples = 0;    ///< samples that every pixel has
     double meanSamples = 0;  ///< mean samples per pixel
 };

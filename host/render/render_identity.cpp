@@ -1,5 +1,6 @@
 #include "render/render_identity.h"
 
+#include "json_text.h"
 #include "kinds/filter_kind.h"
 #include "kinds/integrator_kind.h"
 #include "names.h"
@@ -151,7 +152,7 @@ std::string toJson(const RenderIdentity& identity) {
                     {"files", asJson(identity.files)},
                     {"device", identity.device},
                     {"samples", identity.samples}};
-    return json.dump(1, ' ', false, Json::error_handler_t::replace);
+    return jsonText(json, 1);
 }
 
 RenderIdentity identityFromJson(const std::string& text, const std::string& name) {

@@ -5,6 +5,8 @@
 #include "pack/pack.h"
 #include "render/kernel_workers.h"
 #include "render/scene_loading.h"
+#include "background.h"
+#include "messages.h"
 #include "wait_notice.h"
 #include "image/formats/image_formats.h"
 #include "kinds/integrator_kind.h"
@@ -13,13 +15,13 @@
 #include "render/path_loop.h"
 #include "render/roulette_pilot.h"
 #include "render/table_hash.h"
+#include "render/thread_limit.h"
 #include "render/wave_queues.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <future>
 #include <thread>
 
 namespace eikonal {
@@ -82,9 +84,16 @@ void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& 
 Session::Session(const SessionOptions& options, Diagnostics& diagnostics, bool profiling)
     : options_(options), diagnostics_(diagnostics), profiling_(profiling) {
     times_.start = secondsSinceStart();
-    prepareOpenCl(options.device);
-    if (options.device.threads > 0)
-        hostThreads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(options.device.threads));
+    DeviceOptions device = options.device;
+    const int cores = static_cast<int>(std::thread::hardware_concurrency()), wanted = device.threads > 0 ? device.threads : cores;
+    if (const int threads = affordableThreads(wanted); threads < wanted) {
+        diagnostics.warn({}, fmt::format("only {} of {} threads are used: the system has no more for this process (ulimit -u)",
+                                         threads, wanted));
+        device.threads = threads;
+    }
+    prepareOpenCl(device);
+    if (device.threads > 0)
+        hostThreads_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<size_t>(device.threads));
 }
 
 Session::~Session() = default;
@@ -92,7 +101,7 @@ Session::~Session() = default;
 void Session::load(bool withDevice) {
     /* Opening a device reads a whole compiler from disk: time to read the scene meanwhile, and to load what decodes its images. The device
        is opened on the thread that uses it: Oclgrind 21.10 keeps its memory apart for each thread */
-    auto loaded = std::async(std::launch::async, [this] {
+    auto loaded = inBackground([this] {
         const Stopwatch time;
         scene_ = loadScene(options_.scene, diagnostics_);
         if (!scene_.images.empty()) imageFormats();
@@ -115,7 +124,7 @@ void Session::openDevice() {
 void Session::displace() {
     if (!hasDisplacedMeshes(scene_)) return;
     if (!context_) openDevice();
-    const WaitNotice notice("displacing meshes", options_.log < LogLevel::warning);
+    const WaitNotice notice("displacing meshes", !showsProgress(options_.log));
     const Stopwatch time;
     displaceMeshes(scene_, *context_, *compiler_, shape_, buildSettingsFor(options_.device), diagnostics_);
     times_.displace = time.seconds();
@@ -140,7 +149,7 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     if (aovs.motion && packed_.features.has(Feature::MOTION)) packed_.require(Feature::MOTION_VECTORS, "--aov, or a film \"gbuffer\"");
     times_.pack = time.seconds();
     /* What the scene requires is known: kernels get ready while its hierarchies are built */
-    auto built = std::async(std::launch::async, [&] { packing.hierarchies.build(packed_.tables, packed_.counts, diagnostics_); });
+    auto built = inBackground([&] { packing.hierarchies.build(packed_.tables, packed_.counts, diagnostics_); });
     if (context_) buildKernels();
     built.get();
     times_.build = packed_.counts.buildSeconds;
@@ -150,12 +159,15 @@ void Session::buildKernels() {
     const Stopwatch time;
     const BuildSettings settings = buildSettingsFor(options_.device);
     missing_ = Stages::missing(*compiler_, packed_, shape_, settings);
-    const WaitNotice notice(fmt::format("compiling {} kernel{} for this device{}", missing_, missing_ == 1 ? "" : "s",
-                                        compiler_->cache().folder().empty() ? "" : "; they are kept for the next time"),
-                            missing_ == 0 || options_.log < LogLevel::warning);
-    if (options_.device.cache && context_->device().isCpu) compileInWorkers(options_.device, packed_, missing_);
+    compiling_ = std::make_unique<WaitNotice>(
+        fmt::format("compiling {} kernel{} for this device{}", missing_, missing_ == 1 ? "" : "s",
+                    compiler_->cache().folder().empty() ? "" : "; they are kept for the next time"),
+        "compiling kernels", WaitNotice::Parts{&compiled_, missing_}, missing_ == 0 || !showsProgress(options_.log));
+    const auto stepDone = [this] { compiled_ = ++compileSteps_ / 2; };
+    if (options_.device.cache && context_->device().isCpu) compileInWorkers(options_.device, packed_, missing_, stepDone);
     times_.workers = time.seconds();
-    stages_ = std::make_unique<Stages>(*compiler_, packed_, shape_, settings);
+    stages_ = std::make_unique<Stages>(*compiler_, packed_, shape_, settings, StagePart{}, stepDone);
+    if (compiled_ >= missing_) compiling_.reset();
     times_.compile = time.seconds();
 }
 
@@ -184,6 +196,7 @@ void Session::prepare() {
     wave_ = std::make_unique<Wave>(*context_, *deviceScene_, packed_, *stages_, shape_, profile_,
                                    paths < shape_.wavePaths ? PageSize::small : PageSize::large);
     wave_->warmUp();
+    compiling_.reset();
     times_.launch = launchTime.seconds();
     const Stopwatch keepTime;
     stages_->keep(*compiler_);

@@ -15,10 +15,13 @@
 
 #include <tbb/global_control.h>
 
+#include <atomic>
 #include <memory>
 #include <optional>
 
 namespace eikonal {
+
+class WaitNotice;
 
 /// Sets what OpenCL implementations read from the environment. To be called before the first call of OpenCL.
 void prepareOpenCl(const DeviceOptions& options);
@@ -129,6 +132,8 @@ private:
     Profile profile_;
     std::optional<Roulette> chosenRoulette_;
     int missing_ = 0;
+    std::atomic<int> compileSteps_ = 0, compiled_ = 0;   ///< two steps compile a kernel
+    std::unique_ptr<WaitNotice> compiling_;
     std::unique_ptr<Context> context_;
     std::unique_ptr<Compiler> compiler_;
     std::unique_ptr<DeviceScene> deviceScene_;

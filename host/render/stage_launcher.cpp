@@ -21,6 +21,7 @@ void StageLauncher::warmUp(Stages& stages, const Bindings& nothing) const {
         enqueue(stage, {}, own);
         context_.finish();
         stage.firstLaunchSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        stages.stepDone(stage);
     }
     profile_.collect();
     profile_.reset();

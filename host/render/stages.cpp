@@ -60,7 +60,9 @@ int Stages::missing(const Compiler& compiler, const PackedScene& scene, const St
     return count;
 }
 
-Stages::Stages(Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part) {
+Stages::Stages(Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part,
+               std::function<void()> stepDone)
+    : stepDone_(std::move(stepDone)) {
     settings = stageSettings(std::move(settings), scene, shape);
     features_ = settings.features;
     unsigned index = 0;
@@ -70,7 +72,12 @@ Stages::Stages(Compiler& compiler, const PackedScene& scene, const StageShape& s
                     Kernel(compiler.build(program.text, program.row->name, settingsOf(program, settings)))};
         stage.compileSeconds = stage.kernel.program().seconds;
         stages_.push_back(std::move(stage));
+        this->stepDone(stages_.back());
     }
+}
+
+void Stages::stepDone(const Stage& stage) const {
+    if (stepDone_ && !stage.kernel.program().fromCache) stepDone_();
 }
 
 const Stage& Stages::find(StageName id) const {

@@ -5,6 +5,7 @@
 #include "pack/tables.h"
 #include "render/stage_programs.h"
 
+#include <functional>
 #include <ranges>
 #include <string>
 #include <vector>
@@ -46,7 +47,10 @@ struct StagePart { unsigned index = 0, of = 1; };
 
 class Stages {
 public:
-    Stages(Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part = {});
+    /// stepDone: called when a kernel that is not in the cache has been built, and when it has been launched for the first time, which may
+    /// compile the rest of it. May be empty.
+    Stages(Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings, StagePart part = {},
+           std::function<void()> stepDone = {});
 
     /// The number of required stages that are not in the compiler's cache.
     static int missing(const Compiler& compiler, const PackedScene& scene, const StageShape& shape, BuildSettings settings);
@@ -62,12 +66,15 @@ public:
     const Features& features() const { return features_; }
     /// Stores the programs in the cache. Call it after each has been launched (Compiler::keep).
     void keep(const Compiler& compiler) const;
+    /// Tells of a step, unless the stage comes from the cache.
+    void stepDone(const Stage& stage) const;
     std::vector<Stage>& all() { return stages_; }
     const std::vector<Stage>& all() const { return stages_; }
 
 private:
     Features features_;
     std::vector<Stage> stages_;
+    std::function<void()> stepDone_;
 };
 
 }  // namespace eikonal

@@ -65,6 +65,38 @@ TEST_F(Cli, InfoTellsWhatASceneRequiresAndWhy) {
     EXPECT_THAT(run({"info", "empty.pbrt"}).out, HasSubstr("contents   nothing\n"));
 }
 
+TEST_F(Cli, JsonTellsHowARenderWent) {
+    write("warned.pbrt", tinyScene("", "LightSource \"infinite\" \"float scle\" 2"));
+    const auto rendered = [&](std::vector<std::string> more, int status) {
+        more.insert(more.begin(), {"render", "warned.pbrt", "-o", "a.exr", "--seed", "7", "--json"});
+        const Outcome run = this->run(more);
+        EXPECT_EQ(run.status, status) << run.error;
+        EXPECT_EQ(std::ranges::count(run.out, '\n'), 1) << "one line";
+        return nlohmann::json::parse(run.out);
+    };
+    const auto whole = rendered({"--checkpoint", "a.film"}, 0);
+    EXPECT_EQ(whole.at("files"), nlohmann::json::parse(R"(["a.exr", "a.png"])"));
+    EXPECT_EQ(whole.at("checkpoint"), "a.film");
+    EXPECT_TRUE(whole.at("isComplete"));
+    EXPECT_EQ(whole.at("status"), 0);
+    EXPECT_EQ(whole.at("seed"), 7);
+    EXPECT_EQ(whole.at("samples").at("fewest"), 4);
+    EXPECT_LE(whole.at("error").at("low"), whole.at("error").at("value"));
+    EXPECT_GE(whole.at("error").at("high"), whole.at("error").at("value"));
+    ASSERT_EQ(whole.at("warnings").size(), 1u);
+    EXPECT_THAT(whole.at("warnings")[0].get<std::string>(), HasSubstr("\"float scle\" is ignored"));
+    for (const char* step : {"read", "pack", "compile", "render", "write"})
+        EXPECT_LE(whole.at("seconds").at(step), whole.at("seconds").at("all")) << step;
+    EXPECT_EQ(whole.at("sceneHash"), readImage(path("a.exr")).metadata.sceneHash);
+
+    const auto partial = rendered({"--spp", "100000000", "--time-limit", "0.2"}, 4);
+    EXPECT_FALSE(partial.at("isComplete"));
+    EXPECT_EQ(partial.at("status"), 4);
+    EXPECT_TRUE(partial.at("checkpoint").is_null());
+    EXPECT_EQ(partial.at("hashes").at("files"), whole.at("hashes").at("files"));
+    EXPECT_EQ(partial.at("hashes").at("tables").at("geometry"), whole.at("hashes").at("tables").at("geometry"));
+}
+
 TEST_F(Cli, InfoNeedsNoDevice) { EXPECT_EQ(run({"info", "tiny.pbrt"}, {{"OCL_ICD_VENDORS", path("")}}).status, 0); }
 
 TEST_F(Cli, AnObjIsASceneByItself) {

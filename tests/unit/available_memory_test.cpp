@@ -1,6 +1,6 @@
 // The memory that is left to a program: of the machine, and of the control groups that it runs in.
 
-#include "app/available_memory.h"
+#include "available_memory.h"
 
 #include "unit/temporary_folder.h"
 

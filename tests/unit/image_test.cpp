@@ -4,12 +4,15 @@
 
 #include "read/formats/image.h"
 
+#include "available_memory.h"
 #include "image/equal_area.h"
 #include "unit/temporary_folder.h"
 
 #include <gmock/gmock.h>
+#include <zlib.h>
 
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <random>
 
@@ -238,6 +241,26 @@ TEST_F(Image, anUnknownFormatListsTheKnownOnes) {
     EXPECT_EQ(errorOf(write("a.foo", "no image")), "scene.pbrt:4:9: cannot read image \"" + path("a.foo") + "\": " + ending);
     EXPECT_THAT(errorOf(write("a.png", "no image")), HasSubstr("a.png\": " + ending));
     EXPECT_THAT(errorOf(write("a.png", "\x89PNG\r\n\x1a\n")), HasSubstr("a.png\": "));
+}
+
+/// 65,500^2 pixels, of 3 values of 4 bytes each, which are there three times on their way to the scene's tables.
+TEST_F(Image, whatDoesNotFitIntoMemoryIsRefusedBeforeItIsTaken) {
+    const auto number = [](std::uint32_t n) {
+        std::string bytes;
+        for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(n >> shift & 255);
+        return bytes;
+    };
+    const auto chunk = [&](const std::string& type, const std::string& data) {
+        const std::string all = type + data;
+        const auto sum = ::crc32(0, reinterpret_cast<const Bytef*>(all.data()), static_cast<uInt>(all.size()));
+        return number(static_cast<std::uint32_t>(data.size())) + all + number(static_cast<std::uint32_t>(sum));
+    };
+    const std::string header = number(65500) + number(65500) + std::string("\x10\x02\0\0\0", 5);   // 16 bits, RGB
+    if (availableMemory() > 154e9) GTEST_SKIP() << "it fits";
+    const std::string file = write("large.png", "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) +
+                                                    chunk("IDAT", std::string(16'000'000, '\0')) + chunk("IEND", ""));
+    EXPECT_EQ(errorOf(file), "scene.pbrt:4:9: cannot read image \"" + file +
+                                 "\": it has 65500 x 65500 pixels, which take 154.4 GB, and there is not as much memory");
 }
 
 TEST_F(Image, damagedFilesAreRefusedOrReadButNeverCrash) {

@@ -2,7 +2,7 @@
 
 #include "kinds/integrator_kind.h"
 #include "app/output.h"
-#include "app/progress_bar.h"
+#include "app/progress_display.h"
 #include "app/options.h"
 #include "test_paths.h"
 
@@ -226,7 +226,7 @@ TEST(Options, TheManualHasEveryOption) {
     for (const std::string& name : allOptionNames()) EXPECT_THAT(manual, testing::ContainsRegex("`(-o, )?" + name + "[` ]"));
 }
 
-TEST(ProgressBar, TimesReadLikeAClock) {
+TEST(ProgressDisplay, TimesReadLikeAClock) {
     EXPECT_EQ(clockTime(0.9), "0:00");
     EXPECT_EQ(clockTime(75.4), "1:15");
     EXPECT_EQ(clockTime(4000), "1:06:40");

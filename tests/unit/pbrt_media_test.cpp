@@ -210,5 +210,72 @@ TEST_F(PbrtMedia, aPresetReplacesCoefficients) {
         ElementsAre("test.pbrt:2:76: warning: medium \"homogeneous\": \"rgb sigma_a\" is ignored: nothing here uses it"));
 }
 
+/// Small files that describe a lot take no memory and no time.
+class NanoVdbBomb : public PbrtMedia {
+protected:
+    using Tree = nanovdb::FloatTree;
+    using Upper = Tree::Node2;
+    using Lower = Tree::Node1;
+
+    /// Two voxels far apart: two nodes below the root, each with one path of children.
+    NanoVdbBomb() {
+        nanovdb::GridBuilder<float> builder(0, nanovdb::GridClass::FogVolume);
+        auto accessor = builder.getAccessor();
+        accessor.setValue({0, 0, 0}, 1);
+        accessor.setValue({4096, 0, 0}, 1);
+        handle_ = builder.getHandle<>(1, nanovdb::Vec3d(0), "density");
+    }
+    Tree::RootType::DataType& root() { return *handle_.grid<float>()->tree().root().data(); }
+
+    std::string reading() {
+        std::vector<nanovdb::GridHandle<>> handles;
+        handles.push_back(std::move(handle_));
+        const std::string file = path("bomb.nvdb");
+        nanovdb::io::writeGrids(file, handles, nanovdb::io::Codec::ZIP);
+        EXPECT_LT(std::filesystem::file_size(file), 10'000u);
+        try {
+            (void)readNanoVdb(file, "density");
+            return "";
+        } catch (const ReadProblem& problem) {
+            return problem.what();
+        }
+    }
+    nanovdb::GridHandle<> handle_;
+};
+
+/// 32,768 children that are one node, of 4,096 children that are one leaf: 2^27 leaves of 2 KiB, 256 GiB.
+TEST_F(NanoVdbBomb, NodesWithManyParents) {
+    auto& upper = *reinterpret_cast<Upper::DataType*>(reinterpret_cast<char*>(&root()) + root().tile(0)->child);
+    const auto share = [](auto& node, int first) {
+        const auto* child = node.getChild(static_cast<std::uint32_t>(first));
+        for (std::uint32_t i = 0; i < std::size(node.mTable); ++i) {
+            node.mChildMask.setOn(i);
+            node.setChild(i, child);
+        }
+    };
+    auto& lower = *reinterpret_cast<Lower::DataType*>(upper.getChild(0));
+    share(lower, 0);
+    share(upper, 0);
+    EXPECT_EQ(reading(), "is damaged: its nodes take more than the whole file");
+}
+
+/// The index of 1,024 x 512 x 512 blocks, of 4 bytes each, is more than 2,000 times the nodes of a single voxel.
+TEST_F(NanoVdbBomb, BoundsBeyondAllNodes) {
+    handle_ = [] {
+        nanovdb::GridBuilder<float> builder(0, nanovdb::GridClass::FogVolume);
+        builder.getAccessor().setValue({0, 0, 0}, 1);
+        return builder.getHandle<>(1, nanovdb::Vec3d(0), "density");
+    }();
+    ASSERT_LT(2000. * static_cast<double>(handle_.size()), 4. * (1 << 28));
+    root().mBBox = nanovdb::CoordBBox(nanovdb::Coord(0), nanovdb::Coord(8 * 1024 - 1, 8 * 512 - 1, 8 * 512 - 1));
+    const std::string expected = "is damaged: nodes of " + std::to_string(handle_.size()) + " bytes cannot hold a grid of 2.68e+08 blocks";
+    EXPECT_EQ(reading(), expected);
+}
+
+TEST_F(NanoVdbBomb, NodesInOnePlace) {
+    root().tile(1)->key = root().tile(0)->key;
+    EXPECT_EQ(reading(), "is damaged: two of its nodes are in one place");
+}
+
 }  // namespace
 }  // namespace eikonal

@@ -4,6 +4,8 @@
 
 #include "unit/pbrt_reading.h"
 
+#include <gmock/gmock.h>
+
 namespace eikonal {
 namespace {
 
@@ -34,6 +36,27 @@ TEST_F(BinaryScene, IsQuotedInShort) {
          {bytes, "Shape " + bytes, "WorldBegin Shape \"sphere\" \"" + bytes + "\"", "WorldBegin Shape \"sphere\" \"float radius\" " + bytes,
           "Transform " + bytes, "WorldBegin Shape \"sphere\" \"" + bytes + " radius\" 1"})
         EXPECT_LT(errorOf(text).size(), 500u) << text.substr(0, 40);
+}
+
+TEST(Printable, QuotesNamesAndNumbersOnly) {
+    for (const std::string word : {"Shpae", "-1.5e+20", "1,0", "glass-F11", "a_b"}) EXPECT_EQ(quoteWord(word), '"' + word + '"');
+    EXPECT_EQ(quoteWord("root:$y$j9T$Ab:19700:0:99999:7:::"), "a word of 33 characters");
+    EXPECT_EQ(quoteWord(std::string(41, 'a')), "a word of 41 characters");
+    EXPECT_EQ(quoteWord("\x1b[31m"), "a word of 5 characters");
+}
+
+/// Whoever may write a scene may name any file in it that whoever renders it can read, and may see the messages.
+using OtherFile = PbrtTest;
+TEST_F(OtherFile, IsNotQuoted) {
+    const std::string secret = "root:$y$j9T$Ab:19700:0:99999:7:::";
+    write("shadow", secret + "\ndaemon:*:19000\n");
+    const std::string camera = "Camera \"realistic\" \"string lensfile\" \"shadow\"\nWorldBegin\n";
+    for (const std::string& text : {camera, std::string("Include \"shadow\""), std::string("WorldBegin Import \"shadow\""),
+                                    std::string("WorldBegin Material \"conductor\" \"spectrum eta\" \"shadow\"")}) {
+        const std::string error = errorOf(text);
+        EXPECT_THAT(error, testing::HasSubstr("shadow:1:1: a word of 33 characters found where a ")) << text;
+        EXPECT_THAT(error, testing::Not(testing::HasSubstr("19700"))) << text;
+    }
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "app/trade/report.h"
+#include "json_text.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -143,7 +144,7 @@ std::string asJson(const Study& study, const Findings& findings) {
     json["failures"] = Json::array();
     for (const Point& p : state.points)
         if (!p.failure.empty()) json["failures"].push_back({{"setting", state.settings[p.setting].name()}, {"reason", p.failure}});
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(json, 2) + "\n";
 }
 
 }  // namespace eikonal

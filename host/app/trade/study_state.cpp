@@ -2,6 +2,7 @@
 
 #include "error.h"
 #include "image/atomic_file.h"
+#include "json_text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -43,7 +44,7 @@ std::vector<const Point*> StudyState::ladderOf(size_t setting, int seeds) const 
     return ladder;
 }
 
-void StudyState::save(const std::string& file) const { writeTextAtomically(file, Json(*this).dump(1) + "\n"); }
+void StudyState::save(const std::string& file) const { writeTextAtomically(file, jsonText(Json(*this), 1) + "\n"); }
 
 /// Throws if a study of `found` cannot go on as one of `expected`.
 static void checkSame(const std::string& file, const char* what, const std::string& found, const std::string& expected) {

@@ -1,5 +1,6 @@
 #include "read/formats/image.h"
 
+#include "available_memory.h"
 #include "color/primaries.h"
 #include "color/transfer.h"
 #include "image/formats/image_formats.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -40,6 +42,34 @@ void checkPlausible(const std::string& path, const ImageReader::Header& header) 
     const double claimed = static_cast<double>(header.bytes), size = static_cast<double>(std::filesystem::file_size(path));
     if (claimed > alwaysFine && claimed > highestCompression * size)
         throw Problem{fmt::format("it is damaged: {} bytes cannot hold {} x {} pixels", size, header.width, header.height)};
+}
+
+/// Memory that images are going to take while they are read, on several threads.
+class PlannedMemory {
+public:
+    /// Throws Problem if so many more bytes do not fit.
+    PlannedMemory(std::size_t bytes, const ImageReader::Header& header) : bytes_(bytes) {
+        constexpr std::size_t alwaysFine = 1 << 26;
+        const std::size_t all = planned_ += bytes_;
+        if (bytes_ <= alwaysFine || all <= availableMemory()) return;
+        planned_ -= bytes_;
+        constexpr double gigabyte = 1e9;
+        throw Problem{fmt::format("it has {} x {} pixels, which take {:.1f} GB, and there is not as much memory", header.width,
+                                  header.height, static_cast<double>(bytes_) / gigabyte)};
+    }
+    ~PlannedMemory() { planned_ -= bytes_; }
+    PlannedMemory(const PlannedMemory&) = delete;
+    PlannedMemory& operator=(const PlannedMemory&) = delete;
+
+private:
+    static inline std::atomic<std::size_t> planned_ = 0;
+    std::size_t bytes_;
+};
+
+/// What an image takes: as read, and twice with the channels that are kept, since it moves to the scene's tables.
+std::size_t bytesToRead(const ImageReader::Header& header, std::size_t kept, bool isBytes) {
+    const std::size_t values = header.channels.size() + 2 * kept;
+    return header.pixels() * values * (isBytes ? 1 : sizeof(float));
 }
 
 /// The indices of R G B (A) in the file, or of its only channel.
@@ -124,7 +154,9 @@ ImageData read(const ImageFile& file) {
     image.channels = static_cast<int>(picked.size());
     const bool isInteger = !header.isFloatingPoint;
     const bool isLinear = file.encoding == ColorEncoding::linear;
-    if (header.isBytes && file.gamma <= 0) {
+    const bool isBytes = header.isBytes && file.gamma <= 0;
+    const PlannedMemory memory(bytesToRead(header, picked.size(), isBytes), header);
+    if (isBytes) {
         image.format = isLinear ? format_linear8 : format_srgb8;
         image.bytes = readPicked<std::uint8_t>(*input, picked);
         if (image.channels == 4 && isOpaque<std::uint8_t>(image.bytes, 255)) { dropChannel3(image.bytes); image.channels = 3; }

@@ -5,16 +5,19 @@
 
 #include "read/formats/nanovdb.h"
 
+#include "available_memory.h"
 #include "read/formats/input_files.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <functional>
 #include <map>
+#include <set>
 
 namespace eikonal {
 namespace {
@@ -26,6 +29,9 @@ using Leaf = Tree::Node0;
 
 /// The most blocks, of 512 voxels each, within the bounds of a grid.
 constexpr double mostBlocks = 1 << 28;
+
+/// More bytes than these are no real grid if they are more than so many times what they are made of.
+constexpr double alwaysFine = 64 << 20, mostTimes = 2000;
 
 /// The header of a grid in the file.
 struct Found { nanovdb::io::MetaData meta; nanovdb::io::Codec codec; };
@@ -84,19 +90,25 @@ template <class Node> const Node& nodeAt(const nanovdb::GridHandle<>& handle, co
 /// Copies a tree's values block by block.
 class Copy {
 public:
-    explicit Copy(const nanovdb::GridHandle<>& handle) : handle_(handle) {
+    /// fileSize: of the grid in the file, compressed.
+    Copy(const nanovdb::GridHandle<>& handle, std::uint64_t fileSize)
+        : handle_(handle), mostValueBytes_(std::max(alwaysFine, mostTimes * static_cast<double>(fileSize))) {
         const auto& grid = nodeAt<nanovdb::GridData>(handle_, handle_.data(), 0);
         const auto& tree = nodeAt<nanovdb::TreeData<3>>(handle_, &grid, sizeof(nanovdb::GridData));
         const auto& root = nodeAt<Tree::RootType::DataType>(handle_, &tree, tree.mNodeOffset[3]);
+        countNode(sizeof(nanovdb::GridData) + sizeof tree + sizeof root);
         setBounds(root.mBBox, root.mBackground);
         setMap(grid.mMap);
 
         nodeAt<Tree::RootType::DataType::Tile>(
             handle_, &root,
             static_cast<std::int64_t>(sizeof root + (root.mTableSize - std::int64_t(1)) * std::int64_t(sizeof(*root.tile(0)))));
+        std::set<std::array<int, 3>> origins;
         for (std::uint32_t i = 0; i < root.mTableSize; ++i) {
             const auto& tile = *root.tile(i);
+            countNode(sizeof tile);
             const glm::ivec3 origin(tile.origin()[0], tile.origin()[1], tile.origin()[2]);
+            if (!origins.insert({origin.x, origin.y, origin.z}).second) throw ReadProblem("is damaged: two of its nodes are in one place");
             if (!tile.isChild()) fill(origin, Upper::DIM, tile.value);
             else copyInternal<Upper, Lower>(nodeAt<Upper::DataType>(handle_, &root, tile.child), origin);
         }
@@ -104,6 +116,12 @@ public:
     SparseGrid result() { return std::move(grid_); }
 
 private:
+    /// Nodes lie side by side. If they were shared, a small file could hold a tree of any size.
+    void countNode(size_t bytes) {
+        nodeBytes_ += bytes;
+        if (nodeBytes_ > handle_.size()) throw ReadProblem("is damaged: its nodes take more than the whole file");
+    }
+
     void setBounds(const nanovdb::CoordBBox& box, float background) {
         for (int a = 0; a < 3; ++a) {
             grid_.low[a] = box.min()[a];
@@ -115,6 +133,12 @@ private:
         if (blocks.x * blocks.y * blocks.z > mostBlocks)
             throw ReadProblem(
                 fmt::format("has a grid of {:.3g} blocks; at most {:.3g} can be read", blocks.x * blocks.y * blocks.z, mostBlocks));
+        const double bytes = blocks.x * blocks.y * blocks.z * sizeof(std::uint32_t);
+        if (bytes > std::max(alwaysFine, mostTimes * static_cast<double>(handle_.size())))
+            throw ReadProblem(fmt::format("is damaged: nodes of {} bytes cannot hold a grid of {:.3g} blocks", handle_.size(),
+                                          blocks.x * blocks.y * blocks.z));
+        if (bytes > static_cast<double>(availableMemory()) / 2)
+            throw ReadProblem(fmt::format("has a grid of {:.3g} blocks, which does not fit into memory", blocks.x * blocks.y * blocks.z));
         grid_.blocks = blocks;
         grid_.blockOf.assign(static_cast<size_t>(grid_.blocks.x) * grid_.blocks.y * grid_.blocks.z, constantBlock(background));
     }
@@ -130,6 +154,7 @@ private:
     }
 
     template <class Node, class Child> void copyInternal(const typename Node::DataType& node, glm::ivec3 origin) {
+        countNode(sizeof node);
         constexpr int log2 = Node::LOG2DIM, side = 1 << log2;
         for (int n = 0; n < side * side * side; ++n) {
             const glm::ivec3 at = origin + glm::ivec3(n >> (2 * log2), (n >> log2) & (side - 1), n & (side - 1)) * int(Child::DIM);
@@ -140,9 +165,10 @@ private:
     }
 
     void copyLeaf(const Leaf::DataType& leaf, glm::ivec3 origin) {
+        countNode(sizeof leaf);
         std::uint32_t* block = blockAt(origin >> 3);
         if (!block) return;
-        *block = static_cast<std::uint32_t>(grid_.values.size() / 512);
+        *block = newBlock();
         for (int z = 0; z < 8; ++z)
             for (int y = 0; y < 8; ++y)
                 for (int x = 0; x < 8; ++x) grid_.values.push_back(checked(leaf.mValues[(x * 8 + y) * 8 + z]));
@@ -150,9 +176,10 @@ private:
 
     /// Fills a cube with one value.
     void fill(glm::ivec3 origin, int side, float value) {
-        const std::uint32_t constant = constantBlock(value);
         const glm::ivec3 low = glm::max(origin >> 3, grid_.firstBlock),
                          high = glm::min((origin >> 3) + side / 8, grid_.firstBlock + grid_.blocks);
+        if (glm::any(glm::greaterThanEqual(low, high))) return;
+        const std::uint32_t constant = constantBlock(value);
         for (int z = low.z; z < high.z; ++z)
             for (int y = low.y; y < high.y; ++y)
                 for (int x = low.x; x < high.x; ++x) *blockAt({x, y, z}) = constant;
@@ -167,9 +194,16 @@ private:
     std::uint32_t constantBlock(float value) {
         value = checked(value);
         if (value == 0) return SparseGrid::empty;
-        const auto [place, isNew] = constants_.try_emplace(value, static_cast<std::uint32_t>(grid_.values.size() / 512));
+        const auto [place, isNew] = constants_.try_emplace(value, newBlock());
         if (isNew) grid_.values.insert(grid_.values.end(), 512, value);
         return place->second;
+    }
+
+    /// The number of a block whose values are appended next.
+    std::uint32_t newBlock() const {
+        if (static_cast<double>(grid_.values.size() * sizeof(float)) > mostValueBytes_)
+            throw ReadProblem("is damaged: it is too small for the blocks that it describes");
+        return static_cast<std::uint32_t>(grid_.values.size() / 512);
     }
 
     static float checked(float value) {
@@ -180,6 +214,8 @@ private:
     const nanovdb::GridHandle<>& handle_;
     SparseGrid grid_;
     std::map<float, std::uint32_t> constants_;
+    size_t nodeBytes_ = 0;
+    double mostValueBytes_;
 };
 
 std::ifstream open(const std::string& path) {
@@ -216,9 +252,11 @@ std::shared_ptr<const SparseGrid> readNanoVdb(const std::string& path, const std
         nanovdb::GridHandle<> handle(nanovdb::HostBuffer::create(found.meta.gridSize));
         if (!handle.data()) throw ReadProblem("has a grid that does not fit into memory");
         nanovdb::io::Internal::read(file, handle, found.codec);
-        return std::make_shared<const SparseGrid>(Copy(handle).result());
+        return std::make_shared<const SparseGrid>(Copy(handle, found.meta.fileSize).result());
     } catch (const ReadProblem&) {
         throw;
+    } catch (const std::bad_alloc&) {
+        throw ReadProblem("has a grid that does not fit into memory");
     } catch (const std::exception& e) {
         throw ReadProblem(std::string("cannot be read: ") + e.what());
     }

@@ -19,13 +19,16 @@ static constexpr double highestCompression = 200;
 
 std::vector<char> readBytes(const std::string& path) {
     noteInputFile(path);
+    std::error_code unknown;
+    if (const auto type = std::filesystem::status(path, unknown).type();
+        type == std::filesystem::file_type::character || type == std::filesystem::file_type::block)
+        throw ReadProblem("is a device, which may have no end");
     // zlib passes uncompressed data through.
     errno = 0;
     gzFile file = gzopen(path.c_str(), "rb");
     if (!file) throw ReadProblem(std::string("cannot be opened: ") + std::strerror(errno));
     gzbuffer(file, 1 << 20);
     std::vector<char> bytes;
-    std::error_code unknown;
     const std::uintmax_t expected = std::filesystem::file_size(path, unknown);
     if (!unknown) bytes.reserve(expected + (1 << 16));
     int got = 0;

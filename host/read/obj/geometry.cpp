@@ -3,6 +3,7 @@
 
 #include "read/obj/geometry.h"
 
+#include "printable.h"
 #include "read/obj/lines.h"
 #include "read/obj/polygon.h"
 
@@ -112,7 +113,7 @@ private:
         else if (freeForm.contains(keyword))
             report("free-form", fmt::format("free-form curves and surfaces (\"{}\") are not rendered", keyword));
         else if (!harmless.contains(keyword))
-            report(std::string(keyword), fmt::format("\"{}\" is not a statement of an OBJ file", keyword));
+            report(std::string(keyword), quoteWord(keyword) + " is not a statement of an OBJ file");
     }
 
     /// Positive numbers may refer to later lines, so they are checked at the end.

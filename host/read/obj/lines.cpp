@@ -1,5 +1,7 @@
 #include "read/obj/lines.h"
 
+#include "printable.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -77,7 +79,7 @@ SourceLocation ObjLines::where(std::size_t i) const {
 double ObjLines::number(std::size_t i) const {
     double value = 0;
     if (i >= words_.size()) throw SceneError(where(), fmt::format("\"{}\" needs {} numbers, and has {}", words_[0], i, words_.size() - 1));
-    if (!parseNumber(words_[i], value)) throw SceneError(where(i), fmt::format("\"{}\" is not a finite number", words_[i]));
+    if (!parseNumber(words_[i], value)) throw SceneError(where(i), quoteWord(words_[i]) + " is not a finite number");
     return value;
 }
 

@@ -1,5 +1,6 @@
 #include "read/obj/mtl.h"
 
+#include "printable.h"
 #include "read/obj/lines.h"
 
 #include <fmt/format.h>
@@ -40,7 +41,7 @@ std::string lower(std::string_view word) {
 double numberIn(const MtlMaterial::Statement& statement, std::size_t i) {
     double value = 0;
     if (!parseNumber(statement.words[i], value))
-        throw SceneError(statement.places[i], fmt::format("\"{}\" is not a finite number", statement.words[i]));
+        throw SceneError(statement.places[i], quoteWord(statement.words[i]) + " is not a finite number");
     return value;
 }
 

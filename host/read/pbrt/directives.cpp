@@ -217,7 +217,7 @@ const Directive& findDirective(const Token& token, const SourceLocation& where) 
         if (const auto successor = successorOf("directive", text)) throw Version3Error(where, "\"" + text + "\"", successor->c_str());
     }
     const std::string near = nearestWord(text, directiveNames());
-    throw SceneError(where, "\"" + text + "\" found where a directive is expected" +
+    throw SceneError(where, quote(token) + " found where a directive is expected" +
                                 (near.empty() ? ", such as Shape or Material" : "; did you mean \"" + near + "\"?"));
 }
 

@@ -39,7 +39,7 @@ bool isNumeric(ParameterType type) { return type != ParameterType::boolean && ty
     const char* wanted = parameter.type == ParameterType::boolean ? "true or false"
                          : isNumeric(parameter.type)              ? "a number"
                                                                   : "a string in quotes";
-    const std::string found = token.kind == Token::Kind::end ? "the end of the file" : quote(token.text);
+    const std::string found = token.kind == Token::Kind::end ? "the end of the file" : quote(token);
     throw SceneError(tokens.locate(token), found + " found where \"" + parameter.declaration() + "\" has " + wanted);
 }
 

@@ -38,7 +38,7 @@ double Parser::number() { return tokens_.toNumber<double>(next(), "a number"); }
 Transform Parser::matrix() {
     const auto expect = [&](Token::Kind kind, const char* what) {
         const Token token = next();
-        if (token.kind != kind) throw SceneError(tokens_.locate(token), quote(token.text) + " found where \"" + what + "\" is expected");
+        if (token.kind != kind) throw SceneError(tokens_.locate(token), quote(token) + " found where \"" + what + "\" is expected");
     };
     expect(Token::Kind::open, "[");
     Transform matrix;
@@ -58,7 +58,7 @@ std::string Parser::word() {
 std::string Parser::quoted(const char* what) {
     const Token token = next();
     if (token.kind != Token::Kind::quoted)
-        throw SceneError(tokens_.locate(token), (token.kind == Token::Kind::end ? "the file ends" : quote(token.text) + " found") +
+        throw SceneError(tokens_.locate(token), (token.kind == Token::Kind::end ? "the file ends" : quote(token) + " found") +
                                                     " where " + what + " in quotes is expected");
     return std::string(token.text);
 }

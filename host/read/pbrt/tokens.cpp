@@ -1,5 +1,7 @@
 #include "read/pbrt/tokens.h"
 
+#include "printable.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -25,6 +27,8 @@ struct Source {
 };
 
 std::string quote(std::string_view text) { return '"' + std::string(text.substr(0, 60)) + (text.size() > 60 ? "..." : "") + '"'; }
+
+std::string quote(const Token& token) { return token.kind == Token::Kind::word ? quoteWord(token.text) : quote(token.text); }
 
 namespace {
 
@@ -58,12 +62,12 @@ template <class T> T toUnusualNumber(std::string_view word, const char* wanted, 
     const auto [stop, error] = std::from_chars(digits.data(), end, value);
     const bool isNumber = !digits.empty() && (std::isdigit(static_cast<unsigned char>(digits.back())) || digits.back() == '.') &&
                           !(word.starts_with('+') && digits.starts_with('-')) && stop == end;
-    if (!isNumber) throw SceneError(where, quote(word) + " found where " + wanted + " is expected");
+    if (!isNumber) throw SceneError(where, quoteWord(word) + " found where " + wanted + " is expected");
     if constexpr (std::is_integral_v<T>) {
         T integer = 0;
         const auto [integerStop, integerError] = std::from_chars(digits.data(), end, integer);
-        if (integerStop != end) throw SceneError(where, quote(word) + " found where " + wanted + " is expected");
-        if (integerError != std::errc()) throw SceneError(where, quote(word) + " is too large for an integer of 32 bits");
+        if (integerStop != end) throw SceneError(where, quoteWord(word) + " found where " + wanted + " is expected");
+        if (integerError != std::errc()) throw SceneError(where, quoteWord(word) + " is too large for an integer of 32 bits");
         return integer;
     } else {
         // Underflow counts as zero.
@@ -71,7 +75,7 @@ template <class T> T toUnusualNumber(std::string_view word, const char* wanted, 
                           digits.find('-', digits.find_first_of("eE")) != digits.npos;
         if (tiny) return 0;
         if (error != std::errc() || std::abs(value) > std::numeric_limits<T>::max())
-            throw SceneError(where, quote(word) + " is too large for a floating-point number");
+            throw SceneError(where, quoteWord(word) + " is too large for a floating-point number");
         return static_cast<T>(value);
     }
 }
@@ -201,7 +205,7 @@ template <class T> T TokenStream::toNumber(const Token& token, const char* wante
     const char* end = token.text.data() + token.text.size();
     if (token.kind == Token::Kind::word && readUsualNumber(token.text.data(), end, value)) return value;
     if (token.kind == Token::Kind::end) throw SceneError(locate(token), std::string("the file ends where ") + wanted + " is expected");
-    if (token.kind != Token::Kind::word) throw SceneError(locate(token), quote(token.text) + " found where " + wanted + " is expected");
+    if (token.kind != Token::Kind::word) throw SceneError(locate(token), quote(token) + " found where " + wanted + " is expected");
     return toUnusualNumber<T>(token.text, wanted, locate(token));
 }
 

@@ -26,6 +26,8 @@ struct Token {
 
 /// The beginning of a text in quotes, for messages.
 std::string quote(std::string_view text);
+/// A token as messages name it; a word without quotes by quoteWord().
+std::string quote(const Token& token);
 
 /// Splits a stack of texts into tokens: reads the text pushed last, and returns to the one below at its end. Errors are thrown as
 /// SceneError.

@@ -1,4 +1,4 @@
-#include "app/available_memory.h"
+#include "available_memory.h"
 
 #include <algorithm>
 #include <filesystem>

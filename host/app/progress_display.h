@@ -1,0 +1,54 @@
+#pragma once
+// How a render goes on, for users and programs, in the forms of --progress.
+
+#include "film/noise.h"
+#include "messages.h"
+#include "render/render.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace eikonal {
+
+/// 75.4 as "1:15", 4000 as "1:06:40".
+std::string clockTime(double seconds);
+
+/// A bar with as much of the text as fits into `width` characters, from a width of 5 on.
+std::string progressBar(const Progress& progress, unsigned samples, int width);
+
+/// Shows progress on standard error, and in the log file.
+class ProgressDisplay {
+public:
+    struct Subject {
+        unsigned samples;    ///< the maximum per pixel
+        ErrorMetric metric;
+        /// The error of the image so far; unset: unknown. Called seldom, in the forms that tell it.
+        std::function<std::optional<ErrorEstimate>()> error;
+    };
+    ProgressDisplay(Subject subject, bool isShown);
+    /// Ends the bar's line.
+    ~ProgressDisplay();
+
+    /// Counts are rounded down, so that nothing is done before it is.
+    void show(Progress progress);
+    /// The render is over. isFinished: all samples are taken, or the error is small enough.
+    void end(bool isFinished);
+
+private:
+    void print(const Progress& progress);
+    void printJson(const Progress& progress);
+    void printOpenJd(const Progress& progress);
+    const std::optional<ErrorEstimate>& error(const Progress& progress);
+
+    Subject subject_;
+    bool isShown_;
+    ProgressForm form_;
+    Progress last_;
+    double shownAt_, loggedAt_ = 0;
+    double errorDue_ = 0;                  ///< when the next estimate may be made
+    std::optional<ErrorEstimate> error_;   ///< the last one
+    double percent_ = 0;                   ///< openjd: what was printed; it never falls
+};
+
+}  // namespace eikonal
