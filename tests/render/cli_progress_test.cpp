@@ -59,6 +59,7 @@ protected:
         const int process = ::forkpty(&terminal, nullptr, nullptr, &size);
         if (process == 0) {
             ::setenv("EIKONAL_CACHE_DIR", (std::filesystem::path(EIKONAL_BINARY).parent_path() / "test-cache").c_str(), 1);
+            ::unsetenv("POCL_CACHE_DIR");   // the program chooses one itself
             for (const auto& [name, value] : environment) ::setenv(name.c_str(), value.c_str(), 1);
             words.insert(words.begin(), EIKONAL_BINARY);
             std::vector<char*> arguments;
