@@ -56,6 +56,12 @@ TEST_F(PbrtSettings, cameras) {
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("the shutter closes at 1, before it opens at 2; the two are swapped")));
 }
 
+TEST_F(PbrtSettings, anEarlierOneIsNamed) {
+    const Scene scene = settings("Film \"rgb\" \"integer xresolution\" 10\nFilm \"rgb\" \"integer xresolution\" 20");
+    EXPECT_EQ(scene.film.width, 20);
+    EXPECT_THAT(warnings_, ElementsAre("test.pbrt:2:1: warning: film \"rgb\" replaces film \"rgb\", given at test.pbrt:1:1"));
+}
+
 // In single precision, 0.55 of 100 is 55 and 0.28 of 100 is 28; in double precision both are a little more.
 TEST_F(PbrtSettings, cropWindowsAreRoundedAsInPbrt) {
     Diagnostics diagnostics(LogLevel::silent, false);

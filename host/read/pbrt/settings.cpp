@@ -24,6 +24,9 @@ static std::string plain(const std::string& name) {
 void Settings::set(Sort sort, const std::string& kindName, const GraphicsState& state, ParameterList parameters,
                    const SourceLocation& where) {
     const Kind& kind = settingKinds()[static_cast<size_t>(sort)]->find(kindName, where);
+    if (const auto before = given_.find(sort); before != given_.end())
+        reading_.diagnostics.warn(where, fmt::format("{} replaces {}, given at {}", kind.title(), before->second->kind().title(),
+                                                     before->second->where().toString()));
     given_[sort] = std::make_unique<Arguments>(reading_, kind, where, std::move(parameters), nullptr, state.space);
     if (sort == Sort::camera) {
         if (!isInvertible(state.transform)) throw SceneError(where, "the camera's transform cannot be inverted; is there a Scale of 0?");
