@@ -1,5 +1,6 @@
 // Camera rays: through their pixel, through the lens, by the filter's importance.
 
+#include "default_settings.h"
 #include "device_function.h"
 #include "pack/lens.h"
 #include "pack/motion.h"
@@ -232,7 +233,7 @@ class Filters : public testing::TestWithParam<FilterCase> {};
 /// integral of the filter over that of its size, for both axes together.
 TEST_P(Filters, AreSampledByImportance) {
     const FilterCase& f = GetParam();
-    const std::string head = std::string(view) + f.text + "\nCamera \"perspective\" \"float fov\" 90";
+    const std::string head = defaultSettings(view, f.text) + f.text + "\nCamera \"perspective\" \"float fov\" 90";
     const auto rays = drawRays(head, 20, 15, 65536);
     constexpr int cells = 48, fine = 64;
     std::vector<double> counts(cells), expected(cells);

@@ -81,7 +81,7 @@ TEST_F(Cli, WritesHalfFloatsIfAskedTo) {
           tinyScene("Film \"rgb\" \"integer xresolution\" 16 \"integer yresolution\" 12 \"float iso\" 1e8 \"bool savefp16\" true"));
     const Outcome bright = run({"render", "bright.pbrt", "-o", "bright.exr"});
     EXPECT_THAT(bright.error,
-                testing::ContainsRegex("bright.pbrt:6:1: warning: [0-9]+ pixels are brighter than 65504, the most that 16-bit "
+                testing::ContainsRegex("bright.pbrt:5:1: warning: [0-9]+ pixels are brighter than 65504, the most that 16-bit "
                                        "floats hold; in EXR files they are clamped: \"bool savefp16\" false keeps all"));
 }
 

@@ -1,6 +1,7 @@
 #include "rendering.h"
 
 #include "kind_features.h"
+#include "default_settings.h"
 #include "device/cache.h"
 #include "kinds/medium_kind.h"
 #include "pack/color_mode.h"
@@ -41,11 +42,11 @@ Compiler& compiler() {
 }
 
 std::string sceneText(const View& view, const std::string& world) {
-    return fmt::format(
+    const std::string defaults = fmt::format(
         "LookAt {}\nCamera \"perspective\" \"float fov\" {}\nFilm \"rgb\" \"integer xresolution\" {} \"integer yresolution\" {}\n"
-        "PixelFilter \"box\"\nSampler \"{}\" \"integer pixelsamples\" {}\nIntegrator \"volpath\" \"integer maxdepth\" "
-        "{}\n{}\nWorldBegin\n{}\n",
-        view.lookAt, view.fov, view.width, view.height, view.sampler, view.samples, view.maxDepth, view.more, world);
+        "PixelFilter \"box\"\nSampler \"{}\" \"integer pixelsamples\" {}\nIntegrator \"volpath\" \"integer maxdepth\" {}\n",
+        view.lookAt, view.fov, view.width, view.height, view.sampler, view.samples, view.maxDepth);
+    return fmt::format("{}{}\nWorldBegin\n{}\n", defaultSettings(defaults, view.more), view.more, world);
 }
 
 PackedScene packScene(const std::string& text, ColorMode color) {

@@ -1,5 +1,6 @@
 #include "run_program.h"
 
+#include "default_settings.h"
 #include "test_paths.h"
 
 #include <fcntl.h>
@@ -52,12 +53,12 @@ bool ProgramTest::printed(const Running& running, const std::string& text) {
 }
 
 std::string tinyScene(const std::string& settings, const std::string& world) {
-    return R"(LookAt 0 0 -4  0 0 0  0 1 0
+    return defaultSettings(R"(LookAt 0 0 -4  0 0 0  0 1 0
 Camera "perspective" "float fov" 40
 Sampler "independent" "integer pixelsamples" 4
 Film "rgb" "integer xresolution" 16 "integer yresolution" 12
 PixelFilter "box"
-)" + settings + R"(
+)", settings) + settings + R"(
 WorldBegin
 LightSource "point" "rgb I" [20 20 20] "point3 from" [0 2 -4]
 )" + world + R"(

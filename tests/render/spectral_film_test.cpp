@@ -178,9 +178,9 @@ TEST(SpectralFilm, ColorsAreAsUsual) {
 
 /// Of a small image, for many renders of it.
 PackedScene smallRoom(int samples = 8) {
-    View v = viewOfRoom({31, 400, 710}, "PixelFilter \"sinc\"");
-    v.more +=
-        "Film \"spectral\" \"integer xresolution\" 24 \"integer yresolution\" 20 \"integer nbuckets\" 31 \"float lambdamin\" 400 \"float "
+    View v = viewOfRoom({31, 400, 710});
+    v.more =
+        "PixelFilter \"sinc\"\nFilm \"spectral\" \"integer xresolution\" 24 \"integer yresolution\" 20 \"integer nbuckets\" 31 \"float lambdamin\" 400 \"float "
         "lambdamax\" 710\n";
     v.samples = samples;
     PackedScene scene = packScene(sceneText(v, room));
