@@ -226,13 +226,18 @@ def compile_flags(file):
     return {str(Path(c["file"]).relative_to(ROOT)): c for c in commands if Path(c["file"]).is_relative_to(ROOT)}
 
 
+def words_in(tree, command):
+    """The words of a command of compile_flags, for a copy of the sources."""
+    words = shlex.split(command["command"])
+    return [w.replace(f"{ROOT}/host", f"{tree}/host").replace(f"{ROOT}/include", f"{tree}/include") for w in words]
+
+
 def check_host(tree, file, copy, flags):
     """What the compiler says about a copied file of the host, with the flags of the original."""
-    words = shlex.split(flags[file]["command"])
+    words = words_in(tree, flags[file])
     compiler = next(i for i, w in enumerate(words) if re.search(r"(c\+\+|g\+\+|clang\+\+)[\d.-]*$", w))   # after a compiler cache
     words = words[compiler:]
     words = [w for i, w in enumerate(words) if w not in ("-c", "-o") and words[i - 1] not in ("-c", "-o")]
-    words = [w.replace(f"{ROOT}/host", f"{tree}/host").replace(f"{ROOT}/include", f"{tree}/include") for w in words]
     run = subprocess.run([*words, "-fsyntax-only", tree / copy], cwd=flags[file]["directory"], capture_output=True, text=True)
     return run.stderr if run.returncode else ""
 

@@ -6,7 +6,7 @@ import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from add_kinds import ROOT
+from add_kinds import ROOT, words_in
 
 # The targets of which the program consists; the second one is the library that the first one links.
 PROGRAM, LIBRARY = "eikonal", "eikonal_host"
@@ -54,7 +54,7 @@ def carry_contract(tree):
 
 def compile_in(tree, command, source, target):
     """Compiles a file of the copy with the command of one of this checkout. Says what the compiler does where it fails."""
-    words = [w.replace(f"{ROOT}/host", f"{tree}/host").replace(f"{ROOT}/include", f"{tree}/include") for w in shlex.split(command["command"])]
+    words = words_in(tree, command)
     words[words.index("-c"):words.index("-c")] = ["-iquote", str(tree / "build" / CARRIED.parent)]   # looked in first
     output = words.index("-o")
     words[output + 1], words[words.index("-c") + 1] = str(target), str(source)
@@ -72,23 +72,20 @@ def build_changed(tree, build, sibling):
     if any(c.suffix == ".h" and c.parent.name == "eikonal" for c in changed):
         carry_contract(tree)
         changed.add(build / CARRIED)
+    targets = (f"/{PROGRAM}.dir/host/", f"/{LIBRARY}.dir/host/")   # others compile some of the files, too
     listed = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-    commands = {o: c for c in listed if f"/{PROGRAM}.dir/" in (o := output_of(c)) or f"/{LIBRARY}.dir/" in o}
-    sources = {Path(c["file"]).relative_to(ROOT) for c in commands.values() if Path(c["file"]).is_relative_to(ROOT / "host")}
-    like = next(c for c in commands.values() if c["file"] == str(ROOT / sibling))
+    commands = {Path(c["file"]).relative_to(ROOT): c for c in listed if any(t in output_of(c) for t in targets)}
 
     objects, jobs = [], []
-    for output, command in commands.items():
-        if not Path(command["file"]).is_relative_to(ROOT / "host"):
-            continue   # the precompiled header
-        source = Path(command["file"]).relative_to(ROOT)
+    for source, command in commands.items():
+        output = output_of(command)
         reached = output not in made_from or made_from[output] & changed
         objects.append(tree / "build" / output if reached else build / output)
         if reached:
             jobs.append((command, tree / source, objects[-1]))
-    for source in sorted(c.relative_to(ROOT) for c in changed if c.suffix == ".cpp" and c.relative_to(ROOT) not in sources):
+    for source in sorted(c.relative_to(ROOT) for c in changed if c.suffix == ".cpp" and c.relative_to(ROOT) not in commands):
         objects.append(tree / "build" / f"{source}.o")
-        jobs.append((like, tree / source, objects[-1]))
+        jobs.append((commands[Path(sibling)], tree / source, objects[-1]))
     print(f"{len(jobs)} of {len(objects)} files are to be compiled", flush=True)
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         problems = [p for p in pool.map(lambda job: compile_in(tree, *job), jobs) if p]

@@ -173,7 +173,7 @@ TEST_F(WrongParameter, ofAnotherTypeIsAnError) {
         if (place.kind->noun == "option") return;
         const auto isWrong = [&](ParameterType type) {
             return std::ranges::none_of(
-                place.kind->rules, [&](const Rule& other) { return (other.name == name || other.orElse == name) && accepts(other, type); });
+                place.kind->rules, [&](const Rule& other) { return other.hasName(name) && accepts(other, type); });
         };
         const ParameterType type = *std::ranges::find_if(types, isWrong);
         EXPECT_THAT(errorOf(place.scene(anyValue(type, name))),

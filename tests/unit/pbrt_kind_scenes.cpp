@@ -1,6 +1,6 @@
 #include "unit/pbrt_kind_scenes.h"
 
-#include "image/encode_png.h"
+#include "image/image_file.h"
 #include "measured_file.h"
 #include "nanovdb_file.h"
 #include "read/pbrt/lights.h"
@@ -166,23 +166,10 @@ void add(std::vector<KindInPlace>& all, const KindTable& table, const std::strin
     for (const Kind& kind : table.kinds()) all.push_back({&kind, head + " \"" + kind.name + "\"", before, after});
 }
 
-void writeImage(const std::string& path, float step) {
-    std::ofstream file(path, std::ios::binary);
-    file << "PF\n4 4\n-1\n";
-    for (int i = 0; i < 48; ++i) {
-        const float value = 0.1f + step * static_cast<float>(i % 7);
-        file.write(reinterpret_cast<const char*>(&value), sizeof value);
-    }
-}
-
-void writePng(const std::string& path, float step) {
-    EncodedImage image;
-    image.stored = EncodedImage::Values::bytes;
-    image.width = image.height = image.fullWidth = image.fullHeight = 4;
-    image.channels = {"R", "G", "B"};
-    for (int i = 0; i < 48; ++i) image.values.push_back(0.1f + step * static_cast<float>(i % 7));
-    const std::vector<unsigned char> bytes = encodePng(image);
-    std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+void writePattern(const std::string& path, float step) {
+    FilmImage image(4, 4);
+    for (int i = 0; i < 48; ++i) image.color[static_cast<size_t>(i / 3)][i % 3] = 0.1f + step * static_cast<float>(i % 7);
+    writeImage(path, image, {});
 }
 
 void writeMesh(const std::string& path, double height) {
@@ -296,10 +283,10 @@ void writeFilesOfScenes(const std::string& folder) {
     const auto path = [&](const char* name) { return folder + '/' + name; };
     std::ofstream(path("lens.dat")) << "35 4 1.5 20\n-35 20 1 20\n0 2 0 10\n";
     std::ofstream(path("other.dat")) << "30 4 1.5 20\n-35 20 1 20\n0 2 0 10\n";
-    writeImage(path("square.pfm"), 0.1f);
-    writeImage(path("other.pfm"), 0.2f);
-    writePng(path("square.png"), 0.1f);
-    writePng(path("other.png"), 0.12f);
+    writePattern(path("square.pfm"), 0.1f);
+    writePattern(path("other.pfm"), 0.2f);
+    writePattern(path("square.png"), 0.1f);
+    writePattern(path("other.png"), 0.12f);
     MeasuredFile{}.write(path("a.bsdf"));
     MeasuredFile{.alpha = 0.3}.write(path("other.bsdf"));
     const auto grid = [](const char* name, float value) {

@@ -25,7 +25,7 @@ std::string parameterNames(const Kind& kind) {
 void reject(Reading& reading, const Kind& kind, const Parameter& parameter) {
     const std::string shown = "\"" + parameter.declaration() + "\"";
     for (const Rule& rule : kind.rules)
-        if (rule.name == parameter.name || rule.orElse == parameter.name)
+        if (rule.hasName(parameter.name))
             throw SceneError(parameter.where,
                              shown + " found where " + kind.title() + " has " + acceptedDeclarations(rule, parameter.name));
     if (const auto successor = successorOf("parameter", parameter.name)) throw Version3Error(parameter.where, shown, successor->c_str());

@@ -43,7 +43,7 @@ void checkAttribute(Reading& reading, Target target, const Parameter& parameter)
     for (const Kind* kind : kindsOf(target)) {
         if (kind->ruleFor(parameter)) return;
         for (const Rule& rule : kind->rules)
-            if (rule.name == parameter.name || rule.orElse == parameter.name) other = &rule;
+            if (rule.hasName(parameter.name)) other = &rule;
         for (const std::string& name : kind->parameters()) names.insert(name);
     }
     if (other) throw SceneError(parameter.where, shown + " found where a " + noun + " has " + acceptedDeclarations(*other, parameter.name));

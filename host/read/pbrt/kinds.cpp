@@ -121,7 +121,7 @@ const Rule* Kind::rule(const std::string& parameter) const {
 
 const Rule* Kind::ruleFor(const Parameter& parameter) const {
     const auto found = std::ranges::find_if(rules, [&](const Rule& rule) {
-        return (rule.name == parameter.name || rule.orElse == parameter.name) && accepts(rule, parameter.type);
+        return rule.hasName(parameter.name) && accepts(rule, parameter.type);
     });
     return found == rules.end() ? nullptr : &*found;
 }

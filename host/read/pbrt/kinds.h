@@ -41,6 +41,8 @@ struct Rule {
     std::string as;             ///< its name in the scene
     std::optional<Range> range; ///< range of its numbers; textures and spectra are not checked
     std::vector<std::string> choices;  ///< the words that a string can be; empty: any
+
+    bool hasName(const std::string& parameter) const { return name == parameter || orElse == parameter; }
 };
 
 /// A parsed row of a table.
