@@ -9,7 +9,7 @@ void Diagnostics::warn(const SourceLocation& where, const std::string& message) 
     const std::string text = (place.empty() ? "" : place + ": ") + "warning: " + message;
     std::lock_guard lock(mutex_);
     warnings_.push_back(text);
-    tell(LogLevel::warning, text, level_ >= LogLevel::warning);
+    tell(LogLevel::warning, text, level_);
 }
 
 void Diagnostics::warnOnce(const std::string& kind, const SourceLocation& where, const std::string& message) {
@@ -25,9 +25,9 @@ void Diagnostics::unsupported(const std::string& kind, const SourceLocation& whe
     warnOnce(kind, where, message);
 }
 
-void Diagnostics::info(const std::string& message) { tell(LogLevel::info, message, level_ >= LogLevel::info); }
+void Diagnostics::info(const std::string& message) { tell(LogLevel::info, message, level_); }
 
-void Diagnostics::debug(const std::string& message) { tell(LogLevel::debug, message, level_ >= LogLevel::debug); }
+void Diagnostics::debug(const std::string& message) { tell(LogLevel::debug, message, level_); }
 
 std::vector<std::string> Diagnostics::warnings() const {
     std::lock_guard lock(mutex_);

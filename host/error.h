@@ -17,8 +17,9 @@ struct SourceLocation {
     std::string toString() const;
 };
 
-/// Exit statuses of the program. 0 only if the whole image is on disk.
-enum class ExitCode { success = 0, scene = 1, usage = 2, device = 3 };
+/// Exit statuses of the program. 0 only if the whole image is on disk; partialImage: a valid image is, but it has fewer samples than were
+/// asked for.
+enum class ExitCode { success = 0, scene = 1, usage = 2, device = 3, partialImage = 4 };
 
 /// Any error that stops the program: one or more lines for the user, and the exit status.
 class Error : public std::runtime_error {

@@ -171,7 +171,7 @@ Messages& messages() {
 void setMessages(const MessageOptions& options, const std::string& title) { messages().set(options, title); }
 ProgressForm progressForm() { return messages().form(); }
 bool showsProgress(LogLevel log) { return log >= LogLevel::warning || messages().isFormGiven(); }
-void tell(LogLevel level, std::string_view text, bool isShown) { messages().tell(level, text, isShown); }
+void tell(LogLevel level, std::string_view text, LogLevel shown) { messages().tell(level, text, level <= shown); }
 void printProgress(const std::string& line) { messages().printProgress(line); }
 void logProgress(const std::string& text) { messages().logProgress(text); }
 void drawStatus(const std::string& text) { messages().drawStatus(text); }

@@ -31,9 +31,9 @@ ProgressForm progressForm();
 /// Whether to show progress: --quiet is silent about it, unless a form is asked for.
 bool showsProgress(LogLevel log);
 
-/// Tells one or more lines, whose control characters are escaped. isShown: on standard error. The log gets what is shown, and all up to
-/// LogLevel::info.
-void tell(LogLevel level, std::string_view text, bool isShown = true);
+/// Tells one or more lines, whose control characters are escaped, on standard error if messages up to `shown` are. The log gets what is
+/// shown, and all up to LogLevel::info.
+void tell(LogLevel level, std::string_view text, LogLevel shown = LogLevel::debug);
 /// Prints a line of progress as it is.
 void printProgress(const std::string& line);
 /// Adds a line of progress to the log.

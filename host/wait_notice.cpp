@@ -43,30 +43,27 @@ void WaitNotice::watch() {
     if (progressForm() == ProgressForm::bar) endStatus(false);
 }
 
-std::string WaitNotice::state() const {
-    return parts_.done ? fmt::format(": {} of {}", std::min(parts_.done->load(), parts_.all), parts_.all) : "";
-}
-
 void WaitNotice::show(bool isFirst) {
     const int done = parts_.done ? std::min(parts_.done->load(), parts_.all) : 0;
+    const std::string state = brief_ + (parts_.done ? fmt::format(": {} of {}", done, parts_.all) : "");
     const bool isNew = done > shownDone_ && time_.seconds() - shownAt_ >= secondsBetweenLines;
     const ProgressForm form = progressForm();
     if (isFirst) logProgress(what_);
     if (form == ProgressForm::bar) {
-        drawStatus(fmt::format("{}{}, {:.0f} s", brief_, state(), time_.seconds()));
+        drawStatus(fmt::format("{}, {:.0f} s", state, time_.seconds()));
         return;
     }
     if (!isFirst && !(form == ProgressForm::plain ? isNew : done > shownDone_)) return;
     shownAt_ = time_.seconds();
     shownDone_ = done;
     if (form == ProgressForm::openjd) {
-        printProgress(fmt::format("openjd_status: {}{}", brief_, state()));
+        printProgress(fmt::format("openjd_status: {}", state));
     } else if (form == ProgressForm::json) {
         nlohmann::ordered_json json{{"event", "wait"}, {"text", what_}, {"seconds", time_.seconds()}};
         if (parts_.done) json.update({{"done", done}, {"inAll", parts_.all}});
         printProgress(jsonText(json));
     } else {
-        printProgress(isFirst ? what_ : brief_ + state());
+        printProgress(isFirst ? what_ : state);
     }
 }
 

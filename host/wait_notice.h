@@ -28,8 +28,6 @@ public:
 private:
     void watch();
     void show(bool isFirst);
-    /// "3 of 12".
-    std::string state() const;
     std::string what_, brief_;
     Parts parts_{nullptr, 0};
     Stopwatch time_;

@@ -35,7 +35,7 @@ Repeat renderOnce(Session& session, Tracer& tracer, Profile& profile, SeedVarian
     render(session.context(), tracer, film, profile, control);
     const double seconds = time.seconds();
     profile.collect();
-    if (images) images->add(session.develop(film.totals()));
+    if (images) images->add(film.totals().develop(packed));
     return {seconds, profile.stages(), profile.rays, profile.shadowRays, profile.paths};
 }
 

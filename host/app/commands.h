@@ -5,11 +5,8 @@
 
 namespace eikonal {
 
-/// The exit status beside those of ExitCode: a valid image is on disk, but it has fewer samples than were asked for.
-constexpr int partialImage = 4;
-
-/// Renders a scene into image files. Returns 0 if all files are written and every sample was taken, partialImage if the time limit was
-/// reached before, and 128 plus the signal's number if a signal ended the render early.
+/// Renders a scene into image files. Returns 0 if all files are written and every sample was taken, ExitCode::partialImage if the time
+/// limit was reached before, and 128 plus the signal's number if a signal ended the render early.
 int renderCommand(const Options& options);
 /// Prints the contents of a scene, the features that it requires with the reasons, and the memory that a render would take.
 int infoCommand(const Options& options);
@@ -21,7 +18,7 @@ int tradeCommand(const Options& options);
 int cacheCommand(const Options& options);
 /// Prints the OpenCL devices.
 int listDevicesCommand(const Options& options);
-/// Makes one image, or one larger part, of parts that were rendered apart. Returns partialImage if the image lacks samples.
+/// Makes one image, or one larger part, of parts that were rendered apart. Returns ExitCode::partialImage if the image lacks samples.
 int mergeCommand(const Options& options);
 /// Prints the difference of two images.
 int compareCommand(const Options& options);

@@ -114,14 +114,13 @@ int mergeCommand(const Options& o) {
     describeFilm(metadata, totals.samples(), error, stored.metric);
     metadata.renderSeconds = merged.seconds;
     metadata.commandLine = o.commandLine;
-    const bool isShown = o.log >= LogLevel::warning;
-    tell(LogLevel::warning, describe(error, stored.metric), isShown);
+    tell(LogLevel::warning, describe(error, stored.metric), o.log);
     const FilmImage image = developImage(totals, scene.packed, scene.film, stored.aovs);
     const std::vector<std::string> images = imageFiles(o.output.files);
     for (const std::string& file : images) writeImage(file, image, metadata, o.output.toneMapping);
     tell(LogLevel::warning,
-         fmt::format("merged {} part{} into {}", o.parts.size(), o.parts.size() == 1 ? "" : "s", fmt::join(images, " and ")), isShown);
-    return wholePixels == plane ? static_cast<int>(ExitCode::success) : partialImage;
+         fmt::format("merged {} part{} into {}", o.parts.size(), o.parts.size() == 1 ? "" : "s", fmt::join(images, " and ")), o.log);
+    return static_cast<int>(wholePixels == plane ? ExitCode::success : ExitCode::partialImage);
 }
 
 }  // namespace eikonal

@@ -28,9 +28,7 @@ namespace eikonal {
 namespace {
 
 /// Prints a line for the user, unless --quiet.
-void say(const Options& o, const std::string& line) {
-    tell(LogLevel::warning, line, o.log >= LogLevel::warning);
-}
+void say(const Options& o, const std::string& line) { tell(LogLevel::warning, line, o.log); }
 
 /// How long after a signal or the time limit paths in flight may still end, in seconds. Later they are abandoned.
 constexpr double grace = 0.4;
@@ -215,7 +213,7 @@ int renderCommand(const Options& o) {
     if (o.output.stats)
         std::fputs(printable(describeRun(session, session.profile(), report.samples, described, renderSeconds, writeSeconds)).c_str(),
                    stdout);
-    const int status = endedBy ? 128 + endedBy : (result.isFinished ? static_cast<int>(ExitCode::success) : partialImage);
+    const int status = endedBy ? 128 + endedBy : static_cast<int>(result.isFinished ? ExitCode::success : ExitCode::partialImage);
     if (o.json) {
         summary.files = files;
         if (!unsaved) summary.checkpoint = o.output.checkpoint;

@@ -214,8 +214,6 @@ void Session::survey(const std::function<bool()>& abandon) {
     profile_.reset();
 }
 
-FilmImage Session::develop(const FilmTotals& totals) const { return totals.develop(packed_); }
-
 void Session::setSeed(int seed) {
     packed_.frame().seed = static_cast<uint>(seed);
     deviceScene_->setFrame(*context_, packed_.frame());

@@ -2,7 +2,6 @@
 // What it takes to render a scene, made ready step by step, with the time that each step took.
 
 #include "film/tile.h"
-#include "film/totals.h"
 #include "render/biased_choices.h"
 #include "render/options.h"
 #include "pack/tables.h"
@@ -90,9 +89,6 @@ public:
     /// How many rays at implicit surfaces have run out of splits so far. After prepare(). Blocks.
     uint unresolvedRays() const;
 
-    /// The image of all samples of a film, exposed as the scene's film is.
-    FilmImage develop(const FilmTotals& totals) const;
-
     /// What is rendered from now on has this seed: other noise. After prepare().
     void setSeed(int seed);
 
@@ -132,7 +128,8 @@ private:
     Profile profile_;
     std::optional<Roulette> chosenRoulette_;
     int missing_ = 0;
-    std::atomic<int> compileSteps_ = 0, compiled_ = 0;   ///< two steps compile a kernel
+    int compileSteps_ = 0;              ///< two steps compile a kernel
+    std::atomic<int> compiled_ = 0;     ///< read by the notice
     std::unique_ptr<WaitNotice> compiling_;
     std::unique_ptr<Context> context_;
     std::unique_ptr<Compiler> compiler_;

@@ -41,7 +41,7 @@ TimedImage SettingRenderer::render(int seed, const std::function<bool()>& stop) 
     const FilmTotals totals = film.totals();
     timed.meanSamples = totals.samples().mean;
     timed.expectedError = totals.error(ErrorMetric::relmseRoot).error;
-    timed.image = session_.develop(totals);
+    timed.image = totals.develop(session_.packed());
     return timed;
 }
 

@@ -2,6 +2,7 @@
 // Renders one setting of a scene with several seeds, in this process.
 
 #include "app/options.h"
+#include "image/film_image.h"
 #include "render/session.h"
 
 #include <functional>
