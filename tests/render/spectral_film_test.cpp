@@ -180,8 +180,8 @@ TEST(SpectralFilm, ColorsAreAsUsual) {
 PackedScene smallRoom(int samples = 8) {
     View v = viewOfRoom({31, 400, 710});
     v.more =
-        "PixelFilter \"sinc\"\nFilm \"spectral\" \"integer xresolution\" 24 \"integer yresolution\" 20 \"integer nbuckets\" 31 \"float lambdamin\" 400 \"float "
-        "lambdamax\" 710\n";
+        "PixelFilter \"sinc\"\nFilm \"spectral\" \"integer xresolution\" 24 \"integer yresolution\" 20 \"integer nbuckets\" 31 "
+        "\"float lambdamin\" 400 \"float lambdamax\" 710\n";
     v.samples = samples;
     PackedScene scene = packScene(sceneText(v, room));
     scene.require(Feature::AOVS, "the test");
