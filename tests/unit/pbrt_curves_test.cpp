@@ -70,6 +70,11 @@ TEST_F(PbrtCurves, widthsAndNormalsGoFromEndToEnd) {
     EXPECT_EQ(c.segments[1].normals, (std::array{glm::vec3(0, 1, 0), glm::vec3(1, 0, 0)}));
 }
 
+TEST_F(PbrtCurves, AWidthThatBothEndsReplaceIsWarnedOf) {
+    EXPECT_EQ(curve(seven + "\"float width\" 3 \"float width0\" 2 \"float width1\" 1").segments[1].width, (std::array{1.5, 1.}));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"float width\" is ignored: nothing here uses it")));
+}
+
 TEST_F(PbrtCurves, errors) {
     EXPECT_THAT(error(""), HasSubstr("needs its control points, \"point3 P\""));
     EXPECT_THAT(error("\"point3 P\" [0 0 0 1 0 0 2 0 0 3 0 0 4 0 0]"),

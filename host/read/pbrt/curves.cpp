@@ -64,7 +64,8 @@ std::shared_ptr<Curve> readCurve(Reading& reading, const Arguments& arguments) {
         reading.diagnostics.warn(arguments.whereOf("N"), "only curves of type \"ribbon\" have normals; \"normal N\" is ignored");
     normals.resize(count + 1);
 
-    const double width = arguments.number("width"), width0 = arguments.number("width0", width), width1 = arguments.number("width1", width);
+    const auto widthOf = [&](const char* end) { return arguments.has(end) ? arguments.number(end) : arguments.number("width"); };
+    const double width0 = widthOf("width0"), width1 = widthOf("width1");
     const auto widthAt = [&](size_t i) { return std::abs(glm::mix(width0, width1, static_cast<double>(i) / static_cast<double>(count))); };
     for (size_t i = 0; i < count; ++i) {
         const glm::vec3* p = &points[basis == "bspline" ? i : i * static_cast<size_t>(degree)];
