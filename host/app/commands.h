@@ -20,6 +20,8 @@ int cacheCommand(const Options& options);
 int listDevicesCommand(const Options& options);
 /// Makes one image, or one larger part, of parts that were rendered apart. Returns ExitCode::partialImage if the image lacks samples.
 int mergeCommand(const Options& options);
+/// Writes an image without its noise. Returns 0.
+int denoiseCommand(const Options& options);
 /// Prints the difference of two images.
 int compareCommand(const Options& options);
 

@@ -188,6 +188,14 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
     value(app, "--fov", s.fov, "DEGREES", "Field of view along the shorter side", number(0, 180))->group(objGroup);
 }
 
+void addToneMapping(CLI::App* app, OutputOptions& out) {
+    const std::string group = imageGroup;
+    value(app, "--tonemap", out.toneMapping.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
+          [](const std::string&, const std::string& text) { return toneCurve(text); })->group(group);
+    value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))
+        ->group(group);
+}
+
 void addImageFiles(CLI::App* app, OutputOptions& out) {
     const std::string group = imageGroup;
     app->add_option("-o,--outfile", out.files,
@@ -198,10 +206,7 @@ void addImageFiles(CLI::App* app, OutputOptions& out) {
         ->type_size(1)
         ->allow_extra_args(false)
         ->group(group);
-    value(app, "--tonemap", out.toneMapping.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
-          [](const std::string&, const std::string& text) { return toneCurve(text); })->group(group);
-    value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))
-        ->group(group);
+    addToneMapping(app, out);
 }
 
 void addOutput(CLI::App* app, Options& o) {
@@ -211,6 +216,9 @@ void addOutput(CLI::App* app, Options& o) {
     std::string channels;
     for (const AovName& each : aovNames) channels += each.name + std::string(", ");
     value(app, "--aov", out.aovs, "NAMES", "Additional channels of an EXR: " + channels + "separated by commas; or all", parseAovs)
+        ->group(group);
+    app->add_flag("--denoise", out.denoise,
+                  "Remove noise with Intel Open Image Denoise, if it is installed; an EXR keeps the noisy image in the layer noisy")
         ->group(group);
     value(app, "--time-limit", out.timeLimit, "SECONDS", "Stop rendering after this time, but not before every pixel has a sample",
           number(0))
@@ -349,6 +357,16 @@ struct Parser {
             ->type_name("FILE");
         value(compare, "--fail-above", options.failAbove, "X", "Exit with status 1 if the mean FLIP is above X", numberFrom(0, 1));
 
+        auto* denoise = add("denoise", Command::denoise, "Remove noise from an image, with Intel Open Image Denoise");
+        denoise->add_option("IMAGE", options.image, "An image file; layers albedo and N of an EXR help")->type_name("");
+        denoise
+            ->add_option("-o,--outfile", options.output.files, "An image file; may be repeated (default: IMAGE-denoised.exr)")
+            ->type_name("FILE")
+            ->type_size(1)
+            ->allow_extra_args(false);
+        addToneMapping(denoise, options.output);
+        value(denoise, "--nthreads", options.device.threads, "N", "Threads (default: one per core)", integer(1, 4096));
+
         auto* merge = add("merge", Command::merge, "Make one image of parts that were rendered apart");
         merge->add_option("PART", options.parts, "Film files of render: --samples, --tile, -o PART.film")->type_name("");
         addImageFiles(merge, options.output);
@@ -430,6 +448,8 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
         throw UsageError(fmt::format("{0} needs a scene: eikonal {0} scene.pbrt\n{1}", command->get_name(), getHelp));
     if (o.command == Command::compare && o.reference.empty())
         throw UsageError(fmt::format("compare needs two images: eikonal compare image.exr reference.exr\n{}", getHelp));
+    if (o.command == Command::denoise && o.image.empty())
+        throw UsageError(fmt::format("denoise needs an image: eikonal denoise image.exr -o clean.exr\n{}", getHelp));
     if (o.command == Command::cache && !o.scenes.empty() && !o.warmCache)
         throw UsageError(fmt::format("cache takes scenes only with --warm: eikonal cache --warm {}\n{}", o.scenes.front(), getHelp));
     if (o.command == Command::cache && o.warmCache && !o.device.cache)

@@ -16,12 +16,13 @@
 
 namespace eikonal {
 
-enum class Command { print, render, info, bench, trade, cache, listDevices, compare, merge, compileKernels };
+enum class Command { print, render, info, bench, trade, cache, listDevices, compare, denoise, merge, compileKernels };
 
 struct OutputOptions {
     std::vector<std::string> files;                   ///< empty: the scene's name with .exr
     Aovs aovs;
     ToneMapping toneMapping;
+    bool denoise = false;
     std::optional<double> timeLimit;                  ///< seconds of rendering
     std::optional<double> targetError;                ///< target of adaptive sampling, > 0
     ErrorMetric errorMetric = ErrorMetric::relmseRoot;
@@ -53,7 +54,7 @@ struct Options : SessionOptions {
     int repeats = 5;                                  ///< bench
     bool clearCache = false, warmCache = false;       ///< cache
     std::vector<std::string> scenes;                  ///< cache --warm
-    std::string image;                                ///< compare
+    std::string image;                                ///< compare, denoise
     std::string reference;                            ///< compare; bench: a converged image, empty: none
     bool scatter = false;                             ///< compare: ignore the image's variance channel
     std::string heatMap;                              ///< compare: if not empty, write the map of FLIP there

@@ -35,6 +35,8 @@ static bool canHold(const char* what, const FilmDescription& film, const std::ve
 
 Aovs aovsOf(const OutputOptions& options, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
     Aovs aovs = options.aovs;
+    aovs.albedo |= options.denoise;
+    aovs.normal |= options.denoise;
     if (film.gbuffer != GBuffer::none && canHold("the additional channels of film \"gbuffer\"", film, files, diagnostics))
         for (const AovName& each : aovNames) aovs.*each.asked = true;
     return aovs;

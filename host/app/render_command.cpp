@@ -135,6 +135,13 @@ void checkMemory(const FilmDescription& film, const PackedScene& packed, const M
 
 }  // namespace
 
+static MemoryPlan planOf(const Options& o, const Session& session) {
+    MemoryPlan plan = session.plan();
+    const PixelRect& pixels = session.packed().pixels;
+    if (o.output.denoise) plan.image += Denoiser::bytes(static_cast<size_t>(pixels.width()) * static_cast<size_t>(pixels.height()));
+    return plan;
+}
+
 /// The samples of each pixel that are rendered, of a render of `wanted`.
 static SampleRange samplesToTake(const OutputOptions& out, unsigned wanted) {
     const SampleRange samples = out.samples.value_or(SampleRange{0, wanted});
@@ -161,13 +168,14 @@ int renderCommand(const Options& o) {
     const PackedScene& packed = session.packed();
     if (o.output.tile) session.select(*o.output.tile);
     const SampleRange samples = samplesToTake(o.output, wanted);
-    checkMemory(session.scene().film, packed, session.plan());
+    const MemoryPlan plan = planOf(o, session);
+    checkMemory(session.scene().film, packed, plan);
     for (const std::string& file : files) {
         checkIsNoInput(file);
         checkHolds(file, packed.pixels.width(), packed.pixels.height());
-        checkWritable(file, session.plan().film / 2);
+        checkWritable(file, plan.film / 2);
     }
-    diagnostics.info("planned memory: " + describe(session.plan()));
+    diagnostics.info("planned memory: " + describe(plan));
     RenderOutput output(o, session, files, aovs);
     ErrorLog errors(session.scene().film);
     std::optional<Film> film(std::in_place, packed, packed.features, samples.first);
@@ -199,13 +207,13 @@ int renderCommand(const Options& o) {
     say(o, described);
     reportUnresolvedRays(session.unresolvedRays(), diagnostics);
 
-    const FilmImage image = output.develop(*totals);
+    FilmImage image = output.develop(*totals);
     warnOfClamping(image, session.scene().film, diagnostics);
     RunSummary summary;
     if (o.json) summary.identity = identityOf(session, o, *film);
     totals.reset();   // frees what may be most of the memory in use
     film.reset();
-    output.write(image, report.metadata);
+    output.write(std::move(image), report.metadata);
     const double writeSeconds = writeTime.seconds();
     std::vector<std::string> written = files;
     if (!o.output.checkpoint.empty() && !unsaved) written.push_back(o.output.checkpoint);
@@ -219,7 +227,7 @@ int renderCommand(const Options& o) {
         if (!unsaved) summary.checkpoint = o.output.checkpoint;
         summary.isComplete = result.isFinished;
         summary.endedBy = endedBy;
-        summary.status = unsaved ? static_cast<int>(ExitCode::scene) : status;
+        summary.status = unsaved || output.undenoised() ? static_cast<int>(ExitCode::scene) : status;
         summary.metadata = report.metadata;
         summary.samples = report.samples;
         summary.writeSeconds = writeSeconds;
@@ -227,6 +235,7 @@ int renderCommand(const Options& o) {
         std::fputs(describeAsJson(session, summary).c_str(), stdout);
     }
     if (unsaved) std::rethrow_exception(unsaved);
+    if (output.undenoised()) std::rethrow_exception(output.undenoised());
     return status;
 }
 

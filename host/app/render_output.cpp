@@ -12,7 +12,15 @@ namespace eikonal {
 
 RenderOutput::RenderOutput(const Options& options, const Session& session, std::vector<std::string> files, const Aovs& aovs)
     : options_(options), session_(session), files_(std::move(files)), aovs_(aovs),
-      hash_(inBackground([&session] { return sceneHash(session.packed()); }).share()) {}
+      hash_(inBackground([&session] { return sceneHash(session.packed()); }).share()) {
+    if (!options.output.denoise) return;
+    try {
+        denoiser_.emplace(options.device.threads);
+    } catch (const Error&) {
+        undenoised_ = std::current_exception();
+        tell(LogLevel::warning, "Intel Open Image Denoise is missing: the image will stay noisy", options.log);
+    }
+}
 
 void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const ErrorEstimate& error, ErrorMetric metric) {
     metadata.samples = static_cast<int>(samples.fewest);
@@ -57,7 +65,22 @@ FilmImage RenderOutput::develop(const FilmTotals& totals) const {
     return developImage(totals, session_.packed(), session_.scene().film, aovs_);
 }
 
-void RenderOutput::write(const FilmImage& image, const Metadata& metadata) const {
+/// Whether the image has changed.
+bool RenderOutput::denoise(FilmImage& image) {
+    if (!denoiser_) return false;
+    try {
+        const WaitNotice notice("denoising", !showsProgress(options_.log));
+        denoiser_->denoise(image);
+        undenoised_ = nullptr;
+        return true;
+    } catch (const Error&) {
+        undenoised_ = std::current_exception();
+        return false;
+    }
+}
+
+void RenderOutput::write(FilmImage image, Metadata metadata) {
+    if (denoise(image)) metadata.biasedChoices = withChoice(metadata.biasedChoices, denoisingChoice);
     std::string problems;
     for (const std::string& file : files_) {
         const WaitNotice notice("writing " + file, !showsProgress(options_.log));

@@ -4,9 +4,12 @@
 #include "app/options.h"
 #include "app/stored_metadata.h"
 #include "film/totals.h"
+#include "image/denoise.h"
 #include "render/session.h"
 
+#include <exception>
 #include <future>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,15 +37,21 @@ public:
     /// seconds: of rendering so far.
     ImageReport report(const FilmTotals& totals, double seconds);
     FilmImage develop(const FilmTotals& totals) const;
-    /// Writes all files, even if one of them fails; then throws one Error with all problems.
-    void write(const FilmImage& image, const Metadata& metadata) const;
+    /// Why the last image written is as noisy as before although it was to be denoised; null: it is not.
+    std::exception_ptr undenoised() const { return undenoised_; }
+    /// Writes all files, denoised if that is asked for and can be done; even if one of them fails; then throws one Error with all problems.
+    void write(FilmImage image, Metadata metadata);
 
 private:
+    bool denoise(FilmImage& image);
+
     const Options& options_;
     const Session& session_;
     std::vector<std::string> files_;
     Aovs aovs_;
     std::shared_future<std::string> hash_;
+    std::optional<Denoiser> denoiser_;
+    std::exception_ptr undenoised_;
 };
 
 }  // namespace eikonal

@@ -38,6 +38,7 @@ template <class Float, class Image> std::vector<ChannelView<Float>> channelsOf(I
         if (!values.empty()) channels.push_back({name, values.data(), 1, false, true});
     };
     add3(image.color, "R", "G", "B");
+    add3(image.noisy, "noisy.R", "noisy.G", "noisy.B");
     add3(image.albedo, "albedo.R", "albedo.G", "albedo.B");
     add3(image.normal, "N.X", "N.Y", "N.Z");
     add3(image.geometricNormal, "Ng.X", "Ng.Y", "Ng.Z");

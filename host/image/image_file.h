@@ -12,7 +12,8 @@ namespace eikonal {
 /// Writes an image in the format of the file name's extension:
 ///   - exr: 32-bit floats, linear; with FilmImage::halfFloats, colours and normals are 16-bit floats, clamped to 65504.
 ///   Display window: the image; data window: the pixels present. Channels R G B and, if the image has them,
-///   albedo.R albedo.G albedo.B, N.X N.Y N.Z, Z, variance, sampleCount and the others of image/channels.h, S0.400,000nm
+///   noisy.R noisy.G noisy.B, albedo.R albedo.G albedo.B, N.X N.Y N.Z,
+///   Z, variance, sampleCount and the others of image/channels.h, S0.400,000nm
 ///   (image/spectral_layout.h). The names follow the layers of Blender and Nuke and the guides of OIDN; Z is 1e10 where there is no
 ///   surface, as in Blender. Attributes: chromaticities and the metadata.
 ///   - hdr, pfm: linear, colour only, pixels present only.

@@ -77,6 +77,7 @@ FilmFile readImage(const std::string& path) {
     FilmFile file{{header.fullWidth, header.fullHeight, {x0, x0 + header.width, y0, y0 + header.height}}, metadataOf(*input)};
     FilmImage& image = file.image;
     const auto has = [&](const char* name) { return find(header, name) >= 0; };
+    if (has("noisy.R") && has("noisy.G") && has("noisy.B")) image.noisy.resize(image.pixelCount());
     if (has("albedo.R") && has("albedo.G") && has("albedo.B")) image.albedo.resize(image.pixelCount());
     if (has("N.X") && has("N.Y") && has("N.Z")) image.normal.resize(image.pixelCount());
     if (has("Ng.X") && has("Ng.Y") && has("Ng.Z")) image.geometricNormal.resize(image.pixelCount());
@@ -106,6 +107,7 @@ FilmFile readImage(const std::string& path) {
     if (const std::optional<Primaries> primaries = input->chromaticities())
         if (const auto matrix = srgbFromPrimaries(*primaries)) {
             convert(image.color, *matrix);
+            convert(image.noisy, *matrix);
             convert(image.albedo, *matrix);
         }
     return file;

@@ -40,8 +40,14 @@ std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& p
 
 std::string describe(const std::vector<BiasedChoice>& choices) {
     std::string text;
-    for (const BiasedChoice& c : choices) text += fmt::format("{}{} (without it: {})", text.empty() ? "" : "; ", c.what, c.remedy);
+    for (const BiasedChoice& choice : choices) text = withChoice(text, choice);
     return text;
+}
+
+std::string withChoice(const std::string& described, const BiasedChoice& choice) {
+    const std::string more = fmt::format("{} (without it: {})", choice.what, choice.remedy);
+    if (described.find(more) != std::string::npos) return described;
+    return described + (described.empty() ? "" : "; ") + more;
 }
 
 }  // namespace eikonal

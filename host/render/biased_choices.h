@@ -14,6 +14,9 @@ struct BiasedChoice {
     std::string remedy;  ///< the options without it: "--color=spectral"
 };
 
+/// Of an image that has been denoised.
+inline const BiasedChoice denoisingChoice = {"denoising", "no --denoise; the layer noisy"};
+
 /// The biased choices of a scene that has been packed. compilerFlags: of the OpenCL compiler, as the user gave them.
 std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, const std::string& compilerFlags);
 
@@ -22,5 +25,7 @@ std::vector<std::string> inexactFlags(const std::string& compilerFlags);
 
 /// "RGB colour (without it: --color=spectral); ..."; empty: none.
 std::string describe(const std::vector<BiasedChoice>& choices);
+/// What describe() returned, with one more choice if it is not there.
+std::string withChoice(const std::string& described, const BiasedChoice& choice);
 
 }  // namespace eikonal

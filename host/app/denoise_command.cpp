@@ -1,0 +1,30 @@
+#include "app/commands.h"
+#include "app/output.h"
+#include "clock.h"
+#include "error.h"
+#include "image/denoise.h"
+#include "image/image_file.h"
+#include "messages.h"
+#include "render/biased_choices.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace eikonal {
+
+int denoiseCommand(const Options& o) {
+    std::vector<std::string> files = o.output.files;
+    if (files.empty()) files.push_back(std::filesystem::path(o.image).replace_extension().string() + "-denoised.exr");
+    files = imageFiles(std::move(files));
+    for (const std::string& file : files) checkWritable(file);
+    FilmFile file = readImage(o.image);
+    for (const std::string& name : files) checkHolds(name, file.image.columns(), file.image.rows());
+    Denoiser(o.device.threads).denoise(file.image);
+    file.metadata.biasedChoices = withChoice(file.metadata.biasedChoices, denoisingChoice);
+    for (const std::string& name : files) writeImage(name, file.image, file.metadata, o.output.toneMapping);
+    tell(LogLevel::warning, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()), o.log);
+    return static_cast<int>(ExitCode::success);
+}
+
+}  // namespace eikonal
