@@ -3,6 +3,7 @@
 #include "image/seed_variance.h"
 #include "kinds/integrator_kind.h"
 #include "app/option_values.h"
+#include "app/pbrt_spelling.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -49,7 +50,9 @@ void addLogging(CLI::App* app, Options& o) {
                            {"error", LogLevel::error},
                            {"warning", LogLevel::warning},
                            {"info", LogLevel::info},
-                           {"debug", LogLevel::debug}}));
+                           {"debug", LogLevel::debug},
+                           {"verbose", LogLevel::debug},   // pbrt's names for the ends
+                           {"fatal", LogLevel::error}}));
     app->add_option("--log-file", o.logFile, "Also append messages to this file, with the time, as at --log-level info")->type_name("FILE");
 }
 
@@ -389,9 +392,9 @@ std::vector<std::string> optionsOf(const CLI::App* app) {
 [[noreturn]] void refuseExtra(const Parser& parser, const CLI::App* command, const std::string& argument) {
     if (argument.size() > 1 && argument[0] == '-') {
         const std::string name = argument.substr(0, argument.find('='));
-        const std::string near = nearestWord(name, optionsOf(command));
-        std::string hint = near.empty() ? "" : fmt::format("; did you mean {}?", near);
-        if (near.empty())
+        const std::string instead = insteadOf(name), near = instead.empty() ? nearestWord(name, optionsOf(command)) : "";
+        std::string hint = !instead.empty() ? "; " + instead : near.empty() ? "" : fmt::format("; did you mean {}?", near);
+        if (hint.empty())
             for (const auto& [other, id] : parser.commands)
                 for (const std::string& option : optionsOf(other))
                     if (option == name && hint.empty()) hint = fmt::format("; {} has it", other->get_name());
@@ -495,12 +498,27 @@ std::vector<Wish> usualWishes() {
     return {{seconds, 1}, {seconds, 10}, {seconds, 60}, {error, 0.1}, {error, 0.05}, {error, 0.02}};
 }
 
+/// What the user gave, without the program's name, in the spelling of the command: `help render` is `render --help`.
+std::vector<std::string> inOurSpelling(const Parser& parser, std::vector<std::string> words) {
+    const bool wantsHelp = !words.empty() && words[0] == "help";
+    if (wantsHelp) words.erase(words.begin());
+    const CLI::App* command = &parser.app;
+    for (const auto& [sub, id] : parser.commands)
+        if (!words.empty() && sub->get_name() == words[0]) command = sub;
+    const bool isKnown = words.empty() || command != &parser.app;
+    if (wantsHelp && isKnown) words = {"--help"};
+    if (wantsHelp && command != &parser.app) words.insert(words.begin(), command->get_name());
+    return withOurSpelling(std::move(words), optionsOf(command));
+}
+
 }  // namespace
 
 Options parseOptions(const std::vector<std::string>& arguments) {
     Parser parser;
     Options& options = parser.options;
-    std::vector<std::string> reversed(arguments.rbegin(), arguments.empty() ? arguments.rend() : std::prev(arguments.rend()));
+    std::vector<std::string> words(arguments.empty() ? arguments.begin() : std::next(arguments.begin()), arguments.end());
+    words = inOurSpelling(parser, std::move(words));
+    std::vector<std::string> reversed(words.rbegin(), words.rend());
     for (const std::string& a : arguments) options.commandLine += (options.commandLine.empty() ? "" : " ") + a;
     try {
         parser.app.parse(reversed);
@@ -524,8 +542,9 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     if (const auto extra = command->remaining(); !extra.empty()) refuseExtra(parser, command, extra.front());
     if (const auto extra = parser.app.remaining(); !extra.empty()) refuseExtra(parser, &parser.app, extra.front());
     if (options.preset) {
-        const std::vector<std::string> all = withPreset(arguments, *options.preset, command);
-        if (all.size() > arguments.size()) {
+        words.insert(words.begin(), arguments.front());
+        const std::vector<std::string> all = withPreset(words, *options.preset, command);
+        if (all.size() > words.size()) {
             Options whole = parseOptions(all);
             whole.commandLine = options.commandLine;
             return whole;

@@ -41,7 +41,7 @@ def main():
                 noisy, clean = render(scene, "noisy.exr", samples, 0), Path(folder) / "clean.exr"
                 subprocess.run([program, "denoise", noisy, "-o", clean], check=True, stderr=subprocess.DEVNULL)
                 (error, flip), (error_left, flip_left) = compare(program, noisy, reference), compare(program, clean, reference)
-                print(f"| `{scene.stem if scene.stem != 'scene' else scene.parent.name}` | {samples} | {error:.2g} | {error_left:.2g} "
+                print(f"| `{scene.parent.name if scene.stem.startswith('scene') else scene.stem}` | {samples} | {error:.2g} | {error_left:.2g} "
                       f"| {error / error_left:.1f} | {flip:.3f} | {flip_left:.3f} |", flush=True)
 
 

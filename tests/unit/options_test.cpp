@@ -61,6 +61,17 @@ TEST(Options, PbrtsSpellingsMeanWhatTheyMeanThere) {
     EXPECT_EQ((std::array{b.x0, b.x1, b.y0, b.y1}), (std::array{1, 20, 3, 40}));
 }
 
+/// A name counts by its letters, whatever the dashes; values stay as they are.
+TEST(Options, DashesAndCapitalsOfNamesDoNotMatter) {
+    EXPECT_EQ(parse("render a.pbrt -spp 64").scene.spp, 64);
+    EXPECT_EQ(parse("render a.pbrt -Spp=64 --SEED 3").scene.seed, 3);
+    EXPECT_EQ(parse("render a.pbrt --pixel-bounds 1,20,3,40").scene.pixelBounds.value().x1, 20);
+    EXPECT_EQ(parse("render a.pbrt --crop_window=0,0.5,.25,1").scene.cropWindow.value()[1], 0.5);
+    EXPECT_EQ(parse("render a.pbrt --maxerror 5%").output.targetError, 0.05);
+    EXPECT_EQ(parse("render a.pbrt -o --spp.exr --log-level verbose").log, LogLevel::debug);
+    EXPECT_EQ(parse("render a.pbrt -quality draft").preset->name, std::string("draft"));
+}
+
 TEST(Options, PresetsStandForOptionsThatOthersOverride) {
     const Options draft = parse("render a.pbrt --quality draft");
     EXPECT_EQ(draft.scene.spp, 8);
@@ -189,7 +200,13 @@ INSTANTIATE_TEST_SUITE_P(Commands, BadValues, testing::Values(
     BadValue{"--nonsense-of-all-kinds", "eikonal has no option --nonsense-of-all-kinds"},
     BadValue{"cache a.pbrt", "eikonal cache --warm a.pbrt"},
     BadValue{"cache --warm --no-cache", "--warm keeps kernels and --no-cache keeps none"},
-    BadValue{"compare a.exr", "needs two images"}));
+    BadValue{"compare a.exr", "needs two images"},
+    BadValue{"denoise", "denoise needs an image"},
+    BadValue{"help rendr", "did you mean render?"},
+    BadValue{"render a.pbrt --quick", "render has no option --quick; try --quality draft"},
+    BadValue{"render a.pbrt --pixel 3,4", "try --pixelbounds x,x+1,y,y+1"},
+    BadValue{"render a.pbrt --upgrade", "pbrt --upgrade old.pbrt > scene.pbrt"},
+    BadValue{"render a.pbrt --display-server localhost:14158", "try --write-partial-images"}));
 
 TEST(Options, OtherCommands) {
     EXPECT_EQ(parse("--list-devices").command, Command::listDevices);
@@ -215,6 +232,8 @@ TEST(Options, HelpAndVersionAreTextToPrint) {
     EXPECT_EQ(parse("--version").text, "eikonal " EIKONAL_VERSION "\n");
     EXPECT_THAT(parse("--help").text, HasSubstr("render"));
     EXPECT_THAT(parse("render --help").text, HasSubstr("--spp"));
+    EXPECT_EQ(parse("help render").text, parse("render --help").text);
+    EXPECT_EQ(parse("help").text, parse("--help").text);
     const std::string all = parse("--help-all").text;
     for (const std::string& name : allOptionNames()) EXPECT_THAT(all, HasSubstr(name));
 }
