@@ -23,6 +23,7 @@ private:
     bool isInfinite(const LightKind&) const;
     void add(const LightPacking& in, const Light& description);
     void packGuide();
+    void packEmission();
 
     const PackContext& context_;
     LightTables& tables_;
@@ -30,6 +31,7 @@ private:
     ColorPacker& colors_;
     TexturePacker& textures_;
     std::vector<double> powers_;  ///< powers of `lights`, for the light sampler
+    std::vector<double> emitted_; ///< and of light paths
 };
 
 }  // namespace eikonal

@@ -67,9 +67,11 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
 /// Says what an image lacks if another integrator renders the scene than the one that it names.
 static void warnOfStandIn(const IntegratorDescription& integrator, const PackedScene& packed, Diagnostics& diagnostics) {
     if (integrator.standsFor.empty()) return;
-    const std::vector<std::string> missed = missedLight(packed);
+    const std::vector<std::string> missed =
+        packed.features.has(Feature::LIGHT_PATHS) ? std::vector<std::string>() : missedLight(packed);
     diagnostics.unsupported("integrator", integrator.where,
-                            fmt::format("integrator \"{}\" is not available; \"volpath\" is used instead{}", integrator.standsFor,
+                            fmt::format("integrator \"{}\" is not available; \"{}\" is used instead{}", integrator.standsFor,
+                                        integrator.kind->name,
                                         missed.empty() ? ", which converges to the same image"
                                                        : fmt::format(". In this scene {}", fmt::join(missed, "; "))));
 }
@@ -87,6 +89,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
                               .required = packed,
                               .space = spaceOf(bounds),
                               .bounds = bounds.near,
+                              .whole = bounds.all,
                               .hasMedia = scene.integrator.kind->countsMedia && mediaAreUsed(scene),
                               .spectral = packed.color.spectral,
                               .images = images};
