@@ -118,6 +118,8 @@ const IntegratorKind randomwalk_integrator{.name = "randomwalk", .samplesLights 
 
 static void packLightPaths(const IntegratorPacking& in, const IntegratorDescription& d, const std::string& why) {
     const std::string obstacle = lightPathObstacle(in.context);
+    /* Paths that are to find a moving camera know their time */
+    if (obstacle.empty() && in.context.scene.camera.worldFromCameraAtEnd) in.context.require(Feature::MOTION, why);
     if (obstacle.empty()) in.context.require(Feature::LIGHT_PATHS, why);
     else
         in.context.diagnostics.warn(
