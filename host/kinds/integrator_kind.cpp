@@ -118,9 +118,7 @@ const IntegratorKind randomwalk_integrator{.name = "randomwalk", .samplesLights 
 
 static void packLightPaths(const IntegratorPacking& in, const IntegratorDescription& d, const std::string& why) {
     const std::string obstacle = lightPathObstacle(in.context);
-    /* Paths that are to find a moving camera know their time */
-    if (obstacle.empty() && in.context.scene.camera.worldFromCameraAtEnd) in.context.require(Feature::MOTION, why);
-    if (obstacle.empty()) in.context.require(Feature::LIGHT_PATHS, why);
+    if (obstacle.empty()) requireLightPaths(in.context, why);
     else
         in.context.diagnostics.warn(
             d.where, fmt::format("integrator \"{}\" traces no paths from lights here, since {}: the image is that of \"volpath\"",
@@ -135,10 +133,17 @@ const IntegratorKind bdpt_integrator{
     .read = readRegularize,
     .pack = packLightPaths};
 
+const IntegratorKind auto_integrator{.name = "auto",
+                                     .parameters = pathParameters,
+                                     .countsMedia = true,
+                                     .mayTraceLightPaths = true,
+                                     .followsBsdfs = always,
+                                     .read = readRegularize};
+
 std::span<const IntegratorKind* const> integratorKindList() {
     static const IntegratorKind* const kinds[] = {
         &volpath_integrator,          &path_integrator,       &direct_integrator,    &whitted_integrator,
-        &ambientocclusion_integrator, &simplepath_integrator, &randomwalk_integrator, &bdpt_integrator};
+        &ambientocclusion_integrator, &simplepath_integrator, &randomwalk_integrator, &bdpt_integrator, &auto_integrator};
     return kinds;
 }
 

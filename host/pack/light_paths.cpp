@@ -1,7 +1,8 @@
 #include "pack/light_paths.h"
 
 #include "kinds/camera_kind.h"
-#include "kinds/material_kind.h"
+#include "kinds/integrator_kind.h"
+#include "pack/missed_light.h"
 
 #include <fmt/format.h>
 
@@ -19,6 +20,18 @@ std::string lightPathObstacle(const PackContext& context) {
     if (scene.film.spectrum) return "its film keeps spectra, which light paths do not add to yet";
     if (scene.integrator.regularize) return "it regularizes, which depends on where a path begins";
     return {};
+}
+
+void requireLightPaths(const PackContext& context, const std::string& why) {
+    context.require(Feature::LIGHT_PATHS, why);
+    /* Paths that are to find a moving camera know their time */
+    if (context.scene.camera.worldFromCameraAtEnd) context.require(Feature::MOTION, why);
+}
+
+void chooseLightPaths(const PackContext& context, const PackedScene& packed) {
+    if (!context.scene.integrator.kind->mayTraceLightPaths) return;
+    if (const std::vector<std::string> missed = missedLight(packed); !missed.empty() && lightPathObstacle(context).empty())
+        requireLightPaths(context, "otherwise " + missed.front());
 }
 
 }  // namespace eikonal

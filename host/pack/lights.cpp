@@ -36,7 +36,6 @@ void LightPacker::pack() {
     }
     packLightSampler(context_, tables_, frame_, std::move(powers_), firstInfinite);
     packGuide();
-    packEmission();
 }
 
 bool LightPacker::isLeftToBsdfs(const LightKind& kind) const {
@@ -59,7 +58,7 @@ void LightPacker::add(const LightPacking& in, const Light& description) {
     emitted_.push_back(kind.traits.startsPaths ? packed.power : 0);
 }
 
-/// How likely light paths begin at each light, by its power, and how their splats are scaled.
+/// By power; and how splats are scaled.
 void LightPacker::packEmission() {
     if (!context_.has(Feature::LIGHT_PATHS) || emitted_.empty()) return;
     double total = 0, count = 0;

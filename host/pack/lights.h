@@ -17,13 +17,14 @@ public:
     void addShape(const Shape&, shape& packed, const GeometryTables&, const glm::dmat4& m, size_t elements);
     /// Adds the lights without a shape, after all others, then makes the light sampler.
     void pack();
+    /// With light paths: how likely they begin at each light. After pack().
+    void packEmission();
 
 private:
     bool isLeftToBsdfs(const LightKind&) const;
     bool isInfinite(const LightKind&) const;
     void add(const LightPacking& in, const Light& description);
     void packGuide();
-    void packEmission();
 
     const PackContext& context_;
     LightTables& tables_;

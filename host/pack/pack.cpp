@@ -5,6 +5,7 @@
 #include "pack/color_mode.h"
 #include "pack/geometry.h"
 #include "pack/integrator.h"
+#include "pack/light_paths.h"
 #include "pack/missed_light.h"
 #include "pack/sampler.h"
 #include "pack/scene_bounds.h"
@@ -60,6 +61,8 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     media.pack();
     Hierarchies hierarchies = packGeometry({context, tables, packed.counts, textures, materials, lights});
     lights.pack();
+    chooseLightPaths(context, packed);
+    lights.packEmission();
     media.packEquiangularLights(tables.lights);
     return hierarchies;
 }
@@ -67,8 +70,7 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
 /// Says what an image lacks if another integrator renders the scene than the one that it names.
 static void warnOfStandIn(const IntegratorDescription& integrator, const PackedScene& packed, Diagnostics& diagnostics) {
     if (integrator.standsFor.empty()) return;
-    const std::vector<std::string> missed =
-        packed.features.has(Feature::LIGHT_PATHS) ? std::vector<std::string>() : missedLight(packed);
+    const std::vector<std::string> missed = missedLight(packed);
     diagnostics.unsupported("integrator", integrator.where,
                             fmt::format("integrator \"{}\" is not available; \"{}\" is used instead{}", integrator.standsFor,
                                         integrator.kind->name,
