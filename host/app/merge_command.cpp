@@ -52,7 +52,7 @@ unsigned samplesWanted(const std::vector<std::unique_ptr<FilmFileReader>>& files
     return static_cast<unsigned>(identityFromJson(files.front()->head().identity, files.front()->path()).samples);
 }
 
-/// What the light paths of all parts have added to the image; nothing without light paths. Each row has the samples of all parts that hold it.
+/// What the light paths of all parts have added to the image; nothing without light paths.
 std::unique_ptr<SplatSums> joinedSplats(const std::vector<std::unique_ptr<FilmFileReader>>& files, const PackedScene& scene) {
     if (!scene.features.has(Feature::LIGHT_PATHS)) return nullptr;
     auto all = std::make_unique<SplatSums>(scene.pixels);

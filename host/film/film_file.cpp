@@ -135,7 +135,8 @@ void FilmFileReader::forSplats(const std::function<void(const SplatRow&)>& take)
                             words = width * splat_words;
         if (!width || !ranges || content.size() != sizeof head + ranges + words * sizeof(std::uint64_t))
             records_.fail("is damaged: its light paths do not fit its image");
-        SplatRow row{head.y, head.x0, head.x1, std::vector<SampleRange>(static_cast<size_t>(head.nodes)), std::vector<std::uint64_t>(words)};
+        SplatRow row{head.y, head.x0, head.x1, {}, std::vector<std::uint64_t>(words)};
+        row.samples.resize(static_cast<size_t>(head.nodes));
         std::memcpy(row.samples.data(), content.data() + sizeof head, ranges);
         std::memcpy(row.words.data(), content.data() + sizeof head + ranges, words * sizeof(std::uint64_t));
         take(row);

@@ -50,8 +50,6 @@ void SplatSums::add(SampleRange samples, std::span<const uint> halves) {
     }
 }
 
-size_t SplatSums::halves() const {
-    return 2 * static_cast<size_t>(splat_words) * static_cast<size_t>(pixels_.width()) * rows_.size();
-}
+size_t SplatSums::halves() const { return 2 * static_cast<size_t>(splat_words) * static_cast<size_t>(pixels_.width()) * rows_.size(); }
 
 }  // namespace eikonal

@@ -14,8 +14,8 @@ namespace eikonal {
 
 class FilmTotals {
 public:
-    /// words: word w of pixel i of the pixels that are rendered of the scene is words[w * number of pixels + i]. splats: of the same pixels;
-    /// null: none.
+    /// words: word w of pixel i of the pixels that are rendered of the scene is words[w * number of pixels + i]. splats: of the same
+    /// pixels; null: none.
     FilmTotals(const PackedScene& scene, const QueueLayout& layout, std::shared_ptr<uint[]> words, const SplatSums* splats = nullptr);
 
     const PixelRect& pixels() const { return pixels_; }

@@ -83,8 +83,8 @@ void LightPacker::packEmission() {
         l.p = toVec3(center);
         l.radius = static_cast<float>(radius);
     }
-    /* A splat is a light's power times density of camera rays, a BSDF and the inverse of a squared distance in scene space, where all are of
-       the order of one */
+    /* A splat is a light's power times the density of camera rays, a BSDF and the inverse of a squared distance in scene space, where all
+       are of the order of one */
     const camera& view = frame_.view;
     const double image = double{view.step_x} * double{view.step_y} * frame_.width * frame_.height,
                  typical = total / std::max(std::abs(image), 1e-30);

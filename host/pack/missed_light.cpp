@@ -61,8 +61,8 @@ std::vector<std::string> missedLight(const PackedScene& packed) {
         break;
     }
     if (const double share = smallestLamp(packed); share < rareShare)
-        missed.push_back(fmt::format("what a lamp of {:.1e} of the scene's cross-section sends {}, first {}, is noisy: about one path in {:.0f} "
-                                     "hits the lamp",
+        missed.push_back(fmt::format("what a lamp of {:.1e} of the scene's cross-section sends {}, first {}, is noisy: about one path in "
+                                     "{:.0f} hits the lamp",
                                      share, onto, smooth, 1 / share));
     return missed;
 }

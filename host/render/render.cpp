@@ -88,8 +88,8 @@ private:
         return static_cast<unsigned>(std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size()));
     }
 
-    /// Traces the light paths of all samples up to `end` that the film lacks: those of all pixels of the whole image, whatever part of it is
-    /// rendered. They count once all of them have been traced.
+    /// Traces the light paths of all samples up to `end` that the film lacks: those of all pixels of the whole image, whatever part of it
+    /// is rendered. They count once all of them have been traced.
     void traceLights(unsigned end) {
         SplatSums* const splats = film_.splats();
         if (!splats || stopped_) return;

@@ -73,8 +73,8 @@ unsigned Wave::generate(uint over, unsigned slots, const BatchStream& stream) {
     return slots;
 }
 
-/// Intersects all rays and routes them to the next queues, by the stage over `routing`: route_intersections, or that of light paths. Returns
-/// the number of items in each.
+/// Intersects all rays and routes them to the next queues: over each_ray or, where they are light paths, each_light_ray. Returns the number
+/// of items in each.
 WaveCounts Wave::intersect(unsigned slots, uint routing) {
     if (!slots) return {};
     counter_.clear();

@@ -30,8 +30,14 @@
 /* What multiple importance sampling must know of the vertices behind a path, from the camera or from a light (Georgiev 2012, "Implementing
    Vertex Connection and Merging"). In a ray: without what depends on where the ray ends. */
 #define LIGHT_PATH_TRAVEL_FIELDS(F, q) \
-    F(q, float,    d_vcm,      LIGHT_PATHS)  /* 1 over the density of the last vertex, if a path from the other side could have ended there */ \
-    F(q, float,    d_vc,       LIGHT_PATHS)  /* the same summed over all earlier vertices, as the density of going back grows by 1 */
+    F(q, float,    d_vcm,      LIGHT_PATHS)  /* 1 / density of the last vertex, if a path from the other side may end there; else 0 */ \
+    F(q, float,    d_vc,       LIGHT_PATHS)  /* the same of all earlier vertices together, per density of the way back to them */
+#define LIGHT_PATH_MISS_FIELDS(F, q) \
+    F(q, float,    d_vc,       LIGHT_PATHS)  /* as in ray */
+#define LIGHT_PATH_EMISSION_FIELDS(F, q) \
+    F(q, float,    by_light_paths, LIGHT_PATHS) /* density of all light paths that lead here, over that of this path */
+#define LIGHT_PATH_SHADOW_FIELDS(F, q) \
+    F(q, vec2,     raster,     LIGHT_PATHS)  /* of a light path: where it arrives in the image, pixels */
 
 /* Where a path is in a subsurface body. */
 #define SUBSURFACE_TRAVEL_FIELDS(F, q) \

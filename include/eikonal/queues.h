@@ -26,8 +26,7 @@
     SPLITTING_TRAVEL_FIELDS(F, q) \
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices; Russian roulette multiplies by it */ \
     F(q, spectrum, r_u,        MEDIA)        /* rescaled path probability of unidirectional sampling, per channel (pbrt-v4's r_u) */ \
-    LIGHT_PATH_TRAVEL_FIELDS(F, q) \
-    SUBSURFACE_TRAVEL_FIELDS(F, q)
+    LIGHT_PATH_TRAVEL_FIELDS(F, q) SUBSURFACE_TRAVEL_FIELDS(F, q)
 
 /* A ray to trace: filled by generate_rays, shading and route_intersections, traced by intersect_rays, read up to route_intersections.
    Sparse: slots may be dead. Slot i comes from slot i of hit or scatter (ray splitting: see shade_hits.cl); camera rays follow. */
@@ -91,8 +90,7 @@
     F(q, spectrum, r_u,        MEDIA) \
     F(q, spectrum, r_l,        MEDIA)        /* as in ray */ \
     F(q, vec3,     d,          ALWAYS) \
-    F(q, float,    pdf,        ALWAYS)       /* as in ray */ \
-    F(q, float,    d_vc,       LIGHT_PATHS)  /* as in ray */ \
+    F(q, float,    pdf,        ALWAYS)       /* as in ray */    LIGHT_PATH_MISS_FIELDS(F, q) \
     F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* as in ray */ \
     F(q, vec3,     o,          PORTALS_OR_ENVIRONMENT_GUIDE_OR_LIGHT_PATHS) /* where d was sampled */
 
@@ -103,9 +101,8 @@
     F(q, spectrum, r_u,        MEDIA) \
     F(q, spectrum, r_l,        MEDIA)        /* as in ray */ \
     F(q, spectrum, Le,         ALWAYS)       /* radiance towards the path */ \
-    F(q, float,    pdf,        ALWAYS)       /* as in ray */ \
-    F(q, float,    pdf_light,  ALWAYS)       /* density over solid angle with which light sampling produces this point */ \
-    F(q, float,    by_light_paths, LIGHT_PATHS) /* density of all light paths that lead here over that of this path */
+    F(q, float,    pdf,        ALWAYS)       /* as in ray */    LIGHT_PATH_EMISSION_FIELDS(F, q) \
+    F(q, float,    pdf_light,  ALWAYS)       /* density over solid angle with which light sampling produces this point */
 
 /* A shadow ray and the light it carries: filled by shading, drained by test_shadows. Sparse: slot i belongs to slot i of hit or scatter. */
 #define SHADOW_FIELDS(F, q) \
@@ -113,7 +110,7 @@
     F(q, vec3,     o,          ALWAYS) \
     F(q, vec3,     d,          ALWAYS) \
     F(q, float,    t_max,      ALWAYS)       /* < 0: dead slot; ends before the light by what rounding may hide of it */ \
-    LIGHT_ELEMENT_FIELDS(F, q) \
+    LIGHT_ELEMENT_FIELDS(F, q) LIGHT_PATH_SHADOW_FIELDS(F, q) \
     F(q, float,    time,       MOTION)       /* as in ray */ \
     F(q, spectrum, Ld,         ALWAYS)       /* contribution, all weights included; with MEDIA not yet divided by mean(r_u + r_l) */ \
     F(q, uint,     medium,     MEDIA) \
@@ -121,8 +118,7 @@
     F(q, spectrum, r_l,        MEDIA)        /* rescaled path probability of light sampling */ \
     F(q, uint,     seed,       MEDIA_OR_LIGHT_PATTERN_OR_LIGHT_PATHS) \
     F(q, uint,     sample,     MEDIA_OR_LIGHT_PATTERN_OR_LIGHT_PATHS) \
-    F(q, uint,     depth,      MEDIA_OR_LIGHT_PATHS) \
-    F(q, vec2,     raster,     LIGHT_PATHS)  /* of a light path's: where it arrives in the image, pixels */
+    F(q, uint,     depth,      MEDIA_OR_LIGHT_PATHS)
 
 /* What persists from camera to film, by path index. A path has one item in a queue (where rays
    split, each has a state of its own), so stages add to L without atomics. */

@@ -175,8 +175,8 @@ typedef struct {
     T(float,          aperture_texels)       /* transmission of the aperture stop, row by row, y up; its mean is pi / 4 */
 
 #define SCENE_TABLES(T) \
-    GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) EMISSION_TABLES(T) BSDF_TABLES(T) MEDIUM_TABLES(T) COLOR_TABLES(T) \
-        CAMERA_TABLES(T) \
+    GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) EMISSION_TABLES(T) BSDF_TABLES(T) MEDIUM_TABLES(T) \
+        COLOR_TABLES(T) CAMERA_TABLES(T) \
     T(settings,       frame)
 
 /* The most rays that one camera ray may split into (kernels/shade/ray_splitting.clh). */

@@ -45,8 +45,7 @@ CONTRACT_BEGIN /* namespace eikonal, in C++ */
     S(test_shadows, (shadow), (path), each_shadow, ALWAYS) \
     /* Once the paths of a batch have ended: add them to their pixels */ \
     S(resolve_film, (path), (film), each_pixel, ALWAYS) \
-    /* A wave of light paths: it begins with these rays, intersects and classifies them as above, and goes on here. Some blocks of `pixels`, \
-       of the whole image, say which paths */ \
+    /* A wave of light paths: it begins with these rays, intersects and classifies them as above, and goes on here */ \
     S(generate_light_rays, (pixels), (ray), each_light_sample, LIGHT_PATHS) \
     S(route_light_paths, (intersection, ray, counts), (hit, next_ray, shadow), each_light_ray, LIGHT_PATHS) \
     S(shade_light_hits, (hit), (next_ray, shadow), each_light_bsdf, LIGHT_PATHS) \

@@ -1,6 +1,6 @@
-/* intersection, ray, counts -> hit, next_ray, shadow.  Builds the hits of light paths, in the dense segments of their BSDFs, as route_intersections does for
-   paths from the camera. Light paths end where they leave the scene, and add nothing where they meet other lights. A tracing stage; each
-   work-item reserves space once for all its slots. */
+/* intersection, ray, counts -> hit, next_ray, shadow.  Builds the hits of light paths, in the dense segments of their BSDFs, as
+   route_intersections does for paths from the camera. Light paths end where they leave the scene, and add nothing where they meet other
+   lights. A tracing stage; each work-item reserves space once for all its slots. */
 #include "eikonal/stages.h"
 #include "light/emission.clh"
 #include "stages/queue.clh"
@@ -25,8 +25,8 @@ FN hit_item arrive_from_light(scene_tables scene, __global const alias_entry *em
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) LIGHT_TABLES(TABLE) EMISSION_TABLES(TABLE) MEDIUM_TABLES(TABLE) \
     COLOR_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, ray) ARGUMENT(__global const uint *, intersection) \
-    ARGUMENT(__global const uint *, counts) ARGUMENT(__global uint *, cursors) ARGUMENT(__global uint *, hit) ARGUMENT(__global uint *, next_ray) \
-    ARGUMENT(__global uint *, shadow)
+    ARGUMENT(__global const uint *, counts) ARGUMENT(__global uint *, cursors) ARGUMENT(__global uint *, hit) \
+    ARGUMENT(__global uint *, next_ray) ARGUMENT(__global uint *, shadow)
 TRACING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
     scene_tables scene = BIND_SCENE;
     uint at[next_queues];
@@ -63,7 +63,7 @@ TRACING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
         hit_item h = make_hit(scene.geometry, r, f, s, m);
         /* Where nothing from the camera is comparable, the path ends: its hit has no throughput */
         h = arrive(frame, scene.geometry, h, r, f);
-        if (HAS_STRIPS && scene.geometry.shapes[scene.geometry.element_shapes[f.element]].kind == shape_curve) h.beta = uniform_spectrum(0.0f);
+        if (faces_rays(scene.geometry, f)) h.beta = uniform_spectrum(0.0f);
         else if (r.depth == 0u)
             h = arrive_from_light(scene, emission_aliases, h, r, f.t + (HAS_INTERFACE ? r.traveled : 0.0f));
         store_hit_and_bsdf(hit, capacity, slot, scene.tables, scene.colors, scene.materials, m, h, s);

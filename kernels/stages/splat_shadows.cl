@@ -22,8 +22,8 @@ FN void add_splat(__global uint *splat, size_t pixels, size_t pixel, __global co
     add_to_splat(splat, pixels, splat_red, pixel, splat_units(color.r * SPLAT_UNITS, next_random(numbers)));
     add_to_splat(splat, pixels, splat_green, pixel, splat_units(color.g * SPLAT_UNITS, next_random(numbers)));
     add_to_splat(splat, pixels, splat_blue, pixel, splat_units(color.b * SPLAT_UNITS, next_random(numbers)));
-    float y = luminance(color);
-    add_to_splat(splat, pixels, splat_square, pixel, splat_units(min1(y * y, MOST_SPLAT_SQUARE) * SPLAT_SQUARE_UNITS, next_random(numbers)));
+    float square_luminance = min1(square(luminance(color)), MOST_SPLAT_SQUARE);
+    add_to_splat(splat, pixels, splat_square, pixel, splat_units(square_luminance * SPLAT_SQUARE_UNITS, next_random(numbers)));
 }
 
 #define SPLAT_SHADOWS(TABLE, ARGUMENT) \

@@ -17,20 +17,27 @@
 namespace eikonal {
 namespace {
 
-struct Emitted { vec3 p, d; float beta, arrival; };
-struct Received { float light; };
+struct Emitted {
+    vec3 p, d;
+    float beta, arrival;
+};
+struct Received {
+    float light;
+};
 
 glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
 
 /// A scene whose only lights are those of `text`, for an integrator that traces light paths, around a ball.
 PackedScene lit(const std::string& text) {
-    return packText("LookAt 0 0 -5  0 0 0  0 1 0 Camera \"perspective\" Film \"rgb\" Sampler \"independent\" Integrator \"bdpt\"\nWorldBegin\n" +
-                    text + "\nMaterial \"diffuse\" Shape \"sphere\"\n");
+    return packText(
+        "LookAt 0 0 -5  0 0 0  0 1 0 Camera \"perspective\" Film \"rgb\" Sampler \"independent\" Integrator \"bdpt\"\nWorldBegin\n" + text +
+        "\nMaterial \"diffuse\" Shape \"sphere\"\n");
 }
 
 std::vector<Emitted> emit(const PackedScene& scene, size_t n) {
     const DeviceFunction<Emitted> function(
-        {.include = "light/emission.clh", .type = "emitted",
+        {.include = "light/emission.clh",
+         .type = "emitted",
          .body = "light_tables tables = BIND_LIGHTS; color_tables color_set = BIND_COLORS;"
                  "emission e = sample_emission(tables, emission_aliases, path_wavelengths(color_set, 0u, 0u), lights_of_scene, 7u, sample);"
                  "result.p = e.from.p; result.d = e.d; result.beta = e.beta.g; result.arrival = e.arrival;",
@@ -47,32 +54,35 @@ std::vector<Received> receive(PackedScene scene, const std::vector<vec3>& points
     /* All are as likely, also a sky that is left to the BSDFs */
     scene.tables.light_aliases = makeAliasTable(std::vector<double>(scene.tables.lights.size(), 1));
     for (light& l : scene.tables.lights) l.pmf = 1 / static_cast<float>(scene.tables.lights.size());
-    const DeviceFunction<Received> function(
-        {.include = "trace/route_items.clh", .type = "received",
-         .body = "light_tables tables = BIND_LIGHTS; color_tables color_set = BIND_COLORS;"
-                 "alias_sample lot = sample_light_index(tables, lights_of_scene, u);"
-                 "light_choice found = choose_this_light(tables, no_choice(), (uint)lot.i);"
-                 "light_sample s = sample_light(tables, path_wavelengths(color_set, 0u, 0u), found, p, v);"
-                 "result.light = s.pdf > 0.0f ? s.L.g * max1(dot3(s.wi, n), 0.0f) / s.pdf : 0.0f;",
-         .inputs = {"vec3 p", "vec3 n", "float u", "vec2 v", "uint lights_of_scene"},
-         .declarations = "typedef struct { float light; } received;",
-         .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
+    const DeviceFunction<Received> function({.include = "trace/route_items.clh",
+                                             .type = "received",
+                                             .body =
+                                                 "light_tables tables = BIND_LIGHTS; color_tables color_set = BIND_COLORS;"
+                                                 "alias_sample lot = sample_light_index(tables, lights_of_scene, u);"
+                                                 "light_choice found = choose_this_light(tables, no_choice(), (uint)lot.i);"
+                                                 "light_sample s = sample_light(tables, path_wavelengths(color_set, 0u, 0u), found, p, v);"
+                                                 "result.light = s.pdf > 0.0f ? s.L.g * max1(dot3(s.wi, n), 0.0f) / s.pdf : 0.0f;",
+                                             .inputs = {"vec3 p", "vec3 n", "float u", "vec2 v", "uint lights_of_scene"},
+                                             .declarations = "typedef struct { float light; } received;",
+                                             .tables = "LIGHT_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     return function.with(DeviceScene(testContext(), scene), points, std::vector<vec3>(points.size(), n),
                          generate(points.size(), [&] { return random.unit(); }), generate(points.size(), [&] { return random.square(); }),
                          std::vector<uint>(points.size(), static_cast<uint>(scene.tables.lights.size())));
 }
 
-struct EmissionCase { std::string name, text; };
+struct EmissionCase {
+    std::string name, text;
+};
 void PrintTo(const EmissionCase& c, std::ostream* out) { *out << c.name; }
 class Emission : public testing::TestWithParam<EmissionCase> {};
 
-/// The flux through a disk, by the paths that begin at the light and cross it, is the disk's area times the mean irradiance by light samples
-/// at points of it: within 4 standard errors of both, which may be 3 % together.
+/// The flux through a disk, by the paths that begin at the light and cross it, is the disk's area times the mean irradiance by light
+/// samples at points of it: within 4 standard errors of both, which may be 3 % together.
 TEST_P(Emission, SendsTheFluxThatLightSamplesReceive) {
     const PackedScene scene = lit(GetParam().text);
     ASSERT_TRUE(scene.features.has(Feature::LIGHT_PATHS));
     const glm::dvec3 center(0.05, 0.1, -0.1), n = glm::normalize(glm::dvec3(0.2, 1, -0.3)), x = glm::normalize(glm::cross(n, {0, 0, 1})),
-                     y = glm::cross(n, x);
+                                              y = glm::cross(n, x);
     constexpr double radius = 0.25;
     Accumulator sent, received;
     for (const Emitted& e : emit(scene, 1 << 18)) {
@@ -107,12 +117,14 @@ const std::vector<EmissionCase> emissionCases{
     {"distant", "LightSource \"distant\" \"rgb L\" [1 2 3] \"point3 from\" [1 2 -1]"},
     {"goniometric", "AttributeBegin Translate .4 1.5 -.2 LightSource \"goniometric\" \"string filename\" \"" EIKONAL_SOURCE_DIR
                     "/scenes/assets/sky.exr\" AttributeEnd"},
-    {"projection", "AttributeBegin Translate 0 1.5 -.3 Rotate 80 1 0 0 LightSource \"projection\" \"float fov\" 60 " + tiles + " AttributeEnd"},
+    {"projection",
+     "AttributeBegin Translate 0 1.5 -.3 Rotate 80 1 0 0 LightSource \"projection\" \"float fov\" 60 " + tiles + " AttributeEnd"},
     {"uniform_infinite", "LightSource \"infinite\" \"rgb L\" [1 2 3]"},
     {"image_infinite", "LightSource \"infinite\" \"string filename\" \"" EIKONAL_SOURCE_DIR "/scenes/assets/sky.exr\""},
     {"triangle", area("Shape \"trianglemesh\" \"point3 P\" [-.5 1.3 -.4  .6 1.5 -.5  .1 1.2 .6]")},
-    {"triangle_two_sided", "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [1 2 3] \"bool twosided\" true "
-                           "Shape \"trianglemesh\" \"point3 P\" [-.5 1.3 -.4  .1 1.2 .6  .6 1.5 -.5] AttributeEnd"},
+    {"triangle_two_sided",
+     "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [1 2 3] \"bool twosided\" true "
+     "Shape \"trianglemesh\" \"point3 P\" [-.5 1.3 -.4  .1 1.2 .6  .6 1.5 -.5] AttributeEnd"},
     {"bilinear", area("Shape \"bilinearmesh\" \"point3 P\" [-.5 1.3 -.4  .6 1.5 -.5  -.5 1.2 .6  .3 1.6 .5]")},
     {"sphere", area("Translate .3 1.6 -.3 Shape \"sphere\" \"float radius\" .3")},
     {"ellipsoid", area("Translate .3 1.6 -.3 Scale .5 .2 .3 Shape \"sphere\"")},
@@ -130,28 +142,34 @@ TEST(EmissionList, IsCovered) {
 #undef EXPECT_TESTED
 }
 
-struct Connection { vec3 o, lens; float density, inverse; vec2 raster, image; };
+struct Connection {
+    vec3 o, lens;
+    float density, inverse;
+    vec2 raster, image;
+};
 
-/// A camera ray, and the connection of a point on it to the camera by the same point of the lens: both are the same line, at the same place in
-/// the image, and the density of one is 1 over the inverse density that the other carries.
+/// A camera ray, and the connection of a point on it to the camera by the same point of the lens: both are the same line, at the same place
+/// in the image, and the density of one is 1 over the inverse density that the other carries.
 TEST(Importance, ConnectsPointsAlongTheRaysOfTheCamera) {
     for (const std::string camera :
          {"\"perspective\" \"float fov\" 50", "\"orthographic\"", "\"perspective\" \"float lensradius\" .3 \"float focaldistance\" 4",
           "\"orthographic\" \"float lensradius\" .3 \"float focaldistance\" 4"})
         for (const std::string stretch : {"", "Scale 1 2 .5 ", "Scale -3 3 3 "}) {
             SCOPED_TRACE(camera + stretch);
-            const PackedScene scene =
-                packText(stretch + "LookAt 3 1 -5  0 .5 0  0 1 0\nCamera " + camera +
-                         "\nFilm \"rgb\" \"integer xresolution\" 40 \"integer yresolution\" 30\nPixelFilter \"box\"\nSampler \"independent\"\n"
-                         "Integrator \"bdpt\"\nWorldBegin\nLightSource \"point\"\nMaterial \"diffuse\" Shape \"sphere\"\n");
+            const PackedScene scene = packText(
+                stretch + "LookAt 3 1 -5  0 .5 0  0 1 0\nCamera " + camera +
+                "\nFilm \"rgb\" \"integer xresolution\" 40 \"integer yresolution\" 30\nPixelFilter \"box\"\nSampler \"independent\"\n"
+                "Integrator \"bdpt\"\nWorldBegin\nLightSource \"point\"\nMaterial \"diffuse\" Shape \"sphere\"\n");
             const DeviceFunction<Connection> function(
-                {.include = "camera/camera.clh", .type = "connection",
-                 .body = "camera_tables tables = BIND_CAMERA; ray_item r = generate_ray(tables, frame, x, y, sample, 0u).ray;"
-                         "vec3 p = mul_add(r.d, distance, r.o);"
-                         "camera_connection c = connect_to_camera(frame, 0.0f, p, sample_2d(r.seed, r.sample, dimension_lens));"
-                         "vec2 u = sample_2d(r.seed, r.sample, dimension_pixel);"
-                         "result.o = r.o; result.lens = c.o; result.density = c.density; result.inverse = r.d_vcm; result.raster = c.raster;"
-                         "result.image = make_vec2((float)x + u.x, (float)y + u.y);",
+                {.include = "camera/camera.clh",
+                 .type = "connection",
+                 .body =
+                     "camera_tables tables = BIND_CAMERA; ray_item r = generate_ray(tables, frame, x, y, sample, 0u).ray;"
+                     "vec3 p = mul_add(r.d, distance, r.o);"
+                     "camera_connection c = connect_to_camera(frame, 0.0f, p, sample_2d(r.seed, r.sample, dimension_lens));"
+                     "vec2 u = sample_2d(r.seed, r.sample, dimension_pixel);"
+                     "result.o = r.o; result.lens = c.o; result.density = c.density; result.inverse = r.d_vcm; result.raster = c.raster;"
+                     "result.image = make_vec2((float)x + u.x, (float)y + u.y);",
                  .inputs = {"uint x", "uint y", "uint sample", "float distance"},
                  .declarations = "typedef struct { vec3 o, lens; float density, inverse; vec2 raster, image; } connection;",
                  .tables = "CAMERA_TABLES(TABLE) ARGUMENT(__global const settings *, frame)",
@@ -159,9 +177,9 @@ TEST(Importance, ConnectsPointsAlongTheRaysOfTheCamera) {
             Random random(9);
             constexpr size_t n = 4096;
             const auto distance = generate(n, [&] { return random.between(0.3f, 3); });
-            const auto found = function.with(DeviceScene(testContext(), scene), generate(n, [&] { return random.below(40); }),
-                                             generate(n, [&] { return random.below(30); }), generate(n, [&] { return random.below(64); }),
-                                             distance);
+            const auto found =
+                function.with(DeviceScene(testContext(), scene), generate(n, [&] { return random.below(40); }),
+                              generate(n, [&] { return random.below(30); }), generate(n, [&] { return random.below(64); }), distance);
             for (size_t i = 0; i < n; ++i) {
                 const Connection& c = found[i];
                 const double away = scene.frame().view.is_parallel ? 1 : std::pow(static_cast<double>(distance[i]), 2);
@@ -173,23 +191,26 @@ TEST(Importance, ConnectsPointsAlongTheRaysOfTheCamera) {
         }
 }
 
-/// The density of connections is that of rays: over the part of a sphere around a pinhole that the image shows, it integrates to 1. Points are
-/// taken uniformly from the cone around it.
+/// The density of connections is that of rays: over the part of a sphere around a pinhole that the image shows, it integrates to 1. Points
+/// are taken uniformly from the cone around it.
 TEST(Importance, IntegratesToOneOverTheImage) {
     const PackedScene scene = packText(
-        "LookAt 0 0 0  0 0 1  0 1 0\nCamera \"perspective\" \"float fov\" 50\nFilm \"rgb\" \"integer xresolution\" 40 \"integer yresolution\" 30\n"
+        "LookAt 0 0 0  0 0 1  0 1 0\nCamera \"perspective\" \"float fov\" 50\nFilm \"rgb\" \"integer xresolution\" 40 \"integer "
+        "yresolution\" 30\n"
         "PixelFilter \"box\"\nSampler \"independent\"\nIntegrator \"bdpt\"\nWorldBegin\nLightSource \"point\"\nMaterial \"diffuse\" Shape "
         "\"sphere\"\n");
     const DeviceFunction<Connection> function(
-        {.include = "camera/camera.clh", .type = "connection",
+        {.include = "camera/camera.clh",
+         .type = "connection",
          .body = "camera_connection c = connect_to_camera(frame, 0.0f, p, make_vec2(0.0f, 0.0f));"
                  "result.lens = c.o; result.density = c.density; result.raster = c.raster;",
          .inputs = {"vec3 p"},
          .declarations = "typedef struct { vec3 o, lens; float density, inverse; vec2 raster, image; } connection;",
-         .tables = "CAMERA_TABLES(TABLE) ARGUMENT(__global const settings *, frame)", .features = scene.features});
+         .tables = "CAMERA_TABLES(TABLE) ARGUMENT(__global const settings *, frame)",
+         .features = scene.features});
     /* The eye is at the origin of a scene of one ball around it */
     Random random(3);
-    constexpr double widest = 0.7;   // cosine beyond the corners: 25 degrees over the shorter side, 37.8 in the corners
+    constexpr double widest = 0.7;  // cosine beyond the corners: 25 degrees over the shorter side, 37.8 in the corners
     const auto points = generate(1 << 18, [&] {
         const double z = 1 - (1 - widest) * static_cast<double>(random.unit()), r = std::sqrt(1 - z * z),
                      phi = 2 * M_PI * static_cast<double>(random.unit());

@@ -36,7 +36,9 @@ const std::string room = R"(AttributeBegin
     Shape "bilinearmesh" "point3 P" [-1 0 -1  -1 0 1  -1 2 -1  -1 2 1]
     AttributeEnd
 )";
-std::string lamp(const std::string& shape) { return "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [10 8 6] " + shape + " AttributeEnd\n"; }
+std::string lamp(const std::string& shape) {
+    return "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [10 8 6] " + shape + " AttributeEnd\n";
+}
 const std::string panel = lamp("Shape \"bilinearmesh\" \"point3 P\" [-.5 1.98 -.5  .5 1.98 -.5  -.5 1.98 .5  .5 1.98 .5]");
 std::string ball(const std::string& material) {
     return "AttributeBegin Translate .1 .5 0 Material " + material + " Shape \"sphere\" \"float radius\" .4 AttributeEnd\n";
@@ -73,13 +75,13 @@ void expectSameLight(const std::string& text) {
         }
 }
 
-struct Case { std::string name, world, directive; };
+struct Case {
+    std::string name, world, directive;
+};
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 class LightPaths : public testing::TestWithParam<Case> {};
 
-TEST_P(LightPaths, GiveTheImageOfPathsFromTheCamera) {
-    expectSameLight(sceneWith(view(), GetParam().directive, room + GetParam().world));
-}
+TEST_P(LightPaths, GiveTheImageOfPathsFromTheCamera) { expectSameLight(sceneWith(view(), GetParam().directive, room + GetParam().world)); }
 
 std::string manyLamps() {
     std::string all;
@@ -92,30 +94,30 @@ const std::string leaf = "\"diffusetransmission\" \"rgb reflectance\" [.3 .3 .3]
 
 INSTANTIATE_TEST_SUITE_P(
     Of, LightPaths,
-    testing::Values(Case{"clear_glass", panel + ball("\"dielectric\""), ""},
-                    Case{"rough_glass", panel + ball("\"dielectric\" \"float roughness\" .3"), ""},
-                    Case{"a_coat", panel + ball("\"coateddiffuse\" \"float roughness\" 0"), ""},
-                    Case{"vertex_normals", panel + R"(Material "diffuse" Shape "trianglemesh"
-                         "point3 P" [-.8 .3 .3  .8 .3 .3  0 1.6 .6] "normal N" [-1 0 -1  1 0 -1  0 1 -.5])", ""},
-                    Case{"a_filter_with_negative_lobes", panel + ball("\"diffuse\""), "PixelFilter \"mitchell\""},
-                    Case{"a_lens", panel + ball("\"diffuse\""),
-                         "Camera \"perspective\" \"float fov\" 40 \"float lensradius\" .2 \"float focaldistance\" 3"},
-                    Case{"parallel_rays", panel + ball("\"dielectric\""),
-                         "Camera \"orthographic\" \"float screenwindow\" [-1.3 1.3 -1.3 1.3]"},
-                    Case{"a_tree_of_lights", manyLamps() + ball(leaf),
-                         "Integrator \"volpath\" \"integer maxdepth\" 6 \"string lightsampler\" \"bvh\""},
-                    Case{"a_cut_out_lamp", lamp("Translate 0 1.5 0 Shape \"sphere\" \"float radius\" .3 \"float alpha\" .5") + ball("\"diffuse\""), ""},
-                    Case{"a_sky", "LightSource \"infinite\" \"rgb L\" [.4 .5 .6]\n" + ball("\"dielectric\""), ""},
-                    Case{"a_spot", "LightSource \"spot\" \"rgb I\" [9 8 7] \"point3 from\" [.4 1.9 -.4] \"float coneangle\" 40\n" +
-                                       ball("\"diffuse\""), ""}),
+    testing::Values(
+        Case{"clear_glass", panel + ball("\"dielectric\""), ""},
+        Case{"rough_glass", panel + ball("\"dielectric\" \"float roughness\" .3"), ""},
+        Case{"a_coat", panel + ball("\"coateddiffuse\" \"float roughness\" 0"), ""},
+        Case{"vertex_normals", panel + R"(Material "diffuse" Shape "trianglemesh"
+                         "point3 P" [-.8 .3 .3  .8 .3 .3  0 1.6 .6] "normal N" [-1 0 -1  1 0 -1  0 1 -.5])",
+             ""},
+        Case{"a_filter_with_negative_lobes", panel + ball("\"diffuse\""), "PixelFilter \"mitchell\""},
+        Case{"a_lens", panel + ball("\"diffuse\""),
+             "Camera \"perspective\" \"float fov\" 40 \"float lensradius\" .2 \"float focaldistance\" 3"},
+        Case{"parallel_rays", panel + ball("\"dielectric\""), "Camera \"orthographic\" \"float screenwindow\" [-1.3 1.3 -1.3 1.3]"},
+        Case{"a_tree_of_lights", manyLamps() + ball(leaf), "Integrator \"volpath\" \"integer maxdepth\" 6 \"string lightsampler\" \"bvh\""},
+        Case{"a_cut_out_lamp", lamp("Translate 0 1.5 0 Shape \"sphere\" \"float radius\" .3 \"float alpha\" .5") + ball("\"diffuse\""), ""},
+        Case{"a_sky", "LightSource \"infinite\" \"rgb L\" [.4 .5 .6]\n" + ball("\"dielectric\""), ""},
+        Case{"a_spot", "LightSource \"spot\" \"rgb I\" [9 8 7] \"point3 from\" [.4 1.9 -.4] \"float coneangle\" 40\n" + ball("\"diffuse\""),
+             ""}),
     [](const auto& info) { return info.param.name; });
 
-/// A spotlight in the middle of a glass ball of index 1.5: rays meet the boundary at right angles, where a share R = 0.04 returns through the
-/// middle to the other side. Of what the bare light would send, the floor gets (1 - R) (1 + R^2 + R^4 ...) = 1 / (1 + R), nearly all of it
-/// with `maxdepth` 6. Paths from the camera find none of it.
+/// A spotlight in the middle of a glass ball of index 1.5: rays meet the boundary at right angles, where a share R = 0.04 returns through
+/// the middle to the other side. Of what the bare light would send, the floor gets (1 - R) (1 + R^2 + R^4 ...) = 1 / (1 + R), nearly all of
+/// it with `maxdepth` 6. Paths from the camera find none of it.
 TEST(LightPathsBehindGlass, LightTheFloorAsRefractionAllows) {
     View v;
-    v.lookAt = "1.2 1 0  1.2 0 .01  0 0 1";   // floor beside the ball, seen from above
+    v.lookAt = "1.2 1 0  1.2 0 .01  0 0 1";  // floor beside the ball, seen from above
     v.fov = 10;
     v.width = v.height = 32;
     v.samples = 4096;
@@ -141,9 +143,8 @@ TEST(LightPathsBehindGlass, LightTheFloorAsRefractionAllows) {
 
 /// Scenes that light paths cannot serve yet are rendered by paths from the camera, bit for bit.
 TEST(LightPathsElsewhere, AreLeftOutWithAWarning) {
-    const std::string text = sceneText(view(), room + panel),
-                      spherical = sceneWith(view(), "Camera \"spherical\"", room + panel);
-    EXPECT_THROW(packScene(withLightPaths(spherical)), std::invalid_argument);   // tests have no warnings
+    const std::string text = sceneText(view(), room + panel), spherical = sceneWith(view(), "Camera \"spherical\"", room + panel);
+    EXPECT_THROW(packScene(withLightPaths(spherical)), std::invalid_argument);  // tests have no warnings
     EXPECT_TRUE(packScene(withLightPaths(text)).features.has(Feature::LIGHT_PATHS));
     EXPECT_FALSE(packScene(text).features.has(Feature::LIGHT_PATHS));
 }
@@ -154,7 +155,9 @@ protected:
         View v = view();
         v.samples = 24;
         v.sampler = "zsobol";
-        return withLightPaths(sceneWith(v, "PixelFilter \"gaussian\"", room + panel + ball("\"dielectric\"") + "LightSource \"point\" \"rgb I\" [2 2 2] \"point3 from\" [-.5 1.5 -.6]\n"));
+        return withLightPaths(
+            sceneWith(v, "PixelFilter \"gaussian\"",
+                      room + panel + ball("\"dielectric\"") + "LightSource \"point\" \"rgb I\" [2 2 2] \"point3 from\" [-.5 1.5 -.6]\n"));
     }
     const Rendered reference = render(text());
 };

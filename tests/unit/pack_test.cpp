@@ -221,7 +221,8 @@ TEST_F(Pack, HardLightIsNamed) {
     for (const std::string& world : {lamp(1) + glass, point + lamp(0.01) + rough, glass})
         EXPECT_THAT(missedLight(pack(world)), IsEmpty()) << world;
     /* "auto" traces light paths where others miss light */
-    for (const auto& [world, traces] : {std::pair(point + glass, true), {lamp(0.01) + glass, true}, {lamp(1) + glass, false}, {point + rough, false}}) {
+    for (const auto& [world, traces] :
+         {std::pair(point + glass, true), {lamp(0.01) + glass, true}, {lamp(1) + glass, false}, {point + rough, false}}) {
         Diagnostics silent(LogLevel::silent, true);
         EXPECT_EQ(packScene(read("Integrator \"auto\"\nWorldBegin\n" + world), silent).features.has(Feature::LIGHT_PATHS), traces) << world;
     }
