@@ -52,6 +52,21 @@ unsigned samplesWanted(const std::vector<std::unique_ptr<FilmFileReader>>& files
     return static_cast<unsigned>(identityFromJson(files.front()->head().identity, files.front()->path()).samples);
 }
 
+/// What the light paths of all parts have added to the image; nothing without light paths.
+std::unique_ptr<SplatSums> joinedSplats(const std::vector<std::unique_ptr<FilmFileReader>>& files, const PackedScene& scene) {
+    if (!scene.features.has(Feature::LIGHT_PATHS)) return nullptr;
+    auto all = std::make_unique<SplatSums>(scene.pixels);
+    for (const auto& file : files)
+        file->forSplats([&](const SplatRow& row) {
+            const PixelRect& p = scene.pixels;
+            if (row.y < p.y0 || row.y >= p.y1 || row.x0 != p.x0 || row.x1 != p.x1)
+                throw Error(ExitCode::scene, fmt::format("{}: is damaged: its light paths do not fit its image", file->path()));
+            if (!all->add(row))
+                throw Error(ExitCode::scene, fmt::format("{} has light paths of row {} that another part has, too", file->path(), row.y));
+        });
+    return all;
+}
+
 /// Whether pixels have all of their first `wanted` samples, and none is missing before a later one.
 bool hasAll(const FilmRun& run, unsigned wanted) {
     unsigned next = 0;
@@ -84,11 +99,15 @@ int mergeCommand(const Options& o) {
     merged.seconds = 0;
     for (const auto& file : files) merged.seconds += file->head().seconds;
     const bool isPartial = o.isPartial || !o.output.hasImage;
+    const std::unique_ptr<SplatSums> splats = joinedSplats(files, scene.packed);
     FilmParts parts(std::move(files), layout, pixels, isPartial);
 
     /* Row by row: into the image's sums, and into a file */
     std::optional<FilmFileWriter> film;
     if (!o.output.checkpoint.empty()) film.emplace(o.output.checkpoint, merged);
+    if (film && splats)
+        for (const SplatRow& row : splats->rows())
+            if (!row.samples.empty()) film->write(row);
     const size_t width = static_cast<size_t>(pixels.width()), plane = width * static_cast<size_t>(pixels.height());
     const auto words = o.output.hasImage ? allocatePlanes(pixels, layout.words) : nullptr;
     size_t wholePixels = 0;   // that have all samples
@@ -107,7 +126,7 @@ int mergeCommand(const Options& o) {
     if (film) film->commit();
     if (!o.output.hasImage) return static_cast<int>(ExitCode::success);
 
-    const FilmTotals totals(scene.packed, layout, words);
+    const FilmTotals totals(scene.packed, layout, words, splats.get());
     StoredMetadata stored = storedMetadata(head.metadata, name);
     const ErrorEstimate error = totals.error(stored.metric);
     Metadata& metadata = stored.metadata;

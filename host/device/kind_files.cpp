@@ -26,7 +26,7 @@ std::optional<std::string> kindFiles(const std::string& name) {
 #define ADD_SHAPE(kind, FEATURE, SPACE) add("shape", #kind, #FEATURE);
     SHAPES(ADD_SHAPE)
 #undef ADD_SHAPE
-#define ADD_CAMERA(kind, FEATURE, CODE) add("camera", #kind, #FEATURE);
+#define ADD_CAMERA(kind, FEATURE, CODE, RAYS) add("camera", #kind, #FEATURE);
     CAMERAS(ADD_CAMERA)
 #undef ADD_CAMERA
 #define ADD_TEXTURE(kind, FEATURE, OPERANDS) add("texture", #kind, #FEATURE);

@@ -25,6 +25,7 @@ Film::Film(const PackedScene& scene, const Features& features, unsigned firstSam
       firstSample_(firstSample) {
     needNodes(1);
     taken_.resize(plane(), firstSample);
+    if (scene.features.has(Feature::LIGHT_PATHS)) splats_ = std::make_shared<SplatSums>(pixels_);
 }
 
 void Film::needNodes(size_t count) {
@@ -111,7 +112,7 @@ FilmTotals Film::totals() const {
         if (isNew) found->second = nodesUntil(end);
         isSimple &= found->second.size() <= 1;
     }
-    if (isSimple) return {scene_, layout_, nodes_.front()};
+    if (isSimple) return {scene_, layout_, nodes_.front(), splats_.get()};
 
     std::shared_ptr<uint[]> sums = allocatePlanes(pixels_, layout_.words);
     tbb::parallel_for(pixels_.y0, pixels_.y1, [&](int y) {
@@ -126,13 +127,14 @@ FilmTotals Film::totals() const {
             sums_.joinAll(nodes, rows, {&sums[at], plane()}, count);
         }
     });
-    return {scene_, layout_, std::move(sums)};
+    return {scene_, layout_, std::move(sums), splats_.get()};
 }
 
 size_t Film::bytes(const PackedScene& scene, unsigned end) {
     /* Several nodes of each pixel, and their totals */
     const size_t nodes = nodesOf({0, end}).size(), planes = nodes > 1 ? nodes + 1 : 1;
-    return planes * static_cast<size_t>(filmLayout(scene.features, scene.frame().bucket_count).words) * sizeof(uint);
+    const size_t splats = scene.features.has(Feature::LIGHT_PATHS) ? SplatSums::bytesPerPixel : 0;
+    return planes * static_cast<size_t>(filmLayout(scene.features, scene.frame().bucket_count).words) * sizeof(uint) + splats;
 }
 
 size_t Film::developedBytes(const PackedScene& scene) {

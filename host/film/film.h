@@ -5,6 +5,7 @@
 #include "device/buffer.h"
 #include "film/batch.h"
 #include "film/join_sums.h"
+#include "film/splats.h"
 #include "film/totals.h"
 
 #include <memory>
@@ -24,6 +25,9 @@ public:
     explicit Film(const PackedScene& scene) : Film(scene, scene.features) {}
 
     const PixelRect& pixels() const { return pixels_; }
+    /// Of the whole image.
+    int width() const { return static_cast<int>(scene_.frame().width); }
+    int height() const { return static_cast<int>(scene_.frame().height); }
     int words() const { return layout_.words; }
     const QueueLayout& layout() const { return layout_; }
 
@@ -45,6 +49,10 @@ public:
     /// Replaces the pixels x0 <= x < x1 of row y, which get the samples up to `end`. Word w of node k of pixel x is
     /// words[(k * words() + w) * (x1 - x0) + x - x0].
     void restore(int y, int x0, int x1, unsigned end, std::span<const uint> words);
+
+    /// With light paths: what they have added. Null: the scene has none.
+    SplatSums* splats() { return splats_.get(); }
+    const SplatSums* splats() const { return splats_.get(); }
 
     /// Bytes per pixel of the film while it is rendered up to `end` samples, and of the image that develop() returns.
     static size_t bytes(const PackedScene& scene, unsigned end);
@@ -70,6 +78,7 @@ private:
     unsigned firstSample_;
     std::vector<std::shared_ptr<uint[]>> nodes_;   ///< of node k: word w of pixel i is [w * plane + i]
     std::vector<unsigned> taken_;
+    std::shared_ptr<SplatSums> splats_;
     std::vector<uint> staged_;                     ///< pixels of a batch, on their way to or from the device
 };
 

@@ -11,7 +11,8 @@ namespace {
 
 constexpr const char* kind = "Eikonal film 1";
 constexpr RecordTag identityTag = recordTag("WHAT"), plannedTag = recordTag("PLAN"), secondsTag = recordTag("TIME"),
-                    sceneTag = recordTag("SCEN"), metadataTag = recordTag("META"), pixelsTag = recordTag("PIXL");
+                    sceneTag = recordTag("SCEN"), metadataTag = recordTag("META"), pixelsTag = recordTag("PIXL"),
+                    splatsTag = recordTag("SPLT");
 
 /// The beginning of a run's record. Its nodes follow, then their words.
 struct Head { int y, x0, x1, nodes; };
@@ -53,8 +54,21 @@ void FilmFileWriter::write(const FilmRun& run) {
     file_.write(pixelsTag, content);
 }
 
+void FilmFileWriter::write(const SplatRow& row) {
+    const Head head{row.y, row.x0, row.x1, static_cast<int>(row.samples.size())};
+    const size_t ranges = row.samples.size() * sizeof(SampleRange), words = row.words.size() * sizeof(std::uint64_t);
+    std::vector<unsigned char> content(sizeof head + ranges + words);
+    std::memcpy(content.data(), &head, sizeof head);
+    std::memcpy(content.data() + sizeof head, row.samples.data(), ranges);
+    std::memcpy(content.data() + sizeof head + ranges, row.words.data(), words);
+    file_.write(splatsTag, content);
+}
+
 void writeFilmFile(const std::string& path, const Film& film, const FilmFileHead& head) {
     FilmFileWriter file(path, head);
+    if (film.splats())
+        for (const SplatRow& row : film.splats()->rows())
+            if (!row.samples.empty()) file.write(row);
     const PixelRect& rect = film.pixels();
     for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1;) {
@@ -110,8 +124,31 @@ FilmRun FilmFileReader::readRun(const RecordReader::Record& record, size_t words
     return run;
 }
 
+void FilmFileReader::forSplats(const std::function<void(const SplatRow&)>& take) const {
+    for (const RecordReader::Record& record : records_.records()) {
+        if (record.tag != splatsTag) continue;
+        const std::vector<unsigned char> content = records_.read(record);
+        Head head{};
+        if (content.size() >= sizeof head) std::memcpy(&head, content.data(), sizeof head);
+        const std::uint64_t width = head.x1 > head.x0 ? static_cast<std::uint64_t>(head.x1 - head.x0) : 0,
+                            ranges = head.nodes > 0 ? static_cast<std::uint64_t>(head.nodes) * sizeof(SampleRange) : 0,
+                            words = width * splat_words;
+        if (!width || !ranges || content.size() != sizeof head + ranges + words * sizeof(std::uint64_t))
+            records_.fail("is damaged: its light paths do not fit its image");
+        SplatRow row{head.y, head.x0, head.x1, {}, std::vector<std::uint64_t>(words)};
+        row.samples.resize(static_cast<size_t>(head.nodes));
+        std::memcpy(row.samples.data(), content.data() + sizeof head, ranges);
+        std::memcpy(row.words.data(), content.data() + sizeof head + ranges, words * sizeof(std::uint64_t));
+        take(row);
+    }
+}
+
 void FilmFileReader::readInto(Film& film) const {
     const PixelRect& rect = film.pixels();
+    forSplats([&](const SplatRow& row) {
+        if (!film.splats() || row.y < rect.y0 || row.y >= rect.y1 || row.x0 != rect.x0 || row.x1 != rect.x1 || !film.splats()->add(row))
+            records_.fail("is damaged: its light paths do not fit its image");
+    });
     for (const RecordReader::Record& record : pixelRecords()) {
         const FilmRun run = readRun(record, static_cast<size_t>(film.words()));
         if (run.y < rect.y0 || run.y >= rect.y1 || run.x0 < rect.x0 || run.x1 > rect.x1)

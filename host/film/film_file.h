@@ -4,6 +4,7 @@
 #include "film/film.h"
 #include "film/record_file.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,6 +34,8 @@ public:
     FilmFileWriter(const std::string& path, const FilmFileHead& head);
     /// Rows from the top, runs from the left.
     void write(const FilmRun& run);
+    /// Before the runs of its row or after.
+    void write(const SplatRow& row);
     void commit() { file_.commit(); }
 
 private:
@@ -53,6 +56,8 @@ public:
     std::vector<RecordReader::Record> pixelRecords() const;
     FilmRun readRun(const RecordReader::Record& record, size_t wordsPerPixel) const;
     FilmRun readHead(const RecordReader::Record& record) const;
+    /// Calls `take` for each row of splats.
+    void forSplats(const std::function<void(const SplatRow&)>& take) const;
 
 private:
     RecordReader records_;

@@ -53,6 +53,13 @@ NoiseSums FilmTotals::noise(const PixelRect& part, ErrorMetric metric, double de
             const double independent = samples < 4 ? planes.variance(i, color) : 0;
             double half = samples < 4 ? independent : planes.halfSquare[i] * scale,
                    quarter = samples < 4 ? 2 * independent : planes.quarterSquare[i] * scale, eighth = planes.eighthSquare[i] * scale;
+            /* Light paths of different samples are independent */
+            if (samples >= 4) {
+                const double splatted = planes.splatVariance(i);
+                half += splatted;
+                quarter += 2 * splatted;
+                eighth += 4 * splatted;
+            }
             if (metric == ErrorMetric::relmseRoot && half + quarter + eighth > 0) {
                 const double r = expectedLuminance(planes, x, y), weight = 1 / (r * r + 0.01);
                 half *= weight;

@@ -10,12 +10,36 @@
 
 namespace eikonal {
 
-FilmTotals::FilmTotals(const PackedScene& scene, const QueueLayout& layout, std::shared_ptr<uint[]> words)
+FilmTotals::FilmTotals(const PackedScene& scene, const QueueLayout& layout, std::shared_ptr<uint[]> words, const SplatSums* splats)
     : width_(static_cast<int>(scene.frame().width)),
       height_(static_cast<int>(scene.frame().height)),
       pixels_(scene.pixels),
       layout_(layout),
-      data_(std::move(words)) {}
+      data_(std::move(words)) {
+    if (splats) developSplats(*splats, scene.frame().splat_scale);
+}
+
+void FilmTotals::developSplats(const SplatSums& splats, double scale) {
+    splatColors_.resize(plane());
+    splatVariances_.resize(plane());
+    lostSplats_.resize(plane());
+    const size_t width = static_cast<size_t>(pixels_.width());
+    for (const SplatRow& row : splats.rows()) {
+        double samples = 0;
+        for (const SampleRange& range : row.samples) samples += range.length();
+        if (samples == 0) continue;
+        const size_t first = static_cast<size_t>(row.y - pixels_.y0) * width;
+        for (size_t x = 0; x < width; ++x) {
+            const auto word = [&](splat_word w) { return static_cast<double>(static_cast<std::int64_t>(row.words[w * width + x])); };
+            const double unit = 1 / (double{SPLAT_UNITS} * scale * samples);
+            splatColors_[first + x] = glm::vec3(glm::dvec3(word(splat_red), word(splat_green), word(splat_blue)) * unit);
+            /* Of a sum of many rare events; the mean of n samples has 1 / n^2 of it */
+            const double variance = word(splat_square) / (double{SPLAT_SQUARE_UNITS} * scale * scale * samples * samples);
+            splatVariances_[first + x] = static_cast<float>(std::min(variance, double{std::numeric_limits<float>::max()}));
+            lostSplats_[first + x] = static_cast<unsigned>(word(splat_lost));
+        }
+    }
+}
 
 const uint* FilmTotals::numbers(const char* field) const { return data_.get() + static_cast<size_t>(layout_.field(field).slot) * plane(); }
 const float* FilmTotals::floats(const char* field) const { return reinterpret_cast<const float*>(numbers(field)); }
@@ -76,12 +100,13 @@ FilmTotals::Invalid FilmTotals::invalid() const {
     Invalid found;
     const uint* counts = numbers("invalid");
     for (size_t i = 0; i < plane(); ++i) {
-        if (!counts[i]) continue;
+        const size_t lost = counts[i] + (lostSplats_.empty() ? 0 : lostSplats_[i]);
+        if (!lost) continue;
         if (!found.count) {
             found.x = pixels_.x0 + static_cast<int>(i % static_cast<size_t>(pixels_.width()));
             found.y = pixels_.y0 + static_cast<int>(i / static_cast<size_t>(pixels_.width()));
         }
-        found.count += counts[i];
+        found.count += lost;
     }
     return found;
 }

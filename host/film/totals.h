@@ -4,6 +4,7 @@
 
 #include "device/layout.h"
 #include "film/noise.h"
+#include "film/splats.h"
 #include "image/film_image.h"
 #include "pack/tables.h"
 
@@ -13,8 +14,9 @@ namespace eikonal {
 
 class FilmTotals {
 public:
-    /// words: word w of pixel i of the pixels that are rendered of the scene is words[w * number of pixels + i].
-    FilmTotals(const PackedScene& scene, const QueueLayout& layout, std::shared_ptr<uint[]> words);
+    /// words: word w of pixel i of the pixels that are rendered of the scene is words[w * number of pixels + i]. splats: of the same
+    /// pixels; null: none.
+    FilmTotals(const PackedScene& scene, const QueueLayout& layout, std::shared_ptr<uint[]> words, const SplatSums* splats = nullptr);
 
     const PixelRect& pixels() const { return pixels_; }
 
@@ -39,6 +41,7 @@ private:
     size_t index(int x, int y) const {
         return static_cast<size_t>(y - pixels_.y0) * static_cast<size_t>(pixels_.width()) + static_cast<size_t>(x - pixels_.x0);
     }
+    void developSplats(const SplatSums& splats, double scale);
     struct Planes;
     double expectedLuminance(const Planes& planes, int x, int y) const;
     const float* floats(const char* field) const;
@@ -47,6 +50,9 @@ private:
     PixelRect pixels_;
     QueueLayout layout_;
     std::shared_ptr<uint[]> data_;
+    std::vector<glm::vec3> splatColors_;      ///< what light paths add to each pixel; empty: nothing
+    std::vector<float> splatVariances_;       ///< of its luminance
+    std::vector<unsigned> lostSplats_;        ///< how many were too bright
 };
 
 }  // namespace eikonal

@@ -5,7 +5,7 @@ namespace eikonal {
 
 std::span<const CameraKind> cameraKindList() {
     static const CameraKind entries[] = {
-#define ADD_ENTRY(name, FEATURE, CODE) {#name, camera_##name, KindFeature::FEATURE, name##_camera},
+#define ADD_ENTRY(name, FEATURE, CODE, RAYS) {#name, camera_##name, KindFeature::FEATURE, CameraRays::RAYS, name##_camera},
         CAMERAS(ADD_ENTRY)
 #undef ADD_ENTRY
     };

@@ -38,15 +38,18 @@ struct CameraTraits {
 };
 
 /* One for each kind, defined in the kind's file. */
-#define DECLARE_KIND(name, FEATURE, CODE) extern const CameraTraits name##_camera;
+#define DECLARE_KIND(name, FEATURE, CODE, RAYS) extern const CameraTraits name##_camera;
 CAMERAS(DECLARE_KIND)
 #undef DECLARE_KIND
+
+enum class CameraRays { CENTRAL, PARALLEL, ANY };   ///< as in CAMERAS
 
 /// A line of CAMERAS.
 struct CameraKind {
     const char* name;
     camera_kind value;
     Feature feature;
+    CameraRays rays;
     const CameraTraits& traits;
 };
 

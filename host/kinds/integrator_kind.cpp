@@ -4,6 +4,7 @@
 #include "eikonal/scene.h"
 #include "eikonal/stages.h"
 #include "pack/integrator.h"
+#include "pack/light_paths.h"
 #include "read/pbrt/arguments.h"
 #include "scene/integrator.h"
 
@@ -113,10 +114,36 @@ const IntegratorKind simplepath_integrator{.name = "simplepath",
                                            .pack = packSimplePath};
 const IntegratorKind randomwalk_integrator{.name = "randomwalk", .samplesLights = never, .pack = packUniformDirections};
 
+/* ---- paths from both ends -------------------------------------------------------------------------------------------- */
+
+static void packLightPaths(const IntegratorPacking& in, const IntegratorDescription& d, const std::string& why) {
+    const std::string obstacle = lightPathObstacle(in.context);
+    if (obstacle.empty()) requireLightPaths(in.context, why);
+    else
+        in.context.diagnostics.warn(
+            d.where, fmt::format("integrator \"{}\" traces no paths from lights here, since {}: the image is that of \"volpath\"",
+                                 d.kind->name, obstacle));
+}
+const IntegratorKind bdpt_integrator{
+    .name = "bdpt",
+    .parameters = "bool visualizestrategies = false; bool visualizeweights = false; string lightsampler in {bvh, power, uniform, "
+                  "exhaustive}; bool regularize = false",
+    .countsMedia = true,
+    .followsBsdfs = always,
+    .read = readRegularize,
+    .pack = packLightPaths};
+
+const IntegratorKind auto_integrator{.name = "auto",
+                                     .parameters = pathParameters,
+                                     .countsMedia = true,
+                                     .mayTraceLightPaths = true,
+                                     .followsBsdfs = always,
+                                     .read = readRegularize};
+
 std::span<const IntegratorKind* const> integratorKindList() {
     static const IntegratorKind* const kinds[] = {
         &volpath_integrator,          &path_integrator,       &direct_integrator,    &whitted_integrator,
-        &ambientocclusion_integrator, &simplepath_integrator, &randomwalk_integrator};
+        &ambientocclusion_integrator, &simplepath_integrator, &randomwalk_integrator, &bdpt_integrator, &auto_integrator};
     return kinds;
 }
 

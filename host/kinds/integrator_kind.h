@@ -20,6 +20,7 @@ struct IntegratorKind {
     /// The queue of all surfaces (enum next_queue of stages.h). Nothing: the queues of their BSDFs; then lights count, too.
     std::optional<unsigned> surfaceQueue{};
     bool countsMaterials() const { return !surfaceQueue; }   ///< and lights
+    bool mayTraceLightPaths = false;      ///< light paths are traced where paths from the camera miss light (pack/light_paths.h)
     bool splitsRays = false;              ///< several rays may leave a hit
     /// Whether it samples lights; otherwise paths only find the lights that they hit. Null: always.
     bool (*samplesLights)(const IntegratorDescription&) = nullptr;
@@ -34,7 +35,7 @@ struct IntegratorKind {
 };
 
 extern const IntegratorKind volpath_integrator, path_integrator, direct_integrator, whitted_integrator, ambientocclusion_integrator,
-    simplepath_integrator, randomwalk_integrator;
+    simplepath_integrator, randomwalk_integrator, bdpt_integrator, auto_integrator;
 std::span<const IntegratorKind* const> integratorKindList();
 /// IntegratorKind::samplesLights and followsBsdfs of an integrator.
 bool samplesLights(const IntegratorDescription&);

@@ -44,6 +44,9 @@ struct LightTraits {
     /// Whether BSDF sampling finds it as well as light sampling does. The light sampler then skips it (Karlík et al. 2019, "MIS
     /// compensation"), unless the environment guide samples it.
     bool isLeftToBsdfs = false;
+
+    /// Whether light paths may begin there.
+    bool startsPaths = true;
 };
 
 /* One for each kind, defined in the kind's file. */

@@ -47,6 +47,8 @@ void packCamera(const CameraPacking& in, camera& view) {
     const CameraDescription& description = context.scene.camera;
     const CameraKind& kind = kindOf(description);
     view.kind = kind.value;
+    view.is_parallel = kind.rays == CameraRays::PARALLEL;
+    view.has_importance = kind.rays != CameraRays::ANY;
     context.require(kind.feature, description.where.toString());
     view.scene_from_camera = toAffine(context.space.sceneFromWorld() * description.worldFromCamera * scaling(in.unit));
     view.times = shutterOf(context.scene);
@@ -64,9 +66,10 @@ void packCamera(const CameraPacking& in, camera& view) {
 /// A filter is as fine as in pbrt-v4.
 constexpr double cellsPerPixel = 16;
 
-/// One axis as an alias table over cells of |f|; value over density is then the sign.
-static void packFilterAxis(CameraTables& tables, const FilterDescription& filter, double radius, uint cells) {
+/// One axis as an alias table over cells of |f|; value over density is then the sign. Returns its mean.
+static double packFilterAxis(CameraTables& tables, const FilterDescription& filter, double radius, uint cells) {
     std::vector<double> weights;
+    double sum = 0, size = 0;
     for (uint i = 0; i < cells; ++i) {
         /* Average a few points of the cell */
         double mean = 0;
@@ -74,20 +77,24 @@ static void packFilterAxis(CameraTables& tables, const FilterDescription& filter
         for (int k = 0; k < points; ++k)
             mean += filter.kind->eval(filter, std::abs(((i + (k + 0.5) / points) * 2 / cells - 1) * radius), radius) / points;
         weights.push_back(std::abs(mean));
+        sum += mean;
+        size += std::abs(mean);
         tables.filter_values.push_back(mean < 0 ? -1.0f : 1.0f);
     }
     const auto aliases = makeAliasTable(weights);
     tables.filter_aliases.insert(tables.filter_aliases.end(), aliases.begin(), aliases.end());
+    return sum / size;
 }
 
 void packFilter(const CameraPacking& in, filter& packed) {
     const FilterDescription& description = in.context.scene.filter;
     const double cells = std::clamp(cellsPerPixel * 2 * std::max(description.xRadius, description.yRadius), 64., double{MOST_FILTER_CELLS});
-    packed = {static_cast<float>(description.xRadius), static_cast<float>(description.yRadius), std::bit_ceil(static_cast<uint>(cells))};
+    packed = {static_cast<float>(description.xRadius), static_cast<float>(description.yRadius), std::bit_ceil(static_cast<uint>(cells)), 1};
     if (description.kind == &box_filter && description.xRadius == 0.5 && description.yRadius == 0.5) return;
     in.context.require(Feature::FILTER, description.where.toString());
-    packFilterAxis(in.tables, description, description.xRadius, packed.cells);
-    packFilterAxis(in.tables, description, description.yRadius, packed.cells);
+    const double x = packFilterAxis(in.tables, description, description.xRadius, packed.cells),
+                 y = packFilterAxis(in.tables, description, description.yRadius, packed.cells);
+    packed.mean = static_cast<float>(x * y);
 }
 
 std::array<glm::dmat4, 3> cameraFromScene(const PackContext& context) {

@@ -18,6 +18,7 @@ struct PackContext {
     RequiredFeatures& required;
     SceneSpace space{};
     Box bounds{};             ///< of what the space is chosen for, world space (pack/scene_bounds.h)
+    Box whole{};              ///< of everything placed in the scene
     bool hasMedia = false;    ///< whether a ray can be inside a medium of the scene
     bool spectral = false;    ///< rendering at sampled wavelengths, not in RGB
     std::vector<std::shared_ptr<const ImageData>> images{};   ///< of scene.images

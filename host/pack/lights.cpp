@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 namespace eikonal {
@@ -54,6 +55,40 @@ void LightPacker::add(const LightPacking& in, const Light& description) {
     if (kind.place == LightPlace::INFINITE) tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
     tables_.lights.push_back(packed.l);
     powers_.push_back(isLeftToBsdfs(kind) ? 0 : packed.power);
+    emitted_.push_back(kind.traits.startsPaths ? packed.power : 0);
+}
+
+/// By power; and how splats are scaled.
+void LightPacker::packEmission() {
+    if (!context_.has(Feature::LIGHT_PATHS) || emitted_.empty()) return;
+    double total = 0, count = 0;
+    for (double& power : emitted_) {
+        power = std::max(power, 0.0);
+        total += power;
+        count += power > 0;
+    }
+    for (double& power : emitted_)
+        if (power > 0) power = std::max(power, double{LEAST_SHARE} * total / count);
+    tables_.emission_aliases = makeAliasTable(emitted_);
+    frame_.emission_count = static_cast<uint>(emitted_.size());
+    const double radius = context_.whole.empty() ? 1 : 1.001 * context_.whole.radius() * context_.space.scale;
+    const glm::dvec3 center = context_.whole.empty()
+                                  ? glm::dvec3(0)
+                                  : transformPoint(context_.space.sceneFromWorld(), (context_.whole.low + context_.whole.high) * 0.5);
+    for (size_t i = 0; i < emitted_.size(); ++i) {
+        light& l = tables_.lights[i];
+        l.emission_pmf = total > 0 ? tables_.emission_aliases[i].pmf : 0;
+        const LightPlace place = kindOf(l).place;
+        if ((place != LightPlace::DISTANT && place != LightPlace::INFINITE) || !kindOf(l).traits.startsPaths) continue;
+        l.p = toVec3(center);
+        l.radius = static_cast<float>(radius);
+    }
+    /* A splat is a light's power times the density of camera rays, a BSDF and the inverse of a squared distance in scene space, where all
+       are of the order of one */
+    const camera& view = frame_.view;
+    const double image = double{view.step_x} * double{view.step_y} * frame_.width * frame_.height,
+                 typical = total / std::max(std::abs(image), 1e-30);
+    frame_.splat_scale = total > 0 ? static_cast<float>(std::exp2(std::clamp(-std::round(std::log2(typical)), -100., 100.))) : 1.0f;
 }
 
 /// Prepares an environment guide, if it may pay.

@@ -17,6 +17,8 @@ public:
     void addShape(const Shape&, shape& packed, const GeometryTables&, const glm::dmat4& m, size_t elements);
     /// Adds the lights without a shape, after all others, then makes the light sampler.
     void pack();
+    /// With light paths: how likely they begin at each light. After pack().
+    void packEmission();
 
 private:
     bool isLeftToBsdfs(const LightKind&) const;
@@ -30,6 +32,7 @@ private:
     ColorPacker& colors_;
     TexturePacker& textures_;
     std::vector<double> powers_;  ///< powers of `lights`, for the light sampler
+    std::vector<double> emitted_; ///< and of light paths
 };
 
 }  // namespace eikonal

@@ -47,20 +47,23 @@ static double smallestLamp(const PackedScene& packed) {
 std::vector<std::string> missedLight(const PackedScene& packed) {
     const std::string smooth = firstSmooth(packed);
     if (smooth.empty()) return {};
+    /* Light paths arrive at the camera from surfaces that it sees directly */
+    const bool fromBothEnds = packed.features.has(Feature::LIGHT_PATHS);
+    const std::string onto = fromBothEnds ? "onto surfaces by way of smooth ones, where they are seen by way of smooth ones, too"
+                                          : "onto surfaces by way of smooth ones";
     std::vector<std::string> missed;
     for (const light& l : packed.tables.lights) {
         const LightKind& kind = kindOf(l);
         if (kind.place != LightPlace::POINT && kind.place != LightPlace::DISTANT) continue;
         const std::string where = firstUse(packed, kind.feature);
-        missed.push_back(fmt::format("what a {} light{} sends onto surfaces by way of smooth ones, first {}, is missing: no path from the "
-                                     "camera can hit such a light",
-                                     kind.name, where.empty() ? "" : " (" + where + ")", smooth));
+        missed.push_back(fmt::format("what a {} light{} sends {}, first {}, is missing: no path from the camera can hit such a light",
+                                     kind.name, where.empty() ? "" : " (" + where + ")", onto, smooth));
         break;
     }
     if (const double share = smallestLamp(packed); share < rareShare)
-        missed.push_back(fmt::format("what a lamp of {:.1e} of the scene's cross-section sends onto surfaces by way of smooth ones, first "
-                                     "{}, is noisy: about one path in {:.0f} hits the lamp",
-                                     share, smooth, 1 / share));
+        missed.push_back(fmt::format("what a lamp of {:.1e} of the scene's cross-section sends {}, first {}, is noisy: about one path in "
+                                     "{:.0f} hits the lamp",
+                                     share, onto, smooth, 1 / share));
     return missed;
 }
 

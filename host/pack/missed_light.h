@@ -1,5 +1,6 @@
 #pragma once
-// Light that paths from the camera cannot find, or hardly ever: what smooth surfaces reflect or transmit onto others.
+// Light that the paths of an integrator cannot find, or hardly ever: what smooth surfaces reflect or transmit onto others; with light
+// paths, only what is then seen by way of smooth surfaces, too.
 
 #include <string>
 #include <vector>

@@ -5,6 +5,7 @@
 #include "pack/color_mode.h"
 #include "pack/geometry.h"
 #include "pack/integrator.h"
+#include "pack/light_paths.h"
 #include "pack/missed_light.h"
 #include "pack/sampler.h"
 #include "pack/scene_bounds.h"
@@ -60,6 +61,8 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     media.pack();
     Hierarchies hierarchies = packGeometry({context, tables, packed.counts, textures, materials, lights});
     lights.pack();
+    chooseLightPaths(context, packed);
+    lights.packEmission();
     media.packEquiangularLights(tables.lights);
     return hierarchies;
 }
@@ -69,7 +72,8 @@ static void warnOfStandIn(const IntegratorDescription& integrator, const PackedS
     if (integrator.standsFor.empty()) return;
     const std::vector<std::string> missed = missedLight(packed);
     diagnostics.unsupported("integrator", integrator.where,
-                            fmt::format("integrator \"{}\" is not available; \"volpath\" is used instead{}", integrator.standsFor,
+                            fmt::format("integrator \"{}\" is not available; \"{}\" is used instead{}", integrator.standsFor,
+                                        integrator.kind->name,
                                         missed.empty() ? ", which converges to the same image"
                                                        : fmt::format(". In this scene {}", fmt::join(missed, "; "))));
 }
@@ -87,6 +91,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
                               .required = packed,
                               .space = spaceOf(bounds),
                               .bounds = bounds.near,
+                              .whole = bounds.all,
                               .hasMedia = scene.integrator.kind->countsMedia && mediaAreUsed(scene),
                               .spectral = packed.color.spectral,
                               .images = images};

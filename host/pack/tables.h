@@ -23,7 +23,7 @@ namespace eikonal {
 struct GeometryTables { GEOMETRY_TABLES(TABLE_VECTOR) VERTEX_TABLES(TABLE_VECTOR) };
 struct TextureTables { PROGRAM_TABLES(TABLE_VECTOR) };
 struct MaterialTables { MATERIAL_TABLES(TABLE_VECTOR) };
-struct LightTables { LIGHT_TABLES(TABLE_VECTOR) };
+struct LightTables { LIGHT_TABLES(TABLE_VECTOR) EMISSION_TABLES(TABLE_VECTOR) };
 struct BsdfTables { BSDF_TABLES(TABLE_VECTOR) };
 struct MediumTables { MEDIUM_TABLES(TABLE_VECTOR) };
 struct ColorTables { COLOR_TABLES(TABLE_VECTOR) };

@@ -18,6 +18,9 @@ public:
     unsigned mostPaths() const override { return mostPaths_; }
     const StopFlag& stopFlag() const override { return scene_.stopFlag(); }
     void trace(const BatchStream& stream) override;
+    void traceLights(const BatchStream&, const Buffer&, const PixelRect&) override {
+        throw std::logic_error("the loop traces no light paths");
+    }
     void resolve(const Batch& batch, const Buffer& film) override;
 
 private:

@@ -38,6 +38,7 @@ private:
     /// Brings a film that was stored in the middle of a pass to the end of that pass.
     void finishPass() {
         const unsigned most = *std::ranges::max_element(film_.taken());
+        traceLights(planned_.empty() ? most : meanOf(planned_));
         const std::span<const unsigned> goal = planned_.empty() ? std::span(&most, 1) : std::span<const unsigned>(planned_);
         for (Pass& missing : missingPasses(film_, goal, AdaptiveSampling::blockSize, tracer_.mostPaths())) {
             std::optional<Pass> pass = std::move(missing);
@@ -49,6 +50,16 @@ private:
     /// Takes samples of all pixels, from those that they have up to `end`.
     void traceUniformly(unsigned end) {
         unsigned begun = samples_;
+        if (film_.splats()) {
+            /* Pass by pass: a wave has either light paths or paths from the camera */
+            while (begun < end && !stopped_) {
+                std::optional<Pass> pass = uniformPass(film_.pixels(), {film_.firstSample(), begun}, end, tracer_.mostPaths());
+                begun += pass->samples;
+                traceLights(begun);
+                trace([&] { return std::exchange(pass, std::nullopt); });
+            }
+            return;
+        }
         trace([&]() -> std::optional<Pass> {
             if (begun >= end) return {};
             Pass pass = uniformPass(film_.pixels(), {film_.firstSample(), begun}, end, tracer_.mostPaths());
@@ -64,11 +75,44 @@ private:
             const std::vector<Block> blocks = adaptive.nextPass(film_);
             planned_ = adaptive.samples();
             if (blocks.empty()) return {true, samples_, adaptive.error(), planned_};
+            traceLights(meanOf(planned_));
             allPaths_ = adaptive.plannedSamples();
             isPlanned_ = true;
             std::optional<Pass> pass = cutBlocks(blocks, AdaptiveSampling::blockSize, film_.pixels(), tracer_.mostPaths());
             trace([&] { return std::exchange(pass, std::nullopt); });
             if (stopped_) return {false, samples_, {}, planned_};
+        }
+    }
+
+    static unsigned meanOf(const std::vector<unsigned>& samples) {
+        return static_cast<unsigned>(std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size()));
+    }
+
+    /// Traces the light paths of all samples up to `end` that the film lacks: those of all pixels of the whole image, whatever part of it
+    /// is rendered. They count once all of them have been traced.
+    void traceLights(unsigned end) {
+        SplatSums* const splats = film_.splats();
+        if (!splats || stopped_) return;
+        const PixelRect whole{0, 0, film_.width(), film_.height()};
+        std::vector<uint> words(splats->halves());
+        if (!splats_.size()) splats_ = Buffer(context_, words.size() * sizeof(uint), "splats");
+        for (unsigned begun = std::max(splats->end(), film_.firstSample()); begun < end && !stopped_;) {
+            const Pass pass = uniformPass(whole, {0, begun}, end, tracer_.mostPaths());
+            Batches batches(pass.size, pass.blocks, tracer_.mostPaths());
+            const auto next = [&]() -> std::optional<Batch> {
+                if (control_.stop && control_.stop()) stopped_ = true;
+                if (stopped_ || batches.empty()) return {};
+                return batches.next();
+            };
+            splats_.clear(context_, 0, words.size() * sizeof(uint));
+            const StopWatcher watcher(tracer_.stopFlag(), control_.abandon);
+            tracer_.traceLights({next, [](const Batch&) {}, whole.x1, whole.y1}, splats_, film_.pixels());
+            context_.finish();
+            stopped_ |= tracer_.stopFlag().isRaised();
+            if (stopped_) return;
+            splats_.read(context_, words.data(), words.size() * sizeof(uint));
+            splats->add({begun, begun + pass.samples}, words);
+            begun += pass.samples;
         }
     }
 
@@ -135,6 +179,7 @@ private:
     const RenderControl& control_;
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
     Buffer blocks_;
+    Buffer splats_;                         ///< what the light paths of a pass add
     struct Traced { unsigned samples; unsigned long layers; };
     std::deque<Traced> traced_;             ///< passes in progress: the samples that they add to every pixel, and the layers still to trace
     bool stopped_ = false;

@@ -29,6 +29,7 @@ Values tablesOf(const PackedScene& scene) {
     ADD_GROUP("materials", MATERIAL_TABLES)
     ADD_GROUP("measured BSDFs", BSDF_TABLES)
     ADD_GROUP("lights", LIGHT_TABLES)
+    ADD_GROUP("light paths", EMISSION_TABLES)
     ADD_GROUP("media", MEDIUM_TABLES)
     ADD_GROUP("colours", COLOR_TABLES)
     ADD_GROUP("camera and filter", CAMERA_TABLES)

@@ -15,7 +15,8 @@ void StageLauncher::warmUp(Stages& stages, const Bindings& nothing) const {
     const Buffer unused(context_, 1024, "an unused argument");
     Bindings own = nothing;
     for (const char* name : {"shading_pass", "pass_slots", "representatives", "point_count"}) own.set(name, 0u);
-    for (const char* name : {"film", "survey_points", "survey_normals", "survey_texels", "survey_weights"}) own.set(name, unused);
+    for (const char* name : {"splat_x", "splat_y", "splat_width", "splat_height"}) own.set(name, 0u);
+    for (const char* name : {"film", "splat", "survey_points", "survey_normals", "survey_texels", "survey_weights"}) own.set(name, unused);
     for (Stage& stage : stages.all()) {
         const auto start = std::chrono::steady_clock::now();
         enqueue(stage, {}, own);

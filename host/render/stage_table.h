@@ -17,7 +17,7 @@ enum class Queue : unsigned char {
 #define QUEUE_ID(q, FIELDS, ITEMS, FEATURE) q,
     QUEUES(QUEUE_ID)
 #undef QUEUE_ID
-    next_ray, pixels, film, counts
+    next_ray, pixels, film, splat, counts
 };
 constexpr size_t queueCount = static_cast<size_t>(Queue::next_ray);
 
@@ -113,6 +113,7 @@ constexpr const char* nameOf(Queue queue) {
     if (queue == Queue::next_ray) return "next_ray";
     if (queue == Queue::pixels) return "pixels";
     if (queue == Queue::film) return "film";
+    if (queue == Queue::splat) return "splat";
     return queue == Queue::counts ? "counts" : rowOf(queue).name;
 }
 

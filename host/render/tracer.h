@@ -37,6 +37,9 @@ public:
     virtual const StopFlag& stopFlag() const = 0;
     /// Follows every path of every batch of the stream from the camera to its end. Paths of several batches may be in flight at once.
     virtual void trace(const BatchStream& stream) = 0;
+    /// Follows the light path of every sample of every batch, to its end; batches may be of pixels that are not rendered. `splat` sums what
+    /// the paths add to the pixels of `part` (include/eikonal/film.h).
+    virtual void traceLights(const BatchStream& stream, const Buffer& splat, const PixelRect& part) = 0;
     /// Within BatchStream::traced: adds the paths of that batch to their pixels. `film` holds those of the batch, block after block.
     /// Enqueues.
     virtual void resolve(const Batch& batch, const Buffer& film) = 0;

@@ -19,15 +19,35 @@ void Wave::warmUp() {
 /// that may hold a ray.
 void Wave::trace(const BatchStream& stream) {
     counter_.begin();
-    unsigned rays = generate(0, stream);                // pixels -> ray, path
+    unsigned rays = generate(each_sample, 0, stream);   // pixels -> ray, path
     while (!batches_.empty()) {
-        const WaveCounts counts = intersect(rays);      // ray -> intersection -> hit | scatter | miss | emission | next ray
+        const WaveCounts counts = intersect(rays, each_ray);   // ray -> intersection -> hit | scatter | miss | emission | next ray
         rays = shade(counts);                           // miss, emission -> path;  hit, scatter -> next ray, shadow;  shadow -> path
         queues_.swapRays();                             // next ray -> ray
         if (isInterrupted()) break;
         if (!goesOn(counts, rays, stream)) rays = 0;    // only the short test paths of roulette_pilot.cpp stop here
         batches_.finish(counts, stream);                // batches without rays: stream.traced, which calls resolve (path -> film)
-        rays = generate(rays, stream);                  // pixels -> ray, path
+        rays = generate(each_sample, rays, stream);     // pixels -> ray, path
+    }
+    counter_.end();
+}
+
+/// The same for light paths, which have no path states: what they find goes to the splats.
+void Wave::traceLights(const BatchStream& stream, const Buffer& splat, const PixelRect& part) {
+    Bindings splats;
+    splats.set("splat", splat);
+    const std::pair<const char*, int> numbers[] = {
+        {"splat_x", part.x0}, {"splat_y", part.y0}, {"splat_width", part.width()}, {"splat_height", part.height()}};
+    for (const auto& [name, number] : numbers) splats.set(name, static_cast<unsigned>(number));
+    counter_.begin();
+    unsigned rays = generate(each_light_sample, 0, stream);           // pixels -> ray
+    while (!batches_.empty()) {
+        const WaveCounts counts = intersect(rays, each_light_ray);    // ray -> intersection -> hit
+        rays = shadeLights(counts, splats);                           // hit -> next ray, shadow;  shadow -> splat
+        queues_.swapRays();
+        if (isInterrupted()) break;
+        batches_.finish(counts, stream);
+        rays = generate(each_light_sample, rays, stream);
     }
     counter_.end();
 }
@@ -40,12 +60,12 @@ bool Wave::isInterrupted() {
     return true;
 }
 
-/// Begins as many paths as fit behind the first `slots` slots. Returns the number of slots in use.
-unsigned Wave::generate(unsigned slots, const BatchStream& stream) {
+/// Begins as many paths as fit behind the first `slots` slots, by the stage over `over`. Returns the number of slots in use.
+unsigned Wave::generate(uint over, unsigned slots, const BatchStream& stream) {
     for (unsigned left = size_.room(slots); left > 0;) {
         const auto paths = batches_.begin(left, stream);
         if (!paths) break;
-        for (const Stage& stage : stages_.over(each_sample)) launcher_.launch(stage, {slots, paths->count}, paths->arguments);
+        for (const Stage& stage : stages_.over(over)) launcher_.launch(stage, {slots, paths->count}, paths->arguments);
         const unsigned taken = shape_.padded(paths->count);
         slots += taken;
         left -= std::min(left, taken);
@@ -53,14 +73,18 @@ unsigned Wave::generate(unsigned slots, const BatchStream& stream) {
     return slots;
 }
 
-/// Intersects all rays and routes them to the next queues. Returns the number of items in each.
-WaveCounts Wave::intersect(unsigned slots) {
+/// Intersects all rays and routes them to the next queues: over each_ray or, where they are light paths, each_light_ray. Returns the number
+/// of items in each.
+WaveCounts Wave::intersect(unsigned slots, uint routing) {
     if (!slots) return {};
     counter_.clear();
     for (const Stage& stage : stages_.over(each_ray)) {
+        if (stage.row->reads.has(Queue::counts) && routing != each_ray) continue;
         launcher_.launch(stage, {0, slots});
-        if (stage.row->writes.has(Queue::counts)) counter_.startReading();   // route_intersections runs meanwhile
+        if (stage.row->writes.has(Queue::counts)) counter_.startReading();   // routing runs meanwhile
     }
+    if (routing != each_ray)
+        for (const Stage& stage : stages_.over(routing)) launcher_.launch(stage, {0, slots});
     return counter_.wait();
 }
 
@@ -74,6 +98,15 @@ unsigned Wave::shade(const WaveCounts& counts) {
         for (const Stage& stage : stages_.over(each_shadow)) launcher_.launch(stage, {0, segments.slots()});
     }
     return segments.slots() * splitting_.raysPerHit;
+}
+
+/// Scatters light paths, and splats what they send to the camera. Returns the slots of the next ray queue that may hold a ray.
+unsigned Wave::shadeLights(const WaveCounts& counts, const Bindings& splat) {
+    const Segments segments(counts, shape_.group());
+    for (const Stage& stage : stages_.over(light_hits + Segments::first, light_hits + Segments::last))
+        launcher_.launch(stage, segments[stage.over - light_hits]);
+    for (const Stage& stage : stages_.over(each_splat)) launcher_.launch(stage, {0, segments.slots()}, splat);
+    return segments.slots();
 }
 
 /// Whether to trace the next bounce. Always, unless the stream watches the rays and declines (BatchStream::watch; in roulette_pilot.cpp).

@@ -26,14 +26,16 @@ public:
     const StopFlag& stopFlag() const override { return stopFlag_; }
     /// Waits for the device only once per bounce, for the counts.
     void trace(const BatchStream& stream) override;
+    void traceLights(const BatchStream& stream, const Buffer& splat, const PixelRect& part) override;
     void resolve(const Batch& batch, const Buffer& film) override;
 
     size_t bytes() const { return queues_.bytes(); }
 
 private:
-    unsigned generate(unsigned slots, const BatchStream& stream);
-    WaveCounts intersect(unsigned slots);
+    unsigned generate(uint over, unsigned slots, const BatchStream& stream);
+    WaveCounts intersect(unsigned slots, uint routing);
     unsigned shade(const WaveCounts& counts);
+    unsigned shadeLights(const WaveCounts& counts, const Bindings& splat);
     bool isInterrupted();
     bool goesOn(const WaveCounts& counts, unsigned rays, const BatchStream& stream) const;
 

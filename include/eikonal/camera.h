@@ -38,6 +38,8 @@ typedef struct {
     float rear_z;                  /* realistic: vertex of the rear element, camera space */
     float film_radius;             /* realistic: half the film's diagonal, camera space */
     uint aperture_width, aperture_height; /* realistic: size of the image in `aperture_texels`; 0: a round stop */
+    uint is_parallel;              /* 1: rays through one point of the lens are parallel (PARALLEL in cameras.h) */
+    uint has_importance;           /* 1: light paths can be connected to it (PARALLEL or CENTRAL) */
     uint medium;                   /* medium around the camera, or NONE */
 } camera;
 
@@ -47,6 +49,7 @@ typedef struct {
 typedef struct {
     float radius_x, radius_y;      /* pixels */
     uint cells;                    /* per axis; a power of two */
+    float mean;                    /* its integral, where that of its absolute value is 1 */
 } filter;
 
 CONTRACT_END

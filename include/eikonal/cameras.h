@@ -1,19 +1,23 @@
-/* Every kind of camera. C(name, FEATURE, CODE): a camera called x is kernels/camera/x.clh, which defines generate_x
+/* Every kind of camera. C(name, FEATURE, CODE, RAYS): a camera called x is kernels/camera/x.clh, which defines generate_x
    (contract: kernels/camera/camera.clh), beside host/kinds/camera/x.cpp. CODE says how generate_x is built:
      STRAIGHT   straight-line code
-     LOOPS      with loops, which keep the compiler from vectorising generate_rays in scenes with this camera */
+     LOOPS      with loops, which keep the compiler from vectorising generate_rays in scenes with this camera
+   RAYS says how the rays through one point of the lens lie, which decides whether a light path can be connected to the camera:
+     CENTRAL    they go through a point: the kind defines sample_importance_x (kernels/camera/importance.clh)
+     PARALLEL   they are parallel: so it does
+     ANY        unknown: light paths cannot be connected */
 #ifndef EIKONAL_CAMERAS_H
 #define EIKONAL_CAMERAS_H
 #include "eikonal/portable.h"
 CONTRACT_BEGIN
 
 #define CAMERAS(C) \
-    C(perspective,  CAMERA_PERSPECTIVE,  STRAIGHT) \
-    C(orthographic, CAMERA_ORTHOGRAPHIC, STRAIGHT) \
-    C(spherical,    CAMERA_SPHERICAL,    STRAIGHT) \
-    C(realistic,    CAMERA_REALISTIC,    LOOPS)
+    C(perspective,  CAMERA_PERSPECTIVE,  STRAIGHT, CENTRAL) \
+    C(orthographic, CAMERA_ORTHOGRAPHIC, STRAIGHT, PARALLEL) \
+    C(spherical,    CAMERA_SPHERICAL,    STRAIGHT, ANY) \
+    C(realistic,    CAMERA_REALISTIC,    LOOPS,    ANY)
 
-#define CAMERA_KIND(name, FEATURE, CODE) camera_##name,
+#define CAMERA_KIND(name, FEATURE, CODE, RAYS) camera_##name,
 enum camera_kind { CAMERAS(CAMERA_KIND) camera_kinds };
 
 CONTRACT_END

@@ -13,10 +13,16 @@ enum camera_dimension {
     camera_dimensions = 8
 };
 
+/* Light paths have a seed of their own, and other uses for two of these. */
+enum light_path_dimension {
+    dimension_emission_point = dimension_pixel,      /* 2D: choice of the light, and the point on it */
+    dimension_emission_direction = dimension_lens    /* 2D */
+};
+
 /* Per bounce; the dimension is camera_dimensions + depth * bounce_dimensions + one of these. */
 enum bounce_dimension {
     dimension_light,           /* 1D: choice of a light in the light tree */
-    dimension_light_point,     /* 2D: choice of a light by the alias table, and the point on it */
+    dimension_light_point,     /* 2D: choice of a light by the alias table, and the point on it; of a light path: point of the lens */
     dimension_lobe,            /* 1D: choice of a BSDF lobe */
     dimension_direction,       /* 2D: direction within the lobe */
     dimension_roulette,        /* 1D: Russian roulette */
@@ -28,6 +34,7 @@ enum bounce_dimension {
     dimension_probe_axis,      /* 1D: axis of the probe ray and channel of the diffusion profile */
     dimension_probe,           /* 2D: distance and azimuth of the probe ray */
     dimension_exit,            /* seed: choice among the exit points of a probe ray */
+    dimension_splat,           /* seed: of a light path: the pixel that a connection to the camera counts for */
     bounce_dimensions = 16
 };
 

@@ -4,8 +4,9 @@
 #define EIKONAL_FEATURE_FIELDS_H
 
 /* Several features that need the same field. */
-#define HAS_PORTALS_OR_ENVIRONMENT_GUIDE (HAS_PORTALS || HAS_ENVIRONMENT_GUIDE)
-#define HAS_MEDIA_OR_LIGHT_PATTERN (HAS_MEDIA || HAS_LIGHT_PATTERN)
+#define HAS_PORTALS_OR_ENVIRONMENT_GUIDE_OR_LIGHT_PATHS (HAS_PORTALS || HAS_ENVIRONMENT_GUIDE || HAS_LIGHT_PATHS)
+#define HAS_MEDIA_OR_LIGHT_PATTERN_OR_LIGHT_PATHS (HAS_MEDIA || HAS_LIGHT_PATTERN || HAS_LIGHT_PATHS)
+#define HAS_MEDIA_OR_LIGHT_PATHS (HAS_MEDIA || HAS_LIGHT_PATHS)
 
 /* The element of an area light that a shadow ray is aimed at. */
 #define LIGHT_ELEMENT_FIELDS(F, q) \
@@ -25,6 +26,18 @@
 /* Ray splitting */
 #define SPLITTING_TRAVEL_FIELDS(F, q) \
     F(q, uint,     splits,     RAY_SPLITTING) /* how often the ray may still split in two; it owns 2^splits path states from `path` on */
+
+/* What multiple importance sampling must know of the vertices behind a path, from the camera or from a light (Georgiev 2012, "Implementing
+   Vertex Connection and Merging"). In a ray: without what depends on where the ray ends. */
+#define LIGHT_PATH_TRAVEL_FIELDS(F, q) \
+    F(q, float,    d_vcm,      LIGHT_PATHS)  /* 1 / density of the last vertex, if a path from the other side may end there; else 0 */ \
+    F(q, float,    d_vc,       LIGHT_PATHS)  /* the same of all earlier vertices together, per density of the way back to them */
+#define LIGHT_PATH_MISS_FIELDS(F, q) \
+    F(q, float,    d_vc,       LIGHT_PATHS)  /* as in ray */
+#define LIGHT_PATH_EMISSION_FIELDS(F, q) \
+    F(q, float,    by_light_paths, LIGHT_PATHS) /* density of all light paths that lead here, over that of this path */
+#define LIGHT_PATH_SHADOW_FIELDS(F, q) \
+    F(q, vec2,     raster,     LIGHT_PATHS)  /* of a light path: where it arrives in the image, pixels */
 
 /* Where a path is in a subsurface body. */
 #define SUBSURFACE_TRAVEL_FIELDS(F, q) \

@@ -45,6 +45,7 @@
     F(AMBIENT_OCCLUSION, "integrator \"ambientocclusion\"") \
     F(RAY_SPLITTING,    "an integrator that splits rays") \
     F(UNIFORM_DIRECTIONS, "an integrator that samples directions uniformly") \
+    F(LIGHT_PATHS,      "an integrator that traces paths from lights") \
     F(AOVS,             "auxiliary image channels") \
     F(MOTION_VECTORS,   "the channel \"motion\", and a shape that moves")
 

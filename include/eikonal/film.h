@@ -53,6 +53,17 @@ CONTRACT_BEGIN
    wavelengths of its samples that lie in the bucket, and the rounding error of that sum. */
 #define BUCKET_WORDS 2
 
+/* LIGHT_PATHS: what light paths add to pixels. 64-bit integers: of each the low halves of all pixels, then the high ones. They sum what
+   each path adds, times splat_scale (settings): colours in steps of 1 / SPLAT_UNITS, and squared luminances in steps of 1 /
+   SPLAT_SQUARE_UNITS, whose sum is the variance of a sum of rare events. The image is the sum of colours over the number of light paths for
+   each pixel of the whole image. A splat of MOST_SPLAT or more is not added but counted; thousands of the largest that are fit into a sum.
+   */
+enum splat_word { splat_red, splat_green, splat_blue, splat_square, splat_lost, splat_words };
+#define SPLAT_UNITS 0x1p40f
+#define MOST_SPLAT 0x1p11f
+#define SPLAT_SQUARE_UNITS 0x1p40f
+#define MOST_SPLAT_SQUARE 0x1p14f
+
 /* Brighter samples count as invalid. A million samples of this value still sum to a finite float. The sun is 1e9. */
 #define MOST_RADIANCE 1e31f
 /* Sums are clamped to this. */

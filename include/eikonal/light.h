@@ -7,7 +7,8 @@ CONTRACT_BEGIN
 /* One light, whatever its kind: a straight-line kernel reads the same words for all. Which are meaningful:
      point        p, L (intensity)
      spot         p, n (axis), cos_inner, cos_outer, L (intensity on the axis)
-     distant      n (towards the light), L (irradiance on a surface that faces it)
+     distant      n (towards the light), L (irradiance on a surface that faces it); as of all lights that are infinitely far away but
+                  those with a portal, with LIGHT_PATHS: p, radius (a sphere around the scene)
      triangle     p, a, b (edges from p), n, inverse_area, L
      bilinear     p, a, b, c (point(u, v) = p + u a + v b + u v c), n (in the middle), extent (1: emits on the side of du x dv, or -1), L
      sphere       p (centre), radius, inverse_area, n.x (1: emits outwards, -1: inwards), L
@@ -31,6 +32,7 @@ CONTRACT_BEGIN
     F(uint,     element)      /* of an area; otherwise NONE */ \
     F(uint,     has_pattern)  /* 1: an area of varying radiance (an image, alpha). L is the mean, without alpha */ \
     F(uint,     invisible)    /* 1: an area that no ray hits, since its alpha is 0: only light sampling finds it */ \
+    F(float,    emission_pmf) /* LIGHT_PATHS: probability that a light path begins here */ \
     F(float,    pmf)          /* probability of being sampled, or that of the tree that it is in; 0: only BSDF sampling finds it */ \
     F(float,    inverse_area) \
     F(float,    rounding)     /* areas: distance, along the normal, by which rounding may move a sampled point off the surface */ \

@@ -1,9 +1,10 @@
 /* Every kind of light. L(name, FEATURE, PLACE): a light called x is kernels/light/x.clh beside host/kinds/light/x.cpp.
-   Each kind defines sample_x_light. PLACE says what else:
-     POINT      one point: only light sampling finds it
-     DISTANT    one direction: only light sampling finds it
-     AREA       a shape, or one element of a mesh: pdf_x_light, for paths that hit it
-     INFINITE   all directions: eval_x_light, for paths that leave the scene */
+   Each kind defines sample_x_light, and for paths that begin at the light sample_emission_x_light (kernels/light/arrival.clh). PLACE says
+   what else:
+     POINT      one point, which paths from the camera cannot hit: pdf_emission_x_light
+     DISTANT    one direction, which they cannot hit either
+     AREA       a shape, or one element of a mesh: pdf_x_light, for paths that hit it, and pdf_emission_x_light
+     INFINITE   all directions: eval_x_light, for paths that leave the scene, and pdf_emission_x_light */
 #ifndef EIKONAL_LIGHTS_H
 #define EIKONAL_LIGHTS_H
 #include "eikonal/portable.h"

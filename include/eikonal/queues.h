@@ -26,7 +26,7 @@
     SPLITTING_TRAVEL_FIELDS(F, q) \
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices; Russian roulette multiplies by it */ \
     F(q, spectrum, r_u,        MEDIA)        /* rescaled path probability of unidirectional sampling, per channel (pbrt-v4's r_u) */ \
-    SUBSURFACE_TRAVEL_FIELDS(F, q)
+    LIGHT_PATH_TRAVEL_FIELDS(F, q) SUBSURFACE_TRAVEL_FIELDS(F, q)
 
 /* A ray to trace: filled by generate_rays, shading and route_intersections, traced by intersect_rays, read up to route_intersections.
    Sparse: slots may be dead. Slot i comes from slot i of hit or scatter (ray splitting: see shade_hits.cl); camera rays follow. */
@@ -90,9 +90,9 @@
     F(q, spectrum, r_u,        MEDIA) \
     F(q, spectrum, r_l,        MEDIA)        /* as in ray */ \
     F(q, vec3,     d,          ALWAYS) \
-    F(q, float,    pdf,        ALWAYS)       /* as in ray */ \
+    F(q, float,    pdf,        ALWAYS)       /* as in ray */    LIGHT_PATH_MISS_FIELDS(F, q) \
     F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* as in ray */ \
-    F(q, vec3,     o,          PORTALS_OR_ENVIRONMENT_GUIDE) /* where d was sampled */
+    F(q, vec3,     o,          PORTALS_OR_ENVIRONMENT_GUIDE_OR_LIGHT_PATHS) /* where d was sampled */
 
 /* A hit on a surface that emits: filled by route_intersections, drained by shade_emitters. Dense. */
 #define EMISSION_FIELDS(F, q) \
@@ -101,7 +101,7 @@
     F(q, spectrum, r_u,        MEDIA) \
     F(q, spectrum, r_l,        MEDIA)        /* as in ray */ \
     F(q, spectrum, Le,         ALWAYS)       /* radiance towards the path */ \
-    F(q, float,    pdf,        ALWAYS)       /* as in ray */ \
+    F(q, float,    pdf,        ALWAYS)       /* as in ray */    LIGHT_PATH_EMISSION_FIELDS(F, q) \
     F(q, float,    pdf_light,  ALWAYS)       /* density over solid angle with which light sampling produces this point */
 
 /* A shadow ray and the light it carries: filled by shading, drained by test_shadows. Sparse: slot i belongs to slot i of hit or scatter. */
@@ -110,15 +110,15 @@
     F(q, vec3,     o,          ALWAYS) \
     F(q, vec3,     d,          ALWAYS) \
     F(q, float,    t_max,      ALWAYS)       /* < 0: dead slot; ends before the light by what rounding may hide of it */ \
-    LIGHT_ELEMENT_FIELDS(F, q) \
+    LIGHT_ELEMENT_FIELDS(F, q) LIGHT_PATH_SHADOW_FIELDS(F, q) \
     F(q, float,    time,       MOTION)       /* as in ray */ \
     F(q, spectrum, Ld,         ALWAYS)       /* contribution, all weights included; with MEDIA not yet divided by mean(r_u + r_l) */ \
     F(q, uint,     medium,     MEDIA) \
     F(q, spectrum, r_u,        MEDIA)        /* rescaled path probability if the BSDF or phase function had sampled d */ \
     F(q, spectrum, r_l,        MEDIA)        /* rescaled path probability of light sampling */ \
-    F(q, uint,     seed,       MEDIA_OR_LIGHT_PATTERN) \
-    F(q, uint,     sample,     MEDIA_OR_LIGHT_PATTERN) \
-    F(q, uint,     depth,      MEDIA)
+    F(q, uint,     seed,       MEDIA_OR_LIGHT_PATTERN_OR_LIGHT_PATHS) \
+    F(q, uint,     sample,     MEDIA_OR_LIGHT_PATTERN_OR_LIGHT_PATHS) \
+    F(q, uint,     depth,      MEDIA_OR_LIGHT_PATHS)
 
 /* What persists from camera to film, by path index. A path has one item in a queue (where rays
    split, each has a state of its own), so stages add to L without atomics. */

@@ -113,6 +113,10 @@ typedef struct {
     T(guide_opening,  guide_openings)        /* GUIDE_OPENINGS */ \
     T(uint,           guide_texels)          /* GUIDE_BOX_TEXELS: the opening of each texel, or NONE */
 
+/* Read where light paths begin. */
+#define EMISSION_TABLES(T) \
+    T(alias_entry,    emission_aliases)      /* LIGHT_PATHS: one entry per light */
+
 /* Read by shading: tables of BSDFs, besides their parameters. */
 #define BSDF_TABLES(T) \
     T(measured,       measured_files) \
@@ -171,8 +175,8 @@ typedef struct {
     T(float,          aperture_texels)       /* transmission of the aperture stop, row by row, y up; its mean is pi / 4 */
 
 #define SCENE_TABLES(T) \
-    GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) BSDF_TABLES(T) MEDIUM_TABLES(T) COLOR_TABLES(T) \
-        CAMERA_TABLES(T) \
+    GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) EMISSION_TABLES(T) BSDF_TABLES(T) MEDIUM_TABLES(T) \
+        COLOR_TABLES(T) CAMERA_TABLES(T) \
     T(settings,       frame)
 
 /* The most rays that one camera ray may split into (kernels/shade/ray_splitting.clh). */
@@ -199,6 +203,7 @@ typedef struct {
     uint rough_splits;      /* RAY_SPLITTING: 2^rough_splits rays leave a rough surface; NONE: none */
     uint tree_lights;       /* RAY_SPLITTING: lights sampled per vertex, each with pmf 1; 0: one is chosen */
     float tree_threshold;   /* RAY_SPLITTING: rays of less weight end */
+    uint emission_count;   /* LIGHT_PATHS: entries of `emission_aliases`: all lights */
     uint light_count;      /* entries of `light_aliases`; 0: the light tree is used, or there is nothing to sample */
     uint first_infinite, infinite_count; /* infinite lights, last in `lights`: with LIGHT_TREE each is as probable as the whole tree */
     uint lights_in_tree;     /* number of lights in the tree */
@@ -207,6 +212,7 @@ typedef struct {
     uint albedo_curves;    /* with SPECTRAL: first of three in `curves`: linear sRGB of a reflectance in daylight */
     uint bucket_count;     /* SPECTRAL_FILM: number of equal buckets that divide the range of `wavelengths`; 0 without */
     affine image_from_light; /* without SPECTRAL: a linear map from linear sRGB light to that of the image */
+    float splat_scale;       /* LIGHT_PATHS: splats are stored times this, a power of two, in fixed point (film.h) */
     float max_component_value; /* samples of the image brighter than this are scaled down to it; 0: no limit */
 } settings;
 

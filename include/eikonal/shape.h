@@ -10,7 +10,8 @@ enum shape_flag {
     shape_is_interface  = 4, /* its material is "interface", so shadow rays pass */
     shape_is_unseen     = 8, /* its alpha is 0: rays pass through it, but it emits */
     shape_is_two_sided  = 16, /* it emits on both sides */
-    shape_is_aimed_by_direction = 32 /* it emits, and light samples are directions; rays find its points (kernels/trace/meet_light.clh) */
+    shape_is_aimed_by_direction = 32, /* it emits, and light samples are directions; rays find its points (kernels/trace/meet_light.clh) */
+    shape_faces_rays    = 64 /* its normal depends on the ray that hits it (curves) */
 };
 
 /* One shape: a mesh, a quadric, an implicit surface or a list of curves, with its material. */

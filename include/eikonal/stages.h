@@ -6,6 +6,7 @@
      next_ray   the ray queue of the next bounce
      pixels     blocks of the image
      film       the sums of their samples
+     splat      sums of what light paths add to pixels
      counts     how many items go to each next_queue, and how many rays each batch has (enum wave_count)
    FEATURE is one of features.h (HAS_x in kernels), ALWAYS, or ENVIRONMENTS: at least one infinite light (host/pack/scene_constants.h).
 
@@ -43,7 +44,12 @@ CONTRACT_BEGIN /* namespace eikonal, in C++ */
     /* Add the light of shadow rays that nothing blocks */ \
     S(test_shadows, (shadow), (path), each_shadow, ALWAYS) \
     /* Once the paths of a batch have ended: add them to their pixels */ \
-    S(resolve_film, (path), (film), each_pixel, ALWAYS)
+    S(resolve_film, (path), (film), each_pixel, ALWAYS) \
+    /* A wave of light paths: it begins with these rays, intersects and classifies them as above, and goes on here */ \
+    S(generate_light_rays, (pixels), (ray), each_light_sample, LIGHT_PATHS) \
+    S(route_light_paths, (intersection, ray, counts), (hit, next_ray, shadow), each_light_ray, LIGHT_PATHS) \
+    S(shade_light_hits, (hit), (next_ray, shadow), each_light_bsdf, LIGHT_PATHS) \
+    S(splat_shadows, (shadow), (splat), each_splat, LIGHT_PATHS)
 
 /* Kernels that run before the first wave, over no queue (host/render/survey.cpp).   S(kernel, FEATURE that makes it exist) */
 #define SURVEYS(S) \
@@ -76,7 +82,12 @@ enum stage_items {
     each_bsdf,                 /* the items of next_x, for every BSDF x of the scene: the stage is built once for each */
     each_shadow,               /* every slot of the shadow queue, dead ones included */
     each_pixel,                /* pixels of a batch */
-    no_queue                   /* of a kernel of SURVEYS */
+    each_light_sample,         /* samples of a batch of light paths: those that begin */
+    each_light_ray,            /* every slot of the ray queue, where it holds light paths */
+    each_light_bsdf,           /* as each_bsdf, for light paths: the stage for BSDF x runs over light_hits + next_x */
+    each_splat,                /* every slot of the shadow queue, where it holds connections of light paths to the camera */
+    no_queue,                  /* of a kernel of SURVEYS */
+    light_hits
 };
 
 /* Indices of `counts`. At each next_queue: how many items go there. At count_of_batches + b: how many rays of batch b were live. */

@@ -83,6 +83,7 @@ Features surfaceFeatures() {
                                 .require(AMBIENT_OCCLUSION)
                                 .require(RAY_SPLITTING)
                                 .require(UNIFORM_DIRECTIONS)
+                                .require(LIGHT_PATHS)
                                 .require(LENS)
                                 .require(FILTER)
                                 .require(BUMP)

@@ -220,22 +220,45 @@ TEST_F(Pack, HardLightIsNamed) {
     EXPECT_EQ(missedLight(pack(point + lamp(0.01) + glass)).size(), 2u);
     for (const std::string& world : {lamp(1) + glass, point + lamp(0.01) + rough, glass})
         EXPECT_THAT(missedLight(pack(world)), IsEmpty()) << world;
+    /* "auto" traces light paths where others miss light */
+    for (const auto& [world, traces] :
+         {std::pair(point + glass, true), {lamp(0.01) + glass, true}, {lamp(1) + glass, false}, {point + rough, false}}) {
+        Diagnostics silent(LogLevel::silent, true);
+        EXPECT_EQ(packScene(read("Integrator \"auto\"\nWorldBegin\n" + world), silent).features.has(Feature::LIGHT_PATHS), traces) << world;
+    }
+    /* Paths from both ends miss less */
+    Diagnostics diagnostics(LogLevel::silent, true);
+    EXPECT_THAT(missedLight(packScene(read("Integrator \"bdpt\"\nWorldBegin\n" + point + glass), diagnostics)),
+                ElementsAre(HasSubstr("where they are seen by way of smooth ones, too")));
 }
 
-// Those that pbrt-v4 has and Eikonal has not are rendered as "volpath", and that is said once; with --strict it is an error.
+// Those that pbrt-v4 has and Eikonal has not are rendered as another one, and that is said once; with --strict it is an error.
 TEST_F(Pack, IntegratorsThatAreNotRenderedAreNamedOnce) {
-    for (const char* name : {"bdpt", "mlt", "sppm", "lightpath", "function"}) {
+    for (const auto& [name, instead] : {std::pair("mlt", "bdpt"), {"sppm", "bdpt"}, {"lightpath", "bdpt"}, {"function", "volpath"}}) {
         Scene scene = read("Integrator \"" + std::string(name) + "\"\nWorldBegin\nShape \"sphere\"");
         Diagnostics lax(LogLevel::silent), strict(LogLevel::silent, true);
         packScene(scene, lax);
         EXPECT_THAT(lax.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1: warning: integrator \"" + std::string(name) + "\""),
-                                                      HasSubstr("\"volpath\""))))
+                                                      HasSubstr('"' + std::string(instead) + '"'))))
             << name;
         EXPECT_THROW(packScene(scene, strict), SceneError) << name;
     }
     Diagnostics hard(LogLevel::silent);
-    packScene(read("Integrator \"bdpt\"\nWorldBegin\nLightSource \"point\" Material \"dielectric\" Shape \"sphere\""), hard);
+    packScene(read("Integrator \"sppm\"\nWorldBegin\nLightSource \"point\" Material \"dielectric\" Shape \"sphere\""), hard);
     EXPECT_THAT(hard.warnings(), ElementsAre(HasSubstr("is missing")));
+
+    /* What "bdpt" cannot do yet is said, too */
+    const std::string smoke = "MakeNamedMedium \"m\" \"string type\" \"homogeneous\" MediumInterface \"m\" \"\" Shape \"sphere\"";
+    for (const auto& [head, world, why] :
+         {std::tuple("Integrator \"bdpt\" Camera \"spherical\"", std::string("Shape \"sphere\""), "\"spherical\" camera"),
+          {"Integrator \"bdpt\"", smoke, "participating media"},
+          {"Integrator \"bdpt\"", "Material \"subsurface\" Shape \"sphere\"", "subsurface scattering"},
+          {"Integrator \"bdpt\" Film \"spectral\"", "Shape \"sphere\"", "keeps spectra"},
+          {"Integrator \"bdpt\" \"bool regularize\" true", "Shape \"sphere\"", "regularizes"}}) {
+        Diagnostics diagnostics(LogLevel::silent);
+        EXPECT_FALSE(packScene(read(std::string(head) + "\nWorldBegin\n" + world), diagnostics).features.has(Feature::LIGHT_PATHS)) << why;
+        EXPECT_THAT(diagnostics.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1"), HasSubstr(why)))) << why;
+    }
 }
 
 // A scene without light is black, and says so; not where nothing needs a light, and not where a medium shines by itself.
@@ -277,8 +300,8 @@ TEST_F(Pack, IntegratorsWithoutMediaSayWhatTheyLeaveOut) {
         packScene(read(head + "Shape \"sphere\""), empty);
         EXPECT_THAT(empty.warnings(), IsEmpty()) << name;
         const bool rendersMedia = packScene(read(head + smoke), smoky).features.has(Feature::MEDIA);
-        EXPECT_EQ(rendersMedia, kind == &volpath_integrator) << name;
-        if (rendersMedia) EXPECT_THAT(smoky.warnings(), IsEmpty()) << name;
+        EXPECT_EQ(rendersMedia, kind == &volpath_integrator || kind == &bdpt_integrator || kind == &auto_integrator) << name;
+        if (rendersMedia && kind != &bdpt_integrator) EXPECT_THAT(smoky.warnings(), IsEmpty()) << name;
         else EXPECT_THAT(smoky.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1"), HasSubstr("media")))) << name;
     }
 }

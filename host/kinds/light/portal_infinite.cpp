@@ -44,6 +44,6 @@ static PackedLight pack(const LightPacking& in, const Light& d) {
     return {l, area * portal.fluence * (image ? scale : luminanceOf(d.spectrum, scale))};
 }
 
-const LightTraits portal_infinite_light{.pack = pack};
+const LightTraits portal_infinite_light{.pack = pack, .startsPaths = false};
 
 }  // namespace eikonal

@@ -32,6 +32,7 @@ static size_t pack(const ShapePacking& in) {
     GeometryTables& tables = in.tables;
     in.context.require(Feature::STRIPS, in.description.where.toString());
     if (in.description.reverseOrientation != isMirrored(in)) in.packed.flags |= shape_reversed;
+    in.packed.flags |= shape_faces_rays;
     in.packed.first_index = static_cast<uint>(tables.curve_segments.size());
     in.packed.splits = curveSplits(description);
     const double scale = swapsHandedness(m) ? 0 : uniformScale(m);

@@ -44,7 +44,8 @@ static light packLight(const AreaElement& e, const color& L) {
     return l;
 }
 
-const LightTraits implicit_light{.packElement = packLight, .bound = boundSphere, .isAimedByDirection = true};
+const LightTraits implicit_light{.packElement = packLight, .bound = boundSphere, .isAimedByDirection = true,
+                                .startsPaths = false};
 
 static const ShapeDirective directives[] = {
     {"implicit", "string F; point3s bounds; float a; float b; float c; float d", read},

@@ -22,7 +22,7 @@ constexpr const char* filmParameters =
     "in (0, inf);"
     "string sensor = cie1931; float iso = 100 in (0, inf); float whitebalance = 0 in [0, inf); float maxcomponentvalue = 0 in (0, inf); "
     "bool savefp16 = false";
-constexpr const char* instead = "\"volpath\" renders it";
+constexpr const char *volpathInstead = "\"volpath\" renders it", *bdptInstead = "\"bdpt\" renders it";
 
 const KindTable& cameraKinds() {
     static const KindTable table = [] {
@@ -69,9 +69,9 @@ const KindTable& samplerKinds() {
     return table;
 }
 
-/// The row of "volpath", for integrators that it stands for.
-int volpathRow() {
-    return static_cast<int>(std::ranges::find(integratorKindList(), &volpath_integrator) - integratorKindList().begin());
+/// The row of an integrator that stands for others.
+int rowOf(const IntegratorKind& kind) {
+    return static_cast<int>(std::ranges::find(integratorKindList(), &kind) - integratorKindList().begin());
 }
 
 const KindTable& integratorKinds() {
@@ -84,17 +84,16 @@ const KindTable& integratorKinds() {
         };
         for (const IntegratorKind* kind : integratorKindList())
             add(kind->name, static_cast<int>(rows.size()), kind->parameters, kind->leastDepth < kind->mostDepth, nullptr);
-        const int volpath = volpathRow();
-        add(volpathAlias, volpath, "", true, nullptr);
+        add(volpathAlias, rowOf(volpath_integrator), "", true, nullptr);
         for (const auto& [name, parameters] : std::initializer_list<std::pair<const char*, const char*>>{
                  {"lightpath", ""},
-                 {"bdpt", "bool visualizestrategies = false; bool visualizeweights = false; bool regularize = false"},
                  {"mlt",
                   "integer bootstrapsamples = 100000; integer chains = 1000; integer mutationsperpixel = 100; float largestepprobability = "
                   "0.3; float sigma = 0.01; bool regularize = false"},
-                 {"sppm", "integer photonsperiteration = -1; float radius = 1; integer seed = 0"},
-                 {"function", "string function = step; string filename; bool skipbad = true; string imagefilename"}})
-            add(name, volpath, parameters, true, instead);
+                 {"sppm", "integer photonsperiteration = -1; float radius = 1; integer seed = 0"}})
+            add(name, rowOf(bdpt_integrator), parameters, true, bdptInstead);
+        add("function", rowOf(volpath_integrator), "string function = step; string filename; bool skipbad = true; string imagefilename",
+            true, volpathInstead);
         return KindTable("integrator", "", rows);
     }();
     return table;

@@ -13,6 +13,8 @@ constexpr const char* finestLevel = "images are interpolated bilinearly at their
 constexpr const char* owenScrambling = "all Sobol' sequences are Owen-scrambled";
 constexpr const char* ptexOnly = "only Ptex textures use them, each of which is named in a warning";
 
+constexpr const char* noStrategyImages = "no images of single strategies are written";
+
 constexpr WithoutEffect lines[] = {
     {"accelerator", nullptr, nullptr, nullptr, silence, ownHierarchy},
     {"film", nullptr, "diagonal", nullptr, silence, "only the film of the camera \"realistic\" has a size, and there it counts"},
@@ -25,6 +27,8 @@ constexpr WithoutEffect lines[] = {
     {"texture", "imagemap", "filter", "EWA", silence, finestLevel},
     {"texture", "imagemap", "maxanisotropy", nullptr, silence, finestLevel},
     {"integrator", nullptr, "lightsampler", "exhaustive", silence, "\"bvh\" chooses lights by the same bounds, with the same expectation"},
+    {"integrator", "bdpt", "visualizestrategies", nullptr, warning, noStrategyImages},
+    {"integrator", "bdpt", "visualizeweights", nullptr, warning, noStrategyImages},
     {"sampler", nullptr, "randomization", "owen", silence, owenScrambling},
     {"sampler", nullptr, "randomization", "fastowen", silence, owenScrambling},
     {"sampler", nullptr, "randomization", "permutedigits", warning, owenScrambling},

@@ -1,0 +1,29 @@
+/* hit -> next_ray, shadow, slot i to slot i.  Takes each light path one step on at a surface: a ray to the camera, and one scattered ray
+   (shade/shade_light_hit.clh). Built once per BSDF (the macro BSDF), over that BSDF's segment of the hit queue. */
+#include "shade/shade_light_hit.clh"
+#include "stages/stage.clh"
+
+#define SHADE_LIGHT_HITS(TABLE, ARGUMENT) \
+    BSDF_TABLES(TABLE) COLOR_TABLES(TABLE) \
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, hit) ARGUMENT(__global uint *, next_ray) \
+    ARGUMENT(__global uint *, shadow) ARGUMENT(uint, first)
+STAGE(shade_light_hits, SHADE_LIGHT_HITS) {
+    bsdf_tables bsdf_set = BIND_BSDFS;
+    color_tables color_set = BIND_COLORS;
+    FOR_EACH_SLOT_OF_GROUP(at, count) {
+        size_t i = first + at;
+        int alive = at < count;
+        if (BSDF_LOOPS && !alive) {
+            STORE_FIELD(ray, float, t_max, next_ray, capacity, i, -1.0f);
+            STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
+            continue;
+        }
+        hit_item h = load_hit(hit, capacity, i);
+        BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
+        frame3 shading = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
+        vec3 wo = to_local(shading, h.wo);
+        if (!BSDF_IS_DELTA) store_shadow(shadow, capacity, i, CONNECT_BSDF(frame, h, b, shading, wo, alive));
+        else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
+        store_ray(next_ray, capacity, i, SCATTER_POWER_BSDF(frame, h, b, shading, wo, alive));
+    }
+}

@@ -1,0 +1,62 @@
+/* shadow -> splat.  Adds what light paths send to the camera to the pixels that see it, unless something is in between. A tracing stage.
+   splat: SPLAT_WORDS of each pixel of a rectangle of the image. */
+#include "camera/camera.clh"
+#include "film/splat.clh"
+#include "math/dimension.clh"
+#include "trace/test_shadow.clh"
+#include "stages/stage.clh"
+
+/* Adds light to a pixel, as the sensor sees it (as expose in resolve_film.cl does), in units of SPLAT_UNIT over splat_scale. */
+FN void add_splat(__global uint *splat, size_t pixels, size_t pixel, __global const settings *frame, sampled_wavelengths colors, spectrum L,
+                  random_stream *numbers) {
+    rgb color = color_seen(colors, frame->sensor_curves, L);
+    if (!HAS_SPECTRAL) {
+        vec3 seen = transform_vector(frame->image_from_light, make_vec3(color.r, color.g, color.b));
+        color = make_rgb(seen.x, seen.y, seen.z);
+    }
+    float most = frame->max_component_value, brightest = max_component(color);
+    if (most > 0.0f && brightest > most) color = mul(color, most / brightest);
+    color = mul(color, frame->splat_scale);
+    float largest = max1(fabs(color.r), max1(fabs(color.g), fabs(color.b)));
+    if (!(largest < MOST_SPLAT) || !is_finite(largest)) { add_to_splat(splat, pixels, splat_lost, pixel, 1); return; }
+    add_to_splat(splat, pixels, splat_red, pixel, splat_units(color.r * SPLAT_UNITS, next_random(numbers)));
+    add_to_splat(splat, pixels, splat_green, pixel, splat_units(color.g * SPLAT_UNITS, next_random(numbers)));
+    add_to_splat(splat, pixels, splat_blue, pixel, splat_units(color.b * SPLAT_UNITS, next_random(numbers)));
+    float square_luminance = min1(square(luminance(color)), MOST_SPLAT_SQUARE);
+    add_to_splat(splat, pixels, splat_square, pixel, splat_units(square_luminance * SPLAT_SQUARE_UNITS, next_random(numbers)));
+}
+
+#define SPLAT_SHADOWS(TABLE, ARGUMENT) \
+    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE) CAMERA_TABLES(TABLE) \
+    ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, shadow) ARGUMENT(__global uint *, splat) \
+    ARGUMENT(uint, splat_x) ARGUMENT(uint, splat_y) ARGUMENT(uint, splat_width) ARGUMENT(uint, splat_height) \
+    ARGUMENT(__global uint *, shadow_count)
+TRACING_STAGE(splat_shadows, SPLAT_SHADOWS) {
+    geometry g = BIND_GEOMETRY;
+    texture_tables tables = BIND_TEXTURES;
+    medium_tables medium_set = BIND_MEDIA;
+    color_tables color_set = BIND_COLORS;
+    camera_tables camera_set = BIND_CAMERA;
+    uint tested = 0;
+    for (size_t i = first_slot; i < SLOTS_END; ++i) {
+        if (is_interrupted(stop)) return;
+        if (LOAD_FIELD(shadow, float, t_max, shadow, capacity, i) < 0.0f) continue;
+        shadow_item s = load_shadow(shadow, capacity, i);
+        random_stream numbers = make_stream(s.seed, s.sample, bounce_dimension_of(s.depth, dimension_splat));
+        filter f = frame->pixel_filter;
+        /* Far outside the image, positions may not fit an integer */
+        if (!(fabs(s.raster.x) < 1e6f && fabs(s.raster.y) < 1e6f)) continue;
+        splat_pixel x = pixel_of_splat(camera_set, 0u, f.cells, f.radius_x, s.raster.x, next_random(&numbers));
+        splat_pixel y = pixel_of_splat(camera_set, 1u, f.cells, f.radius_y, s.raster.y, next_random(&numbers));
+        int column = x.at - (int)splat_x, row = y.at - (int)splat_y;
+        float weight = x.weight * y.weight;
+        if (column < 0 || row < 0 || column >= (int)splat_width || row >= (int)splat_height || weight == 0.0f) continue;
+        ++tested;
+        spectrum L = test_shadow(g, tables, medium_set, color_set, s);
+        if (is_black(L)) continue;
+        size_t pixels = (size_t)splat_width * splat_height, pixel = (size_t)row * splat_width + (size_t)column;
+        if (HAS_FILTER) L = mul(L, weight / frame->pixel_filter.mean);
+        add_splat(splat, pixels, pixel, frame, path_wavelengths(color_set, s.seed, s.sample), L, &numbers);
+    }
+    if (tested) atomic_add(shadow_count, tested);
+}

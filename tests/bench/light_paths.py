@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""What paths from lights are worth: the error of "volpath" and "bdpt" after the same time.
+
+    tests/bench/light_paths.py [SCENE ...] [--seconds 10] [--reference-seconds 200] [--rounds 3] [--common "--resolution 192x192"] [--json FILE]
+
+Renders each scene for the same time with either integrator and other seeds, and compares with a long render with "bdpt", which finds all that "volpath" finds, and more.
+Prints the relative MSE (squared error over squared reference plus 0.01, mean over the pixels; medians over the rounds), the mean of the image relative to the
+reference's, and how much less time "bdpt" needs for the same error, if errors fall as 1 / sqrt(time).
+"""
+
+import argparse
+import json
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+
+from report import Report
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCENES = ["glass-ball", "lamp-in-glass", "ring", "cornell-box"]
+
+
+def run(*command):
+    done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
+    if done.returncode not in (0, 4):   # 4: the time was over
+        sys.exit(f"light_paths: {' '.join(map(str, command))} failed:\n{done.stderr}")
+    return done.stdout
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("scenes", nargs="*", type=pathlib.Path, default=[ROOT / "scenes" / f"{name}.pbrt" for name in SCENES])
+    options.add_argument("--seconds", type=float, default=10)
+    options.add_argument("--reference-seconds", type=float, default=200)
+    options.add_argument("--rounds", type=int, default=3)
+    options.add_argument("--common", default="--resolution 192x192", help="options of every render")
+    options.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "eikonal")
+    Report.add_to(options)
+    o = options.parse_args()
+    add = Report(o.json).table("light paths", {"scene": None, "volpath: relative MSE": ".3g", "bdpt": ".3g", "volpath: mean": ".3f", "bdpt: mean": ".3f",
+                                               "bdpt: efficiency, volpath = 1": ".3g"})
+    with tempfile.TemporaryDirectory() as folder:
+        reference, image = pathlib.Path(folder) / "reference.exr", pathlib.Path(folder) / "image.exr"
+
+        def render(scene, integrator, seconds, seed, file):
+            run(o.program, "render", scene, "--integrator", integrator, "--spp", 1 << 20, "--time-limit", seconds, "--seed", seed, "-o", file, *o.common.split())
+
+        def compare(scene, integrator, seed):
+            render(scene, integrator, o.seconds, seed, image)
+            found = json.loads(run(o.program, "compare", image, reference, "--json"))
+            return found["relativeMse"], sum(found["mean"]) / sum(found["referenceMean"])
+
+        for scene in o.scenes:
+            for integrator in ("volpath", "bdpt"):   # kernels are compiled before time counts
+                render(scene, integrator, 0.1, 1, image)
+            render(scene, "bdpt", o.reference_seconds, 1_000_003, reference)
+            rounds = [[compare(scene, integrator, 17 * r + 1) for integrator in ("volpath", "bdpt")] for r in range(o.rounds)]
+            errors, means = ([statistics.median(r[i][k] for r in rounds) for i in (0, 1)] for k in (0, 1))
+            add(scene.stem, *errors, *means, errors[0] / errors[1])
+
+
+if __name__ == "__main__":
+    main()

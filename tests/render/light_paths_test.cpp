@@ -1,0 +1,196 @@
+// Paths from both ends: the same image as by paths from the camera where those find all light, and what they cannot find where they do not.
+
+#include "rendering.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal {
+namespace {
+
+View view() {
+    View v;
+    v.lookAt = "0 1.2 -3.4  0 .9 0  0 1 0";
+    v.fov = 40;
+    v.width = v.height = 24;
+    v.samples = 256;
+    v.maxDepth = 6;
+    return v;
+}
+/// The text of a scene with another directive instead of the one of that name.
+std::string sceneWith(const View& v, const std::string& directive, const std::string& world) {
+    std::string text = sceneText(v, world);
+    const std::string name = directive.substr(0, directive.find(' '));
+    const size_t at = directive.empty() ? std::string::npos : text.find("\n" + name + " ");
+    return at == std::string::npos ? text : text.replace(at + 1, text.find('\n', at + 1) - at - 1, directive);
+}
+/// The same scene with light paths.
+std::string withLightPaths(std::string text) { return text.replace(text.find("volpath"), 7, "bdpt"); }
+
+/// Three walls and a lamp over them.
+const std::string room = R"(AttributeBegin
+    Material "diffuse" "rgb reflectance" [.7 .7 .7]
+    Shape "bilinearmesh" "point3 P" [-1 0 -1  1 0 -1  -1 0 1  1 0 1]
+    Shape "bilinearmesh" "point3 P" [-1 0 1  1 0 1  -1 2 1  1 2 1]
+    Material "diffuse" "rgb reflectance" [.7 .1 .1]
+    Shape "bilinearmesh" "point3 P" [-1 0 -1  -1 0 1  -1 2 -1  -1 2 1]
+    AttributeEnd
+)";
+std::string lamp(const std::string& shape) {
+    return "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [10 8 6] " + shape + " AttributeEnd\n";
+}
+const std::string panel = lamp("Shape \"bilinearmesh\" \"point3 P\" [-.5 1.98 -.5  .5 1.98 -.5  -.5 1.98 .5  .5 1.98 .5]");
+std::string ball(const std::string& material) {
+    return "AttributeBegin Translate .1 .5 0 Material " + material + " Shape \"sphere\" \"float radius\" .4 AttributeEnd\n";
+}
+
+/// The mean of an image, and its standard error by what the film says of the variance of each pixel.
+Estimate meanOf(const FilmImage& image) {
+    Estimate e = estimate(image);
+    double variance = 0;
+    for (const float v : image.variance) variance += static_cast<double>(v);
+    const double n = static_cast<double>(image.pixelCount());
+    e.error = glm::dvec3(std::sqrt(variance) / n);
+    return e;
+}
+
+/// Both ways have the same expectation: the means of the images, and of each of 16 parts of them, are within 4 standard errors.
+void expectSameLight(const std::string& text) {
+    const Rendered camera = render(text), both = render(withLightPaths(text));
+    EXPECT_EQ(both.invalid.count, 0u);
+    const Estimate a = meanOf(camera.image), b = meanOf(both.image);
+    const double error = std::hypot(a.error.g, b.error.g);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(a.mean[c], b.mean[c], standardErrors * std::max(a.mean[c] / a.mean.g, 1.0) * error);
+    EXPECT_LT(error, 0.02 * a.mean.g) << "too few samples to tell";
+    const int side = camera.image.width / 4;
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x) {
+            double difference = 0, variance = 0;
+            for (int i = 0; i < side * side; ++i) {
+                const size_t at = camera.image.index(x * side + i % side, y * side + i / side);
+                difference += static_cast<double>(both.image.color[at].g - camera.image.color[at].g);
+                variance += static_cast<double>(both.image.variance[at] + camera.image.variance[at]);
+            }
+            EXPECT_LE(std::abs(difference), 5 * std::sqrt(variance) + 1e-3 * a.mean.g * side * side) << "part (" << x << ", " << y << ")";
+        }
+}
+
+struct Case {
+    std::string name, world, directive;
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+class LightPaths : public testing::TestWithParam<Case> {};
+
+TEST_P(LightPaths, GiveTheImageOfPathsFromTheCamera) { expectSameLight(sceneWith(view(), GetParam().directive, room + GetParam().world)); }
+
+std::string manyLamps() {
+    std::string all;
+    for (int i = 0; i < 12; ++i)
+        all += lamp("Translate " + std::to_string(-.8 + .4 * (i % 5)) + " " + std::to_string(1.5 - .2 * (i / 5)) + " " +
+                    std::to_string(-.5 + .4 * (i / 5)) + " Shape \"sphere\" \"float radius\" .06");
+    return all;
+}
+const std::string leaf = "\"diffusetransmission\" \"rgb reflectance\" [.3 .3 .3] \"rgb transmittance\" [.5 .4 .3]";
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, LightPaths,
+    testing::Values(
+        Case{"clear_glass", panel + ball("\"dielectric\""), ""},
+        Case{"rough_glass", panel + ball("\"dielectric\" \"float roughness\" .3"), ""},
+        Case{"a_coat", panel + ball("\"coateddiffuse\" \"float roughness\" 0"), ""},
+        Case{"vertex_normals", panel + R"(Material "diffuse" Shape "trianglemesh"
+                         "point3 P" [-.8 .3 .3  .8 .3 .3  0 1.6 .6] "normal N" [-1 0 -1  1 0 -1  0 1 -.5])",
+             ""},
+        Case{"a_filter_with_negative_lobes", panel + ball("\"diffuse\""), "PixelFilter \"mitchell\""},
+        Case{"a_lens", panel + ball("\"diffuse\""),
+             "Camera \"perspective\" \"float fov\" 40 \"float lensradius\" .2 \"float focaldistance\" 3"},
+        Case{"parallel_rays", panel + ball("\"dielectric\""), "Camera \"orthographic\" \"float screenwindow\" [-1.3 1.3 -1.3 1.3]"},
+        Case{"a_tree_of_lights", manyLamps() + ball(leaf), "Integrator \"volpath\" \"integer maxdepth\" 6 \"string lightsampler\" \"bvh\""},
+        Case{"a_cut_out_lamp", lamp("Translate 0 1.5 0 Shape \"sphere\" \"float radius\" .3 \"float alpha\" .5") + ball("\"diffuse\""), ""},
+        Case{"a_sky", "LightSource \"infinite\" \"rgb L\" [.4 .5 .6]\n" + ball("\"dielectric\""), ""},
+        Case{"a_spot", "LightSource \"spot\" \"rgb I\" [9 8 7] \"point3 from\" [.4 1.9 -.4] \"float coneangle\" 40\n" + ball("\"diffuse\""),
+             ""}),
+    [](const auto& info) { return info.param.name; });
+
+/// A spotlight in the middle of a glass ball of index 1.5: rays meet the boundary at right angles, where a share R = 0.04 returns through
+/// the middle to the other side. Of what the bare light would send, the floor gets (1 - R) (1 + R^2 + R^4 ...) = 1 / (1 + R), nearly all of
+/// it with `maxdepth` 6. Paths from the camera find none of it.
+TEST(LightPathsBehindGlass, LightTheFloorAsRefractionAllows) {
+    View v;
+    v.lookAt = "1.2 1 0  1.2 0 .01  0 0 1";  // floor beside the ball, seen from above
+    v.fov = 10;
+    v.width = v.height = 32;
+    v.samples = 4096;
+    v.maxDepth = 6;
+    const std::string world = R"(LightSource "spot" "rgb I" [4 4 4] "point3 from" [0 1 0] "point3 to" [1.2 0 0] "float coneangle" 20
+        Material "diffuse" "rgb reflectance" [.5 .5 .5]
+        Shape "bilinearmesh" "point3 P" [-3 0 -3  3 0 -3  -3 0 3  3 0 3]
+        AttributeBegin Translate 0 1 0 Material "dielectric" Shape "sphere" "float radius" .3 AttributeEnd)";
+    const Rendered camera = render(sceneText(v, world)), both = render(withLightPaths(sceneText(v, world)));
+    const double d2 = 1.2 * 1.2 + 1, expected = 0.5 / M_PI * 4 / std::pow(d2, 1.5) / 1.04;
+    EXPECT_EQ(estimate(camera.image).mean.g, 0);
+    const Estimate e = meanOf(both.image);
+    EXPECT_NEAR(e.mean.g, expected, standardErrors * e.error.g + 2e-3 * expected /* the pixels see more than one point */);
+    EXPECT_LT(e.error.g, 0.02 * expected) << "too few samples to tell";
+    /* The variance that the film tells is that of its pixels: half the mean square of the difference of neighbours, 512 pairs */
+    double squares = 0, variances = 0;
+    for (size_t i = 0; i < both.image.pixelCount(); i += 2) {
+        squares += std::pow(static_cast<double>(both.image.color[i].g - both.image.color[i + 1].g), 2) / 2;
+        variances += static_cast<double>(both.image.variance[i] + both.image.variance[i + 1]) / 2;
+    }
+    EXPECT_NEAR(squares / variances, 1, standardErrors * std::sqrt(2. / 512));
+}
+
+/// Scenes that light paths cannot serve yet are rendered by paths from the camera, bit for bit.
+TEST(LightPathsElsewhere, AreLeftOutWithAWarning) {
+    const std::string text = sceneText(view(), room + panel), spherical = sceneWith(view(), "Camera \"spherical\"", room + panel);
+    EXPECT_THROW(packScene(withLightPaths(spherical)), std::invalid_argument);  // tests have no warnings
+    EXPECT_TRUE(packScene(withLightPaths(text)).features.has(Feature::LIGHT_PATHS));
+    EXPECT_FALSE(packScene(text).features.has(Feature::LIGHT_PATHS));
+}
+
+class LightPathsEquality : public testing::Test {
+protected:
+    static std::string text() {
+        View v = view();
+        v.samples = 24;
+        v.sampler = "zsobol";
+        return withLightPaths(
+            sceneWith(v, "PixelFilter \"gaussian\"",
+                      room + panel + ball("\"dielectric\"") + "LightSource \"point\" \"rgb I\" [2 2 2] \"point3 from\" [-.5 1.5 -.6]\n"));
+    }
+    const Rendered reference = render(text());
+};
+
+TEST_F(LightPathsEquality, WavesAndBatchesDoNotShow) {
+    for (const auto& [paths, batches] : {std::pair(64u, 8u), {1000u, 1u}, {1000u, 8u}, {65472u, 3u}}) {
+        RenderSetup setup;
+        setup.shape.wavePaths = paths;
+        setup.shape.batches = batches;
+        expectSameBits(reference.image, render(text(), setup).image, std::to_string(paths) + " paths in a wave");
+    }
+}
+TEST_F(LightPathsEquality, SamplesMayComeInParts) {
+    RenderSetup setup;
+    setup.splits = {3, 4, 16};
+    expectSameBits(reference.image, render(text(), setup).image, "in parts");
+}
+TEST_F(LightPathsEquality, ACropHasThePixelsOfTheWhole) {
+    PackedScene scene = packScene(text());
+    scene.pixels = {5, 3, 18, 16};
+    expectSameBits(reference.image, render(scene).image, "the crop");
+}
+TEST_F(LightPathsEquality, AdaptiveSamplingEndsWithTheErrorAskedFor) {
+    RenderSetup setup;
+    PackedScene scene = packScene(text());
+    scene.samples = 1024;
+    setup.targetError = 0.05;
+    const Rendered adaptive = render(scene, setup);
+    ASSERT_TRUE(adaptive.result.error.has_value());
+    EXPECT_LE(*adaptive.result.error, 0.05);
+    const Estimate a = meanOf(adaptive.image), b = meanOf(reference.image);
+    EXPECT_NEAR(a.mean.g, b.mean.g, standardErrors * std::hypot(a.error.g, b.error.g));
+}
+
+}  // namespace
+}  // namespace eikonal
