@@ -76,6 +76,16 @@ TEST_F(PbrtMaterials, hairAbsorbsWhatItIsTold) {
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"reflectance\" is ignored"), HasSubstr("\"eumelanin\" is ignored")));
 }
 
+/// The absorption of a colour is far from linear in it, so its RGB says nothing of single wavelengths: the device computes it at each.
+TEST_F(PbrtMaterials, colouredHairIsAProgramOfTextures) {
+    for (const char* color : {"\"rgb reflectance\" [.9 .1 .05]", "\"spectrum color\" [400 .1 700 .9]"}) {
+        const Scene scene = world("Material \"hair\" " + std::string(color));
+        const Input& absorption = scene.materials.at(0).inputs.at("sigma_a");
+        ASSERT_NE(absorption.texture, none) << color;
+        EXPECT_STREQ(scene.textures.at(static_cast<size_t>(absorption.texture)).kind->name, "absorption") << color;
+    }
+}
+
 TEST_F(PbrtMaterials, texturedHairIsAProgramOfTextures) {
     const Scene scene = world("Texture \"t\" \"float\" \"constant\" \"float value\" .5\nMaterial \"hair\" \"texture eumelanin\" \"t\"");
     const Input& absorption = scene.materials.at(0).inputs.at("sigma_a");

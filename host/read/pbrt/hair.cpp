@@ -28,12 +28,14 @@ Input melanins(TextureRegistry& textures, const Arguments& arguments) {
     return textures.derive(kind_mix_texture, {parts[0], parts[1], {Spectrum::constant(0.5)}}, where);
 }
 
-/// The absorption that gives hair a colour: Chiang et al. 2016, equation 9.
+/// The absorption that gives hair a colour: Chiang et al. 2016, equation 9. Far from linear, so it is computed here only for a grey, and
+/// otherwise on the device, at each wavelength.
 Input absorptionOfColor(TextureRegistry& textures, const Input& color, const Input& betaN) {
-    if (color.texture != none || betaN.texture != none) return textures.derive(kind_absorption_texture, {color, betaN}, color.where);
-    const double n = std::clamp(betaN.value.value(), 0.01, 1.);
     const glm::dvec3 c = color.value.albedo();
-    return {Spectrum::rgb(hair_absorption_scale(n) * glm::dvec3(squared_log(c.x), squared_log(c.y), squared_log(c.z))), none, color.where};
+    if (color.texture != none || betaN.texture != none || c.x != c.y || c.y != c.z)
+        return textures.derive(kind_absorption_texture, {color, betaN}, color.where);
+    const double n = std::clamp(betaN.value.value(), 0.01, 1.);
+    return {Spectrum::constant(hair_absorption_scale(n) * squared_log(c.x)), none, color.where};
 }
 
 }  // namespace
