@@ -194,6 +194,8 @@ int benchCommand(const Options& o) {
     session.pack({});
     const std::optional<FilmImage> reference =
         o.reference.empty() ? std::nullopt : std::optional(readReference(o.reference, session.packed()));
+    if (o.loop && session.packed().features.has(Feature::LIGHT_PATHS))
+        throw UsageError("--loop: the loop follows no paths from lights; use another --integrator, like volpath");
     session.prepare();
     std::vector<Repeat> repeats, loops;
     Profile loopProfile;

@@ -25,7 +25,7 @@ Film::Film(const PackedScene& scene, const Features& features, unsigned firstSam
       firstSample_(firstSample) {
     needNodes(1);
     taken_.resize(plane(), firstSample);
-    if (scene.features.has(Feature::LIGHT_PATHS)) splats_ = std::make_shared<SplatSums>(pixels_);
+    if (scene.features.has(Feature::LIGHT_PATHS) && scene.frame().emission_count > 0) splats_ = std::make_shared<SplatSums>(pixels_);
 }
 
 void Film::needNodes(size_t count) {
@@ -133,7 +133,8 @@ FilmTotals Film::totals() const {
 size_t Film::bytes(const PackedScene& scene, unsigned end) {
     /* Several nodes of each pixel, and their totals */
     const size_t nodes = nodesOf({0, end}).size(), planes = nodes > 1 ? nodes + 1 : 1;
-    const size_t splats = scene.features.has(Feature::LIGHT_PATHS) ? SplatSums::bytesPerPixel : 0;
+    /* The sums, those of the last light paths, and these on the device */
+    const size_t splats = scene.features.has(Feature::LIGHT_PATHS) && end > 0 ? 3 * SplatSums::bytesPerPixel : 0;
     return planes * static_cast<size_t>(filmLayout(scene.features, scene.frame().bucket_count).words) * sizeof(uint) + splats;
 }
 

@@ -50,7 +50,7 @@ public:
     /// words[(k * words() + w) * (x1 - x0) + x - x0].
     void restore(int y, int x0, int x1, unsigned end, std::span<const uint> words);
 
-    /// With light paths: what they have added. Null: the scene has none.
+    /// With light paths: what they have added. Null: none begin in the scene.
     SplatSums* splats() { return splats_.get(); }
     const SplatSums* splats() const { return splats_.get(); }
 

@@ -70,7 +70,7 @@ void LightPacker::packEmission() {
     for (double& power : emitted_)
         if (power > 0) power = std::max(power, double{LEAST_SHARE} * total / count);
     tables_.emission_aliases = makeAliasTable(emitted_);
-    frame_.emission_count = static_cast<uint>(emitted_.size());
+    frame_.emission_count = total > 0 ? static_cast<uint>(emitted_.size()) : 0;
     const double radius = context_.whole.empty() ? 1 : 1.001 * context_.whole.radius() * context_.space.scale;
     const glm::dvec3 center = context_.whole.empty()
                                   ? glm::dvec3(0)

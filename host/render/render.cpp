@@ -96,8 +96,11 @@ private:
         const PixelRect whole{0, 0, film_.width(), film_.height()};
         std::vector<uint> words(splats->halves());
         if (!splats_.size()) splats_ = Buffer(context_, words.size() * sizeof(uint), "splats");
+        /* So few at a time that not much is lost if the render ends meanwhile */
+        const double atATime = 8.0 * tracer_.mostPaths() / (static_cast<double>(whole.width()) * whole.height());
         for (unsigned begun = std::max(splats->end(), film_.firstSample()); begun < end && !stopped_;) {
-            const Pass pass = uniformPass(whole, {0, begun}, end, tracer_.mostPaths());
+            const unsigned some = begun + static_cast<unsigned>(std::clamp(atATime, 1.0, 1e6));
+            const Pass pass = uniformPass(whole, {0, begun}, std::min(end, some), tracer_.mostPaths());
             Batches batches(pass.size, pass.blocks, tracer_.mostPaths());
             const auto next = [&]() -> std::optional<Batch> {
                 if (control_.stop && control_.stop()) stopped_ = true;

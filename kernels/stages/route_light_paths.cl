@@ -61,6 +61,11 @@ TRACING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
         material m = scene.materials.materials[f.material];
         s = perturb_normal(scene.tables, m, s);
         hit_item h = make_hit(scene.geometry, r, f, s, m);
+        /* Light paths aim at no lights */
+        h.light = h.guide = h.light_texel = 0u;
+        h.light_pmf = h.light_density = 0.0f;
+        h.light_wi = h.ns;
+        h.probe = NONE;
         /* Where nothing from the camera is comparable, the path ends: its hit has no throughput */
         h = arrive(frame, scene.geometry, h, r, f);
         if (faces_rays(scene.geometry, f)) h.beta = uniform_spectrum(0.0f);

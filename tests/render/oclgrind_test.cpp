@@ -110,5 +110,27 @@ Material "diffuse" "rgb reflectance" [.8 .3 .1] Shape "bilinearmesh" "point3 P" 
 )");
 }
 
+/// Paths from lights of each place: a point, one direction, lamps (one of them cut out), a sky; through a filter and a lens.
+constexpr const char* bothEnds = R"(LookAt 0 0 -4  0 0 0  0 1 0
+Camera "perspective" "float fov" 40 "float lensradius" .01 "float focaldistance" 4
+Sampler "independent" "integer pixelsamples" 1
+PixelFilter "gaussian"
+Film "rgb" "integer xresolution" 6 "integer yresolution" 6
+Integrator "bdpt" "integer maxdepth" 4
+WorldBegin
+LightSource "infinite" "rgb L" [.3 .3 .3]
+LightSource "point" "rgb I" [5 5 5] "point3 from" [1 2 -3]
+LightSource "distant" "point3 from" [1 2 -3]
+AttributeBegin AreaLightSource "diffuse" "rgb L" [4 4 4] "bool twosided" true Translate 0 1.2 0 Rotate 90 1 0 0 Shape "disk" "float radius" .5
+    "float alpha" .5 AttributeEnd
+AttributeBegin AreaLightSource "diffuse" "rgb L" [4 4 4] Translate -1 1 0 Shape "sphere" "float radius" .2 AttributeEnd
+AttributeBegin Material "interface" Translate 0 0 -1 Shape "sphere" "float radius" .6 AttributeEnd
+AttributeBegin Material "dielectric" Translate .6 0 0 Shape "sphere" "float radius" .4 AttributeEnd
+AttributeBegin Material "coateddiffuse" Translate -.6 0 0 Shape "sphere" "float radius" .4 AttributeEnd
+Material "hair" Shape "curve" "string type" "cylinder" "float width" .1 "point3 P" [-1 .5 0  -.5 .6 0  .5 .5 0  1 .6 0]
+Material "diffuse" Shape "bilinearmesh" "point3 P" [-2 -.5 -2  2 -.5 -2  -2 -.5 2  2 -.5 2]
+)";
+TEST_F(Oclgrind, FindsNothingInLightPaths) { expectNothingIn(bothEnds); }
+
 }  // namespace
 }  // namespace eikonal
