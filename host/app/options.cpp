@@ -2,6 +2,7 @@
 
 #include "image/seed_variance.h"
 #include "kinds/integrator_kind.h"
+#include "app/command_line.h"
 #include "app/option_values.h"
 #include "app/pbrt_spelling.h"
 
@@ -9,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -20,14 +22,20 @@ constexpr const char *sceneGroup = "Scene (overrides the file)", *objGroup = "Ca
                      *imageGroup = "Image";
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Lets completion offer `words`, which are kept as the name of a validator that accepts everything.
+CLI::Option* offer(CLI::Option* option, const std::vector<std::string>& words) {
+    CLI::Validator keeper([](std::string&) { return std::string(); }, "");
+    return option->check(keeper.name(fmt::format("{}", fmt::join(words, " "))));
+}
+
 /// Declares an option whose value is read by `parse(option, text)`.
 template <class Target, class Parse>
 CLI::Option* value(CLI::App* app, const std::string& names, Target& target, const std::string& type, const std::string& help, Parse parse) {
     const std::string option = names.substr(names.rfind("--"));
-    return app
-        ->add_option_function<std::string>(
-            names, [&target, option, parse](const std::string& text) { target = parse(option, text); }, help)
-        ->type_name(type);
+    CLI::Option* declared = app->add_option_function<std::string>(
+        names, [&target, option, parse](const std::string& text) { target = parse(option, text); }, help);
+    if constexpr (requires { parse.words(); }) offer(declared, parse.words());
+    return declared->type_name(type);
 }
 
 auto integer(int low, int high = unlimited) {
@@ -39,9 +47,16 @@ auto number(double low, double high = infinity) {
 auto numberFrom(double low, double high = infinity) {
     return [=](const std::string& option, const std::string& text) { return parseNumberFrom(option, text, low, high); };
 }
-template <class Value> auto oneOf(std::vector<std::pair<const char*, Value>> names) {
-    return [=](const std::string& option, const std::string& text) { return parseName(option, text, names); };
-}
+template <class Value> struct OneOf {
+    std::vector<std::pair<const char*, Value>> names;
+    Value operator()(const std::string& option, const std::string& text) const { return parseName(option, text, names); }
+    std::vector<std::string> words() const {
+        std::vector<std::string> all;
+        for (const auto& [name, value] : names) all.emplace_back(name);
+        return all;
+    }
+};
+template <class Value> OneOf<Value> oneOf(std::vector<std::pair<const char*, Value>> names) { return {std::move(names)}; }
 
 void addLogging(CLI::App* app, Options& o) {
     app->add_flag("--quiet", o.quiet, "Print nothing but errors");
@@ -193,8 +208,9 @@ void addScene(CLI::App* app, Options& o, bool takesOne = true) {
 
 void addToneMapping(CLI::App* app, OutputOptions& out) {
     const std::string group = imageGroup;
-    value(app, "--tonemap", out.toneMapping.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
-          [](const std::string&, const std::string& text) { return toneCurve(text); })->group(group);
+    auto* tonemap = value(app, "--tonemap", out.toneMapping.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
+                          [](const std::string&, const std::string& text) { return toneCurve(text); });
+    offer(tonemap, toneCurveNames())->group(group);
     value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))
         ->group(group);
 }
@@ -216,10 +232,12 @@ void addOutput(CLI::App* app, Options& o) {
     OutputOptions& out = o.output;
     const std::string group = imageGroup;
     addImageFiles(app, out);
-    std::string channels;
-    for (const AovName& each : aovNames) channels += each.name + std::string(", ");
-    value(app, "--aov", out.aovs, "NAMES", "Additional channels of an EXR: " + channels + "separated by commas; or all", parseAovs)
-        ->group(group);
+    std::vector<std::string> channels;
+    for (const AovName& each : aovNames) channels.emplace_back(each.name);
+    auto* aov = value(app, "--aov", out.aovs, "NAMES",
+                      fmt::format("Additional channels of an EXR: {}, separated by commas; or all", fmt::join(channels, ", ")), parseAovs);
+    channels.emplace_back("all");
+    offer(aov, channels)->group(group);
     app->add_flag("--denoise", out.denoise,
                   "Remove noise with Intel Open Image Denoise, if it is installed; an EXR keeps the noisy image in the layer noisy")
         ->group(group);
@@ -258,6 +276,7 @@ struct Parser {
     Options options;
     CLI::App app{"Eikonal renders scenes by path tracing on OpenCL devices.", "eikonal"};
     std::vector<std::pair<CLI::App*, Command>> commands;
+    std::string shell;   ///< completion
 
     CLI::App* add(const std::string& name, Command command, const std::string& help) {
         CLI::App* sub = app.add_subcommand(name, help);
@@ -376,6 +395,10 @@ struct Parser {
         merge->add_flag("--partial", options.isPartial, "Samples and pixels may be missing");
         addLogging(merge, options);
 
+        auto* completion = add("completion", Command::print, "Print a script that completes command lines");
+        offer(completion->add_option("SHELL", shell, "bash, zsh or fish")->type_name(""),
+              {std::begin(completionShells), std::end(completionShells)});
+        add("man", Command::print, "Print the manual page");
     }
 };
 
@@ -386,6 +409,45 @@ std::vector<std::string> optionsOf(const CLI::App* app) {
     for (const CLI::Option* option : app->get_options())
         for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     return names;
+}
+
+/// The words that `offer` keeps.
+std::vector<std::string> offered(CLI::Option* option) {
+    try {
+        std::istringstream words(option->get_validator()->get_name());
+        return {std::istream_iterator<std::string>(words), {}};
+    } catch (const CLI::OptionNotFound&) { return {}; }
+}
+
+OptionDescription described(CLI::Option* option) {
+    OptionDescription d;
+    for (const std::string& name : option->get_snames()) d.names.push_back("-" + name);
+    for (const std::string& name : option->get_lnames()) d.names.push_back("--" + name);
+    if (option->get_positional()) d.names = {option->get_name(true) + (option->get_items_expected_max() > 1 ? " ..." : "")};
+    d.help = option->get_description();
+    d.group = option->get_group();
+    if (option->get_items_expected_max() == 0) return d;
+    d.type = option->get_type_name();
+    d.words = offered(option);
+    const bool isFile = (option->get_positional() || d.type.starts_with("FILE") || d.type == "IMAGE") && d.words.empty();
+    d.value = isFile ? ValueKind::file : d.type == "DIR" ? ValueKind::folder : ValueKind::text;
+    return d;
+}
+
+/// A command with its options in the order of their groups, as --help prints them.
+CommandDescription described(CLI::App* app, const std::string& name) {
+    CommandDescription command{name, app->get_description(), {}, {}};
+    for (const std::string& group : app->get_groups())
+        for (CLI::Option* option : app->get_options())
+            if (option->get_group() == group) (option->get_positional() ? command.arguments : command.options).push_back(described(option));
+    return command;
+}
+
+std::vector<CommandDescription> tableOf(Parser& parser) {
+    std::vector<CommandDescription> table{described(&parser.app, "")};
+    for (const auto& [command, id] : parser.commands)
+        if (!command->get_group().empty()) table.push_back(described(command, command->get_name()));
+    return table;
 }
 
 /// Reports the first argument that a command did not recognise, with a hint.
@@ -449,6 +511,9 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
                             o.command == Command::trade;
     if (needsScene && o.scene.path.empty())
         throw UsageError(fmt::format("{0} needs a scene: eikonal {0} scene.pbrt\n{1}", command->get_name(), getHelp));
+    if (command->get_name() == "completion" && !std::ranges::count(completionShells, parser.shell))
+        throw UsageError(fmt::format("completion needs the name of a shell, {}: eikonal completion bash\n{}",
+                                     fmt::join(completionShells, ", "), getHelp));
     if (o.command == Command::compare && o.reference.empty())
         throw UsageError(fmt::format("compare needs two images: eikonal compare image.exr reference.exr\n{}", getHelp));
     if (o.command == Command::denoise && o.image.empty())
@@ -555,12 +620,19 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
     chooseFilm(options);
     checkTogether(parser, command);
+    if (command->get_name() == "man") options.text = manualPage(tableOf(parser));
+    if (command->get_name() == "completion") options.text = completionScript(parser.shell, tableOf(parser));
     if (options.command == Command::trade) {
         options.passedOn = optionsForRender(command);
         if (options.wishes.empty()) options.wishes = usualWishes();
     }
     if (options.quiet) options.log = std::min(options.log, LogLevel::error);
     return options;
+}
+
+std::vector<CommandDescription> commandLineTable() {
+    Parser parser;
+    return tableOf(parser);
 }
 
 std::vector<std::string> allOptionNames() {
