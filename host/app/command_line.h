@@ -7,14 +7,14 @@
 namespace eikonal {
 
 /// What a value is, for completion.
-enum class ValueKind { none, text, file, folder };
+enum class ValueHint { none, text, file, folder };
 
 /// An option, or an argument, whose only name is in capitals: "SCENE", "PART ...".
 struct OptionDescription {
     std::vector<std::string> names;     ///< with dashes: "-o", "--outfile"
     std::string type;                   ///< "N", "FILE"; empty: a flag, or an argument
     std::string help, group;
-    ValueKind value = ValueKind::none;
+    ValueHint value = ValueHint::none;
     std::vector<std::string> words;     ///< the values that it takes, if they are few
 };
 

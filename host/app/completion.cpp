@@ -10,7 +10,9 @@
 namespace eikonal {
 namespace {
 
-std::string joined(const std::vector<std::string>& words, const char* between = " ") { return fmt::format("{}", fmt::join(words, between)); }
+std::string joined(const std::vector<std::string>& words, const char* between = " ") {
+    return fmt::format("{}", fmt::join(words, between));
+}
 
 std::vector<std::string> namesOf(const std::vector<CommandDescription>& commands) {
     std::vector<std::string> names;
@@ -39,8 +41,8 @@ std::string singleQuoted(const std::string& text) {
 // ---- bash ------------------------------------------------------------------------------------------------------------------------------
 /// The case of a value: words, nothing, or, by default, files.
 std::string bashValue(const OptionDescription& option) {
-    if (option.value == ValueKind::file) return "return";
-    if (option.value == ValueKind::folder) return "compopt -o dirnames +o default; return";
+    if (option.value == ValueHint::file) return "return";
+    if (option.value == ValueHint::folder) return "compopt -o dirnames +o default; return";
     return fmt::format("words='{}'; compopt +o default", joined(option.words));
 }
 
@@ -50,9 +52,9 @@ std::string bash(const std::vector<CommandDescription>& commands) {
         std::vector<std::string> all;
         for (const OptionDescription& option : command.options) {
             all.insert(all.end(), option.names.begin(), option.names.end());
-            if (option.value == ValueKind::none) continue;
-            values += fmt::format("        {0}:{1}) {2} ;;\n", command.name, joined(option.names, fmt::format("|{}:", command.name).c_str()),
-                                  bashValue(option));
+            if (option.value == ValueHint::none) continue;
+            const std::string names = joined(option.names, fmt::format("|{}:", command.name).c_str());
+            values += fmt::format("        {0}:{1}) {2} ;;\n", command.name, names, bashValue(option));
         }
         words += fmt::format("        {}) words='{}' ;;\n", command.name.empty() ? "''" : command.name, joined(all));
         for (const OptionDescription& argument : command.arguments)
@@ -89,13 +91,13 @@ complete -o default -F _eikonal eikonal
 // ---- zsh -------------------------------------------------------------------------------------------------------------------------------
 std::string zshAction(const OptionDescription& option) {
     if (!option.words.empty()) return fmt::format("({})", joined(option.words));
-    return option.value == ValueKind::file ? "_files" : option.value == ValueKind::folder ? "_files -/" : " ";
+    return option.value == ValueHint::file ? "_files" : option.value == ValueHint::folder ? "_files -/" : " ";
 }
 
 std::string zshOption(const OptionDescription& option) {
     std::string lines;
     for (const std::string& name : option.names) {
-        const bool takesValue = option.value != ValueKind::none, isLong = name.starts_with("--");
+        const bool takesValue = option.value != ValueHint::none, isLong = name.starts_with("--");
         std::string spec = "*" + name + (takesValue && isLong ? "=" : "") + "[" + escaped(option.help, "[]\\") + "]";
         if (takesValue) spec += ":" + escaped(option.type, ":\\") + ":" + zshAction(option);
         lines += " \\\n            " + singleQuoted(spec);
@@ -145,9 +147,9 @@ std::string fishOption(const std::string& condition, const OptionDescription& op
     std::string line = fmt::format("complete -c eikonal -n {}", fishQuoted(condition));
     for (const std::string& name : option.names)
         line += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
-    if (option.value == ValueKind::file) line += " -r -F";
-    if (option.value == ValueKind::folder) line += " -x -a '(__fish_complete_directories)'";
-    if (option.value == ValueKind::text) line += " -x" + (option.words.empty() ? "" : " -a " + fishQuoted(joined(option.words)));
+    if (option.value == ValueHint::file) line += " -r -F";
+    if (option.value == ValueHint::folder) line += " -x -a '(__fish_complete_directories)'";
+    if (option.value == ValueHint::text) line += " -x" + (option.words.empty() ? "" : " -a " + fishQuoted(joined(option.words)));
     return line + " -d " + fishQuoted(option.help) + "\n";
 }
 

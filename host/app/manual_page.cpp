@@ -21,7 +21,7 @@ std::string italic(const std::string& text) { return "\\fI" + roff(text) + "\\fR
 std::string optionEntry(const OptionDescription& option) {
     std::string names;
     for (const std::string& name : option.names) names += (names.empty() ? "" : ", ") + bold(name);
-    if (option.value != ValueKind::none) names += " " + italic(option.type);
+    if (option.value != ValueHint::none) names += " " + italic(option.type);
     return fmt::format(".TP\n{}\n{}.\n", names, roff(option.help));
 }
 
@@ -44,13 +44,15 @@ std::string argumentsOf(const CommandDescription& command) {
 }  // namespace
 
 std::string manualPage(const std::vector<CommandDescription>& commands) {
-    std::string page = fmt::format(".\\\" Made by `eikonal man`.\n.TH EIKONAL 1 \"\" \"Eikonal {}\" \"User Commands\"\n", roff(EIKONAL_VERSION));
+    std::string page = fmt::format(".\\\" Made by `eikonal man`.\n"
+                                   ".TH EIKONAL 1 \"\" \"Eikonal {}\" \"User Commands\"\n", roff(EIKONAL_VERSION));
     page += ".SH NAME\neikonal \\- render scenes by path tracing on OpenCL devices\n.SH SYNOPSIS\n";
     for (const CommandDescription& command : commands)
         if (!command.name.empty())
             page += fmt::format("{} {}{} [\\fIoption\\fR ...]\n.br\n", bold("eikonal"), bold(command.name), argumentsOf(command));
     page += fmt::format("{} {} [\\fIcommand\\fR]\n", bold("eikonal"), bold("help"));
-    page += ".SH DESCRIPTION\nA scene is written in the language of pbrt\\-v4, or it is a Wavefront OBJ. Options override what the scene says. "
+    page += ".SH DESCRIPTION\nA scene is written in the language of pbrt\\-v4, or it is a Wavefront OBJ. "
+            "Options override what the scene says. "
             "Capitals, dashes and underscores in the name of an option do not matter, and its value may follow an equals sign.\n";
     for (const CommandDescription& command : commands) {
         if (command.name.empty()) page += ".SH OPTIONS\n";
@@ -60,12 +62,14 @@ std::string manualPage(const std::vector<CommandDescription>& commands) {
         page += optionEntries(command);
     }
     constexpr std::pair<const char*, const char*> statuses[] = {
-        {"0", "success"}, {"1", "an error in the scene or a file"}, {"2", "an error in the command line"}, {"3", "an error of the OpenCL device"},
+        {"0", "success"}, {"1", "an error in the scene or a file"}, {"2", "an error in the command line"},
+        {"3", "an error of the OpenCL device"},
         {"4", "a valid image is on disk, but not all of its samples"}, {"128+N", "ended early by signal N; the image so far is on disk"}};
     page += ".SH \"EXIT STATUS\"\n";
     for (const auto& [status, meaning] : statuses) page += fmt::format(".TP\n{}\n{}.\n", bold(status), roff(meaning));
     page += ".SH EXAMPLES\n.nf\n";
-    for (const char* example : {"eikonal render scene.pbrt -o image.exr --spp 256", "eikonal render model.obj --camera 4,2,6 --look-at 0,1,0",
+    for (const char* example : {"eikonal render scene.pbrt -o image.exr --spp 256",
+                                "eikonal render model.obj --camera 4,2,6 --look-at 0,1,0",
                                 "eikonal trade scene.pbrt --for 30s --for 2%", "eikonal compare image.exr reference.exr"})
         page += roff(example) + "\n";
     return page + ".fi\n";

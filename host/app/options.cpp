@@ -430,7 +430,7 @@ OptionDescription described(CLI::Option* option) {
     d.type = option->get_type_name();
     d.words = offered(option);
     const bool isFile = (option->get_positional() || d.type.starts_with("FILE") || d.type == "IMAGE") && d.words.empty();
-    d.value = isFile ? ValueKind::file : d.type == "DIR" ? ValueKind::folder : ValueKind::text;
+    d.value = isFile ? ValueHint::file : d.type == "DIR" ? ValueHint::folder : ValueHint::text;
     return d;
 }
 

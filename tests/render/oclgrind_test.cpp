@@ -121,7 +121,8 @@ WorldBegin
 LightSource "infinite" "rgb L" [.3 .3 .3]
 LightSource "point" "rgb I" [5 5 5] "point3 from" [1 2 -3]
 LightSource "distant" "point3 from" [1 2 -3]
-AttributeBegin AreaLightSource "diffuse" "rgb L" [4 4 4] "bool twosided" true Translate 0 1.2 0 Rotate 90 1 0 0 Shape "disk" "float radius" .5
+AttributeBegin AreaLightSource "diffuse" "rgb L" [4 4 4] "bool twosided" true Translate 0 1.2 0
+    Rotate 90 1 0 0 Shape "disk" "float radius" .5
     "float alpha" .5 AttributeEnd
 AttributeBegin AreaLightSource "diffuse" "rgb L" [4 4 4] Translate -1 1 0 Shape "sphere" "float radius" .2 AttributeEnd
 AttributeBegin Material "interface" Translate 0 0 -1 Shape "sphere" "float radius" .6 AttributeEnd
