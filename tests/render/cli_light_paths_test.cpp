@@ -60,6 +60,16 @@ TEST_F(CliLightPaths, CheckpointsHoldWhatLightPathsHaveAdded) {
     expectSameFiles(path("whole.exr"), path("resumed.exr"));
 }
 
+TEST_F(CliLightPaths, AreMeasuredByStage) {
+    const Outcome bench = run({"bench", "ball.pbrt", "--spp", "2", "--repeats", "1"});
+    EXPECT_EQ(bench.status, 0) << bench.error;
+    for (const char* stage : {"generate_light_rays", "route_light_paths", "shade_light_hits diffuse", "splat_shadows"})
+        EXPECT_THAT(bench.out, HasSubstr(stage));
+    const Outcome loop = run({"bench", "ball.pbrt", "--loop"});
+    EXPECT_EQ(loop.status, 2);
+    EXPECT_THAT(loop.error, HasSubstr("--loop"));
+}
+
 TEST_F(CliLightPaths, AreNamed) {
     const Outcome info = run({"info", "ball.pbrt"});
     EXPECT_THAT(info.out, HasSubstr("LIGHT_PATHS"));
