@@ -48,10 +48,15 @@ template <class F> double medianOf(const std::vector<Repeat>& repeats, F&& f) {
 /// Occupancy of a stage: the share of the slots that it ran over that held a real ray, path or pixel. 1 for the dense queues of shading.
 double occupancyOf(const StageProgram& stage, const Repeat& r, std::uint64_t slots) {
     const auto share = [](std::uint64_t real, std::uint64_t all) { return all ? static_cast<double>(real) / static_cast<double>(all) : 1; };
+    /* Rays and shadow rays of light paths are counted with the others, so these shares are means over both */
+    const auto slotsOf = [&](StageName name) {
+        const auto found = r.stages.find(rowOf(name).name);
+        return found == r.stages.end() ? std::uint64_t{0} : found->second.slots;
+    };
     switch (stage.over) {
         case each_sample: return share(r.paths, slots);
-        case each_ray: return share(r.rays, slots);
-        case each_shadow: return share(r.shadowRays, slots);
+        case each_ray: return share(r.rays, slotsOf(StageName::intersect_rays));
+        case each_shadow: return share(r.shadowRays, slotsOf(StageName::test_shadows) + slotsOf(StageName::splat_shadows));
         case each_pixel: return share(r.paths, r.stages.at(rowOf(StageName::generate_rays).name).slots);  // of the same blocks
         default: return 1;
     }
