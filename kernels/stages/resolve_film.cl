@@ -5,6 +5,7 @@
 #include "stages/stage.clh"
 #include "film/buckets.clh"
 #include "film/compensated.clh"
+#include "film/exposure.clh"
 #include "film/pixel.clh"
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
@@ -32,26 +33,6 @@ FN film_item add_luminance(film_item f, float y, float square_weight) {
     float grown = f.spread + square_weight * (clamp1(before, -MOST_DISTANCE, MOST_DISTANCE) * clamp1(after, -MOST_DISTANCE, MOST_DISTANCE));
     f.spread = min1(grown, MOST_SPREAD);
     return f;
-}
-
-FN rgb image_from_light(affine map, rgb light) {
-    vec3 color = transform_vector(map, make_vec3(light.r, light.g, light.b));
-    return make_rgb(color.x, color.y, color.z);
-}
-
-/* The light that the film receives, and the sensor's colour for it; both are scaled down if the colour exceeds max_component_value. */
-typedef struct { spectrum light; rgb color; } exposure;
-FN exposure expose(path_item p, sampled_wavelengths colors, __global const settings *frame) {
-    exposure e;
-    e.light = HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L;
-    e.color = color_seen(colors, frame->sensor_curves, e.light);
-    if (!HAS_SPECTRAL) e.color = image_from_light(frame->image_from_light, e.color);
-    float most = frame->max_component_value, brightest = max_component(e.color);
-    if (most > 0.0f && brightest > most) {
-        e.light = mul(e.light, most / brightest);
-        e.color = mul(e.color, most / brightest);
-    }
-    return e;
 }
 
 FN film_item add_sample(film_item f, path_item p, rgb L, sampled_wavelengths colors, __global const settings *frame) {
@@ -107,7 +88,7 @@ TRACING_STAGE(resolve_film, RESOLVE_FILM) {
             if (p.weight == 0.0f && is_black(p.L)) continue;
             if (!is_finite(p.L) || max_component(p.L) > MOST_RADIANCE) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
             sampled_wavelengths colors = path_wavelengths(color_set, p.seed, p.sample);
-            exposure e = expose(p, colors, frame);
+            exposure e = expose(HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L, colors, frame);
             f = add_sample(f, p, e.color, colors, frame);
             if (HAS_SPECTRAL_FILM) add_to_buckets(film, film_words, count, pixel, frame, colors, mul(e.light, p.weight));
         }

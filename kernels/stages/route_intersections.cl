@@ -4,6 +4,8 @@
 #include "stages/queue.clh"
 #include "stages/stage.clh"
 
+#include "trace/segments.clh"
+
 /* Where this work-item puts its items: at[q] is the next slot for next_queue q. */
 typedef struct {
     __global uint *hit, *scatter, *miss, *emission, *next_ray, *shadow, *path, *probe;
@@ -19,28 +21,9 @@ FN void send_scatter(scene_tables scene, destinations *to, scatter_item s) {
     store_scatter(to->scatter, to->capacity, to->at[next_scatter]++, s);
 }
 FN void send_emission(destinations *to, emission_item e) { store_emission(to->emission, to->capacity, to->at[next_emission]++, e); }
-
-/* Rays that pass a null interface have no shadow ray. Slots between the last of them and the end of the group are dead. */
-FN void send_ray(destinations *to, ray_item r) {
-    uint slot = to->at[next_crossing]++;
-    store_ray(to->next_ray, to->capacity, slot, r);
-    STORE_FIELD(shadow, float, t_max, to->shadow, to->capacity, slot, -1.0f);
-}
-FN void end_crossings(destinations *to, uint count) {
-    for (uint slot = count; slot % GROUP_SLOTS != 0; ++slot) {
-        STORE_FIELD(ray, float, t_max, to->next_ray, to->capacity, slot, -1.0f);
-        STORE_FIELD(shadow, float, t_max, to->shadow, to->capacity, slot, -1.0f);
-    }
-}
+FN void send_ray(destinations *to, ray_item r) { store_crossing(to->next_ray, to->shadow, to->capacity, to->at[next_crossing]++, r); }
 
 #include "trace/route_intersection.clh"
-
-/* Segments of the hit queue start at multiples of GROUP_SLOTS, so shading needs no bounds check (stages.h has their order). */
-FN uint segment_start(__global const uint *counts, uint next_queue) {
-    uint start = 0;
-    for (uint h = 0; h < next_queue; ++h) start += (counts[h] + GROUP_SLOTS - 1u) & ~(GROUP_SLOTS - 1u);
-    return start;
-}
 
 #define ROUTE_INTERSECTIONS(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) LIGHT_TABLES(TABLE) MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE) \
@@ -68,7 +51,7 @@ TRACING_STAGE(route_intersections, ROUTE_INTERSECTIONS) {
 
     /* Fill the reserved space */
     destinations to = {hit, scatter, miss, emission, next_ray, shadow, path, probe, capacity, path_capacity, at};
-    if (HAS_INTERFACE && first_slot == 0) end_crossings(&to, counts[next_crossing]);
+    if (HAS_INTERFACE && first_slot == 0) end_crossings(next_ray, shadow, capacity, counts[next_crossing]);
     for (size_t i = first_slot; i < SLOTS_END; ++i) {
         if (LOAD_FIELD(intersection, float, t, intersection, capacity, i) < 0.0f) continue;
         intersection_item f = load_intersection(intersection, capacity, i);

@@ -6,6 +6,7 @@
 #include "stages/queue.clh"
 #include "stages/stage.clh"
 #include "trace/route_items.clh"
+#include "trace/segments.clh"
 
 /* At its first hit, a light path learns how densely paths from the camera go the other way, at last. */
 FN hit_item arrive_from_light(scene_tables scene, __global const alias_entry *emission_aliases, hit_item h, ray_item r, float distance) {
@@ -29,23 +30,16 @@ FN hit_item arrive_from_light(scene_tables scene, __global const alias_entry *em
     ARGUMENT(__global uint *, next_ray) ARGUMENT(__global uint *, shadow)
 TRACING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
     scene_tables scene = BIND_SCENE;
-    uint at[next_queues];
-    for (int q = 0; q < next_queues; ++q) at[q] = 0;
+    uint at[next_miss];
+    for (int q = 0; q < next_miss; ++q) at[q] = 0;
     for (size_t i = first_slot; i < SLOTS_END; ++i) {
         if (LOAD_FIELD(intersection, float, t, intersection, capacity, i) < 0.0f) continue;
         uint next_queue = LOAD_FIELD(intersection, uint, next_queue, intersection, capacity, i);
         if (next_queue < next_miss) ++at[next_queue];
     }
-    for (uint q = 0, start = 0; q < next_miss; ++q) {
-        if (at[q]) at[q] = start + atomic_add(cursors + q, at[q]);
-        start += (counts[q] + GROUP_SLOTS - 1u) & ~(GROUP_SLOTS - 1u);
-    }
-    /* Slots between the last crossing and the end of its group are dead */
-    if (HAS_INTERFACE && first_slot == 0)
-        for (uint slot = counts[next_crossing]; slot % GROUP_SLOTS != 0; ++slot) {
-            STORE_FIELD(ray, float, t_max, next_ray, capacity, slot, -1.0f);
-            STORE_FIELD(shadow, float, t_max, shadow, capacity, slot, -1.0f);
-        }
+    for (uint q = 0; q < next_miss; ++q)
+        if (at[q]) at[q] = segment_start(counts, q) + atomic_add(cursors + q, at[q]);
+    if (HAS_INTERFACE && first_slot == 0) end_crossings(next_ray, shadow, capacity, counts[next_crossing]);
     for (size_t i = first_slot; i < SLOTS_END; ++i) {
         if (LOAD_FIELD(intersection, float, t, intersection, capacity, i) < 0.0f) continue;
         intersection_item f = load_intersection(intersection, capacity, i);
@@ -54,8 +48,7 @@ TRACING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
         uint slot = at[f.next_queue]++;
         surface s = intersection_surface(scene.geometry, scene.tables, r, f);
         if (HAS_INTERFACE && f.next_queue == next_crossing) {
-            store_ray(next_ray, capacity, slot, make_crossing(scene.geometry, r, f, s));
-            STORE_FIELD(shadow, float, t_max, shadow, capacity, slot, -1.0f);
+            store_crossing(next_ray, shadow, capacity, slot, make_crossing(scene.geometry, r, f, s));
             continue;
         }
         material m = scene.materials.materials[f.material];

@@ -20,7 +20,7 @@ STAGE(shade_light_hits, SHADE_LIGHT_HITS) {
         }
         hit_item h = load_hit(hit, capacity, i);
         BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
-        frame3 shading = HAS_ANISOTROPY ? make_frame(h.ns, h.tangent) : make_frame(h.ns);
+        frame3 shading = shading_frame(h);
         vec3 wo = to_local(shading, h.wo);
         if (!BSDF_IS_DELTA) store_shadow(shadow, capacity, i, CONNECT_BSDF(frame, h, b, shading, wo, alive));
         else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);

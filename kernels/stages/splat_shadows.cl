@@ -1,22 +1,16 @@
 /* shadow -> splat.  Adds what light paths send to the camera to the pixels that see it, unless something is in between. A tracing stage.
    splat: SPLAT_WORDS of each pixel of a rectangle of the image. */
 #include "camera/camera.clh"
+#include "film/exposure.clh"
 #include "film/splat.clh"
 #include "math/dimension.clh"
 #include "trace/test_shadow.clh"
 #include "stages/stage.clh"
 
-/* Adds light to a pixel, as the sensor sees it (as expose in resolve_film.cl does), in units of SPLAT_UNIT over splat_scale. */
+/* Adds light to a pixel, as the sensor sees it, in units of SPLAT_UNIT over splat_scale. */
 FN void add_splat(__global uint *splat, size_t pixels, size_t pixel, __global const settings *frame, sampled_wavelengths colors, spectrum L,
                   random_stream *numbers) {
-    rgb color = color_seen(colors, frame->sensor_curves, L);
-    if (!HAS_SPECTRAL) {
-        vec3 seen = transform_vector(frame->image_from_light, make_vec3(color.r, color.g, color.b));
-        color = make_rgb(seen.x, seen.y, seen.z);
-    }
-    float most = frame->max_component_value, brightest = max_component(color);
-    if (most > 0.0f && brightest > most) color = mul(color, most / brightest);
-    color = mul(color, frame->splat_scale);
+    rgb color = mul(expose(L, colors, frame).color, frame->splat_scale);
     float largest = max1(fabs(color.r), max1(fabs(color.g), fabs(color.b)));
     if (!(largest < MOST_SPLAT) || !is_finite(largest)) { add_to_splat(splat, pixels, splat_lost, pixel, 1); return; }
     add_to_splat(splat, pixels, splat_red, pixel, splat_units(color.r * SPLAT_UNITS, next_random(numbers)));
