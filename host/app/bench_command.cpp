@@ -55,7 +55,8 @@ double occupancyOf(const StageProgram& stage, const Repeat& r, std::uint64_t slo
     };
     switch (stage.over) {
         case each_sample: return share(r.paths, slots);
-        case each_ray: return share(r.rays, slotsOf(StageName::intersect_rays));
+        case each_ray:
+        case each_intersection: return share(r.rays, slotsOf(StageName::intersect_rays));
         case each_shadow: return share(r.shadowRays, slotsOf(StageName::test_shadows) + slotsOf(StageName::splat_shadows));
         case each_pixel: return share(r.paths, r.stages.at(rowOf(StageName::generate_rays).name).slots);  // of the same blocks
         default: return 1;

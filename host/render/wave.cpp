@@ -21,7 +21,7 @@ void Wave::trace(const BatchStream& stream) {
     counter_.begin();
     unsigned rays = generate(each_sample, 0, stream);   // pixels -> ray, path
     while (!batches_.empty()) {
-        const WaveCounts counts = intersect(rays, each_ray);   // ray -> intersection -> hit | scatter | miss | emission | next ray
+        const WaveCounts counts = intersect(rays, each_intersection);   // ray -> intersection -> hit | scatter | ... | next ray
         rays = shade(counts);                           // miss, emission -> path;  hit, scatter -> next ray, shadow;  shadow -> path
         queues_.swapRays();                             // next ray -> ray
         if (isInterrupted()) break;
@@ -42,7 +42,7 @@ void Wave::traceLights(const BatchStream& stream, const Buffer& splat, const Pix
     counter_.begin();
     unsigned rays = generate(each_light_sample, 0, stream);           // pixels -> ray
     while (!batches_.empty()) {
-        const WaveCounts counts = intersect(rays, each_light_ray);    // ray -> intersection -> hit
+        const WaveCounts counts = intersect(rays, each_light_intersection);   // ray -> intersection -> hit
         rays = shadeLights(counts, splats);                           // hit -> next ray, shadow;  shadow -> splat
         queues_.swapRays();
         if (isInterrupted()) break;
@@ -73,18 +73,14 @@ unsigned Wave::generate(uint over, unsigned slots, const BatchStream& stream) {
     return slots;
 }
 
-/// Intersects all rays and routes them to the next queues: over each_ray or, where they are light paths, each_light_ray. Returns the number
-/// of items in each.
-WaveCounts Wave::intersect(unsigned slots, uint routing) {
+/// Intersects all rays and routes them to the next queues, by the stage over `routed`: each_intersection or each_light_intersection.
+/// Returns the number of items in each queue.
+WaveCounts Wave::intersect(unsigned slots, uint routed) {
     if (!slots) return {};
     counter_.clear();
-    for (const Stage& stage : stages_.over(each_ray)) {
-        if (stage.row->reads.has(Queue::counts) && routing != each_ray) continue;
-        launcher_.launch(stage, {0, slots});
-        if (stage.row->writes.has(Queue::counts)) counter_.startReading();   // routing runs meanwhile
-    }
-    if (routing != each_ray)
-        for (const Stage& stage : stages_.over(routing)) launcher_.launch(stage, {0, slots});
+    for (const Stage& stage : stages_.over(each_ray)) launcher_.launch(stage, {0, slots});
+    counter_.startReading();   // routing runs meanwhile
+    for (const Stage& stage : stages_.over(routed)) launcher_.launch(stage, {0, slots});
     return counter_.wait();
 }
 

@@ -33,7 +33,7 @@ public:
 
 private:
     unsigned generate(uint over, unsigned slots, const BatchStream& stream);
-    WaveCounts intersect(unsigned slots, uint routing);
+    WaveCounts intersect(unsigned slots, uint routed);
     unsigned shade(const WaveCounts& counts);
     unsigned shadeLights(const WaveCounts& counts, const Bindings& splat);
     bool isInterrupted();

@@ -33,7 +33,7 @@ CONTRACT_BEGIN /* namespace eikonal, in C++ */
     /* Choose the next queue of each intersection and count its items; then build the items */ \
     S(classify_intersections, (intersection, ray), (intersection, counts), each_ray, ALWAYS) \
     S(route_intersections, (intersection, ray, counts, exit_point), (hit, scatter, miss, emission, next_ray, shadow, path, probe), \
-      each_ray, ALWAYS) \
+      each_intersection, ALWAYS) \
     /* Add the light of infinite lights and of surfaces that emit */ \
     S(shade_misses, (miss), (path), next_miss, ENVIRONMENTS) \
     S(shade_emitters, (emission), (path), next_emission, EMITTERS) \
@@ -47,7 +47,7 @@ CONTRACT_BEGIN /* namespace eikonal, in C++ */
     S(resolve_film, (path), (film), each_pixel, ALWAYS) \
     /* A wave of light paths: it begins with these rays, intersects and classifies them as above, and goes on here */ \
     S(generate_light_rays, (pixels), (ray), each_light_sample, LIGHT_PATHS) \
-    S(route_light_paths, (intersection, ray, counts), (hit, next_ray, shadow), each_light_ray, LIGHT_PATHS) \
+    S(route_light_paths, (intersection, ray, counts), (hit, next_ray, shadow), each_light_intersection, LIGHT_PATHS) \
     S(shade_light_hits, (hit), (next_ray, shadow), each_light_bsdf, LIGHT_PATHS) \
     S(splat_shadows, (shadow), (splat), each_splat, LIGHT_PATHS)
 
@@ -79,11 +79,12 @@ enum next_queue {
 enum stage_items {
     each_sample = next_values, /* samples of a batch: the paths that begin */
     each_ray,                  /* every slot of the ray queue, dead ones included */
+    each_intersection,         /* the same slots, once the items of each next_queue are counted */
     each_bsdf,                 /* the items of next_x, for every BSDF x of the scene: the stage is built once for each */
     each_shadow,               /* every slot of the shadow queue, dead ones included */
     each_pixel,                /* pixels of a batch */
     each_light_sample,         /* samples of a batch of light paths: those that begin */
-    each_light_ray,            /* every slot of the ray queue, where it holds light paths */
+    each_light_intersection,   /* as each_intersection, for light paths */
     each_light_bsdf,           /* as each_bsdf, for light paths: the stage for BSDF x runs over light_hits + next_x */
     each_splat,                /* every slot of the shadow queue, where it holds connections of light paths to the camera */
     no_queue,                  /* of a kernel of SURVEYS */

@@ -20,6 +20,7 @@ std::vector<uint> traceWave(StageBench& bench) {
         bench.clear("next_ray");
         bench.resetCounters();
         bench.runOver(each_ray, {0, rays});
+        bench.runOver(each_intersection, {0, rays});
         const auto counts = bench.counts();
         for (uint next = 0; next < next_queues; ++next) all[next] += counts[next];
         for (uint next : {next_miss, next_emission})

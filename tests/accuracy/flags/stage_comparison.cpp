@@ -107,6 +107,7 @@ private:
         bench_.clear("next_ray");
         bench_.resetCounters();
         runOver(each_ray, {0, rays});
+        runOver(each_intersection, {0, rays});
         const auto counts = bench_.counts();
         for (uint next : {next_miss, next_emission}) runOver(next, {0, counts[next]});
         const Segments segments = bench_.segments();
