@@ -58,8 +58,7 @@ std::unique_ptr<SplatSums> joinedSplats(const std::vector<std::unique_ptr<FilmFi
     auto all = std::make_unique<SplatSums>(scene.pixels);
     for (const auto& file : files)
         file->forSplats([&](const SplatRow& row) {
-            const PixelRect& p = scene.pixels;
-            if (row.y < p.y0 || row.y >= p.y1 || row.x0 != p.x0 || row.x1 != p.x1)
+            if (!all->fits(row))
                 throw Error(ExitCode::scene, fmt::format("{}: is damaged: its light paths do not fit its image", file->path()));
             if (!all->add(row))
                 throw Error(ExitCode::scene, fmt::format("{} has light paths of row {} that another part has, too", file->path(), row.y));
@@ -105,9 +104,7 @@ int mergeCommand(const Options& o) {
     /* Row by row: into the image's sums, and into a file */
     std::optional<FilmFileWriter> film;
     if (!o.output.checkpoint.empty()) film.emplace(o.output.checkpoint, merged);
-    if (film && splats)
-        for (const SplatRow& row : splats->rows())
-            if (!row.samples.empty()) film->write(row);
+    if (film && splats) film->write(*splats);
     const size_t width = static_cast<size_t>(pixels.width()), plane = width * static_cast<size_t>(pixels.height());
     const auto words = o.output.hasImage ? allocatePlanes(pixels, layout.words) : nullptr;
     size_t wholePixels = 0;   // that have all samples

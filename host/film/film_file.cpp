@@ -33,6 +33,17 @@ FilmRun runOf(const Film& film, int y, int x0) {
     return run;
 }
 
+/// The record of a run, or of a row of splats: its head, its ranges of samples, its words.
+template <class Run> std::vector<unsigned char> contentOf(const Run& run, const std::vector<SampleRange>& ranges) {
+    const Head head{run.y, run.x0, run.x1, static_cast<int>(ranges.size())};
+    const size_t rangeBytes = ranges.size() * sizeof ranges[0], wordBytes = run.words.size() * sizeof run.words[0];
+    std::vector<unsigned char> content(sizeof head + rangeBytes + wordBytes);
+    std::memcpy(content.data(), &head, sizeof head);
+    std::memcpy(content.data() + sizeof head, ranges.data(), rangeBytes);
+    std::memcpy(content.data() + sizeof head + rangeBytes, run.words.data(), wordBytes);
+    return content;
+}
+
 std::string asText(const std::vector<unsigned char>& content) { return {content.begin(), content.end()}; }
 
 }  // namespace
@@ -46,29 +57,17 @@ FilmFileWriter::FilmFileWriter(const std::string& path, const FilmFileHead& head
 }
 
 void FilmFileWriter::write(const FilmRun& run) {
-    const Head head{run.y, run.x0, run.x1, static_cast<int>(run.nodes.size())};
-    std::vector<unsigned char> content(sizeof head + run.nodes.size() * sizeof(SampleRange) + run.words.size() * sizeof(uint));
-    std::memcpy(content.data(), &head, sizeof head);
-    std::memcpy(content.data() + sizeof head, run.nodes.data(), run.nodes.size() * sizeof(SampleRange));
-    std::memcpy(content.data() + sizeof head + run.nodes.size() * sizeof(SampleRange), run.words.data(), run.words.size() * sizeof(uint));
-    file_.write(pixelsTag, content);
+    file_.write(pixelsTag, contentOf(run, run.nodes));
 }
 
-void FilmFileWriter::write(const SplatRow& row) {
-    const Head head{row.y, row.x0, row.x1, static_cast<int>(row.samples.size())};
-    const size_t ranges = row.samples.size() * sizeof(SampleRange), words = row.words.size() * sizeof(std::uint64_t);
-    std::vector<unsigned char> content(sizeof head + ranges + words);
-    std::memcpy(content.data(), &head, sizeof head);
-    std::memcpy(content.data() + sizeof head, row.samples.data(), ranges);
-    std::memcpy(content.data() + sizeof head + ranges, row.words.data(), words);
-    file_.write(splatsTag, content);
+void FilmFileWriter::write(const SplatSums& splats) {
+    for (const SplatRow& row : splats.rows())
+        if (!row.samples.empty()) file_.write(splatsTag, contentOf(row, row.samples));
 }
 
 void writeFilmFile(const std::string& path, const Film& film, const FilmFileHead& head) {
     FilmFileWriter file(path, head);
-    if (film.splats())
-        for (const SplatRow& row : film.splats()->rows())
-            if (!row.samples.empty()) file.write(row);
+    if (film.splats()) file.write(*film.splats());
     const PixelRect& rect = film.pixels();
     for (int y = rect.y0; y < rect.y1; ++y)
         for (int x = rect.x0; x < rect.x1;) {
@@ -146,7 +145,7 @@ void FilmFileReader::forSplats(const std::function<void(const SplatRow&)>& take)
 void FilmFileReader::readInto(Film& film) const {
     const PixelRect& rect = film.pixels();
     forSplats([&](const SplatRow& row) {
-        if (!film.splats() || row.y < rect.y0 || row.y >= rect.y1 || row.x0 != rect.x0 || row.x1 != rect.x1 || !film.splats()->add(row))
+        if (!film.splats() || !film.splats()->fits(row) || !film.splats()->add(row))
             records_.fail("is damaged: its light paths do not fit its image");
     });
     for (const RecordReader::Record& record : pixelRecords()) {

@@ -34,8 +34,8 @@ public:
     FilmFileWriter(const std::string& path, const FilmFileHead& head);
     /// Rows from the top, runs from the left.
     void write(const FilmRun& run);
-    /// Before the runs of its row or after.
-    void write(const SplatRow& row);
+    /// Those rows that have samples. Before the runs or after.
+    void write(const SplatSums& splats);
     void commit() { file_.commit(); }
 
 private:

@@ -32,7 +32,11 @@ public:
     unsigned end() const;
     /// Adds what the light paths of `samples` have left on the device: 32-bit words as kernels/film/splat.clh has them.
     void add(SampleRange samples, std::span<const uint> halves);
-    /// Adds a row of a file. False: some of its samples are there already.
+    /// Whether a row of a file is one of these.
+    bool fits(const SplatRow& row) const {
+        return row.y >= pixels_.y0 && row.y < pixels_.y1 && row.x0 == pixels_.x0 && row.x1 == pixels_.x1;
+    }
+    /// Adds a row that fits. False: some of its samples are there already.
     bool add(const SplatRow& row) { return addSplats(rows_[static_cast<size_t>(row.y - pixels_.y0)], row); }
     /// 32-bit words of all pixels on the device.
     size_t halves() const;

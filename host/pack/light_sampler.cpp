@@ -5,9 +5,20 @@
 #include "pack/light_tree.h"
 
 #include <algorithm>
-#include <span>
 
 namespace eikonal {
+
+double leastPower(std::span<const double> powers) {
+    double total = 0, count = 0;
+    for (double p : powers) { total += p; count += p > 0; }
+    return count > 0 ? double{LEAST_SHARE} * total / count : 0;
+}
+
+void raiseToLeastPower(std::span<double> powers) {
+    const double least = leastPower(powers);
+    for (double& p : powers)
+        if (p > 0) p = std::max(p, least);
+}
 
 class LightSamplerPacker {
 public:
@@ -32,7 +43,7 @@ public:
         if (!looksAtAll && (asked == LightSampler::bvh || (asked == LightSampler::automatic && wantsTree()))) { makeTree(); return; }
         if (asked == LightSampler::uniform) weighAlike();
         else weighInfiniteLights();
-        raiseLeast();
+        raiseToLeastPower(powers_);   // a light that lights an image alone must be sampled however strong the others are
         tables_.light_aliases = makeAliasTable(powers_);
         for (size_t i = 0; i < powers_.size(); ++i) tables_.lights[i].pmf = tables_.light_aliases[i].pmf;
         if (looksAtAll) {
@@ -58,20 +69,6 @@ private:
         const std::span finite = std::span(powers_).first(firstInfinite_);
         const double least = leastPower(finite);
         return std::ranges::any_of(finite, [&](double p) { return p > 0 && p < least; });
-    }
-
-    /// The least share of the total, which no light falls short of.
-    static double leastPower(std::span<const double> powers) {
-        double total = 0, count = 0;
-        for (double p : powers) { total += p; count += p > 0; }
-        return count > 0 ? double{LEAST_SHARE} * total / count : 0;
-    }
-
-    /// Power does not tell which lights are hidden, and a light that lights an image alone must be sampled however strong the others are.
-    void raiseLeast() {
-        const double least = leastPower(powers_);
-        for (double& p : powers_)
-            if (p > 0) p = std::max(p, least);
     }
 
     /// All lights have the same probability.

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string_view>
 
 namespace eikonal {
@@ -61,14 +62,9 @@ void LightPacker::add(const LightPacking& in, const Light& description) {
 /// By power; and how splats are scaled.
 void LightPacker::packEmission() {
     if (!context_.has(Feature::LIGHT_PATHS) || emitted_.empty()) return;
-    double total = 0, count = 0;
-    for (double& power : emitted_) {
-        power = std::max(power, 0.0);
-        total += power;
-        count += power > 0;
-    }
-    for (double& power : emitted_)
-        if (power > 0) power = std::max(power, double{LEAST_SHARE} * total / count);
+    for (double& power : emitted_) power = std::max(power, 0.0);
+    const double total = std::accumulate(emitted_.begin(), emitted_.end(), 0.0);
+    raiseToLeastPower(emitted_);
     tables_.emission_aliases = makeAliasTable(emitted_);
     frame_.emission_count = total > 0 ? static_cast<uint>(emitted_.size()) : 0;
     const double radius = context_.whole.empty() ? 1 : 1.001 * context_.whole.radius() * context_.space.scale;

@@ -41,8 +41,7 @@ private:
         traceLights(planned_.empty() ? most : meanOf(planned_));
         const std::span<const unsigned> goal = planned_.empty() ? std::span(&most, 1) : std::span<const unsigned>(planned_);
         for (Pass& missing : missingPasses(film_, goal, AdaptiveSampling::blockSize, tracer_.mostPaths())) {
-            std::optional<Pass> pass = std::move(missing);
-            trace([&] { return std::exchange(pass, std::nullopt); });
+            tracePass(std::move(missing));
         }
         if (!stopped_) samples_ = *std::ranges::min_element(goal);
     }
@@ -50,22 +49,20 @@ private:
     /// Takes samples of all pixels, from those that they have up to `end`.
     void traceUniformly(unsigned end) {
         unsigned begun = samples_;
-        if (film_.splats()) {
-            /* Pass by pass: a wave has either light paths or paths from the camera */
-            while (begun < end && !stopped_) {
-                std::optional<Pass> pass = uniformPass(film_.pixels(), {film_.firstSample(), begun}, end, tracer_.mostPaths());
-                begun += pass->samples;
-                traceLights(begun);
-                trace([&] { return std::exchange(pass, std::nullopt); });
-            }
-            return;
-        }
-        trace([&]() -> std::optional<Pass> {
+        const auto nextPass = [&]() -> std::optional<Pass> {
             if (begun >= end) return {};
             Pass pass = uniformPass(film_.pixels(), {film_.firstSample(), begun}, end, tracer_.mostPaths());
             begun += pass.samples;
             return pass;
-        });
+        };
+        if (!film_.splats()) { trace(nextPass); return; }
+        /* Pass by pass: a wave has either light paths or paths from the camera */
+        while (!stopped_) {
+            std::optional<Pass> pass = nextPass();
+            if (!pass) return;
+            traceLights(begun);
+            tracePass(std::move(*pass));
+        }
     }
 
     RenderResult traceAdaptively(unsigned end) {
@@ -78,8 +75,7 @@ private:
             traceLights(meanOf(planned_));
             allPaths_ = adaptive.plannedSamples();
             isPlanned_ = true;
-            std::optional<Pass> pass = cutBlocks(blocks, AdaptiveSampling::blockSize, film_.pixels(), tracer_.mostPaths());
-            trace([&] { return std::exchange(pass, std::nullopt); });
+            tracePass(cutBlocks(blocks, AdaptiveSampling::blockSize, film_.pixels(), tracer_.mostPaths()));
             if (stopped_) return {false, samples_, {}, planned_};
         }
     }
@@ -103,15 +99,11 @@ private:
             const Pass pass = uniformPass(whole, {0, begun}, std::min(end, some), tracer_.mostPaths());
             Batches batches(pass.size, pass.blocks, tracer_.mostPaths());
             const auto next = [&]() -> std::optional<Batch> {
-                if (control_.stop && control_.stop()) stopped_ = true;
-                if (stopped_ || batches.empty()) return {};
+                if (isToStop() || batches.empty()) return {};
                 return batches.next();
             };
             splats_.clear(context_, 0, words.size() * sizeof(uint));
-            const StopWatcher watcher(tracer_.stopFlag(), control_.abandon);
-            tracer_.traceLights({next, [](const Batch&) {}, whole.x1, whole.y1}, splats_, film_.pixels());
-            context_.finish();
-            stopped_ |= tracer_.stopFlag().isRaised();
+            untilDone([&] { tracer_.traceLights({next, [](const Batch&) {}, whole.x1, whole.y1}, splats_, film_.pixels()); });
             if (stopped_) return;
             splats_.read(context_, words.data(), words.size() * sizeof(uint));
             splats->add({begun, begun + pass.samples}, words);
@@ -123,8 +115,7 @@ private:
     void trace(const std::function<std::optional<Pass>()>& nextPass) {
         std::optional<Batches> batches;
         const auto next = [&]() -> std::optional<Batch> {
-            if (control_.stop && control_.stop()) stopped_ = true;
-            if (stopped_) return {};
+            if (isToStop()) return {};
             if (!batches || batches->empty()) {
                 const std::optional<Pass> pass = nextPass();
                 if (!pass) return {};
@@ -134,8 +125,23 @@ private:
             return batches->next();
         };
         if (stopped_) return;
+        untilDone([&] { tracer_.trace({next, [this](const Batch& batch) { resolve(batch); }, film_.pixels().x1, film_.pixels().y1}); });
+    }
+
+    void tracePass(Pass pass) {
+        std::optional<Pass> left = std::move(pass);
+        trace([&] { return std::exchange(left, std::nullopt); });
+    }
+
+    bool isToStop() {
+        if (control_.stop && control_.stop()) stopped_ = true;
+        return stopped_;
+    }
+
+    /// Runs something that traces paths, and waits for it. It may be interrupted.
+    void untilDone(const std::function<void()>& trace) {
         const StopWatcher watcher(tracer_.stopFlag(), control_.abandon);
-        tracer_.trace({next, [this](const Batch& batch) { resolve(batch); }, film_.pixels().x1, film_.pixels().y1});
+        trace();
         context_.finish();
         stopped_ |= tracer_.stopFlag().isRaised();
     }
