@@ -18,11 +18,9 @@ View view() {
     return v;
 }
 /// The text of a scene with another directive instead of the one of that name.
-std::string sceneWith(const View& v, const std::string& directive, const std::string& world) {
-    std::string text = sceneText(v, world);
-    const std::string name = directive.substr(0, directive.find(' '));
-    const size_t at = directive.empty() ? std::string::npos : text.find("\n" + name + " ");
-    return at == std::string::npos ? text : text.replace(at + 1, text.find('\n', at + 1) - at - 1, directive);
+std::string sceneWith(View v, const std::string& directive, const std::string& world) {
+    v.more = directive;
+    return sceneText(v, world);
 }
 /// The same scene with light paths.
 std::string withLightPaths(std::string text) { return text.replace(text.find("volpath"), 7, "bdpt"); }
