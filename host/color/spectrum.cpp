@@ -3,7 +3,9 @@
 #include "color/uplift.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 namespace eikonal {
 namespace {
@@ -50,6 +52,14 @@ Spectrum Spectrum::rgb(glm::dvec3 color, ColorSpace space) {
 
 Spectrum Spectrum::sampled(SampledCurve curve) { return sampled(std::make_shared<const SampledCurve>(std::move(curve))); }
 
+Spectrum Spectrum::sampled(const DenseCurve& dense) {
+    SampledCurve curve;
+    for (const double value : dense) {
+        curve.wavelengths.push_back(shortestWavelength + static_cast<double>(curve.wavelengths.size()));
+        curve.values.push_back(value);
+    }
+    return sampled(std::move(curve));
+}
 Spectrum Spectrum::sampled(std::shared_ptr<const SampledCurve> curve) {
     Spectrum s;
     s.kind_ = Kind::sampled;
@@ -100,6 +110,24 @@ glm::dvec3 Spectrum::illuminant() const {
 
 bool Spectrum::isFlat() const { return kind_ == Kind::rgb && rgb_.x == rgb_.y && rgb_.y == rgb_.z; }
 double Spectrum::value() const { return isFlat() ? rgb_.x : xyzUnderDaylight(dense()).y; }
+
+/// Whether all of them are in [0, 1].
+static bool isInUnit(std::span<const double> values) {
+    return std::ranges::all_of(values, [](double value) { return value >= 0 && value <= 1; });
+}
+static bool isInUnit(const glm::dvec3& rgb) { return isInUnit(std::array{rgb.x, rgb.y, rgb.z}); }
+
+bool Spectrum::isReflectance() const {
+    return kind_ == Kind::rgb ? isInUnit(rgb_) && isInUnit(albedo()) : isInUnit(dense()) && isInUnit(albedo());
+}
+
+Spectrum Spectrum::clampedToUnit() const {
+    if (constant_) return constant(std::clamp(rgb_.x, 0.0, 1.0));
+    if (kind_ == Kind::rgb ? isInUnit(rgb_) : isInUnit(dense())) return *this;
+    DenseCurve values = dense();
+    for (double& value : values) value = std::clamp(value, 0.0, 1.0);
+    return sampled(values);
+}
 
 Spectrum Spectrum::operator*(double factor) const {
     Spectrum s = *this;

@@ -21,6 +21,7 @@ public:
     static Spectrum rgb(glm::dvec3 color, ColorSpace space = ColorSpace::srgb);
     static Spectrum sampled(SampledCurve curve);
     static Spectrum sampled(std::shared_ptr<const SampledCurve> curve);
+    static Spectrum sampled(const DenseCurve& curve);
     static Spectrum blackbody(double kelvin);                                ///< Planck's law, scaled to a maximum of 1
 
     Kind kind() const { return kind_; }
@@ -42,6 +43,10 @@ public:
     /// The values at 360, 361, ... 830 nm. A colour becomes a smooth spectrum of that colour (pbrt-v4's unbounded RGB spectrum).
     DenseCurve dense() const;
 
+    /// Whether all values are in [0, 1], at all wavelengths and as a colour in sRGB.
+    bool isReflectance() const;
+    /// The nearest reflectance: each value clamped to [0, 1]. Of a colour with a component above 1, the spectrum of that colour clamped.
+    Spectrum clampedToUnit() const;
     Spectrum operator*(double factor) const;                                 ///< scaled; the factor applies after normalisation
 
 private:

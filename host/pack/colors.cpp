@@ -75,10 +75,17 @@ color ColorPacker::emission(const Spectrum& light, double factor) {
 }
 
 color ColorPacker::reflectance(const Spectrum& reflectance) {
-    const glm::dvec3 rgb = reflectance.color();
-    const bool isAlbedo = reflectance.kind() == Spectrum::Kind::rgb && std::max({rgb.x, rgb.y, rgb.z}) <= 1;
-    if (!context_.spectral || reflectance.isConstant() || !isAlbedo) return coefficient(reflectance);
-    return smooth(glm::max(rgb, 0.0), reflectance.space(), 1, 0);
+    const Spectrum possible = reflectance.clampedToUnit();
+    /* A saturated colour of a wider gamut has components above 1 in sRGB */
+    if (!context_.spectral && !possible.isConstant()) return packRgb(glm::min(possible.albedo(), 1.0));
+    return textureColor(possible);
+}
+
+color ColorPacker::textureColor(const Spectrum& color) {
+    const glm::dvec3 rgb = color.color();
+    const bool isAlbedo = color.kind() == Spectrum::Kind::rgb && std::max({rgb.x, rgb.y, rgb.z}) <= 1;
+    if (!context_.spectral || color.isConstant() || !isAlbedo) return coefficient(color);
+    return smooth(glm::max(rgb, 0.0), color.space(), 1, 0);
 }
 
 color ColorPacker::coefficient(const Spectrum& coefficient, double factor) {

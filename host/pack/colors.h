@@ -18,8 +18,10 @@ public:
 
     /// Emitted light, times `factor`.
     color emission(const Spectrum& light, double factor = 1);
-    /// A reflectance, transmittance or albedo: in [0, 1].
+    /// A reflectance, transmittance or albedo. What lies outside [0, 1] is clamped, at each wavelength or in each channel.
     color reflectance(const Spectrum& reflectance);
+    /// A colour within a texture of reflectances: not clamped, since what the texture does with it may bring it back into [0, 1].
+    color textureColor(const Spectrum& color);
     /// A coefficient of a medium, an index of refraction, or another value that is not negative, times `factor`.
     color coefficient(const Spectrum& coefficient, double factor = 1);
     /// The same at all wavelengths.

@@ -36,12 +36,9 @@ void InputWriter::index(uint slot, const char* name) {
     }
     require(Feature::DISPERSION);
     disperses_ = true;
-    SampledCurve index;
-    for (const double value : in.value.dense()) {
-        index.wavelengths.push_back(shortestWavelength + static_cast<double>(index.wavelengths.size()));
-        index.values.push_back(value > 0 ? value : 1);
-    }
-    add(slot, input_hero, in_.colors.coefficient(Spectrum::sampled(std::move(index))), NONE);
+    DenseCurve index = in.value.dense();
+    for (double& value : index) value = value > 0 ? value : 1;
+    add(slot, input_hero, in_.colors.coefficient(Spectrum::sampled(index)), NONE);
 }
 
 void InputWriter::metal(uint slot, const char* name) {

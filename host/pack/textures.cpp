@@ -24,11 +24,10 @@ public:
         const bool isNumber = isFloat_ || in.value.isConstant();
         i.value = isNumber     ? into_.colors.constant(in.value.value())
                   : into_.unbounded ? into_.colors.coefficient(in.value)
-                               : into_.colors.reflectance(in.value);
+                                    : into_.colors.textureColor(in.value);
         i.flags = isNumber ? static_cast<uint>(texture_number) : 0u;
         apply(i, 0);
-        const glm::dvec3 value = isNumber ? glm::dvec3(in.value.value()) : in.value.albedo();
-        if (std::min({value.x, value.y, value.z}) < 0 || std::max({value.x, value.y, value.z}) > 1) into_.leavesUnit = true;
+        if (!(isNumber ? Spectrum::constant(in.value.value()) : in.value).isReflectance()) into_.leavesUnit = true;
     }
 
     void texture(int index) { texture(into_.context.scene.textures[static_cast<size_t>(index)]); }

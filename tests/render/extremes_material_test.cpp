@@ -4,15 +4,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace eikonal {
 namespace {
 
 /// A ball under a sky of radiance 1, seen in its middle and a little aside (so that angles are not special).
-Rendered underWhiteSky(const std::string& material, int maxDepth = 100) {
+Rendered underWhiteSky(const std::string& material, int maxDepth = 100, Warnings warnings = Warnings::refused) {
     View view;
     view.lookAt = "0 0 -4  .4 .3 0  0 1 0";
     view.maxDepth = maxDepth;
-    return render(sceneText(view, "LightSource \"infinite\" \"rgb L\" [1 1 1]\n" + material + "\nShape \"sphere\""), surfaces());
+    const std::string text = sceneText(view, "LightSource \"infinite\" \"rgb L\" [1 1 1]\n" + material + "\nShape \"sphere\"");
+    return render(packScene(text, ColorMode::automatic, warnings), surfaces());
 }
 
 // A medium of thickness 0 scatters nothing, whatever its albedo; one of 1e-30 scatters 1e-30 of the light. So both are the coat without.
@@ -85,6 +88,50 @@ TEST(ExtremeMaterials, HairOfEveryRoughnessLosesNothing) {
         SCOPED_TRACE(beta);
         const char* hair = "Material \"hair\" \"rgb sigma_a\" [0 0 0] \"float beta_m\" {0} \"float beta_n\" {0}";
         expectRadiance(underWhiteSky(fmt::format(fmt::runtime(hair), beta)), 1, 0.002);
+    }
+}
+
+// A reflectance above 1 is 1, whether a spectrum, a factor or a colour of a wider gamut made it so: nothing outshines the sky.
+TEST(ExtremeMaterials, NothingReflectsMoreThanItReceives) {
+    for (const char* white :
+         {"Material \"diffuse\" \"spectrum reflectance\" [300 2 900 2]",
+          "Material \"diffusetransmission\" \"rgb reflectance\" [.5 .5 .5] \"rgb transmittance\" [0 0 0] \"float scale\" 3",
+          "Material \"coateddiffuse\" \"spectrum reflectance\" [300 2 900 2] \"float thickness\" 0 \"integer maxdepth\" 100",
+          "Texture \"two\" \"spectrum\" \"constant\" \"spectrum value\" [300 2 900 2]\n"
+          "Material \"diffuse\" \"texture reflectance\" \"two\""}) {
+        SCOPED_TRACE(white);
+        expectRadiance(underWhiteSky(white, 100, Warnings::allowed), 1, 0.005);
+    }
+    View view;
+    const std::string green =
+        "LightSource \"infinite\" \"rgb L\" [1 1 1] ColorSpace \"rec2020\" Material \"diffuse\" "
+        "\"rgb reflectance\" [0 1 0] Shape \"sphere\"";
+    const glm::dvec3 seen = estimate(render(packScene(sceneText(view, green), ColorMode::rgb), surfaces()).image).mean;
+    EXPECT_LE(std::max({seen.r, seen.g, seen.b}), 1 + 1e-5);
+    EXPECT_GT(seen.g, 0.99);
+}
+
+// Texture values that no constant may have count as the nearest one that it may.
+TEST(ExtremeMaterials, NegativeTexturesCountAsZero) {
+    const std::string minus =
+        "Texture \"minus\" \"float\" \"constant\" \"float value\" -1 Texture \"minusrgb\" \"spectrum\" \"scale\" "
+        "\"rgb tex\" [.5 .5 .5] \"float scale\" -2\n";
+    for (const char* hair : {"\"texture eumelanin\" \"minus\"", "\"texture sigma_a\" \"minusrgb\""}) {
+        SCOPED_TRACE(hair);
+        expectRadiance(underWhiteSky(fmt::format("{}Material \"hair\" {}", minus, hair)), 1, 0.002);
+    }
+    const std::string coat = "Material \"coateddiffuse\" \"rgb reflectance\" [1 1 1] \"integer maxdepth\" 100 ";
+    expectRadiance(underWhiteSky(minus + coat + "\"texture thickness\" \"minus\""), 1, 0.005);
+}
+
+// Where texture coordinates overflow, marble has some colour of a vein.
+TEST(ExtremeMaterials, MarbleHasAColorWhereItsCoordinatesOverflow) {
+    for (const char* scale : {"1e30", "1e38"}) {
+        const std::string marble = fmt::format(
+            "Scale {0} {0} {0} Texture \"m\" \"spectrum\" \"marble\" \"float variation\" 1e38 "
+            "\"float scale\" 1e38 Scale {1} {1} {1} Material \"diffuse\" \"texture reflectance\" \"m\"",
+            "1e-30", "1e30");
+        expectFinite(underWhiteSky(marble), scale);
     }
 }
 

@@ -54,9 +54,11 @@ struct Rendered {
     ErrorEstimate error;   ///< absolute: ErrorMetric::mseRoot
 };
 
-/// The scene of a pbrt text; throws for whatever the reader or the packer complains about. automatic: in RGB, unless spectra are given:
-/// tests often use colours as saturated as can be.
-PackedScene packScene(const std::string& text, ColorMode color = ColorMode::automatic);
+enum class Warnings { refused, allowed };
+
+/// The scene of a pbrt text; throws for whatever the reader or the packer complains about, of warnings where they are refused. automatic:
+/// in RGB, unless spectra are given: tests often use colours as saturated as can be.
+PackedScene packScene(const std::string& text, ColorMode color = ColorMode::automatic, Warnings warnings = Warnings::refused);
 /// Renders on the tests' device (device(), below).
 Rendered render(PackedScene scene, const RenderSetup& setup = {});
 inline Rendered render(const std::string& text, const RenderSetup& setup = {}) { return render(packScene(text), setup); }

@@ -247,6 +247,17 @@ static Spectrum defaultSpectrum(const Rule& rule) {
     return Spectrum::constant(std::stod(rule.fallback));
 }
 
+/// A spectrum may be a reflectance at some wavelengths only.
+void Arguments::warnOfImpossible(const Parameter& parameter, const Spectrum& reflectance) const {
+    const DenseCurve values = reflectance.dense();
+    const auto most = std::ranges::max_element(values);
+    if (*most > 1)
+        reading_->diagnostics.warn(
+            parameter.where,
+            fmt::format("\"{}\" is {} at {:.0f} nm: it would reflect more than it receives; what is above 1 counts as 1",
+                        parameter.declaration(), shown(*most), shortestWavelength + static_cast<double>(most - values.begin())));
+}
+
 Spectrum Arguments::spectrum(const std::string& name, const Spectrum& fallback) const {
     const Rule& r = rule(name);
     if (const Parameter* parameter = given(name)) {
@@ -258,6 +269,8 @@ Spectrum Arguments::spectrum(const std::string& name, const Spectrum& fallback) 
                 throw SceneError(parameter->where,
                                  "\"" + parameter->declaration() + "\" has a component above 1: it would reflect more than it receives");
         }
+        if (r.wanted == Wanted::colorMap && parameter->type == ParameterType::spectrum && !spectrum.isReflectance())
+            warnOfImpossible(*parameter, spectrum);
         return spectrum;
     }
     return r.fallback.empty() ? fallback : defaultSpectrum(r);

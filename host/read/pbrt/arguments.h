@@ -60,6 +60,7 @@ public:
 private:
     const Rule& rule(const std::string& name) const;
     void checkValues();
+    void warnOfImpossible(const Parameter& parameter, const Spectrum& reflectance) const;
     template <class T> const std::vector<T>* values(const std::string& name) const;
     template <class T> std::optional<T> single(const std::string& name) const;
     template <class V, class Stored> std::vector<V> vectors(const std::string& name) const;
