@@ -156,10 +156,19 @@ TEST_F(PbrtMaterials, diffuseTransmissionIsScaled) {
 
 TEST_F(PbrtMaterials, bumpsAndNormals) {
     write("n.png", "an image");
-    const Scene scene = world(
-        "Texture \"bump\" \"float\" \"constant\" Material \"diffuse\" \"texture displacement\" \"bump\" \"string normalmap\" \"n.png\"");
-    EXPECT_EQ(scene.textures[scene.materials[0].displacement].name, "bump");
-    EXPECT_EQ(scene.images[scene.materials[0].normalMap].encoding, ColorEncoding::linear);
+    const std::string bump = "Texture \"bump\" \"float\" \"constant\" Material \"diffuse\" \"texture displacement\" \"bump\" ";
+    const Scene bumpy = world(bump);
+    EXPECT_EQ(bumpy.textures[bumpy.materials[0].displacement].name, "bump");
+    EXPECT_THAT(warnings_, IsEmpty());
+    const Scene both = world(bump + "\"string normalmap\" \"n.png\"");
+    EXPECT_EQ(both.images[both.materials[0].normalMap].encoding, ColorEncoding::linear);
+    EXPECT_EQ(both.materials[0].displacement, none);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"displacement\" is ignored, since there is a \"normalmap\"")));
+}
+
+TEST_F(PbrtMaterials, aSpectrumMayReflectTooMuch) {
+    material("\"diffuse\" \"spectrum reflectance\" [400 .5 500 1.5 600 .5]");
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("is 1.5 at 500 nm: it would reflect more than it receives; what is above 1 counts as 1")));
 }
 
 TEST_F(PbrtMaterials, interfacesInThreeSpellings) {

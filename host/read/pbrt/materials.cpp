@@ -100,6 +100,11 @@ void MaterialRegistry::build(Entry& entry, Material& material) {
     if (material.kind->isSurface) {
         material.displacement = textures_.textureOf(arguments, "displacement");
         material.normalMap = normalMap(arguments);
+        if (material.displacement != none && material.normalMap != none) {
+            reading_.diagnostics.warn(arguments.whereOf("displacement"),
+                                      "\"displacement\" is ignored, since there is a \"normalmap\" as well, as in pbrt-v4");
+            material.displacement = none;
+        }
     }
 
     if (material.kind->metalIndices[0]) preferReflectance(arguments, material);
