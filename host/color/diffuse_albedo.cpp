@@ -87,8 +87,9 @@ double fresnelFromInside(double mu, double eta) {
 
 /// The reflection of a half-space without a boundary.
 Matrix reflectionOfHalfSpace(const Directions& directions, double rho, double g) {
-    /* Treat nearly forward scattering as no scattering (the delta-M method, Wiscombe 1977) */
-    const double peak = std::pow(g, moments), scattered = rho * (1 - peak) / (1 - rho * peak);
+    /* Treat nearly forward scattering as no scattering (the delta-M method, Wiscombe 1977), nearly backward scattering as mirroring */
+    const double peak = std::pow(std::abs(g), moments), forward = g < 0 ? 0 : peak, backward = g < 0 ? peak : 0;
+    const double extinction = 1 - rho * forward, scattered = rho * (1 - peak) / extinction, mirrored = rho * backward / extinction;
 
     /* A layer so thin that multiple scattering is negligible */
     constexpr double thin = 1e-6;
@@ -97,8 +98,8 @@ Matrix reflectionOfHalfSpace(const Directions& directions, double rho, double g)
         for (int j = 0; j < size; ++j) {
             double onwards = 0, back = 0;
             for (int k = 0; k < moments; ++k) {
-                const double term =
-                    (2 * k + 1) * (std::pow(g, k) - peak) / (1 - peak) * legendre(k, directions.mu[i]) * legendre(k, directions.mu[j]);
+                const double moment = (std::pow(std::abs(g), k) - peak) / (1 - peak) * (g < 0 && k % 2 ? -1 : 1);
+                const double term = (2 * k + 1) * moment * legendre(k, directions.mu[i]) * legendre(k, directions.mu[j]);
                 onwards += term;
                 back += k % 2 ? -term : term;
             }
@@ -107,16 +108,17 @@ Matrix reflectionOfHalfSpace(const Directions& directions, double rho, double g)
             t.at(i, j) = share * onwards;
         }
         t.at(i, i) += 1 - thin / directions.mu[i];
+        r.at(i, i) += thin / directions.mu[i] * mirrored;
     }
 
     /* Double the layer until nothing returns from below */
     Matrix same;
     for (int i = 0; i < size; ++i) same.at(i, i) = 1;
     for (double thickness = thin, more = 1; thickness < 1e6 && more > 1e-9; thickness *= 2) {
-        const Matrix leaving = t * solveSeries(r * r, same), mirrored = leaving * (r * t);
+        const Matrix leaving = t * solveSeries(r * r, same), below = leaving * (r * t);
         t = leaving * t;
-        more = std::ranges::max(mirrored.a);
-        for (size_t i = 0; i < r.a.size(); ++i) r.a[i] += mirrored.a[i];
+        more = std::ranges::max(below.a);
+        for (size_t i = 0; i < r.a.size(); ++i) r.a[i] += below.a[i];
     }
     return r;
 }

@@ -14,7 +14,10 @@ medium newMedium(const MediumPacking& in, const Medium& description) {
     medium m{};
     m.kind = description.kind->value;
     m.sigma_a = in.colors.coefficient(description.sigmaA, 1 / in.context.space.scale);
-    m.sigma_s = in.colors.coefficient(description.sigmaS, 1 / in.context.space.scale);
+    /* Nearly forward scattering counts as less of a wider kind (the similarity relation, van de Hulst 1980): its density would overflow */
+    constexpr double mostForward = 0.99;
+    const double similar = description.g > mostForward ? (1 - description.g) / (1 - mostForward) : 1;
+    m.sigma_s = in.colors.coefficient(description.sigmaS, similar / in.context.space.scale);
     m.Le = in.colors.emission(description.Le);
     const auto check = [&](const color& packed, const char* parameter) {
         in.colors.checkRange(packed, description.where, fmt::format("\"{}\" of medium \"{}\"", parameter, description.name));
@@ -23,7 +26,7 @@ medium newMedium(const MediumPacking& in, const Medium& description) {
     check(m.sigma_s, "sigma_s");
     check(m.Le, "Le");
     m.scatters = in.colors.greatestSum(&m.sigma_s, nullptr) > 0;
-    m.g = static_cast<float>(std::clamp(description.g, -0.99, 0.99));
+    m.g = static_cast<float>(std::clamp(description.g, -mostForward, mostForward));
     m.density = m.temperature = m.Le_scale = m.first_sigma_a = m.first_sigma_s = m.first_Le = m.first_majorant = NONE;
     return m;
 }

@@ -17,7 +17,7 @@ struct MediumReading {
 };
 
 /* Parts of rows (read/pbrt/kinds.h) that several kinds share */
-constexpr const char* phaseParameters = "float g = 0 clamped to [-1, 1]";
+constexpr const char* phaseParameters = "float g = 0 clamped to [-0.99, 0.99]";
 constexpr const char* coefficientParameters = "spectrum sigma_a = 1; spectrum sigma_s = 1";
 constexpr const char* boxParameters = "point3 p0; point3 p1";
 constexpr const char* gridParameters = "integer nx = 1; integer ny = 1; integer nz = 1";

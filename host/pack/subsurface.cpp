@@ -8,6 +8,8 @@
 
 #include "color/diffuse_albedo.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace eikonal {
@@ -54,16 +56,33 @@ uint MaterialPacker::profile(InputWriter& inputs, const Material& description) {
     return place->second;
 }
 
+/// The reflectance of a diffuse surface that has an albedo together with the inside of a boundary above it: the share of light below the
+/// boundary that leaves through it (Saunderson 1942, solved for the reflectance).
+static Spectrum belowBoundary(const Spectrum& albedo, double eta) {
+    const double kept = 1 - boundaryTransmittance(eta) / (eta * eta);  // of diffuse light from inside
+    const auto below = [&](double A) { return A / std::max(1 - kept + A * kept, 1e-9); };
+    if (albedo.kind() == Spectrum::Kind::rgb) {
+        const glm::dvec3 rgb = albedo.albedo();
+        return albedo.isConstant() ? Spectrum::constant(below(rgb.x)) : Spectrum::rgb({below(rgb.r), below(rgb.g), below(rgb.b)});
+    }
+    DenseCurve curve = albedo.dense();
+    for (double& value : curve) value = below(value);
+    return Spectrum::sampled(curve);
+}
+
 /// Replacement for subsurface materials with integrator whitted.
 Material MaterialPacker::coatOver(const Material& body) const {
+    const DiffusionProfile& profile = profileOf(body);
     in_.context.diagnostics.unsupported(
         "subsurface in trees", body.where,
-        "integrator \"whitted\" has no subsurface scattering: material \"subsurface\" is a coated diffuse surface of the same albedo");
+        fmt::format("integrator \"whitted\" has no subsurface scattering: material \"subsurface\" is a coated diffuse surface {}",
+                    profile.albedoTexture == none ? "of the same albedo" : "whose base has its albedo, so it is darker"));
     Material coat = body;
     coat.kind = &coated_diffuse_material;
-    const DiffusionProfile& profile = profileOf(body);
-    coat.inputs["reflectance"] = {profile.albedo, profile.albedoTexture, body.where};
-    for (const auto& [name, value] : {std::pair("thickness", 0.01), std::pair("g", 0.0), std::pair("albedo", 0.0),
+    const double eta = body.inputs.at("eta").value.value();
+    coat.inputs["reflectance"] = {profile.albedoTexture == none ? belowBoundary(profile.albedo, eta) : profile.albedo,
+                                  profile.albedoTexture, body.where};
+    for (const auto& [name, value] : {std::pair("thickness", 0.0), std::pair("g", 0.0), std::pair("albedo", 0.0),
                                       std::pair("maxdepth", 10.0), std::pair("nsamples", 1.0)})
         coat.inputs[name].value = Spectrum::constant(value);
     return coat;

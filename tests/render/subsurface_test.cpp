@@ -257,5 +257,20 @@ TEST(Subsurface, UniformDirectionsEnterABody) {
     expectEqualMeans(render(sceneText(view, body)), followed, 0.03);
 }
 
+// Ray trees have a coated diffuse surface instead, of the same albedo. The boundary's reflection is of a mirror, which trees follow, too.
+TEST(Subsurface, ATreeOfRaysSeesTheSameAlbedo) {
+    View view;
+    view.samples = 256;
+    view.maxDepth = 1;
+    view.more = "Integrator \"whitted\"";
+    const std::string body =
+        "Material \"subsurface\" \"rgb reflectance\" [.6 .4 .2] \"float eta\" 1.33\n"
+        "Shape \"disk\" \"float radius\" 50\n";
+    const double F = 0.33 * 0.33 / (2.33 * 2.33);
+    const glm::dvec3 seen = estimate(render(packScene(sceneText(view, whiteSky + body), ColorMode::rgb, Warnings::allowed)).image).mean;
+    const double expected[] = {.6, .4, .2};
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(seen[c], F + (1 - F) * expected[c], 0.02);
+}
+
 }  // namespace
 }  // namespace eikonal

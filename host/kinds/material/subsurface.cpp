@@ -11,7 +11,8 @@ static const MaterialDirective directives[] = {
      "floatmap uroughness | roughness = 0 clamped to [0, inf); floatmap vroughness | roughness = 0 clamped to [0, inf); index eta = 1.33 "
      "in [0, inf);"
      "string name -> -; spectrummap sigma_a -> -; spectrummap sigma_s -> -; colormap reflectance -> -; spectrummap mfp -> -;"
-     "string method = diffusion in {diffusion, randomwalk} -> -; float scale = 1 in [0, inf) -> -; float g = 0 clamped to [-1, 1] -> -;"
+     "string method = diffusion in {diffusion, randomwalk} -> -; float scale = 1 in [0, inf) -> -; float g = 0 clamped to [-0.9999, "
+     "0.9999] -> -;"
      "bool energycompensation = false -> -; bool remaproughness = true -> -"},
 };
 

@@ -40,15 +40,6 @@ void warnOfIgnored(Reading& reading, const Arguments& arguments, std::initialize
             reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored, since there is " + since);
 }
 
-Spectrum spectrumOf(const DenseCurve& values) {
-    SampledCurve curve;
-    for (size_t i = 0; i < values.size(); ++i) {
-        curve.wavelengths.push_back(shortestWavelength + static_cast<double>(i));
-        curve.values.push_back(values[i]);
-    }
-    return Spectrum::sampled(std::move(curve));
-}
-
 /// f of two spectra at each wavelength; of colours, per channel.
 template <class F> Spectrum combine(const Spectrum& a, const Spectrum& b, const F& f) {
     if (a.kind() == Spectrum::Kind::rgb && b.kind() == Spectrum::Kind::rgb) {
@@ -58,7 +49,7 @@ template <class F> Spectrum combine(const Spectrum& a, const Spectrum& b, const 
     DenseCurve x = a.dense();
     const DenseCurve y = b.dense();
     for (size_t i = 0; i < x.size(); ++i) x[i] = f(x[i], y[i]);
-    return spectrumOf(x);
+    return Spectrum::sampled(x);
 }
 
 DiffusionProfile profileOf(const Spectrum& albedo, const Medium& medium, double eta) {
@@ -81,8 +72,8 @@ DiffusionProfile profileOf(Medium medium, const DiffuseAlbedoTable& table, doubl
     if (medium.sigmaA.kind() != Spectrum::Kind::rgb || medium.sigmaS.kind() != Spectrum::Kind::rgb ||
         (medium.sigmaA.isFlat() && medium.sigmaS.isFlat()))
         return result;
-    medium.sigmaA = spectrumOf(medium.sigmaA.dense());
-    medium.sigmaS = spectrumOf(medium.sigmaS.dense());
+    medium.sigmaA = Spectrum::sampled(medium.sigmaA.dense());
+    medium.sigmaS = Spectrum::sampled(medium.sigmaS.dense());
     result.atWavelengths = std::make_shared<DiffusionProfile>(profile());
     return result;
 }
@@ -117,7 +108,7 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
     auto medium = std::make_shared<Medium>();
     medium->kind = &kindOf(kind_homogeneous_medium);
     medium->where = arguments.where();
-    medium->g = std::clamp(arguments.number("g"), -0.99, 0.99);
+    medium->g = arguments.number("g");
     const double scale = arguments.number("scale");
     const bool hasA = arguments.has("sigma_a"), hasS = arguments.has("sigma_s");
     if (const std::string name = arguments.text("name"); !name.empty()) {
