@@ -98,11 +98,18 @@ static std::optional<double> durationIn(const std::string& text) {
     return value && *value > 0 ? std::optional(*value * unit) : std::nullopt;
 }
 
-SampleRange parseSampleRange(const std::string& option, const std::string& text) {
+/// "I/N", with 1 <= I <= N, or nothing.
+static std::optional<std::array<int, 2>> partIn(const std::string& text) {
+    const auto part = numbersIn<int, 2>(text, '/');
+    return part && 1 <= (*part)[0] && (*part)[0] <= (*part)[1] ? part : std::nullopt;
+}
+
+SampleSelection parseSamples(const std::string& option, const std::string& text) {
+    if (const auto part = partIn(text)) return SampleShare{static_cast<unsigned>((*part)[0]), static_cast<unsigned>((*part)[1])};
     const std::vector<std::string> ends = split(text, ':');
     const auto first = numberIn<int>(ends.front()), end = numberIn<int>(ends.back());
     if (ends.size() != 2 || !first || !end || *first < 0 || *first >= *end)
-        refuse(option, "a range of samples A:B, with A < B, like 0:64", text);
+        refuse(option, "a range of samples A:B, with A < B, like 0:64, or part K/M of all, with K from 1 to M, like 2/4", text);
     const SampleRange range{static_cast<unsigned>(*first), static_cast<unsigned>(*end)};
     if (range.first % leafSamples != 0)
         refuse(option,
@@ -111,11 +118,9 @@ SampleRange parseSampleRange(const std::string& option, const std::string& text)
 }
 
 Tile parseTile(const std::string& option, const std::string& text) {
-    const std::vector<std::string> numbers = split(text, '/');
-    const auto index = numberIn<int>(numbers.front()), count = numberIn<int>(numbers.back());
-    if (numbers.size() != 2 || !index || !count || *index < 1 || *index > *count)
-        refuse(option, "a part I/N, with I from 1 to N, like 2/4", text);
-    return {*index, *count};
+    const auto part = partIn(text);
+    if (!part) refuse(option, "a part I/N, with I from 1 to N, like 2/4", text);
+    return {(*part)[0], (*part)[1]};
 }
 
 double parseDuration(const std::string& option, const std::string& text) {

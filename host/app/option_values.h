@@ -35,8 +35,8 @@ StageFlags parseStageFlags(const std::string& option, const std::string& text);
 /// "all", or names separated by commas.
 Aovs parseAovs(const std::string& option, const std::string& text);
 
-/// "A:B", samples A <= i < B; A begins a leaf (film/sample_nodes.h).
-SampleRange parseSampleRange(const std::string& option, const std::string& text);
+/// "A:B", samples A <= i < B, where A begins a leaf (film/sample_nodes.h); or "K/M", with 1 <= K <= M.
+SampleSelection parseSamples(const std::string& option, const std::string& text);
 /// "I/N", with 1 <= I <= N.
 Tile parseTile(const std::string& option, const std::string& text);
 /// A time greater than 0 in seconds: "90", "90s", "10m", "1h".

@@ -260,7 +260,8 @@ void addCheckpoints(CLI::App* app, OutputOptions& out) {
     app->add_option("--checkpoint", out.checkpoint, "Keep what is rendered in this file, at intervals and however the render ends")
         ->type_name("FILE")
         ->group(group);
-    value(app, "--samples", out.samples, "A:B", "Render only these samples of each pixel, A <= i < B; merge joins them", parseSampleRange)
+    value(app, "--samples", out.samples, "A:B|K/M",
+          "Render only samples A <= i < B of each pixel, or part K of M parts of them; merge joins them", parseSamples)
         ->group(group);
     value(app, "--tile", out.tile, "I/N", "Render only part I of N parts of the image; merge joins them", parseTile)->group(group);
     value(app, "--checkpoint-every", out.checkpointEvery, "TIME", "How often to write the checkpoint and the image (default: 5m)",

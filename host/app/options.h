@@ -31,7 +31,7 @@ struct OutputOptions {
     double checkpointEvery = 300;                     ///< seconds
     bool resume = false;                              ///< go on from the checkpoint, if it is there
     bool hasImage = true;                             ///< false: only the film is kept
-    std::optional<SampleRange> samples;               ///< of each pixel, within those of --spp
+    std::optional<SampleSelection> samples;           ///< of each pixel, within those of --spp
     std::optional<Tile> tile;
     bool partialImages = false;                       ///< write the image each time that a checkpoint is due
 };

@@ -144,7 +144,14 @@ static MemoryPlan planOf(const Options& o, const Session& session) {
 
 /// The samples of each pixel that are rendered, of a render of `wanted`.
 static SampleRange samplesToTake(const OutputOptions& out, unsigned wanted) {
-    const SampleRange samples = out.samples.value_or(SampleRange{0, wanted});
+    if (!out.samples) return {0, wanted};
+    if (const auto* share = std::get_if<SampleShare>(&*out.samples)) {
+        if (share->count > leavesOf(wanted))
+            throw UsageError(fmt::format("--samples: a pixel has {} samples, {} in a part at least, so they make at most {} parts, not {}",
+                                         wanted, leafSamples, leavesOf(wanted), share->count));
+        return rangeOf(wanted, *share);
+    }
+    const SampleRange samples = std::get<SampleRange>(*out.samples);
     if (samples.end > wanted)
         throw UsageError(fmt::format("--samples: a pixel has {} samples, so ranges end at {}; give more with --spp", wanted, wanted));
     if (samples.end % leafSamples != 0 && samples.end != wanted)

@@ -4,6 +4,13 @@
 
 namespace eikonal {
 
+SampleRange rangeOf(unsigned samples, SampleShare share) {
+    const auto border = [&](unsigned i) {
+        return static_cast<unsigned>(std::min<std::uint64_t>(std::uint64_t(leavesOf(samples)) * i / share.count * leafSamples, samples));
+    };
+    return {border(share.index - 1), border(share.index)};
+}
+
 /// Whether a range is a whole node.
 static bool isWhole(SampleRange range) {
     std::uint64_t size = leafSamples;

@@ -4,6 +4,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 namespace eikonal {
@@ -21,9 +22,21 @@ constexpr unsigned leafSamples = 16;
 /// A node has as many children, which the host adds one after the other: nodes have 16, 256, 4096 ... samples.
 constexpr unsigned nodeChildren = 16;
 
+/// Part `index` of 1 ... `count` of a pixel's samples.
+struct SampleShare {
+    unsigned index = 1, count = 1;
+};
+using SampleSelection = std::variant<SampleRange, SampleShare>;
+
 /// Where the leaf that holds a sample begins and ends.
 constexpr unsigned leafBegin(unsigned sample) { return sample - sample % leafSamples; }
 constexpr unsigned leafEnd(unsigned sample) { return leafBegin(sample) + leafSamples; }
+
+/// The number of leaves of a pixel's first `samples` samples; the last may be a part of one.
+constexpr unsigned leavesOf(unsigned samples) { return samples / leafSamples + (samples % leafSamples != 0); }
+/// The samples of a share of the first `samples`: whole leaves, and what is left at the end. Shares differ by a leaf at most. There must be
+/// as many leaves as shares.
+SampleRange rangeOf(unsigned samples, SampleShare share);
 
 /// Whether the sums of `next` are added to those of `node`: `next` is a whole node, and `node` is its earlier siblings.
 bool joins(SampleRange node, SampleRange next);

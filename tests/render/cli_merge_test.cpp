@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <random>
+#include <regex>
 
 namespace eikonal {
 namespace {
@@ -33,7 +34,7 @@ protected:
         Words names;
         for (int tile = 1; tile <= tiles; ++tile)
             for (const std::string& range : ranges) {
-                names.push_back(fmt::format("{}-{}-{}.film", tile, tiles, names.size()));
+                names.push_back(fmt::format("{}-{}-{}.film", tile, tiles, std::regex_replace(range, std::regex("[:/]"), "-")));
                 Words words{"--tile", fmt::format("{}/{}", tile, tiles), "--samples", range, "-o", names.back()};
                 words.insert(words.end(), settings.begin(), settings.end());
                 EXPECT_EQ(render(words).status, 0);
@@ -51,6 +52,11 @@ TEST_F(Merge, TilesAndRangesOfSamplesAreOneRunInAnyOrder) {
     ASSERT_EQ(all.status, 0) << all.error;
     expectSameFiles(path("whole.exr"), path("a.exr"));
     EXPECT_EQ(readImage(path("a.exr")).metadata.error, readImage(path("whole.exr")).metadata.error);
+
+    /* Equal ranges, whatever the samples */
+    names = parts(2, {"1/3", "3/3", "2/3"}, settings);
+    ASSERT_EQ(merge(names, "equal.exr").status, 0);
+    expectSameFiles(path("whole.exr"), path("equal.exr"));
 
     /* Merged in two steps */
     ASSERT_EQ(merge({names.begin(), names.begin() + 4}, "first.film").status, 0);
@@ -91,6 +97,7 @@ TEST_F(Merge, WhatCannotJoinIsRefusedBeforeItIsRendered) {
     EXPECT_THAT(render({"--spp", "64", "--samples", "3:16", "-o", "a.film"}).error, HasSubstr("begin at a multiple of"));
     EXPECT_THAT(render({"--spp", "64", "--samples", "0:7", "-o", "a.film"}).error, HasSubstr("end at a multiple of"));
     EXPECT_THAT(render({"--spp", "64", "--samples", "0:128", "-o", "a.film"}).error, HasSubstr("give more with --spp"));
+    EXPECT_THAT(render({"--spp", "40", "--samples", "1/4", "-o", "a.film"}).error, HasSubstr("at most 3 parts, not 4"));
     EXPECT_THAT(render({"--tile", "1/13", "-o", "a.film"}).error, HasSubstr("the image has 12 rows"));
     EXPECT_THAT(render({"--tile", "1/2"}).error, HasSubstr("keep it: -o part.film"));
     EXPECT_THAT(render({"--tile", "1/2", "--max-error", "5%", "-o", "a.film"}).error, HasSubstr("neither --samples nor --tile"));

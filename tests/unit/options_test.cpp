@@ -184,6 +184,8 @@ INSTANTIATE_TEST_SUITE_P(Options, BadValues, testing::Values(
     BadValue{"render a.obj --camera 1,2", "three numbers separated by commas"},
     BadValue{"render a.obj --camera 1,2,3 --look-at 1,2,3", "must differ"},
     BadValue{"render a.obj --up 0,0,0", "must not be 0,0,0"},
+    BadValue{"render a.pbrt --samples 3/2 -o a.film", "or part K/M of all, with K from 1 to M, like 2/4, not \"3/2\""},
+    BadValue{"render a.pbrt --tile 0/2 -o a.film", "a part I/N, with I from 1 to N, like 2/4, not \"0/2\""},
     BadValue{"bench a.pbrt --repeats 0", "--repeats takes a whole number from 1 to 1000"},
     BadValue{"bench a.pbrt --reference b.exr", "--reference needs --efficiency"},
     BadValue{"bench a.pbrt --efficiency --repeats 3", "--repeats must be at least 4, not 3"}));

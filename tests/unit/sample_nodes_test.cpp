@@ -30,6 +30,25 @@ TEST(SampleNodes, OneRunKeepsFew) {
     EXPECT_LE(nodesOf({0, 4'294'967'295u}).size(), 8u);
 }
 
+/// Shares are whole leaves that follow each other, and none has two leaves more than another.
+TEST(SampleNodes, SharesAreAllSamplesInEqualRanges) {
+    for (const unsigned samples : {1u, leaf - 1, leaf, 3 * leaf + 5, 1000u, 4 * node, 4'294'967'295u})
+        for (const unsigned count : {1u, 2u, 3u, 7u, 64u}) {
+            if (count > leavesOf(samples)) continue;
+            unsigned next = 0, fewest = leavesOf(samples), most = 0;
+            for (unsigned index = 1; index <= count; ++index) {
+                const SampleRange range = rangeOf(samples, {index, count});
+                EXPECT_EQ(range.first, next);
+                EXPECT_TRUE(range.end % leaf == 0 || range.end == samples) << range.end;
+                fewest = std::min(fewest, leavesOf(range.length()));
+                most = std::max(most, leavesOf(range.length()));
+                next = range.end;
+            }
+            EXPECT_EQ(next, samples) << count;
+            EXPECT_TRUE(fewest > 0 && most <= fewest + 1) << samples << " samples in " << count << " shares";
+        }
+}
+
 TEST(SampleNodes, RangesJoinToTheNodesOfOneRun) {
     for (unsigned end = leaf; end < 3 * node; end += 7 * leaf)
         for (unsigned first = 0; first < end; first += 5 * leaf)
