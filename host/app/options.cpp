@@ -241,8 +241,11 @@ void addOutput(CLI::App* app, Options& o) {
     app->add_flag("--denoise", out.denoise,
                   "Remove noise with Intel Open Image Denoise, if it is installed; an EXR keeps the noisy image in the layer noisy")
         ->group(group);
-    value(app, "--time-limit", out.timeLimit, "SECONDS", "Stop rendering after this time, but not before every pixel has a sample",
-          number(0))
+    value(app, "--time-limit", out.timeLimit, "TIME", "Stop rendering after this time, but not before every pixel has a sample",
+          parseDuration)
+        ->group(group);
+    value(app, "--deadline", out.deadline, "TIME",
+          "End at this time after the start of the program: loading, compiling and writing count, too", parseDuration)
         ->group(group);
     value(app, "--target-error,--max-error", out.targetError, "E",
           "Sample adaptively until the image's error is about E, such as 0.05 or 5%; --spp is then the maximum per pixel", parseShare)

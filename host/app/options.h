@@ -24,6 +24,7 @@ struct OutputOptions {
     ToneMapping toneMapping;
     bool denoise = false;
     std::optional<double> timeLimit;                  ///< seconds of rendering
+    std::optional<double> deadline;                   ///< seconds from the start of the program until the files are written
     std::optional<double> targetError;                ///< target of adaptive sampling, > 0
     ErrorMetric errorMetric = ErrorMetric::relmseRoot;
     bool stats = false;

@@ -2,6 +2,7 @@
 #include "image/image_file.h"
 #include "available_memory.h"
 #include "app/checkpoint.h"
+#include "app/deadline.h"
 #include "clock.h"
 #include "app/commands.h"
 #include "app/error_log.h"
@@ -20,7 +21,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <optional>
 
@@ -29,35 +29,6 @@ namespace {
 
 /// Prints a line for the user, unless --quiet.
 void say(const Options& o, const std::string& line) { tell(LogLevel::warning, line, o.log); }
-
-/// How long after a signal or the time limit paths in flight may still end, in seconds. Later they are abandoned.
-constexpr double grace = 0.4;
-
-/// Whether and how soon a render has to end early.
-class Deadline {
-public:
-    explicit Deadline(std::optional<double> limit) : limit_(limit) {}
-    /// Whether to begin no more paths: on a signal or at the time limit, but that waits a little until every pixel has a sample.
-    bool isOver() const { return Interrupt::signal() || (limit_ && time_.seconds() > *limit_ + (isWhole ? 0 : grace)); }
-    /// Whether to abandon paths. Asked by one thread.
-    bool isFinal() {
-        if (limit_ && time_.seconds() > *limit_ + (isWhole ? 1 : 2) * grace) return true;
-        if (!Interrupt::signal()) return false;
-        if (!signalled_) signalled_ = time_.seconds();
-        return time_.seconds() > *signalled_ + grace;
-    }
-    /// Seconds until the time limit, if there is one; at least 0.
-    std::optional<double> secondsLeft() const {
-        if (!limit_) return {};
-        return std::max(*limit_ - time_.seconds(), 0.0);
-    }
-    std::atomic<bool> isWhole = false;   ///< every pixel has a sample
-
-private:
-    const std::optional<double> limit_;
-    const Stopwatch time_;
-    std::optional<double> signalled_;
-};
 
 /// Renders until each pixel has the samples `samples`, the error is small enough, the time is over, or a signal arrives.
 RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRange samples, Deadline& deadline, Checkpoints& checkpoints,
@@ -86,9 +57,9 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRa
 
 /// Reports why the image has fewer samples or more error than asked for, and which samples were not finite.
 void reportShortfall(const Options& o, const FilmTotals::Samples& samples, const FilmTotals::Invalid& invalid, const RenderResult& result,
-                     unsigned wanted, int endedBy, Diagnostics& diagnostics) {
+                     unsigned wanted, const std::string& ending, Diagnostics& diagnostics) {
     if (!result.isFinished)
-        say(o, fmt::format("{}: {} of {} samples per pixel", endedBy ? "interrupted" : "ended by --time-limit",
+        say(o, fmt::format("{}: {} of {} samples per pixel", ending,
                            samples.fewest == samples.most ? fmt::format("{}", samples.fewest)
                                                           : fmt::format("{} to {}", samples.fewest, samples.most),
                            wanted));
@@ -193,12 +164,20 @@ int renderCommand(const Options& o) {
     diagnostics.info(
         fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), samples.length()));
     const Stopwatch renderTime;
-    Deadline deadline(o.output.timeLimit);
+    Deadline deadline(o.output, plan);
+    if (deadline.missedBy() > 0)
+        diagnostics.warn({}, fmt::format("the deadline will be missed by {:.1f} s or more: rendering begins {:.1f} s after the start of the "
+                                         "program{}",
+                                         deadline.missedBy(), secondsSinceStart(),
+                                         session.compiledStages() ? fmt::format(", {:.1f} s of them for compiling kernels, which are kept "
+                                                                                "for the next time", session.times().compile)
+                                                                  : ""));
     if (std::ranges::min(film->taken()) < samples.end) session.survey([&] { return deadline.isFinal(); });
     const RenderResult result = renderFilm(o, session, *film, samples, deadline, checkpoints, output, errors);
     const double renderSeconds = renderTime.seconds();
     /* A signal that arrives while the finished image is written does not count */
     const int endedBy = result.isFinished ? 0 : Interrupt::signal();
+    const std::string ending = endedBy ? "interrupted" : deadline.option() ? fmt::format("ended by {}", deadline.option()) : "";
     const Stopwatch writeTime;
     if (session.profile().paths == 0 && result.isFinished) say(o, o.output.checkpoint + " has all samples: nothing is left to render");
     std::exception_ptr unsaved;   // the image is worth writing all the same
@@ -209,7 +188,7 @@ int renderCommand(const Options& o) {
     }
     std::optional<FilmTotals> totals = film->totals();
     const ImageReport report = output.report(*totals, checkpoints.secondsBefore() + renderSeconds);
-    reportShortfall(o, report.samples, totals->invalid(), result, samples.length(), endedBy, diagnostics);
+    reportShortfall(o, report.samples, totals->invalid(), result, samples.length(), ending, diagnostics);
     const std::string described = describe(report.error, o.output.errorMetric);
     say(o, described);
     reportUnresolvedRays(session.unresolvedRays(), diagnostics);

@@ -62,5 +62,21 @@ TEST_F(Stops, AtTheTimeLimitWithoutAWholeSample) {
     }
 }
 
+// A deadline counts everything: here the kernels are compiled, and the image is written. Nothing of that is late on an idle machine.
+TEST_F(Stops, AtTheDeadline) {
+    constexpr double deadline = 2;
+    this->run({"render", "closed.pbrt", "-o", "a.exr", "--time-limit", "0.1"});
+    const Outcome run = this->run({"render", "closed.pbrt", "-o", "a.exr", "--spp", "100000", "--deadline", "2s"});
+    EXPECT_EQ(run.status, 4) << run.error;
+    EXPECT_LT(run.seconds, deadline + slack);
+    EXPECT_GT(run.seconds, deadline - effect);
+    EXPECT_THAT(run.error, HasSubstr("ended by --deadline"));
+    const Outcome late = this->run({"render", "closed.pbrt", "-o", "a.exr", "--spp", "100000", "--deadline", "0.001"});
+    EXPECT_EQ(late.status, 4);
+    EXPECT_THAT(late.error, HasSubstr("the deadline will be missed by "));
+    const Outcome first = this->run({"render", "closed.pbrt", "-o", "a.exr", "--spp", "100000", "--deadline", "1h", "--time-limit", ".2"});
+    EXPECT_THAT(first.error, HasSubstr("ended by --time-limit"));
+}
+
 }  // namespace
 }  // namespace eikonal
