@@ -24,7 +24,8 @@ def seconds(program, scene, deadline, cache, more):
     with tempfile.TemporaryDirectory() as folder:
         environment = {key: value for key, value in os.environ.items() if key != "POCL_CACHE_DIR"}
         environment["EIKONAL_CACHE_DIR"] = cache
-        command = [str(word) for word in (program, "render", scene, "--spp", 1 << 20, "--deadline", deadline, "-o", f"{folder}/image.exr", *more)]
+        command = [program, "render", scene, "--spp", 1 << 20, "--deadline", deadline, "-o", f"{folder}/image.exr", *more]
+        command = [str(word) for word in command]
         begin = time.perf_counter()
         done = subprocess.run(command, capture_output=True, text=True, env=environment)
         taken = time.perf_counter() - begin
@@ -45,7 +46,8 @@ def main():
     for scene in o.scenes:
         for deadline in o.deadlines:
             with tempfile.TemporaryDirectory() as cache:
-                add(f"{scene.parent.name}/{scene.name}", deadline, *(seconds(o.program, scene, deadline, cache, o.render.split()) for _ in range(2)))
+                cold, warm = (seconds(o.program, scene, deadline, cache, o.render.split()) for _ in range(2))
+                add(f"{scene.parent.name}/{scene.name}", deadline, cold, warm)
 
 
 if __name__ == "__main__":
