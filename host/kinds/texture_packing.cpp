@@ -33,11 +33,14 @@ void packMapping(const TexturePacking& into, const Mapping& m, texture_instructi
     }
 }
 
-void packOctaves(const TexturePacking& into, const Texture& t, texture_instruction& i) {
+void packOctaves(TexturePacking& into, const Texture& t, texture_instruction& i) {
     i.octaves = static_cast<uint>(t.octaves);
     i.roughness = f(t.roughness);
     i.variation = f(t.variation);
     i.texture_from_scene = textureFromScene(into, t.mapping, t.scale);
+    const glm::dmat3 turn = glm::dmat3(matrixOf(into, t.mapping)) * std::abs(t.scale);
+    const double frequency = std::max({glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2])}), lacunarity = 1.99;
+    if (frequency > 0) into.addDetail({.distance = 1 / (frequency * std::pow(lacunarity, std::max(t.octaves - 1, 0)))});
 }
 
 }  // namespace eikonal

@@ -63,7 +63,11 @@ public:
         if (deepest_ > TEXTURE_STACK)
             throw SceneError(where, fmt::format("this texture needs {} values at once; at most {} are possible. Nest mixes in their first "
                                                 "input rather than in their last", deepest_, TEXTURE_STACK));
-        tables_.programs.push_back({static_cast<uint>(tables_.instructions.size()), static_cast<uint>(code_.size())});
+        /* Slopes of bumps: between texels, and within the shortest waves of noise */
+        constexpr double longest = 0.0005, shortestUv = 0x1p-18, shortest = 0x1p-15;
+        tables_.programs.push_back({static_cast<uint>(tables_.instructions.size()), static_cast<uint>(code_.size()),
+                                    static_cast<float>(std::clamp(into_.detail.uv / 2, shortestUv, longest)),
+                                    static_cast<float>(std::clamp(into_.detail.distance / 8, shortest, 1e30))});
         tables_.instructions.insert(tables_.instructions.end(), code_.begin(), code_.end());
         return static_cast<uint>(tables_.programs.size() - 1);
     }

@@ -27,8 +27,9 @@ typedef struct {
     affine texture_from_scene; /* uv: (xx u + xw, yy v + yw); directionmix: scene from world; others: applied to the point */
 } texture_instruction;
 
-/* The instructions of one texture. */
-typedef struct { uint first, count; } texture_program;
+/* The instructions of one texture; and over which difference of (u, v), and which distance in the space of points, a bump map takes its
+   slopes: the smaller one counts. */
+typedef struct { uint first, count; float bump_step_uv, bump_step; } texture_program;
 
 enum image_wrap { wrap_repeat, wrap_black, wrap_clamp, wrap_octahedral };
 enum image_filter { filter_nearest, filter_bilinear };

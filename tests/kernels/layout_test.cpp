@@ -53,6 +53,7 @@ namespace {
     M(texture_instruction, kind) M(texture_instruction, mapping) M(texture_instruction, flags) M(texture_instruction, image) \
     M(texture_instruction, value) \
     M(texture_instruction, texture_from_scene) M(texture_program, first) M(texture_program, count) \
+    M(texture_program, bump_step_uv) M(texture_program, bump_step) \
     M(image, width) M(image, height) M(image, channels) M(image, format) M(image, wrap) M(image, filter) M(image, first) \
     M(medium, kind) M(medium, sigma_a) M(medium, sigma_s) M(medium, Le) M(medium, g) M(medium, equiangular_lights) \
     M(medium, box_from_scene) \

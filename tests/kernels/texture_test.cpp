@@ -178,6 +178,37 @@ TEST(TextureMapping, FindsItsCoordinates) {
     }
 }
 
+/// Stripes of texels, up and down, four to a step of 0.0005: slopes are those between texels where the step is half a texel. And noise whose
+/// waves are shorter than what 0.0005 of (u, v) are in space.
+TEST(Relief, KeepsDetailsSmallerThanTheUsualStep) {
+    Textures t;
+    t.image(1, 1, 3, format_float, wrap_clamp, filter_nearest, {0.5f, 0.5f, 1.0f});
+    constexpr uint n = 8192;
+    const double height = 1e-4, slope = height * n;
+    std::vector<float> stripes;
+    for (uint x = 0; x < n; ++x) stripes.push_back(x % 2 ? static_cast<float>(height) : 0.0f);
+    t.program({t.lookup(t.image(n, 1, 1, format_float, wrap_repeat, filter_bilinear, stripes))}, 0.5f / n);
+    texture_instruction noise = Textures::instruction(kind_fbm_texture);
+    noise.octaves = 1;
+    constexpr float frequency = 4096;
+    noise.texture_from_scene.xx = noise.texture_from_scene.yy = noise.texture_from_scene.zz = frequency;
+    t.program({noise}, 0.0005f, 0.125f / frequency);
+    Random random(85);
+    const auto uv = generate(2000, [&] { return vec2{random.between(0.1f, 0.9f), 0.5f}; });
+    const auto points = generate(2000, [&] { return random.box(1); });
+    std::vector<uint> program(uv.size(), 0);
+    int steep = 0;
+    for (const TextureResult& r : evaluate(t.scene, program, uv, points)) steep += std::abs(std::abs(r.bumped.x / r.bumped.z) * 2 / slope - 1) < 0.05;
+    /* A step from one side of a texel's middle to the other sees less */
+    EXPECT_NEAR(steep, 1000, 100);
+    /* The slope of a lattice's gradient noise is about 1 over a cell */
+    double squares = 0;
+    for (const TextureResult& r : evaluate(t.scene, std::vector<uint>(uv.size(), 1), uv, points))
+        squares += std::pow(r.bumped.x / r.bumped.z * 2 / frequency, 2);
+    EXPECT_GT(std::sqrt(squares / 2000), 0.3);
+    EXPECT_LT(std::sqrt(squares / 2000), 3);
+}
+
 /// Over the plane with dpdu = 2 x and dpdv = 3 y, a displacement that rises by a in u and b in v turns the normal to
 /// (dpdu + a n) x (dpdv + b n) = (-3 a, -2 b, 6); a normal map says the normal in the frame along dpdu.
 TEST(Relief, TurnsNormals) {

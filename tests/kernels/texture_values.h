@@ -21,9 +21,9 @@ struct Textures {
     PackedScene scene;
     Textures() { scene.tables.frame.resize(1); }
 
-    uint program(std::vector<texture_instruction> code) {
+    uint program(std::vector<texture_instruction> code, float bumpStepUv = 0.0005f, float bumpStep = 1e30f) {
         SceneTables& t = scene.tables;
-        t.programs.push_back({static_cast<uint>(t.instructions.size()), static_cast<uint>(code.size())});
+        t.programs.push_back({static_cast<uint>(t.instructions.size()), static_cast<uint>(code.size()), bumpStepUv, bumpStep});
         t.instructions.insert(t.instructions.end(), code.begin(), code.end());
         return static_cast<uint>(t.programs.size() - 1);
     }

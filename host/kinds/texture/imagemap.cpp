@@ -63,7 +63,10 @@ static void pack(TexturePacking& into, const Texture& t, texture_instruction& i)
                                                                      : into.unbounded ? static_cast<uint>(texture_unbounded)
                                                                                       : 0u);
     packMapping(into, t.mapping, i);
-    if (t.scale < 0 || t.scale > 1 || into.textures.tables().images[i.image].format == format_float) into.leavesUnit = true;
+    const image& image = into.textures.tables().images[i.image];
+    if (t.mapping.kind == mapping_uv)
+        into.addDetail({.uv = 1 / std::max(std::abs(t.mapping.uScale) * image.width, std::abs(t.mapping.vScale) * image.height)});
+    if (t.scale < 0 || t.scale > 1 || image.format == format_float) into.leavesUnit = true;
 }
 
 const TextureTraits imagemap_texture{
