@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cmath>
@@ -126,6 +127,19 @@ Tile parseTile(const std::string& option, const std::string& text) {
 double parseDuration(const std::string& option, const std::string& text) {
     if (const auto seconds = durationIn(text)) return *seconds;
     refuse(option, "a time greater than 0, like 90s, 10m or 1h", text);
+}
+
+DisplayAddress parseDisplayAddress(const std::string& option, const std::string& text) {
+    const auto colon = text.rfind(':');
+    std::string host = text.substr(0, colon);
+    const std::string port = colon == std::string::npos ? "" : text.substr(colon + 1);
+    const bool inBrackets = host.size() > 2 && host.front() == '[' && host.back() == ']';
+    if (inBrackets) host = host.substr(1, host.size() - 2);
+    const bool isPort = !port.empty() && port.size() <= 5 && std::ranges::all_of(port, [](char c) { return '0' <= c && c <= '9'; }) &&
+                        std::stoi(port) > 0 && std::stoi(port) < 65536;
+    if (!isPort || host.empty() || (!inBrackets && host.find(':') != std::string::npos))
+        refuse(option, "HOST:PORT, like localhost:14158 or [::1]:14158", text);
+    return {host, port};
 }
 
 std::string Wish::text() const { return kind == Kind::error ? fmt::format("{:g} %", value * 100) : fmt::format("{:g} s", value); }

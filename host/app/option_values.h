@@ -7,6 +7,7 @@
 #include "film/tile.h"
 #include "render/options.h"
 #include "scene/film.h"
+#include "view/options.h"
 
 namespace eikonal {
 
@@ -41,6 +42,8 @@ SampleSelection parseSamples(const std::string& option, const std::string& text)
 Tile parseTile(const std::string& option, const std::string& text);
 /// A time greater than 0 in seconds: "90", "90s", "10m", "1h".
 double parseDuration(const std::string& option, const std::string& text);
+/// "host:port"; an address of IPv6 in brackets: "[::1]:14158".
+DisplayAddress parseDisplayAddress(const std::string& option, const std::string& text);
 /// "30s", "2m" or "2%".
 Wish parseWish(const std::string& option, const std::string& text);
 

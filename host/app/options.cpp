@@ -275,6 +275,13 @@ void addCheckpoints(CLI::App* app, OutputOptions& out) {
         ->group(group);
 }
 
+void addWatching(CLI::App* app, WatchOptions& watch) {
+    const std::string group = "Watching a render";
+    value(app, "--display-server", watch.display, "HOST:PORT", "Show the image, while it is rendered, in a program with tev's protocol",
+          parseDisplayAddress)
+        ->group(group);
+}
+
 /// The commands of the program, bound to the options that they fill in.
 struct Parser {
     Options options;
@@ -300,6 +307,7 @@ struct Parser {
         addScene(render, options);
         addOutput(render, options);
         addCheckpoints(render, options.output);
+        addWatching(render, options.watch);
         addDevice(render, options);
         addLogging(render, options);
         value(render, "--progress", options.progress, "FORM",

@@ -9,6 +9,7 @@
 #include "image/tone_map.h"
 #include "messages.h"
 #include "render/options.h"
+#include "view/options.h"
 
 #include <optional>
 #include <string>
@@ -46,6 +47,7 @@ struct Options : SessionOptions {
     std::string logFile;                              ///< empty: none
     const Preset* preset = nullptr;                   ///< --quality; its options are among the others. Null: none
     OutputOptions output;
+    WatchOptions watch;
     bool json = false;                                ///< info, compare, render: print JSON
     std::vector<std::string> parts;                   ///< merge
     bool isPartial = false;                           ///< merge: samples may be missing

@@ -37,7 +37,6 @@ std::string insteadOf(const std::string& name) {
         {"gpudevice", "try --device with a number or name of `eikonal list-devices`"},
         {"interactive", "try --write-partial-images, which writes the image while it is rendered"},
         {"fullscreen", "try --write-partial-images, which writes the image while it is rendered"},
-        {"displayserver", "try --write-partial-images, which writes the image while it is rendered"},
         {"wavefront", "leave it away: every scene is rendered in waves"},
         {"renderspace", "leave it away: the space is chosen so that it loses no precision"},
         {"rendercoordsys", "leave it away: the space is chosen so that it loses no precision"},

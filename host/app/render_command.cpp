@@ -16,6 +16,7 @@
 #include "render/render_identity.h"
 #include "render/session.h"
 #include "app/statistics.h"
+#include "app/watching.h"
 #include "eikonal/film.h"
 
 #include <fmt/format.h>
@@ -32,7 +33,7 @@ void say(const Options& o, const std::string& line) { tell(LogLevel::warning, li
 
 /// Renders until each pixel has the samples `samples`, the error is small enough, the time is over, or a signal arrives.
 RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRange samples, Deadline& deadline, Checkpoints& checkpoints,
-                        RenderOutput& output, ErrorLog& errors) {
+                        RenderOutput& output, ErrorLog& errors, Watching& watching) {
     const auto error = [&] { return std::optional(film.totals().error(o.output.errorMetric)); };
     ProgressDisplay display({samples.length(), o.output.errorMetric, error}, showsProgress(o.log));
     RenderControl control;
@@ -46,6 +47,7 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRa
         if (const auto limit = deadline.secondsLeft()) p.secondsLeft = std::min(p.secondsLeft.value_or(*limit), *limit);
         display.show(p);
         if (p.samples > 0) errors.note(p.samples, film, output);
+        watching.show(p, film, output);
     };
     control.pause = [&](std::span<const unsigned> planned) { checkpoints.pause(film, planned, time.seconds(), output); };
     control.stop = [&] { return deadline.isOver(); };
@@ -161,6 +163,7 @@ int renderCommand(const Options& o) {
     session.prepare();
 
     const Interrupt interrupt;
+    Watching watching(o, diagnostics);
     diagnostics.info(
         fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), samples.length()));
     const Stopwatch renderTime;
@@ -173,7 +176,8 @@ int renderCommand(const Options& o) {
                                                                                 "for the next time", session.times().compile)
                                                                   : ""));
     if (std::ranges::min(film->taken()) < samples.end) session.survey([&] { return deadline.isFinal(); });
-    const RenderResult result = renderFilm(o, session, *film, samples, deadline, checkpoints, output, errors);
+    const RenderResult result =
+        renderFilm(o, session, *film, samples, deadline, checkpoints, output, errors, watching);
     const double renderSeconds = renderTime.seconds();
     /* A signal that arrives while the finished image is written does not count */
     const int endedBy = result.isFinished ? 0 : Interrupt::signal();
@@ -194,6 +198,7 @@ int renderCommand(const Options& o) {
     reportUnresolvedRays(session.unresolvedRays(), diagnostics);
 
     FilmImage image = output.develop(*totals);
+    watching.showLast(image);
     warnOfClamping(image, session.scene().film, diagnostics);
     RunSummary summary;
     if (o.json) summary.identity = identityOf(session, o, *film);
