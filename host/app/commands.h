@@ -20,6 +20,9 @@ int cacheCommand(const Options& options);
 int listDevicesCommand(const Options& options);
 /// Makes one image, or one larger part, of parts that were rendered apart. Returns ExitCode::partialImage if the image lacks samples.
 int mergeCommand(const Options& options);
+/// Writes the job that makes an image in parts on a render farm, and hands it over: becomes the engine's program, whose exit status counts.
+/// Returns 0 if it only writes.
+int submitCommand(const Options& options);
 /// Writes an image without its noise. Returns 0.
 int denoiseCommand(const Options& options);
 /// Prints the difference of two images.

@@ -31,6 +31,7 @@ static int run(const Options& options) {
         case Command::listDevices: return listDevicesCommand(options);
         case Command::compileKernels: compileKernels(options.device, options.compile); return static_cast<int>(ExitCode::success);
         case Command::merge: return mergeCommand(options);
+        case Command::submit: return submitCommand(options);
         case Command::denoise: return denoiseCommand(options);
         case Command::compare: return compareCommand(options);
     }

@@ -3,6 +3,7 @@
 #include "image/seed_variance.h"
 #include "kinds/integrator_kind.h"
 #include "app/command_line.h"
+#include "app/farm/job.h"
 #include "app/option_values.h"
 #include "app/pbrt_spelling.h"
 
@@ -19,7 +20,7 @@ namespace {
 
 constexpr int unlimited = std::numeric_limits<int>::max();
 constexpr const char *sceneGroup = "Scene (overrides the file)", *objGroup = "Camera of an OBJ", *deviceGroup = "Device",
-                     *imageGroup = "Image";
+                     *imageGroup = "Image", *partsGroup = "Checkpoints and parts";
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Lets completion offer `words`, which are kept as the name of a validator that accepts everything.
@@ -228,16 +229,26 @@ void addImageFiles(CLI::App* app, OutputOptions& out) {
     addToneMapping(app, out);
 }
 
-void addOutput(CLI::App* app, Options& o) {
-    OutputOptions& out = o.output;
-    const std::string group = imageGroup;
-    addImageFiles(app, out);
+CLI::Option* addAov(CLI::App* app, OutputOptions& out) {
     std::vector<std::string> channels;
     for (const AovName& each : aovNames) channels.emplace_back(each.name);
     auto* aov = value(app, "--aov", out.aovs, "NAMES",
                       fmt::format("Additional channels of an EXR: {}, separated by commas; or all", fmt::join(channels, ", ")), parseAovs);
     channels.emplace_back("all");
-    offer(aov, channels)->group(group);
+    return offer(aov, channels);
+}
+
+CLI::Option* addCheckpointInterval(CLI::App* app, OutputOptions& out) {
+    return value(app, "--checkpoint-every", out.checkpointEvery, "TIME", "How often to write the checkpoint and the image (default: 5m)",
+                 parseDuration)
+        ->group(partsGroup);
+}
+
+void addOutput(CLI::App* app, Options& o) {
+    OutputOptions& out = o.output;
+    const std::string group = imageGroup;
+    addImageFiles(app, out);
+    addAov(app, out)->group(group);
     app->add_flag("--denoise", out.denoise,
                   "Remove noise with Intel Open Image Denoise, if it is installed; an EXR keeps the noisy image in the layer noisy")
         ->group(group);
@@ -259,7 +270,7 @@ void addOutput(CLI::App* app, Options& o) {
 }
 
 void addCheckpoints(CLI::App* app, OutputOptions& out) {
-    const std::string group = "Checkpoints and parts";
+    const std::string group = partsGroup;
     app->add_option("--checkpoint", out.checkpoint, "Keep what is rendered in this file, at intervals and however the render ends")
         ->type_name("FILE")
         ->group(group);
@@ -267,9 +278,7 @@ void addCheckpoints(CLI::App* app, OutputOptions& out) {
           "Render only samples A <= i < B of each pixel, or part K of M parts of them; merge joins them", parseSamples)
         ->group(group);
     value(app, "--tile", out.tile, "I/N", "Render only part I of N parts of the image; merge joins them", parseTile)->group(group);
-    value(app, "--checkpoint-every", out.checkpointEvery, "TIME", "How often to write the checkpoint and the image (default: 5m)",
-          parseDuration)
-        ->group(group);
+    addCheckpointInterval(app, out);
     app->add_flag("--resume", out.resume, "Go on from the checkpoint, if it is there")->group(group);
     app->add_flag("--write-partial-images", out.partialImages, "Write the image at the same intervals, also without a checkpoint")
         ->group(group);
@@ -280,6 +289,18 @@ void addWatching(CLI::App* app, WatchOptions& watch) {
     value(app, "--display-server", watch.display, "HOST:PORT", "Show the image, while it is rendered, in a program with tev's protocol",
           parseDisplayAddress)
         ->group(group);
+}
+
+/// How many parts, and who makes them.
+void addFarm(CLI::App* app, SubmitOptions& s) {
+    std::vector<std::pair<const char*, const FarmEngine*>> engines;
+    for (const FarmEngine& engine : farmEngines()) engines.emplace_back(engine.name, &engine);
+    value(app, "--engine", s.engine, "NAME", "What runs the parts: slurm, openjd or kubernetes", oneOf<const FarmEngine*>(engines));
+    value(app, "--tiles", s.tiles, "N", "Parts of the image (default: 1)", integer(1, 1 << 20));
+    value(app, "--sample-ranges", s.sampleRanges, "M", "Parts of each pixel's samples (default: 1)", integer(1, 1 << 20));
+    app->add_option("--folder", s.folder, "The job's files, parts and messages (default: the scene's name and the engine's)")
+        ->type_name("DIR");
+    app->add_flag("--dry-run", s.isDryRun, "Only write the folder, and print what would hand the job over");
 }
 
 /// The commands of the program, bound to the options that they fill in.
@@ -407,6 +428,15 @@ struct Parser {
         merge->add_flag("--partial", options.isPartial, "Samples and pixels may be missing");
         addLogging(merge, options);
 
+        auto* submit = add("submit", Command::submit, "Hand an image over to a render farm, in parts");
+        addFarm(submit, options.submit);
+        addScene(submit, options);
+        addImageFiles(submit, options.output);
+        addAov(submit, options.output)->group(partsGroup);
+        addCheckpointInterval(submit, options.output);
+        addDevice(submit, options);
+        addLogging(submit, options);
+
         auto* completion = add("completion", Command::print, "Print a script that completes command lines");
         offer(completion->add_option("SHELL", shell, "bash, zsh or fish")->type_name(""),
               {std::begin(completionShells), std::end(completionShells)});
@@ -520,12 +550,14 @@ void checkParts(const Options& o) {
 void checkTogether(const Parser& parser, const CLI::App* command) {
     const Options& o = parser.options;
     const bool needsScene = o.command == Command::render || o.command == Command::info || o.command == Command::bench ||
-                            o.command == Command::trade;
+                            o.command == Command::trade || o.command == Command::submit;
     if (needsScene && o.scene.path.empty())
         throw UsageError(fmt::format("{0} needs a scene: eikonal {0} scene.pbrt\n{1}", command->get_name(), getHelp));
     if (command->get_name() == "completion" && !std::ranges::count(completionShells, parser.shell))
         throw UsageError(fmt::format("completion needs the name of a shell, {}: eikonal completion bash\n{}",
                                      fmt::join(completionShells, ", "), getHelp));
+    if (o.command == Command::submit && !o.submit.engine)
+        throw UsageError(fmt::format("submit needs to know what runs the parts: --engine slurm, openjd or kubernetes\n{}", getHelp));
     if (o.command == Command::compare && o.reference.empty())
         throw UsageError(fmt::format("compare needs two images: eikonal compare image.exr reference.exr\n{}", getHelp));
     if (o.command == Command::denoise && o.image.empty())
@@ -556,14 +588,13 @@ std::vector<std::string> withPreset(std::vector<std::string> arguments, const Pr
     return arguments;
 }
 
-/// The options of scene and device that the user gave, as `render` takes them.
-std::vector<std::string> optionsForRender(const CLI::App* command) {
+/// The options of these groups that the user gave, without -o, as another command takes them.
+std::vector<std::string> optionsOfGroups(const CLI::App* command, const std::vector<std::string>& groups) {
     std::vector<std::string> words;
     for (const CLI::Option* option : command->get_options()) {
-        const std::string& group = option->get_group();
-        const bool isRenders = group == sceneGroup || group == objGroup || group == deviceGroup;
-        if (option->count() == 0 || option->get_positional() || !isRenders) continue;
         const std::string name = option->get_name();   // a long name: --name
+        if (option->count() == 0 || option->get_positional() || !std::ranges::count(groups, option->get_group()) || name == "--outfile")
+            continue;
         const bool isFlag = option->get_items_expected_max() == 0;
         for (const std::string& value : option->results()) words.push_back(isFlag ? name : name + "=" + value);
     }
@@ -634,10 +665,9 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     checkTogether(parser, command);
     if (command->get_name() == "man") options.text = manualPage(tableOf(parser));
     if (command->get_name() == "completion") options.text = completionScript(parser.shell, tableOf(parser));
-    if (options.command == Command::trade) {
-        options.passedOn = optionsForRender(command);
-        if (options.wishes.empty()) options.wishes = usualWishes();
-    }
+    options.passedOn = optionsOfGroups(command, {sceneGroup, objGroup, deviceGroup, partsGroup});
+    options.passedToMerge = optionsOfGroups(command, {imageGroup});
+    if (options.command == Command::trade && options.wishes.empty()) options.wishes = usualWishes();
     if (options.quiet) options.log = std::min(options.log, LogLevel::error);
     return options;
 }

@@ -17,7 +17,7 @@
 
 namespace eikonal {
 
-enum class Command { print, render, info, bench, trade, cache, listDevices, compare, denoise, merge, compileKernels };
+enum class Command { print, render, info, bench, trade, cache, listDevices, compare, denoise, merge, submit, compileKernels };
 
 struct OutputOptions {
     std::vector<std::string> files;                   ///< empty: the scene's name with .exr
@@ -36,6 +36,15 @@ struct OutputOptions {
     std::optional<SampleSelection> samples;           ///< of each pixel, within those of --spp
     std::optional<Tile> tile;
     bool partialImages = false;                       ///< write the image each time that a checkpoint is due
+};
+
+struct FarmEngine;
+
+struct SubmitOptions {
+    const FarmEngine* engine = nullptr;               ///< not null once parsed
+    int tiles = 1, sampleRanges = 1;
+    std::string folder;                               ///< empty: the scene's name and the engine's
+    bool isDryRun = false;
 };
 
 struct Options : SessionOptions {
@@ -66,7 +75,9 @@ struct Options : SessionOptions {
     double budget = 300;                              ///< trade: seconds
     std::vector<Wish> wishes;                         ///< trade
     bool compilerFlags = false;                       ///< trade: also try flags that are not strict
-    std::vector<std::string> passedOn;                ///< trade: its options that `render` has, "--name=value"
+    SubmitOptions submit;
+    std::vector<std::string> passedOn;                ///< trade, submit: their options that `render` has, "--name=value"
+    std::vector<std::string> passedToMerge;           ///< submit: its options that `merge` has, but for -o
 };
 
 /// Parses the command line. `arguments` begins with the program's name. Throws a UsageError that says what would have worked.

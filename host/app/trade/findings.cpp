@@ -3,6 +3,7 @@
 #include "app/trade/pictures.h"
 #include "error.h"
 #include "image/flip.h"
+#include "shell_word.h"
 
 #include <fmt/format.h>
 
@@ -21,16 +22,6 @@ const Confirmation* longest(const StudyState& state, size_t setting) {
     for (const Confirmation& c : state.confirmations)
         if (c.setting == setting && c.failure.empty() && (!best || c.meanSamples > best->meanSamples)) best = &c;
     return best;
-}
-
-std::string quoted(const std::string& word) {
-    const bool isPlain =
-        !word.empty() &&
-        word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=./,:+%@") == std::string::npos;
-    if (isPlain) return word;
-    std::string text = "'";
-    for (char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + "'";
 }
 
 /// `own`: the point of the user's own options at the same rung, or null.
@@ -185,8 +176,8 @@ void confirmRecommendations(Study& study, const std::vector<Wish>& wishes) {
 }
 
 static std::string command(const Study& study, const std::vector<std::string>& options) {
-    std::string text = "eikonal render " + quoted(study.request().scene);
-    for (const std::string& option : options) text += " " + quoted(option);
+    std::string text = "eikonal render " + shellWord(study.request().scene);
+    for (const std::string& option : options) text += " " + shellWord(option);
     return text;
 }
 

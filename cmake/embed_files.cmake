@@ -1,0 +1,11 @@
+# Writes text files as a C++ list of {name, text}, sorted by their names in ROOT: cmake -DROOT=folder -DPATTERNS=a/*.h,b/* -DOUTPUT=file -P embed_files.cmake
+string(REPLACE "," ";" patterns "${PATTERNS}")
+list(TRANSFORM patterns PREPEND ${ROOT}/)
+file(GLOB names RELATIVE ${ROOT} ${patterns})
+list(SORT names)
+set(literals "")
+foreach(name ${names})
+    file(READ "${ROOT}/${name}" text)
+    string(APPEND literals "{\"${name}\", R\"embedded(${text})embedded\"},\n")
+endforeach()
+file(WRITE "${OUTPUT}" "${literals}")
