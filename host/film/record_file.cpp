@@ -5,10 +5,6 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -60,13 +56,11 @@ void RecordWriter::commit() {
     file_.commit();
 }
 
-RecordReader::RecordReader(const std::string& path, const std::string& kind, const std::string& what) : path_(path) {
-    file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (file_ < 0) fail(fmt::format("cannot be opened: {}", std::strerror(errno)));
-    struct stat status {};
-    ::fstat(file_, &status);
-    if (!S_ISREG(status.st_mode)) fail(fmt::format("is not {}: it is not a regular file", what));
-    size_ = static_cast<std::uint64_t>(status.st_size);
+RecordReader::RecordReader(const std::string& path, const std::string& kind, const std::string& what)
+    : path_(path), file_(path) {
+    if (!file_.isOpen()) fail(fmt::format("cannot be opened: {}", std::strerror(errno)));
+    if (!S_ISREG(file_.status().st_mode)) fail(fmt::format("is not {}: it is not a regular file", what));
+    size_ = static_cast<std::uint64_t>(file_.status().st_size);
     const std::string expected = padded(kind);
     std::string line(std::min<std::uint64_t>(size_, kindBytes), 0);
     readAt(0, line.data(), line.size());
@@ -95,15 +89,12 @@ RecordReader::RecordReader(const std::string& path, const std::string& kind, con
     if (count != records_.size()) fail(fmt::format("is damaged: it has {} records instead of {}", records_.size(), count));
 }
 
-RecordReader::~RecordReader() {
-    if (file_ >= 0) ::close(file_);
-}
-
 void RecordReader::fail(const std::string& problem) const { throw Error(ExitCode::scene, fmt::format("{}: {}", path_, problem)); }
 
 void RecordReader::readAt(std::uint64_t place, void* content, std::size_t bytes) const {
     for (std::size_t done = 0; done < bytes;) {
-        const ssize_t got = ::pread(file_, static_cast<char*>(content) + done, bytes - done, static_cast<off_t>(place + done));
+        const ssize_t got = file_.read(static_cast<char*>(content) + done, bytes - done, static_cast<off_t>(place + done));
+        if (got < 0 && errno == ESTALE) fail("was replaced while it was read; try again");
         if (got < 0 && errno == EINTR) continue;
         if (got < 0) fail(fmt::format("cannot be read: {}", std::strerror(errno)));
         if (got == 0) fail("is truncated: it became shorter while it was read");

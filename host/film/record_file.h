@@ -1,6 +1,7 @@
 #pragma once
 // Files of checked records. A file that is not whole, or not as it was written, is noticed and never trusted.
 
+#include "film/reopened_file.h"
 #include "image/atomic_file.h"
 
 #include <cstdint>
@@ -42,10 +43,6 @@ public:
 
     /// Finds all records, and checks that the file is whole and of this kind. what: for messages, "a checkpoint of Eikonal".
     RecordReader(const std::string& path, const std::string& kind, const std::string& what);
-    ~RecordReader();
-    RecordReader(const RecordReader&) = delete;
-    RecordReader& operator=(const RecordReader&) = delete;
-
     const std::string& path() const { return path_; }
     const std::vector<Record>& records() const { return records_; }
     /// The content of a record, whose checksum is right.
@@ -62,7 +59,7 @@ public:
 private:
     void readAt(std::uint64_t place, void* content, std::size_t bytes) const;
     std::string path_;
-    int file_ = -1;
+    ReopenedFile file_;
     std::uint64_t size_ = 0;
     std::vector<Record> records_;
 };
