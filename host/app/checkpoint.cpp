@@ -51,15 +51,22 @@ void Checkpoints::resume(const Session& session, Film& film, RenderOutput& outpu
 
 void Checkpoints::pause(const Film& film, std::span<const unsigned> planned, double seconds, RenderOutput& output) {
     const OutputOptions& out = options_.output;
-    if ((out.checkpoint.empty() && !out.partialImages) || sinceLast_.seconds() < out.checkpointEvery) return;
+    if ((!out.checkpoint.empty() || out.partialImages) && sinceLast_.seconds() >= out.checkpointEvery)
+        writeAll(film, planned, seconds, output);
+}
+
+std::string Checkpoints::writeAll(const Film& film, std::span<const unsigned> planned, double seconds, RenderOutput& output) {
+    std::string problem;
     try {
         save(film, planned, seconds);
         const FilmTotals totals = film.totals();
         output.write(output.develop(totals), output.report(totals, secondsBefore_ + seconds).metadata);
     } catch (const Error& error) {
-        diagnostics_.warn({}, fmt::format("{}; rendering goes on", error.what()));
+        problem = error.what();
+        diagnostics_.warn({}, fmt::format("{}; rendering goes on", problem));
     }
     sinceLast_ = {};
+    return problem;
 }
 
 void Checkpoints::save(const Film& film, std::span<const unsigned> planned, double seconds) {

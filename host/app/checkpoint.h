@@ -28,6 +28,8 @@ public:
 
     /// Writes checkpoint and images if it is time to. Problems are warnings. seconds: of rendering since this process began.
     void pause(const Film& film, std::span<const unsigned> planned, double seconds, RenderOutput& output);
+    /// Writes checkpoint and images now. Returns why that failed, which is a warning; empty: it did not.
+    std::string writeAll(const Film& film, std::span<const unsigned> planned, double seconds, RenderOutput& output);
     /// Writes the checkpoint, if there is to be one.
     void save(const Film& film, std::span<const unsigned> planned, double seconds);
 

@@ -36,6 +36,10 @@ Interrupt::~Interrupt() {
     for (const int number : stopSignals) std::signal(number, SIG_DFL);
 }
 
+void Interrupt::request() {
+    if (!noted) noted = SIGINT;
+}
+
 int Interrupt::signal() { return noted; }
 
 }  // namespace eikonal

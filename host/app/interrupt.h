@@ -16,6 +16,8 @@ public:
     Interrupt(const Interrupt&) = delete;
     Interrupt& operator=(const Interrupt&) = delete;
 
+    /// As if SIGINT had arrived, unless one has been noted.
+    static void request();
     /// The number of the noted signal, or 0.
     static int signal();
 };

@@ -286,6 +286,15 @@ void addCheckpoints(CLI::App* app, OutputOptions& out) {
 
 void addWatching(CLI::App* app, WatchOptions& watch) {
     const std::string group = "Watching a render";
+    auto* view = app->add_flag("--view", watch.page, "Show the image, while it is rendered, on a page in a browser; prints its address");
+    view->group(group);
+    value(app, "--port", watch.port, "N", "The page's port (default: one that is free)", integer(1, 65535))->group(group)->needs(view);
+    app->add_option("--view-address", watch.address,
+                    "The address of this machine that serves the page (default: 127.0.0.1, for this machine alone)")
+        ->type_name("ADDRESS")
+        ->group(group)
+        ->needs(view);
+    app->add_flag("--view-wait", watch.waits, "Keep the page after the render, until it is told to end")->group(group)->needs(view);
     value(app, "--display-server", watch.display, "HOST:PORT", "Show the image, while it is rendered, in a program with tev's protocol",
           parseDisplayAddress)
         ->group(group);

@@ -43,15 +43,26 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRa
     control.planned = checkpoints.planned();
     const Stopwatch time;
     control.progress = [&](Progress p) {
+        p = watching.withoutPauses(p);
         deadline.isWhole = p.samples > 0;
         if (const auto limit = deadline.secondsLeft()) p.secondsLeft = std::min(p.secondsLeft.value_or(*limit), *limit);
         display.show(p);
         if (p.samples > 0) errors.note(p.samples, film, output);
-        watching.show(p, film, output);
+        watching.show(p, session, film, output);
     };
-    control.pause = [&](std::span<const unsigned> planned) { checkpoints.pause(film, planned, time.seconds(), output); };
-    control.stop = [&] { return deadline.isOver(); };
-    control.abandon = [&] { return deadline.isFinal(); };
+    control.pause = [&](std::span<const unsigned> planned) {
+        const double seconds = time.seconds() - watching.pausedSeconds();
+        checkpoints.pause(film, planned, seconds, output);
+        watching.obey(session, film, planned, seconds, checkpoints, output, [&] { return deadline.isOver(); });
+    };
+    control.stop = [&] {
+        watching.passOnStop();
+        return deadline.isOver();
+    };
+    control.abandon = [&] {
+        watching.passOnStop();
+        return deadline.isFinal();
+    };
     RenderResult result = render(session.context(), session.wave(), film, session.profile(), control);
     display.end(result.isFinished);
     return result;
@@ -137,8 +148,9 @@ int renderCommand(const Options& o) {
     Diagnostics diagnostics(o.log, o.scene.strict);
     for (const std::string& file : o.output.files) checkWritable(file);
     Checkpoints checkpoints(o, diagnostics);
+    Watching watching(o, diagnostics);
 
-    Session session(o, diagnostics);
+    Session session(o, diagnostics, o.watch.page);
     session.load();
     const auto wanted = static_cast<unsigned>(session.scene().sampler.pixelSamples);
     if (const auto before = checkpoints.samplesLaidOutFor()) session.layOutFor(*before);
@@ -163,22 +175,22 @@ int renderCommand(const Options& o) {
     session.prepare();
 
     const Interrupt interrupt;
-    Watching watching(o, diagnostics);
     diagnostics.info(
         fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), samples.length()));
     const Stopwatch renderTime;
     Deadline deadline(o.output, plan);
     if (deadline.missedBy() > 0)
-        diagnostics.warn({}, fmt::format("the deadline will be missed by {:.1f} s or more: rendering begins {:.1f} s after the start of the "
-                                         "program{}",
+        diagnostics.warn({}, fmt::format("the deadline will be missed by {:.1f} s or more: rendering begins {:.1f} s after the start of "
+                                         "the program{}",
                                          deadline.missedBy(), secondsSinceStart(),
                                          session.compiledStages() ? fmt::format(", {:.1f} s of them for compiling kernels, which are kept "
                                                                                 "for the next time", session.times().compile)
                                                                   : ""));
     if (std::ranges::min(film->taken()) < samples.end) session.survey([&] { return deadline.isFinal(); });
+    watching.begin(session, samples.end);
     const RenderResult result =
         renderFilm(o, session, *film, samples, deadline, checkpoints, output, errors, watching);
-    const double renderSeconds = renderTime.seconds();
+    const double renderSeconds = renderTime.seconds() - watching.pausedSeconds();
     /* A signal that arrives while the finished image is written does not count */
     const int endedBy = result.isFinished ? 0 : Interrupt::signal();
     const std::string ending = endedBy ? "interrupted" : deadline.option() ? fmt::format("ended by {}", deadline.option()) : "";
@@ -198,7 +210,7 @@ int renderCommand(const Options& o) {
     reportUnresolvedRays(session.unresolvedRays(), diagnostics);
 
     FilmImage image = output.develop(*totals);
-    watching.showLast(image);
+    watching.showLast(image, report.error, checkpoints.secondsBefore() + renderSeconds);
     warnOfClamping(image, session.scene().film, diagnostics);
     RunSummary summary;
     if (o.json) summary.identity = identityOf(session, o, *film);
@@ -225,6 +237,8 @@ int renderCommand(const Options& o) {
         summary.warnings = diagnostics.warnings();
         std::fputs(describeAsJson(session, summary).c_str(), stdout);
     }
+    std::fflush(stdout);   // the page may stay for long
+    watching.end(result.isFinished ? "finished" : ending, written);
     if (unsaved) std::rethrow_exception(unsaved);
     if (output.undenoised()) std::rethrow_exception(output.undenoised());
     return status;

@@ -61,8 +61,11 @@ ImageReport RenderOutput::report(const FilmTotals& totals, double seconds) {
     return report;
 }
 
-FilmImage RenderOutput::develop(const FilmTotals& totals) const {
-    return developImage(totals, session_.packed(), session_.scene().film, aovs_);
+FilmImage RenderOutput::develop(const FilmTotals& totals, bool withErrors) const {
+    Aovs aovs = aovs_;
+    aovs.variance |= withErrors;
+    aovs.sampleCount |= withErrors;
+    return developImage(totals, session_.packed(), session_.scene().film, aovs);
 }
 
 /// Whether the image has changed.

@@ -36,7 +36,8 @@ public:
     StoredMetadata metadata();
     /// seconds: of rendering so far.
     ImageReport report(const FilmTotals& totals, double seconds);
-    FilmImage develop(const FilmTotals& totals) const;
+    /// withErrors: also with variance and sampleCount, whether or not they are asked for.
+    FilmImage develop(const FilmTotals& totals, bool withErrors = false) const;
     /// Why the last image written is as noisy as before although it was to be denoised; null: it is not.
     std::exception_ptr undenoised() const { return undenoised_; }
     /// Writes all files, denoised if that is asked for and can be done; even if one of them fails; then throws one Error with all problems.

@@ -9,14 +9,26 @@ void Profile::add(const std::string& stage, std::uint64_t slots, cl_event event)
     if (event) pending_.push_back({&s, Owned<cl_event, clReleaseEvent>(event)});
 }
 
-void Profile::collect() {
-    for (const Pending& p : pending_) {
-        cl_ulong start = 0, end = 0;
-        check(clGetEventProfilingInfo(p.event, CL_PROFILING_COMMAND_START, sizeof start, &start, nullptr), "reading a profile");
-        check(clGetEventProfilingInfo(p.event, CL_PROFILING_COMMAND_END, sizeof end, &end, nullptr), "reading a profile");
-        p.stage->seconds += static_cast<double>(end - start) * 1e-9;
+void Profile::readFirst() {
+    const Pending& p = pending_.front();
+    cl_ulong start = 0, end = 0;
+    check(clGetEventProfilingInfo(p.event, CL_PROFILING_COMMAND_START, sizeof start, &start, nullptr), "reading a profile");
+    check(clGetEventProfilingInfo(p.event, CL_PROFILING_COMMAND_END, sizeof end, &end, nullptr), "reading a profile");
+    p.stage->seconds += static_cast<double>(end - start) * 1e-9;
+    pending_.pop_front();
+}
+
+void Profile::collectFinished() {
+    for (; !pending_.empty(); readFirst()) {
+        cl_int status = CL_COMPLETE;
+        check(clGetEventInfo(pending_.front().event, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof status, &status, nullptr),
+              "reading a profile");
+        if (status != CL_COMPLETE) return;
     }
-    pending_.clear();
+}
+
+void Profile::collect() {
+    while (!pending_.empty()) readFirst();
 }
 
 void Profile::reset() {

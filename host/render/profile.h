@@ -4,9 +4,9 @@
 #include "device/check.h"
 
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <string>
-#include <vector>
 
 namespace eikonal {
 
@@ -22,6 +22,8 @@ class Profile {
 public:
     /// Takes over `event`, which may be null.
     void add(const std::string& stage, std::uint64_t slots, cl_event event);
+    /// Reads the clocks of the events that have ended; without a device that is idle the last ones may be left.
+    void collectFinished();
     /// Reads the clocks of all events so far; the device must be idle.
     void collect();
     void reset();
@@ -32,9 +34,10 @@ public:
     std::uint64_t paths = 0;
 
 private:
+    void readFirst();
     struct Pending { StageProfile* stage; Owned<cl_event, clReleaseEvent> event; };
     std::map<std::string, StageProfile> stages_;
-    std::vector<Pending> pending_;
+    std::deque<Pending> pending_;   ///< in the order of the launches
 };
 
 }  // namespace eikonal

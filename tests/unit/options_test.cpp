@@ -208,7 +208,7 @@ INSTANTIATE_TEST_SUITE_P(Commands, BadValues, testing::Values(
     BadValue{"render a.pbrt --quick", "render has no option --quick; try --quality draft"},
     BadValue{"render a.pbrt --pixel 3,4", "try --pixelbounds x,x+1,y,y+1"},
     BadValue{"render a.pbrt --upgrade", "pbrt --upgrade old.pbrt > scene.pbrt"},
-    BadValue{"render a.pbrt --interactive", "try --write-partial-images"}));
+    BadValue{"render a.pbrt --interactive", "try --view"}));
 
 TEST(Options, OtherCommands) {
     EXPECT_EQ(parse("--list-devices").command, Command::listDevices);
