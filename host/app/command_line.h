@@ -23,7 +23,7 @@ struct CommandDescription {
     std::vector<OptionDescription> arguments, options;
 };
 
-/// The program, whose name is empty, then its commands. Made of the declarations in options.cpp.
+/// The program, whose name is empty, then its commands. Made of the declarations in options/.
 std::vector<CommandDescription> commandLineTable();
 
 /// A script that completes the command line; `shell` is one of completionShells.

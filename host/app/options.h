@@ -1,5 +1,5 @@
 #pragma once
-// The command line. Each option is declared once, in options.cpp, with its help text and its range check.
+// The command line. Each option is declared once, in options/, with its help text and its range check.
 
 #include "app/presets.h"
 #include "app/wish.h"

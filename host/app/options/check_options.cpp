@@ -1,0 +1,75 @@
+// Checks that concern several options.
+
+#include "app/command_line.h"
+#include "app/options/parser.h"
+#include "error.h"
+#include "image/seed_variance.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace eikonal {
+
+/// The extension of film files.
+static constexpr const char* filmExtension = ".film";
+
+void chooseFilm(Options& o) {
+    OutputOptions& out = o.output;
+    const auto isFilm = [](const std::string& file) { return file.ends_with(filmExtension); };
+    const auto films = std::ranges::count_if(out.files, isFilm);
+    if (films + !out.checkpoint.empty() > 1) throw UsageError("-o and --checkpoint name more than one film; one is enough");
+    if (films) {
+        out.checkpoint = *std::ranges::find_if(out.files, isFilm);
+        std::erase_if(out.files, isFilm);
+    }
+    out.hasImage = !out.files.empty() || (!films && !out.samples && !out.tile && o.command != Command::merge);
+}
+
+/// Checks that concern parts of an image.
+static void checkParts(const Options& o) {
+    const OutputOptions& out = o.output;
+    if (o.command == Command::merge && o.parts.empty()) throw UsageError("merge needs parts: eikonal merge a.film b.film -o image.exr");
+    if (o.command == Command::merge && !out.hasImage && out.checkpoint.empty())
+        throw UsageError("merge needs a file to write: -o image.exr, or -o all.film for a larger part");
+    if (!out.samples && !out.tile) return;
+    if (out.checkpoint.empty()) throw UsageError("--samples and --tile render a part, which merge joins to others; keep it: -o part.film");
+    if (out.targetError)
+        throw UsageError("--max-error decides by the whole image and all samples, so it goes with neither --samples nor --tile");
+}
+
+void checkTogether(const Parser& parser, const CLI::App* command) {
+    const Options& o = parser.options;
+    const bool needsScene = o.command == Command::render || o.command == Command::info || o.command == Command::bench ||
+                            o.command == Command::trade || o.command == Command::submit;
+    if (needsScene && o.scene.path.empty())
+        throw UsageError(fmt::format("{0} needs a scene: eikonal {0} scene.pbrt\n{1}", command->get_name(), getHelp));
+    if (command->get_name() == "completion" && !std::ranges::count(completionShells, parser.shell))
+        throw UsageError(fmt::format("completion needs the name of a shell, {}: eikonal completion bash\n{}",
+                                     fmt::join(completionShells, ", "), getHelp));
+    if (o.command == Command::submit && !o.submit.engine)
+        throw UsageError(fmt::format("submit needs to know what runs the parts: --engine slurm, openjd or kubernetes\n{}", getHelp));
+    if (o.command == Command::compare && o.reference.empty())
+        throw UsageError(fmt::format("compare needs two images: eikonal compare image.exr reference.exr\n{}", getHelp));
+    if (o.command == Command::denoise && o.image.empty())
+        throw UsageError(fmt::format("denoise needs an image: eikonal denoise image.exr -o clean.exr\n{}", getHelp));
+    if (o.command == Command::cache && !o.scenes.empty() && !o.warmCache)
+        throw UsageError(fmt::format("cache takes scenes only with --warm: eikonal cache --warm {}\n{}", o.scenes.front(), getHelp));
+    if (o.command == Command::cache && o.warmCache && !o.device.cache)
+        throw UsageError(fmt::format("--warm keeps kernels and --no-cache keeps none; give one of them\n{}", getHelp));
+    if (o.command == Command::bench && !o.reference.empty() && !o.efficiency)
+        throw UsageError("--reference needs --efficiency: without it, bench measures no error");
+    if (o.efficiency && o.repeats < SeedVariance::leastSeeds)
+        throw UsageError(fmt::format("--efficiency measures the variance between repeats; --repeats must be at least {}, not {}",
+                                     SeedVariance::leastSeeds, o.repeats));
+    checkParts(o);
+    if (o.output.resume && o.output.checkpoint.empty())
+        throw UsageError("--resume goes on from a checkpoint; name it: --checkpoint FILE --resume");
+    if (o.scene.cropWindow && o.scene.pixelBounds)
+        throw UsageError("--cropwindow and --pixelbounds both select a part of the image; give one of them");
+    if (o.scene.camera && o.scene.lookAt && *o.scene.camera == *o.scene.lookAt) throw UsageError("--camera and --look-at must differ");
+    if (o.scene.up && *o.scene.up == glm::dvec3(0)) throw UsageError("--up must not be 0,0,0");
+}
+
+}  // namespace eikonal

@@ -1,0 +1,75 @@
+// The options of the commands that take images or parts of images: compare, denoise, merge.
+
+#include "app/options/declare.h"
+#include "app/options/parser.h"
+#include "app/options/shared_options.h"
+
+namespace eikonal {
+
+void addToneMapping(CLI::App* app, OutputOptions& out) {
+    const std::string group = imageGroup;
+    auto* tonemap = value(app, "--tonemap", out.toneMapping.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
+                          [](const std::string&, const std::string& text) { return toneCurve(text); });
+    offer(tonemap, toneCurveNames())->group(group);
+    value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))
+        ->group(group);
+}
+
+void addImageFiles(CLI::App* app, OutputOptions& out) {
+    const std::string group = imageGroup;
+    app->add_option("-o,--outfile", out.files,
+                    "An image file: exr, hdr, pfm, png, jpg, tif, tga, bmp, webp; may be repeated. A single EXR is accompanied by a PNG; "
+                    "film: a part for merge "
+                    "(default: the scene's name with .exr)")
+        ->type_name("FILE")
+        ->type_size(1)
+        ->allow_extra_args(false)
+        ->group(group);
+    addToneMapping(app, out);
+}
+
+CLI::Option* addAov(CLI::App* app, OutputOptions& out) {
+    std::vector<std::string> channels;
+    for (const AovName& each : aovNames) channels.emplace_back(each.name);
+    auto* aov = value(app, "--aov", out.aovs, "NAMES",
+                      fmt::format("Additional channels of an EXR: {}, separated by commas; or all", fmt::join(channels, ", ")), parseAovs);
+    channels.emplace_back("all");
+    return offer(aov, channels);
+}
+
+CLI::Option* addCheckpointInterval(CLI::App* app, OutputOptions& out) {
+    return value(app, "--checkpoint-every", out.checkpointEvery, "TIME", "How often to write the checkpoint and the image (default: 5m)",
+                 parseDuration)
+        ->group(partsGroup);
+}
+
+void declareImageCommands(Parser& parser) {
+    Options& options = parser.options;
+    auto* compare = parser.add("compare", Command::compare, "Print the difference of two images");
+    compare->add_option("IMAGE", options.image, "An image file")->type_name("");
+    compare->add_option("REFERENCE", options.reference, "The image to compare with")->type_name("");
+    compare->add_flag("--json", options.json, "Print JSON");
+    compare->add_flag("--scatter", options.scatter,
+                      "Estimate standard errors from the spread of the differences in each block, not from the image's variance");
+    compare->add_option("--heat-map", options.heatMap, "Write the FLIP of each pixel as an image: black is equal, light yellow is 1")
+        ->type_name("FILE");
+    value(compare, "--fail-above", options.failAbove, "X", "Exit with status 1 if the mean FLIP is above X", numberFrom(0, 1));
+
+    auto* denoise = parser.add("denoise", Command::denoise, "Remove noise from an image, with Intel Open Image Denoise");
+    denoise->add_option("IMAGE", options.image, "An image file; layers albedo and N of an EXR help")->type_name("");
+    denoise
+        ->add_option("-o,--outfile", options.output.files, "An image file; may be repeated (default: IMAGE-denoised.exr)")
+        ->type_name("FILE")
+        ->type_size(1)
+        ->allow_extra_args(false);
+    addToneMapping(denoise, options.output);
+    value(denoise, "--nthreads", options.device.threads, "N", "Threads (default: one per core)", integer(1, 4096));
+
+    auto* merge = parser.add("merge", Command::merge, "Make one image of parts that were rendered apart");
+    merge->add_option("PART", options.parts, "Film files of render: --samples, --tile, -o PART.film")->type_name("");
+    addImageFiles(merge, options.output);
+    merge->add_flag("--partial", options.isPartial, "Samples and pixels may be missing");
+    addLogging(merge, options);
+}
+
+}  // namespace eikonal
