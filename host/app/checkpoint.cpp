@@ -60,7 +60,7 @@ std::string Checkpoints::writeAll(const Film& film, std::span<const unsigned> pl
     try {
         save(film, planned, seconds);
         const FilmTotals totals = film.totals();
-        output.write(output.develop(totals), output.report(totals, secondsBefore_ + seconds).metadata);
+        output.writeSoFar(output.develop(totals), output.report(totals, secondsBefore_ + seconds).metadata);
     } catch (const Error& error) {
         problem = error.what();
         diagnostics_.warn({}, fmt::format("{}; rendering goes on", problem));

@@ -5,8 +5,9 @@
 
 namespace eikonal {
 
-/// Renders a scene into image files. Returns 0 if all files are written and every sample was taken, ExitCode::partialImage if the time
-/// limit was reached before, and 128 plus the signal's number if a signal ended the render early.
+/// Renders scenes into image files. Returns 0 if all files are written and every sample was taken, ExitCode::partialImage if the time
+/// limit was reached before, and signalStatus plus the signal's number if a signal ended the render early. Of several scenes each is
+/// rendered even if others fail, which is told; the worst status counts.
 int renderCommand(const Options& options);
 /// Prints the contents of a scene, the features that it requires with the reasons, and the memory that a render would take.
 int infoCommand(const Options& options);

@@ -15,14 +15,16 @@ namespace eikonal {
 
 int denoiseCommand(const Options& o) {
     std::vector<std::string> files = o.output.files;
-    if (files.empty()) files.push_back(std::filesystem::path(o.image).replace_extension().string() + "-denoised.exr");
-    files = imageFiles(std::move(files));
-    for (const std::string& file : files) checkWritable(file);
+    if (files.empty())
+        files.push_back(std::filesystem::path(o.image).replace_extension().string() + "-denoised." +
+                        (o.output.encoding.format.empty() ? "exr" : o.output.encoding.format));
+    files = imageFiles(std::move(files), o.output.encoding);
+    for (const std::string& file : files) checkWritable(file, 0, o.output.encoding);
     FilmFile file = readImage(o.image);
-    for (const std::string& name : files) checkHolds(name, file.image.columns(), file.image.rows());
+    for (const std::string& name : files) checkHolds(name, file.image.columns(), file.image.rows(), o.output.encoding);
     Denoiser(o.device.threads).denoise(file.image);
     file.metadata.biasedChoices = withChoice(file.metadata.biasedChoices, denoisingChoice);
-    for (const std::string& name : files) writeImage(name, file.image, file.metadata, o.output.toneMapping);
+    for (const std::string& name : files) writeImage(name, file.image, file.metadata, o.output.encoding);
     tell(LogLevel::warning, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()), o.log);
     return static_cast<int>(ExitCode::success);
 }

@@ -10,7 +10,7 @@ constexpr int stopSignals[] = {SIGHUP, SIGINT, SIGTERM};
 static volatile std::sig_atomic_t noted = 0;
 
 extern "C" void noteSignal(int number) {
-    if (noted) ::_exit(128 + number);
+    if (noted) ::_exit(signalStatus + number);
     noted = number;
 }
 

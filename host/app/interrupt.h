@@ -3,6 +3,9 @@
 
 namespace eikonal {
 
+/// Plus its number: the exit status of a program that a signal ended.
+inline constexpr int signalStatus = 128;
+
 /// Blocks the signals that the parent process made this one ignore, as nohup and shells running `eikonal ... &` in a script do. They then
 /// stay without effect even if a library sets a handler, as LLVM inside PoCL does. Call this before any thread starts.
 void keepIgnoredSignals();

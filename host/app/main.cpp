@@ -2,6 +2,7 @@
 
 #include "app/commands.h"
 #include "app/interrupt.h"
+#include "app/tell_error.h"
 #include "render/kernel_workers.h"
 #include "messages.h"
 
@@ -16,7 +17,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <new>
 
 using namespace eikonal;
 
@@ -36,12 +36,6 @@ static int run(const Options& options) {
         case Command::compare: return compareCommand(options);
     }
     return static_cast<int>(ExitCode::usage);
-}
-
-/// Tells an error. Errors in scenes and files already begin with file:line:column, so they get no prefix.
-static int fail(ExitCode code, const std::string& message) {
-    tell(LogLevel::error, message);
-    return static_cast<int>(code);
 }
 
 /// Whether the reader of standard output has gone.
@@ -83,11 +77,5 @@ int main(int argc, char** argv) {
         finishPrinting();
         logProgress(fmt::format("exit status {}", status));
         return status;
-    } catch (const Error& error) {
-        return fail(error.code(), (error.code() == ExitCode::scene ? "" : "error: ") + std::string(error.what()));
-    } catch (const std::bad_alloc&) {
-        return fail(ExitCode::scene, "error: not enough memory; --log-level info prints the planned use");
-    } catch (const std::exception& error) {
-        return fail(ExitCode::scene, std::string("error: ") + error.what());
-    }
+    } catch (...) { return tellError(); }
 }

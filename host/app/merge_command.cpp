@@ -80,7 +80,7 @@ bool hasAll(const FilmRun& run, unsigned wanted) {
 
 int mergeCommand(const Options& o) {
     Diagnostics diagnostics(o.log);
-    for (const std::string& file : o.output.files) checkWritable(file);
+    for (const std::string& file : o.output.files) checkWritable(file, 0, o.output.encoding);
     if (!o.output.checkpoint.empty()) checkFileWritable(o.output.checkpoint, 0);
     openManyFiles();
     std::vector<std::unique_ptr<FilmFileReader>> files;
@@ -132,8 +132,8 @@ int mergeCommand(const Options& o) {
     metadata.commandLine = o.commandLine;
     tell(LogLevel::warning, describe(error, stored.metric), o.log);
     const FilmImage image = developImage(totals, scene.packed, scene.film, stored.aovs);
-    const std::vector<std::string> images = imageFiles(o.output.files);
-    for (const std::string& file : images) writeImage(file, image, metadata, o.output.toneMapping);
+    const std::vector<std::string> images = imageFiles(o.output.files, o.output.encoding);
+    for (const std::string& file : images) writeImage(file, image, metadata, o.output.encoding);
     tell(LogLevel::warning,
          fmt::format("merged {} part{} into {}", o.parts.size(), o.parts.size() == 1 ? "" : "s", fmt::join(images, " and ")), o.log);
     return static_cast<int>(wholePixels == plane ? ExitCode::success : ExitCode::partialImage);

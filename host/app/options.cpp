@@ -119,6 +119,7 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     if (options.device.list) options.command = Command::listDevices;
     else if (command == &parser.app)
         throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
+    if (options.command == Command::render && !options.scenes.empty()) options.scene.path = options.scenes.front();
     chooseFilm(options);
     checkTogether(parser, command);
     if (command->get_name() == "man") options.text = manualPage(commandLineTable());

@@ -6,7 +6,7 @@
 #include "film/noise.h"
 #include "film/sample_nodes.h"
 #include "film/tile.h"
-#include "image/tone_map.h"
+#include "image/image_file.h"
 #include "messages.h"
 #include "render/options.h"
 #include "view/options.h"
@@ -22,7 +22,7 @@ enum class Command { print, render, info, bench, trade, cache, listDevices, comp
 struct OutputOptions {
     std::vector<std::string> files;                   ///< empty: the scene's name with .exr
     Aovs aovs;
-    ToneMapping toneMapping;
+    ImageEncoding encoding;
     bool denoise = false;
     std::optional<double> timeLimit;                  ///< seconds of rendering
     std::optional<double> deadline;                   ///< seconds from the start of the program until the files are written
@@ -65,7 +65,7 @@ struct Options : SessionOptions {
     bool efficiency = false;                          ///< bench: each repeat has its own seed
     int repeats = 5;                                  ///< bench
     bool clearCache = false, warmCache = false;       ///< cache
-    std::vector<std::string> scenes;                  ///< cache --warm
+    std::vector<std::string> scenes;                  ///< render, cache --warm; scene.path is the first
     std::string image;                                ///< compare, denoise
     std::string reference;                            ///< compare; bench: a converged image, empty: none
     bool scatter = false;                             ///< compare: ignore the image's variance channel

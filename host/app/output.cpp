@@ -2,6 +2,7 @@
 
 #include "image/image_file.h"
 #include "read/formats/input_files.h"
+#include "standard_stream.h"
 
 #include <fmt/format.h>
 
@@ -10,25 +11,32 @@
 
 namespace eikonal {
 
+static bool anyHoldsChannels(const std::vector<std::string>& files, const ImageEncoding& encoding) {
+    return std::ranges::any_of(files, [&](const std::string& file) { return holdsChannels(file, encoding); });
+}
+
 std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& scene) {
     if (!options.hasImage) return {};
     std::vector<std::string> files = options.files;
-    if (files.empty()) files.push_back(scene.film.filename.empty() ? scene.name + ".exr" : scene.film.filename);
-    if (options.aovs.any() && std::ranges::none_of(files, holdsChannels))
+    const std::string& format = options.encoding.format;
+    if (files.empty() && format.empty() && !scene.film.filename.empty()) files.push_back(scene.film.filename);
+    if (files.empty()) files.push_back(scene.name + "." + (format.empty() ? "exr" : format));
+    if (options.aovs.any() && !anyHoldsChannels(files, options.encoding))
         throw UsageError(
             fmt::format("--aov needs an EXR file, and {} cannot hold its channels; add `-o FILE.exr`", fmt::join(files, ", ")));
-    return imageFiles(std::move(files));
+    return imageFiles(std::move(files), options.encoding);
 }
 
-std::vector<std::string> imageFiles(std::vector<std::string> files) {
-    if (files.size() == 1 && holdsChannels(files.front()))
+std::vector<std::string> imageFiles(std::vector<std::string> files, const ImageEncoding& encoding) {
+    if (files.size() == 1 && encoding.format.empty() && holdsChannels(files.front()))
         files.push_back(std::filesystem::path(files.front()).replace_extension(".png").string());
     return files;
 }
 
 /// Whether some file can hold additional channels; warns if none can.
-static bool canHold(const char* what, const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
-    if (files.empty() || std::ranges::any_of(files, holdsChannels)) return true;
+static bool canHold(const char* what, const OutputOptions& options, const FilmDescription& film, const std::vector<std::string>& files,
+                    Diagnostics& diagnostics) {
+    if (files.empty() || anyHoldsChannels(files, options.encoding)) return true;
     diagnostics.warn(film.where, fmt::format("{} are omitted: {} cannot hold them; add `-o FILE.exr`", what, fmt::join(files, ", ")));
     return false;
 }
@@ -37,19 +45,22 @@ Aovs aovsOf(const OutputOptions& options, const FilmDescription& film, const std
     Aovs aovs = options.aovs;
     aovs.albedo |= options.denoise;
     aovs.normal |= options.denoise;
-    if (film.gbuffer != GBuffer::none && canHold("the additional channels of film \"gbuffer\"", film, files, diagnostics))
+    if (film.gbuffer != GBuffer::none && canHold("the additional channels of film \"gbuffer\"", options, film, files, diagnostics))
         for (const AovName& each : aovNames) aovs.*each.asked = true;
     return aovs;
 }
 
-bool keepsSpectrum(const FilmDescription& film, const std::vector<std::string>& files, Diagnostics& diagnostics) {
-    return film.spectrum && canHold("the channels of film \"spectral\"", film, files, diagnostics);
+bool keepsSpectrum(const OutputOptions& options, const FilmDescription& film, const std::vector<std::string>& files,
+                   Diagnostics& diagnostics) {
+    return film.spectrum && canHold("the channels of film \"spectral\"", options, film, files, diagnostics);
 }
 
-void checkIsNoInput(const std::string& output) {
+void checkIsNoInput(const std::string& output, const std::vector<std::string>& scenes) {
+    std::vector<std::string> inputs = inputFiles();
+    inputs.insert(inputs.end(), scenes.begin(), scenes.end());
     std::error_code absent;
-    for (const std::string& input : inputFiles())
-        if (std::filesystem::equivalent(output, input, absent))
+    for (const std::string& input : inputs)
+        if (!isStandardStream(output) && std::filesystem::equivalent(output, input, absent))
             throw Error(ExitCode::scene, fmt::format("cannot write \"{}\": the scene is read from it; name another file with -o", output));
 }
 

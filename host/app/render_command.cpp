@@ -1,246 +1,38 @@
-#include "render/render.h"
-#include "image/image_file.h"
-#include "available_memory.h"
-#include "app/checkpoint.h"
-#include "app/deadline.h"
-#include "clock.h"
 #include "app/commands.h"
-#include "app/error_log.h"
 #include "app/interrupt.h"
-#include "app/progress_display.h"
-#include "app/output.h"
-#include "app/render_output.h"
-#include "app/run_summary.h"
-#include "messages.h"
-#include "printable.h"
-#include "render/render_identity.h"
-#include "render/session.h"
-#include "app/statistics.h"
-#include "app/watching.h"
-#include "eikonal/film.h"
+#include "app/render_jobs.h"
+#include "app/render_scene.h"
+#include "app/tell_error.h"
+#include "error.h"
 
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cstdio>
-#include <optional>
 
 namespace eikonal {
-namespace {
 
-/// Prints a line for the user, unless --quiet.
-void say(const Options& o, const std::string& line) { tell(LogLevel::warning, line, o.log); }
-
-/// Renders until each pixel has the samples `samples`, the error is small enough, the time is over, or a signal arrives.
-RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRange samples, Deadline& deadline, Checkpoints& checkpoints,
-                        RenderOutput& output, ErrorLog& errors, Watching& watching) {
-    const auto error = [&] { return std::optional(film.totals().error(o.output.errorMetric)); };
-    ProgressDisplay display({samples.length(), o.output.errorMetric, error}, showsProgress(o.log));
-    RenderControl control;
-    control.endSample = samples.end;
-    control.targetError = o.output.targetError;
-    control.errorMetric = o.output.errorMetric;
-    control.planned = checkpoints.planned();
-    const Stopwatch time;
-    control.progress = [&](Progress p) {
-        p = watching.withoutPauses(p);
-        deadline.isWhole = p.samples > 0;
-        if (const auto limit = deadline.secondsLeft()) p.secondsLeft = std::min(p.secondsLeft.value_or(*limit), *limit);
-        display.show(p);
-        if (p.samples > 0) errors.note(p.samples, film, output);
-        watching.show(p, session, film, output);
-    };
-    control.pause = [&](std::span<const unsigned> planned) {
-        const double seconds = time.seconds() - watching.pausedSeconds();
-        checkpoints.pause(film, planned, seconds, output);
-        watching.obey(session, film, planned, seconds, checkpoints, output, [&] { return deadline.isOver(); });
-    };
-    control.stop = [&] {
-        watching.passOnStop();
-        return deadline.isOver();
-    };
-    control.abandon = [&] {
-        watching.passOnStop();
-        return deadline.isFinal();
-    };
-    RenderResult result = render(session.context(), session.wave(), film, session.profile(), control);
-    display.end(result.isFinished);
-    return result;
-}
-
-/// Reports why the image has fewer samples or more error than asked for, and which samples were not finite.
-void reportShortfall(const Options& o, const FilmTotals::Samples& samples, const FilmTotals::Invalid& invalid, const RenderResult& result,
-                     unsigned wanted, const std::string& ending, Diagnostics& diagnostics) {
-    if (!result.isFinished)
-        say(o, fmt::format("{}: {} of {} samples per pixel", ending,
-                           samples.fewest == samples.most ? fmt::format("{}", samples.fewest)
-                                                          : fmt::format("{} to {}", samples.fewest, samples.most),
-                           wanted));
-    else if (result.error && *result.error > *o.output.targetError)
-        say(o, fmt::format("the error is more than {:g} %: a pixel gets at most {} samples; increase --spp", 100 * *o.output.targetError,
-                           wanted));
-    if (invalid.count)
-        diagnostics.warn(
-            {}, fmt::format("{} sample{} not finite or brighter than {:.0e}, and count{} as black; the first is in pixel ({}, {})",
-                            invalid.count, invalid.count == 1 ? " was" : "s were", MOST_RADIANCE, invalid.count == 1 ? "s" : "", invalid.x,
-                            invalid.y));
-}
-
-/// Reports the rays at implicit surfaces whose hits are a guess.
-void reportUnresolvedRays(uint count, Diagnostics& diagnostics) {
-    if (count)
-        diagnostics.warn({}, fmt::format("{} ray{} at an implicit surface ran out of splits, so parts of that surface may be missing; "
-                                         "use a smaller box or a simpler F",
-                                         count, count == 1 ? "" : "s"));
-}
-
-/// Warns if colours are too bright for 16 bits.
-void warnOfClamping(const FilmImage& image, const FilmDescription& film, Diagnostics& diagnostics) {
-    constexpr float most = 65504;
-    if (!image.halfFloats) return;
-    const auto count = std::ranges::count_if(image.color, [](const glm::vec3& c) { return std::max({c.r, c.g, c.b}) > most; });
-    if (count)
-        diagnostics.warn(film.where, fmt::format("{} pixel{} brighter than {}, the most that 16-bit floats hold; in EXR files {} clamped: "
-                                                 "\"bool savefp16\" false keeps all",
-                                                 count, count == 1 ? " is" : "s are", most, count == 1 ? "it is" : "they are"));
-}
-
-/// Throws an error if the film and the output image would not fit into memory, because a process killed for memory loses the whole render.
-void checkMemory(const FilmDescription& film, const PackedScene& packed, const MemoryPlan& plan) {
-    const size_t needed = plan.tables + plan.queues + plan.film + plan.image, available = availableMemory();
-    if (needed <= available) return;
-    const std::string buckets = film.spectrum ? fmt::format(" with spectra of {} buckets", film.spectrum->buckets) : "";
-    throw SceneError(
-        film.spectrum ? film.where : SourceLocation{},
-        fmt::format("{} x {} pixels{} need {} of memory, and {} are available; render parts with --pixelbounds, which join exactly",
-                    packed.pixels.width(), packed.pixels.height(), buckets, readableBytes(static_cast<double>(needed)),
-                    readableBytes(static_cast<double>(available))));
-}
-
-}  // namespace
-
-static MemoryPlan planOf(const Options& o, const Session& session) {
-    MemoryPlan plan = session.plan();
-    const PixelRect& pixels = session.packed().pixels;
-    if (o.output.denoise) plan.image += Denoiser::bytes(static_cast<size_t>(pixels.width()) * static_cast<size_t>(pixels.height()));
-    return plan;
-}
-
-/// The samples of each pixel that are rendered, of a render of `wanted`.
-static SampleRange samplesToTake(const OutputOptions& out, unsigned wanted) {
-    if (!out.samples) return {0, wanted};
-    if (const auto* share = std::get_if<SampleShare>(&*out.samples)) {
-        if (share->count > leavesOf(wanted))
-            throw UsageError(fmt::format("--samples: a pixel has {} samples, {} in a part at least, so they make at most {} parts, not {}",
-                                         wanted, leafSamples, leavesOf(wanted), share->count));
-        return rangeOf(wanted, *share);
-    }
-    const SampleRange samples = std::get<SampleRange>(*out.samples);
-    if (samples.end > wanted)
-        throw UsageError(fmt::format("--samples: a pixel has {} samples, so ranges end at {}; give more with --spp", wanted, wanted));
-    if (samples.end % leafSamples != 0 && samples.end != wanted)
-        throw UsageError(fmt::format("--samples: ranges end at a multiple of {}, like {}, or at the last sample, {}", leafSamples,
-                                     leafEnd(samples.end) <= wanted ? leafEnd(samples.end) : leafBegin(samples.end), wanted));
-    return samples;
+/// The worse of two exit statuses: an error is worse than a partial image; of two errors the first counts.
+static int worse(int first, int second) {
+    const auto rank = [](int status) { return status == 0 ? 0 : status == static_cast<int>(ExitCode::partialImage) ? 1 : 2; };
+    return rank(second) > rank(first) ? second : first;
 }
 
 int renderCommand(const Options& o) {
-    Diagnostics diagnostics(o.log, o.scene.strict);
-    for (const std::string& file : o.output.files) checkWritable(file);
-    Checkpoints checkpoints(o, diagnostics);
-    Watching watching(o, diagnostics);
-
-    Session session(o, diagnostics, o.watch.page);
-    session.load();
-    const auto wanted = static_cast<unsigned>(session.scene().sampler.pixelSamples);
-    if (const auto before = checkpoints.samplesLaidOutFor()) session.layOutFor(*before);
-    const std::vector<std::string> files = outputFiles(o.output, session.scene());
-    const Aovs aovs = aovsOf(o.output, session.scene().film, files, diagnostics);
-    session.pack(aovs, keepsSpectrum(session.scene().film, files, diagnostics));
-    const PackedScene& packed = session.packed();
-    if (o.output.tile) session.select(*o.output.tile);
-    const SampleRange samples = samplesToTake(o.output, wanted);
-    const MemoryPlan plan = planOf(o, session);
-    checkMemory(session.scene().film, packed, plan);
-    for (const std::string& file : files) {
-        checkIsNoInput(file);
-        checkHolds(file, packed.pixels.width(), packed.pixels.height());
-        checkWritable(file, plan.film / 2);
+    const std::vector<Options> jobs = renderJobs(o);
+    std::shared_ptr<OpenDevice> device;
+    WrittenImages written;
+    if (jobs.size() == 1) return renderScene(jobs.front(), device, written);
+    int status = 0;
+    for (const Options& job : jobs) {
+        try {
+            const int ended = renderScene(job, device, written);
+            status = worse(status, ended);
+            if (ended > signalStatus) return ended;
+        } catch (...) {
+            const int failed = tellError(job.scene.path);
+            status = worse(status, failed);
+            if (failed == static_cast<int>(ExitCode::device) && !device) return status;  // it will not open for the others, either
+        }
+        std::fflush(stdout);
     }
-    diagnostics.info("planned memory: " + describe(plan));
-    RenderOutput output(o, session, files, aovs);
-    ErrorLog errors(session.scene().film);
-    std::optional<Film> film(std::in_place, packed, packed.features, samples.first);
-    checkpoints.resume(session, *film, output);
-    session.prepare();
-
-    const Interrupt interrupt;
-    diagnostics.info(
-        fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), samples.length()));
-    const Stopwatch renderTime;
-    Deadline deadline(o.output, plan);
-    if (deadline.missedBy() > 0)
-        diagnostics.warn({}, fmt::format("the deadline will be missed by {:.1f} s or more: rendering begins {:.1f} s after the start of "
-                                         "the program{}",
-                                         deadline.missedBy(), secondsSinceStart(),
-                                         session.compiledStages() ? fmt::format(", {:.1f} s of them for compiling kernels, which are kept "
-                                                                                "for the next time", session.times().compile)
-                                                                  : ""));
-    if (std::ranges::min(film->taken()) < samples.end) session.survey([&] { return deadline.isFinal(); });
-    watching.begin(session, samples.end);
-    const RenderResult result =
-        renderFilm(o, session, *film, samples, deadline, checkpoints, output, errors, watching);
-    const double renderSeconds = renderTime.seconds() - watching.pausedSeconds();
-    /* A signal that arrives while the finished image is written does not count */
-    const int endedBy = result.isFinished ? 0 : Interrupt::signal();
-    const std::string ending = endedBy ? "interrupted" : deadline.option() ? fmt::format("ended by {}", deadline.option()) : "";
-    const Stopwatch writeTime;
-    if (session.profile().paths == 0 && result.isFinished) say(o, o.output.checkpoint + " has all samples: nothing is left to render");
-    std::exception_ptr unsaved;   // the image is worth writing all the same
-    try {
-        if (session.profile().paths > 0) checkpoints.save(*film, result.planned, renderSeconds);
-    } catch (const Error&) {
-        unsaved = std::current_exception();
-    }
-    std::optional<FilmTotals> totals = film->totals();
-    const ImageReport report = output.report(*totals, checkpoints.secondsBefore() + renderSeconds);
-    reportShortfall(o, report.samples, totals->invalid(), result, samples.length(), ending, diagnostics);
-    const std::string described = describe(report.error, o.output.errorMetric);
-    say(o, described);
-    reportUnresolvedRays(session.unresolvedRays(), diagnostics);
-
-    FilmImage image = output.develop(*totals);
-    watching.showLast(image, report.error, checkpoints.secondsBefore() + renderSeconds);
-    warnOfClamping(image, session.scene().film, diagnostics);
-    RunSummary summary;
-    if (o.json) summary.identity = identityOf(session, o, *film);
-    totals.reset();   // frees what may be most of the memory in use
-    film.reset();
-    output.write(std::move(image), report.metadata);
-    const double writeSeconds = writeTime.seconds();
-    std::vector<std::string> written = files;
-    if (!o.output.checkpoint.empty() && !unsaved) written.push_back(o.output.checkpoint);
-    say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(written, " and "), secondsSinceStart()));
-    if (o.output.stats)
-        std::fputs(printable(describeRun(session, session.profile(), report.samples, described, renderSeconds, writeSeconds)).c_str(),
-                   stdout);
-    const int status = endedBy ? 128 + endedBy : static_cast<int>(result.isFinished ? ExitCode::success : ExitCode::partialImage);
-    if (o.json) {
-        summary.files = files;
-        if (!unsaved) summary.checkpoint = o.output.checkpoint;
-        summary.isComplete = result.isFinished;
-        summary.endedBy = endedBy;
-        summary.status = unsaved || output.undenoised() ? static_cast<int>(ExitCode::scene) : status;
-        summary.metadata = report.metadata;
-        summary.samples = report.samples;
-        summary.writeSeconds = writeSeconds;
-        summary.warnings = diagnostics.warnings();
-        std::fputs(describeAsJson(session, summary).c_str(), stdout);
-    }
-    std::fflush(stdout);   // the page may stay for long
-    watching.end(result.isFinished ? "finished" : ending, written);
-    if (unsaved) std::rethrow_exception(unsaved);
-    if (output.undenoised()) std::rethrow_exception(output.undenoised());
     return status;
 }
 

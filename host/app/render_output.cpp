@@ -6,6 +6,7 @@
 #include "image/image_file.h"
 #include "messages.h"
 #include "names.h"
+#include "standard_stream.h"
 #include "wait_notice.h"
 
 namespace eikonal {
@@ -82,13 +83,19 @@ bool RenderOutput::denoise(FilmImage& image) {
     }
 }
 
-void RenderOutput::write(FilmImage image, Metadata metadata) {
+void RenderOutput::writeSoFar(FilmImage image, Metadata metadata) {
+    std::vector<std::string> files = files_;
+    std::erase_if(files, isStandardStream);
+    if (!files.empty()) write(std::move(image), std::move(metadata), files);
+}
+
+void RenderOutput::write(FilmImage image, Metadata metadata, const std::vector<std::string>& files) {
     if (denoise(image)) metadata.biasedChoices = withChoice(metadata.biasedChoices, denoisingChoice);
     std::string problems;
-    for (const std::string& file : files_) {
+    for (const std::string& file : files) {
         const WaitNotice notice("writing " + file, !showsProgress(options_.log));
         try {
-            writeImage(file, image, metadata, options_.output.toneMapping);
+            writeImage(file, image, metadata, options_.output.encoding);
         } catch (const Error& error) {
             problems += (problems.empty() ? "" : "\n") + std::string(error.what());
         }

@@ -41,9 +41,12 @@ public:
     /// Why the last image written is as noisy as before although it was to be denoised; null: it is not.
     std::exception_ptr undenoised() const { return undenoised_; }
     /// Writes all files, denoised if that is asked for and can be done; even if one of them fails; then throws one Error with all problems.
-    void write(FilmImage image, Metadata metadata);
+    void write(FilmImage image, Metadata metadata) { write(std::move(image), std::move(metadata), files_); }
+    /// The same while the render goes on: standard output, which holds one image, waits for the last.
+    void writeSoFar(FilmImage image, Metadata metadata);
 
 private:
+    void write(FilmImage image, Metadata metadata, const std::vector<std::string>& files);
     bool denoise(FilmImage& image);
 
     const Options& options_;

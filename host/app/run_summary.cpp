@@ -1,6 +1,5 @@
 #include "app/run_summary.h"
 
-#include "clock.h"
 #include "json_text.h"
 
 #include <nlohmann/json.hpp>
@@ -35,10 +34,14 @@ std::string describeAsJson(const Session& session, const RunSummary& run) {
             {"metric", metadata.errorMetric}, {"value", *metadata.error}, {"low", *metadata.errorLow}, {"high", *metadata.errorHigh}};
         if (!metadata.errorDoubt.empty()) json["error"]["doubt"] = metadata.errorDoubt;
     }
-    json["seconds"] = {{"read", t.load},        {"pack", t.pack},
-                       {"build", t.build},      {"compile", t.compile},
-                       {"upload", t.upload},    {"render", metadata.renderSeconds.value_or(0)},
-                       {"write", run.writeSeconds}, {"all", secondsSinceStart()}};
+    json["seconds"] = {{"read", t.load},
+                       {"pack", t.pack},
+                       {"build", t.build},
+                       {"compile", t.compile},
+                       {"upload", t.upload},
+                       {"render", metadata.renderSeconds.value_or(0)},
+                       {"write", run.writeSeconds},
+                       {"all", session.seconds()}};
     json["compiledKernels"] = session.compiledStages();
     json["biasedChoices"] = nlohmann::ordered_json::array();
     for (const BiasedChoice& c : session.biasedChoices()) json["biasedChoices"].push_back({{"what", c.what}, {"remedy", c.remedy}});

@@ -76,7 +76,7 @@ int tradeCommand(const Options& o) {
     study.run();
     if (study.isInterrupted() && study.state().ladderOf(0).empty()) {
         tell(LogLevel::error, "interrupted before anything was measured");
-        return 128 + Interrupt::signal();
+        return signalStatus + Interrupt::signal();
     }
     confirmRecommendations(study, o.wishes);
     Findings findings = measureErrors(study, true);
@@ -89,7 +89,7 @@ int tradeCommand(const Options& o) {
     std::fputs(text.c_str(), stdout);
     if (Interrupt::signal()) {
         tell(LogLevel::error, fmt::format("interrupted; the same command goes on where it was, with what is in {}.study", stem));
-        return 128 + Interrupt::signal();
+        return signalStatus + Interrupt::signal();
     }
     return static_cast<int>(ExitCode::success);
 }

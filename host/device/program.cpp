@@ -100,7 +100,8 @@ static std::string optionsFor(const KernelSource& source, const BuildSettings& s
 
 bool Compiler::isKept(const std::string& text, const std::string& kernel, const BuildSettings& settings) const {
     const KernelSource& source = sourceOf(text);
-    return cache_.load(keyOf(source, optionsFor(source, settings), kernel)).has_value();
+    const std::string key = keyOf(source, optionsFor(source, settings), kernel);
+    return built_.contains(key) || cache_.load(key).has_value();
 }
 
 std::shared_ptr<Program> Compiler::build(const std::string& text, const std::string& kernel, const BuildSettings& settings) {
@@ -112,6 +113,13 @@ std::shared_ptr<Program> Compiler::build(const std::string& text, const std::str
         dumpProgram(settings.dumpFolder, fmt::format("{}-{:08x}", kernel, static_cast<std::uint32_t>(hashBytes(key))), source.text(),
                     options);
 
+    if (const auto before = built_.find(key); before != built_.end()) {
+        Program& known = *before->second;
+        if (!known.fromCache) known.compileSeconds = known.seconds;
+        known.fromCache = true;
+        known.seconds = secondsSince(start);
+        return before->second;
+    }
     std::shared_ptr<Program> program = loadCached(key, kernel);
     if (!program) {
         cl_int status = CL_SUCCESS;
@@ -129,6 +137,7 @@ std::shared_ptr<Program> Compiler::build(const std::string& text, const std::str
         program->cacheKey = key;
     }
     program->seconds = secondsSince(start);
+    built_.emplace(key, program);
     return program;
 }
 

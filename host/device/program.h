@@ -31,13 +31,13 @@ struct Program {
     Owned<cl_program, clReleaseProgram> handle;
     std::string kernel;
     std::vector<std::string> arguments;   ///< names of the kernel's arguments, in order
-    bool fromCache = false;
+    bool fromCache = false;               ///< or built before in this process
     double seconds = 0;                   ///< time to build or load
     double compileSeconds = 0;            ///< if fromCache: the time of the original compilation, with the first launch
     std::string cacheKey;                 ///< key in the cache; empty if it was loaded from there
 };
 
-/// Builds programs for one device, and keeps their binaries in a cache.
+/// Builds programs for one device, each once, and keeps their binaries in a cache.
 class Compiler {
 public:
     /// An empty `cacheFolder`: no cache.
@@ -46,7 +46,7 @@ public:
     /// Builds `text`, which includes files of the kernel folder, and creates `kernel`. Throws a DeviceError with the build log, whose
     /// messages name files and lines of the kernel folder.
     std::shared_ptr<Program> build(const std::string& text, const std::string& kernel, const BuildSettings& settings);
-    /// Whether build() would find this program in the cache.
+    /// Whether build() would find this program, in the cache or among those that it has built.
     bool isKept(const std::string& text, const std::string& kernel, const BuildSettings& settings) const;
     /// Writes the program's binary to the cache. Call it after the first launch of the kernel, since some implementations compile only
     /// then, and while the device is idle: PoCL 3.1 aborts if a binary is queried during a launch.
@@ -65,6 +65,7 @@ private:
     KernelFolders folders_;
     ProgramCache cache_;
     mutable std::map<std::string, KernelSource> sources_;
+    std::map<std::string, std::shared_ptr<Program>> built_;  ///< by key
 };
 
 }  // namespace eikonal

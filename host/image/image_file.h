@@ -6,10 +6,21 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace eikonal {
 
-/// Writes an image in the format of the file name's extension:
+/// How an image becomes a file.
+struct ImageEncoding {
+    std::string format;       ///< the extension that names it, "exr"; empty: that of the file's name
+    ToneMapping toneMapping;  ///< of integer formats
+};
+
+/// The extensions that name a format.
+std::vector<const char*> imageFormatNames();
+
+/// Writes an image in the format that the encoding names, else that of the file name's extension. The name "-" is standard output
+/// (standard_stream.h).
 ///   - exr: 32-bit floats, linear; with FilmImage::halfFloats, colours and normals are 16-bit floats, clamped to 65504.
 ///   Display window: the image; data window: the pixels present. Channels R G B and, if the image has them,
 ///   noisy.R noisy.G noisy.B, albedo.R albedo.G albedo.B, N.X N.Y N.Z,
@@ -19,17 +30,17 @@ namespace eikonal {
 ///   - hdr, pfm: linear, colour only, pixels present only.
 ///   - png jpg jpeg tga bmp webp (8 bits) and tif tiff (16 bits): pixels present, tone-mapped, encoded as sRGB.
 /// The file is written completely or not at all (image/atomic_file.h). Throws Error (ExitCode::scene) with the reason.
-void writeImage(const std::string& path, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping = {});
+void writeImage(const std::string& path, const FilmImage& image, const Metadata& metadata, const ImageEncoding& encoding = {});
 
 /// Whether writeImage stores channels besides colour in a file of this name.
-bool holdsChannels(const std::string& path);
+bool holdsChannels(const std::string& path, const ImageEncoding& encoding = {});
 
 /// Throws Error if an image has more columns or rows than a file of this name can hold.
-void checkHolds(const std::string& path, int columns, int rows);
+void checkHolds(const std::string& path, int columns, int rows, const ImageEncoding& encoding = {});
 
 /// Throws the Error that writeImage would throw, as far as it is foreseeable: unknown extension, no folder, no permission, not a regular
-/// file, or fewer than `bytes` (an estimate of the file's size) free on the disk.
-void checkWritable(const std::string& path, std::uint64_t bytes = 0);
+/// file, fewer than `bytes` (an estimate of the file's size) free on the disk; standard output that is a terminal.
+void checkWritable(const std::string& path, std::uint64_t bytes = 0, const ImageEncoding& encoding = {});
 
 /// An image read from a file, for tests and comparisons.
 struct FilmFile { FilmImage image; Metadata metadata; };

@@ -5,6 +5,7 @@
 #include "image/channels.h"
 #include "image/encode_exr.h"
 #include "image/encode_png.h"
+#include "standard_stream.h"
 #include "color/primaries.h"
 
 #include <fmt/format.h>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <exception>
 #include <filesystem>
+#include <span>
 
 namespace eikonal {
 namespace {
@@ -42,7 +44,8 @@ constexpr std::array<Format, 11> formats{{{"exr", "openexr", Content::layers},
                                           {"webp", "webp", Content::screen8, 16383}}};
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
-    throw Error(ExitCode::scene, fmt::format("cannot write \"{}\": {}", path, reason));
+    throw Error(ExitCode::scene,
+                fmt::format("cannot write {}: {}", isStandardStream(path) ? "to standard output" : "\"" + path + "\"", reason));
 }
 
 std::string extensionOf(const std::string& path) {
@@ -51,15 +54,17 @@ std::string extensionOf(const std::string& path) {
     return extension;
 }
 
-/// The format for a file name's extension, in any case; null if there is none.
-const Format* findFormat(const std::string& path) {
+/// The format that is asked for, or else that of a file name's extension, in any case; null if there is none.
+const Format* findFormat(const std::string& path, const ImageEncoding& encoding) {
+    const std::string extension = encoding.format.empty() ? extensionOf(path) : "." + encoding.format;
     const auto found =
-        std::ranges::find_if(formats, [&](const Format& format) { return extensionOf(path) == std::string(".") + format.extension; });
+        std::ranges::find_if(formats, [&](const Format& format) { return extension == std::string(".") + format.extension; });
     return found == formats.end() ? nullptr : &*found;
 }
 
-const Format& formatOf(const std::string& path) {
-    if (const Format* format = findFormat(path)) return *format;
+const Format& formatOf(const std::string& path, const ImageEncoding& encoding) {
+    if (const Format* format = findFormat(path, encoding)) return *format;
+    if (isStandardStream(path)) fail(path, "it has no extension that would name a format; name one: --format exr");
     const std::string extension = extensionOf(path);
     std::string known;
     for (const Format& format : formats) known += std::string(" ") + format.extension;
@@ -168,21 +173,36 @@ std::vector<unsigned char> encodePfm(const FilmImage& image) {
 
 }  // namespace
 
-void checkHolds(const std::string& path, int columns, int rows) {
-    const Format& format = formatOf(path);
+std::vector<const char*> imageFormatNames() {
+    std::vector<const char*> names;
+    for (const Format& format : formats) names.push_back(format.extension);
+    return names;
+}
+
+void checkHolds(const std::string& path, int columns, int rows, const ImageEncoding& encoding) {
+    const Format& format = formatOf(path, encoding);
     if (std::max(columns, rows) > format.mostPixels)
         fail(path, fmt::format("a file of this kind holds at most {0} x {0} pixels, and the image has {1} x {2}", format.mostPixels,
                                columns, rows));
 }
 
-void writeImage(const std::string& path, const FilmImage& image, const Metadata& metadata, const ToneMapping& mapping) {
-    const Format& format = formatOf(path);
+/// Where an image goes.
+static void store(const std::string& path, std::span<const unsigned char> content) {
+    if (isStandardStream(path)) writeToStandardOutput(content);
+    else writeFileAtomically(path, content);
+}
+
+void writeImage(const std::string& path, const FilmImage& image, const Metadata& metadata, const ImageEncoding& encoding) {
+    const Format& format = formatOf(path, encoding);
     if (image.pixelCount() == 0) fail(path, "the image has no pixels");
-    checkHolds(path, image.columns(), image.rows());
-    if (std::string(format.name) == "pfm") { writeFileAtomically(path, encodePfm(image)); return; }
+    checkHolds(path, image.columns(), image.rows(), encoding);
+    if (std::string(format.name) == "pfm") {
+        store(path, encodePfm(image));
+        return;
+    }
     EncodedImage file = describe(format, image, metadata);
     if (file.stored != EncodedImage::Values::floats) {
-        file.values = toneMapped(image, mapping);
+        file.values = toneMapped(image, encoding.toneMapping);
     } else {
         auto channels = channelsOf<const float>(image);
         if (format.content == Content::linear) channels.erase(channels.begin() + 3, channels.end());
@@ -194,17 +214,18 @@ void writeImage(const std::string& path, const FilmImage& image, const Metadata&
         file.values = interleave(channels, image.pixelCount());
         if (!format.holdsNegatives) std::ranges::transform(file.values, file.values.begin(), [](float v) { return v > 0 ? v : 0; });
     }
-    writeFileAtomically(path, encode(path, format, file));
+    store(path, encode(path, format, file));
 }
 
-bool holdsChannels(const std::string& path) {
-    const Format* format = findFormat(path);
+bool holdsChannels(const std::string& path, const ImageEncoding& encoding) {
+    const Format* format = findFormat(path, encoding);
     return format && format->content == Content::layers;
 }
 
-void checkWritable(const std::string& path, std::uint64_t bytes) {
-    formatOf(path);
-    checkFileWritable(path, bytes);
+void checkWritable(const std::string& path, std::uint64_t bytes, const ImageEncoding& encoding) {
+    formatOf(path, encoding);
+    if (isStandardStream(path)) checkStandardOutput();
+    else checkFileWritable(path, bytes);
 }
 
 }  // namespace eikonal

@@ -2,6 +2,7 @@
 
 #include "read/obj/obj.h"
 #include "read/pbrt/read_pbrt.h"
+#include "standard_stream.h"
 
 #include <fmt/format.h>
 
@@ -31,7 +32,7 @@ static Scene loadObj(const SceneOptions& o, Diagnostics& diagnostics) {
 static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
     const char* name = o.camera ? "--camera" : o.lookAt ? "--look-at" : o.up ? "--up" : o.fov ? "--fov" : nullptr;
     if (name) throw UsageError(fmt::format("{} is for OBJ files; change the camera of a pbrt scene in \"{}\" itself", name, o.path));
-    Scene scene = readPbrt(o.path, diagnostics);
+    Scene scene = isStandardStream(o.path) ? readPbrtInput(diagnostics) : readPbrt(o.path, diagnostics);
     if (o.resolution) {
         /* The file's pixel bounds are meaningless at another resolution */
         scene.film.width = (*o.resolution)[0];
@@ -44,7 +45,7 @@ static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
 }
 
 Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
-    const std::string kind = kindOf(o.path);
+    const std::string kind = isStandardStream(o.path) ? ".pbrt" : kindOf(o.path);
     if (kind != ".pbrt" && kind != ".obj")
         throw SceneError(
             {}, fmt::format("\"{}\" is not a readable scene: its name must end in .pbrt or .obj, optionally followed by .gz", o.path));

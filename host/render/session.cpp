@@ -9,6 +9,7 @@
 #include "messages.h"
 #include "wait_notice.h"
 #include "image/formats/image_formats.h"
+#include "read/formats/input_files.h"
 #include "kinds/integrator_kind.h"
 #include "kinds/medium_kind.h"
 #include "render/displacement.h"
@@ -49,31 +50,6 @@ static void warnOfInexactFlags(const std::string& flags, Diagnostics& diagnostic
                                          flag));
 }
 
-std::string cacheFolderFor(const DeviceOptions& options) { return options.cache ? ProgramCache::defaultFolder() : std::string(); }
-
-StageShape shapeFor(const DeviceInfo& device, const DeviceOptions& options) {
-    StageShape shape = StageShape::forDevice(device);
-    if (options.localSize && *options.localSize > device.largestGroup)
-        throw UsageError(fmt::format("--local-size: \"{}\" has work-groups of at most {} items, not {}", device.name, device.largestGroup,
-                                     *options.localSize));
-    if (options.localSize) shape.localSize = *options.localSize;
-    if (options.itemsPerWorkItem) shape.itemsPerWorkItem = *options.itemsPerWorkItem;
-    if (options.wavePaths) shape.wavePaths = *options.wavePaths;
-    return shape;
-}
-
-BuildSettings buildSettingsFor(const DeviceOptions& options) {
-    BuildSettings settings;
-    settings.contraction = options.contraction;
-    settings.more = options.buildOptions;
-    for (const StageFlags& s : options.mathFlags) {
-        if (s.stage.empty()) settings.mathFlags = s.flags;
-        else settings.stageFlags.push_back(s);
-    }
-    settings.dumpFolder = options.dumpFolder;
-    return settings;
-}
-
 void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& diagnostics) {
     const auto emits = [](const Medium& m) { return emissionOf(m) != MediumEmission::none; };
     if (!scene.integrator.kind->countsMaterials() || packed.counts.lights > 0) return;
@@ -81,9 +57,14 @@ void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& 
     diagnostics.warn({}, "the scene has no light: the image will be black");
 }
 
-Session::Session(const SessionOptions& options, Diagnostics& diagnostics, bool profiling)
-    : options_(options), diagnostics_(diagnostics), profiling_(profiling) {
-    times_.start = secondsSinceStart();
+Session::Session(const SessionOptions& options, Diagnostics& diagnostics, bool profiling, std::shared_ptr<OpenDevice> open)
+    : options_(options),
+      diagnostics_(diagnostics),
+      profiling_(profiling),
+      begin_(open ? secondsSinceStart() : 0),
+      device_(std::move(open)) {
+    forgetInputFiles();
+    times_.start = seconds();
     DeviceOptions device = options.device;
     const int cores = static_cast<int>(std::thread::hardware_concurrency()), wanted = device.threads > 0 ? device.threads : cores;
     if (const int threads = affordableThreads(wanted); threads < wanted) {
@@ -113,20 +94,20 @@ void Session::load(bool withDevice) {
 
 void Session::openDevice() {
     const Stopwatch time;
-    context_ = std::make_unique<Context>(chooseDevice(options_.device.device), profiling_);
-    if (options_.device.cache) reportCacheFolder(diagnostics_);
-    warnOfInexactFlags(options_.device.compilerFlags(), diagnostics_);
-    compiler_ = std::make_unique<Compiler>(*context_, findKernelFolders(), cacheFolderFor(options_.device));
-    shape_ = shapeFor(context_->device(), options_.device);
+    if (!device_) {
+        device_ = std::make_shared<OpenDevice>(options_.device, profiling_);
+        if (options_.device.cache) reportCacheFolder(diagnostics_);
+        warnOfInexactFlags(options_.device.compilerFlags(), diagnostics_);
+    }
     times_.device = time.seconds();
 }
 
 void Session::displace() {
     if (!hasDisplacedMeshes(scene_)) return;
-    if (!context_) openDevice();
+    if (!device_) openDevice();
     const WaitNotice notice("displacing meshes", !showsProgress(options_.log));
     const Stopwatch time;
-    displaceMeshes(scene_, *context_, *compiler_, shape_, buildSettingsFor(options_.device), diagnostics_);
+    displaceMeshes(scene_, device_->context, device_->compiler, device_->shape, buildSettingsFor(options_.device), diagnostics_);
     times_.displace = time.seconds();
 }
 
@@ -150,7 +131,7 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     times_.pack = time.seconds();
     /* What the scene requires is known: kernels get ready while its hierarchies are built */
     auto built = inBackground([&] { packing.hierarchies.build(packed_.tables, packed_.counts, diagnostics_); });
-    if (context_) buildKernels();
+    if (device_) buildKernels();
     built.get();
     times_.build = packed_.counts.buildSeconds;
 }
@@ -158,15 +139,15 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
 void Session::buildKernels() {
     const Stopwatch time;
     const BuildSettings settings = buildSettingsFor(options_.device);
-    missing_ = Stages::missing(*compiler_, packed_, shape_, settings);
+    missing_ = Stages::missing(device_->compiler, packed_, device_->shape, settings);
     compiling_ = std::make_unique<WaitNotice>(
         fmt::format("compiling {} kernel{} for this device{}", missing_, missing_ == 1 ? "" : "s",
-                    compiler_->cache().folder().empty() ? "" : "; they are kept for the next time"),
+                    device_->compiler.cache().folder().empty() ? "" : "; they are kept for the next time"),
         "compiling kernels", WaitNotice::Parts{&compiled_, missing_}, missing_ == 0 || !showsProgress(options_.log));
     const auto stepDone = [this] { compiled_ = ++compileSteps_ / 2; };
-    if (options_.device.cache && context_->device().isCpu) compileInWorkers(options_.device, packed_, missing_, stepDone);
+    if (options_.device.cache && device_->context.device().isCpu) compileInWorkers(options_.device, packed_, missing_, stepDone);
     times_.workers = time.seconds();
-    stages_ = std::make_unique<Stages>(*compiler_, packed_, shape_, settings, StagePart{}, stepDone);
+    stages_ = std::make_unique<Stages>(device_->compiler, packed_, device_->shape, settings, StagePart{}, stepDone);
     if (compiled_ >= missing_) compiling_.reset();
     times_.compile = time.seconds();
 }
@@ -180,47 +161,49 @@ void Session::select(const Tile& tile) {
 
 MemoryPlan Session::plan() const {
     const size_t pixels = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height());
-    const size_t onDevice = std::min<size_t>(pixels, shape_.wavePaths);
-    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape_),
+    const StageShape shape = device_ ? device_->shape : StageShape();
+    const size_t onDevice = std::min<size_t>(pixels, shape.wavePaths);
+    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape),
             pixels * Film::bytes(packed_, static_cast<unsigned>(packed_.samples)) + onDevice * Film::bytes(packed_, 0),
             pixels * Film::developedBytes(packed_)};
 }
 
 void Session::prepare() {
     const Stopwatch uploadTime;
-    deviceScene_ = std::make_unique<DeviceScene>(*context_, packed_);
+    deviceScene_ = std::make_unique<DeviceScene>(device_->context, packed_);
     times_.upload = uploadTime.seconds();
     const Stopwatch launchTime;
     const size_t paths =
         static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height()) * static_cast<size_t>(packed_.samples);
-    wave_ = std::make_unique<Wave>(*context_, *deviceScene_, packed_, *stages_, shape_, profile_,
-                                   paths < shape_.wavePaths ? PageSize::small : PageSize::large);
+    wave_ = std::make_unique<Wave>(device_->context, *deviceScene_, packed_, *stages_, device_->shape, profile_,
+                                   paths < device_->shape.wavePaths ? PageSize::small : PageSize::large);
     wave_->warmUp();
     compiling_.reset();
     times_.launch = launchTime.seconds();
     const Stopwatch keepTime;
-    stages_->keep(*compiler_);
+    stages_->keep(device_->compiler);
     times_.keep = keepTime.seconds();
-    times_.firstRay = secondsSinceStart();
+    times_.firstRay = seconds();
 }
 
-uint Session::unresolvedRays() const { return deviceScene_->unresolvedRays(*context_); }
+uint Session::unresolvedRays() const { return deviceScene_->unresolvedRays(device_->context); }
 
 void Session::survey(const std::function<bool()>& abandon) {
     const StopWatcher watcher(deviceScene_->stopFlag(), abandon);
-    surveyEnvironment(*context_, *deviceScene_, packed_, *stages_, shape_);
-    chosenRoulette_ = pilotRoulette(*context_, *deviceScene_, packed_, *wave_);
+    surveyEnvironment(device_->context, *deviceScene_, packed_, *stages_, device_->shape);
+    chosenRoulette_ = pilotRoulette(device_->context, *deviceScene_, packed_, *wave_);
     profile_.collect();
     profile_.reset();
 }
 
 void Session::setSeed(int seed) {
     packed_.frame().seed = static_cast<uint>(seed);
-    deviceScene_->setFrame(*context_, packed_.frame());
+    deviceScene_->setFrame(device_->context, packed_.frame());
 }
 
 std::unique_ptr<Tracer> Session::makeLoop(Profile& profile) {
-    return std::make_unique<PathLoop>(*context_, *compiler_, *deviceScene_, packed_, shape_, buildSettingsFor(options_.device), profile);
+    return std::make_unique<PathLoop>(device_->context, device_->compiler, *deviceScene_, packed_, device_->shape,
+                                      buildSettingsFor(options_.device), profile);
 }
 
 std::string sceneHash(const PackedScene& scene) {

@@ -5,9 +5,10 @@
 #include "render/biased_choices.h"
 #include "render/options.h"
 #include "pack/tables.h"
-#include "device/context.h"
+#include "clock.h"
 #include "render/device_scene.h"
 #include "render/profile.h"
+#include "render/open_device.h"
 #include "render/stages.h"
 #include "scene/scene.h"
 #include "render/wave.h"
@@ -24,10 +25,6 @@ class WaitNotice;
 
 /// Sets what OpenCL implementations read from the environment. To be called before the first call of OpenCL.
 void prepareOpenCl(const DeviceOptions& options);
-/// Where compiled kernels are kept; empty: nowhere.
-std::string cacheFolderFor(const DeviceOptions& options);
-StageShape shapeFor(const DeviceInfo& device, const DeviceOptions& options);
-BuildSettings buildSettingsFor(const DeviceOptions& options);
 
 /// Seconds of each step. Steps that run at the same time count each in full.
 struct SessionTimes {
@@ -42,7 +39,7 @@ struct SessionTimes {
     double upload = 0;      ///< tables to the device
     double launch = 0;      ///< to make the queues, and launch each kernel once
     double keep = 0;        ///< to store them in the cache
-    double firstRay = 0;    ///< from the start of the program until the first ray could start
+    double firstRay = 0;    ///< from the session's begin (Session::seconds) until the first ray could start
 };
 
 /// Bytes that a render takes, known before any of it is allocated.
@@ -60,7 +57,8 @@ void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& 
 class Session {
 public:
     /// profiling: kernels are timed.
-    Session(const SessionOptions& options, Diagnostics& diagnostics, bool profiling = false);
+    /// device: of a session before; null: one is opened when it is needed.
+    Session(const SessionOptions& options, Diagnostics& diagnostics, bool profiling = false, std::shared_ptr<OpenDevice> device = {});
     ~Session();
 
     /// Reads the scene, while the device opens. Without a device, plan() supposes a processor.
@@ -97,9 +95,11 @@ public:
 
     const Scene& scene() const { return scene_; }
     const PackedScene& packed() const { return packed_; }
-    const Context& context() const { return *context_; }
-    const Compiler& compiler() const { return *compiler_; }
-    const StageShape& shape() const { return shape_; }
+    /// What a later session may share; null: no device has been opened yet.
+    const std::shared_ptr<OpenDevice>& device() const { return device_; }
+    const Context& context() const { return device_->context; }
+    const Compiler& compiler() const { return device_->compiler; }
+    const StageShape& shape() const { return device_->shape; }
     const Stages& stages() const { return *stages_; }
     Wave& wave() { return *wave_; }
     /// The same paths by one kernel that loops, compiled but for its first launch. Adds what it does to `profile`; lives no longer than
@@ -107,6 +107,8 @@ public:
     std::unique_ptr<Tracer> makeLoop(Profile& profile);
     Profile& profile() { return profile_; }
     const SessionTimes& times() const { return times_; }
+    /// Since the session began; that of the first session of a device is the start of the program.
+    double seconds() const { return secondsSinceStart() - begin_; }
     int compiledStages() const { return missing_; }   ///< how many were not in the cache before
 
 private:
@@ -119,11 +121,11 @@ private:
     const SessionOptions& options_;
     Diagnostics& diagnostics_;
     const bool profiling_;
+    const double begin_;
     std::optional<tbb::global_control> hostThreads_;
     Scene scene_;
     PackedScene packed_;
     PixelRect wholePixels_;
-    StageShape shape_;
     SessionTimes times_;
     Profile profile_;
     std::optional<Roulette> chosenRoulette_;
@@ -131,8 +133,7 @@ private:
     int compileSteps_ = 0;              ///< two steps compile a kernel
     std::atomic<int> compiled_ = 0;     ///< read by the notice
     std::unique_ptr<WaitNotice> compiling_;
-    std::unique_ptr<Context> context_;
-    std::unique_ptr<Compiler> compiler_;
+    std::shared_ptr<OpenDevice> device_;
     std::unique_ptr<DeviceScene> deviceScene_;
     std::unique_ptr<Stages> stages_;
     std::unique_ptr<Wave> wave_;

@@ -4,6 +4,7 @@
 #include "app/output.h"
 #include "app/progress_display.h"
 #include "app/options.h"
+#include "app/render_jobs.h"
 #include "test_paths.h"
 
 #include <gmock/gmock.h>
@@ -106,8 +107,8 @@ TEST(Options, ValuesOfEveryKindAreRead) {
     EXPECT_EQ(o.output.timeLimit, 1.5);
     EXPECT_TRUE(o.output.aovs.albedo && o.output.aovs.depth);
     EXPECT_FALSE(o.output.aovs.normal || o.output.aovs.variance || o.output.aovs.sampleCount);
-    EXPECT_EQ(o.output.toneMapping.curve, ToneCurve::filmic);
-    EXPECT_EQ(o.output.toneMapping.exposure, -1);
+    EXPECT_EQ(o.output.encoding.toneMapping.curve, ToneCurve::filmic);
+    EXPECT_EQ(o.output.encoding.toneMapping.exposure, -1);
     EXPECT_EQ(o.device.wavePaths, 4096u);
     EXPECT_EQ(o.device.localSize, 32u);
     EXPECT_EQ(o.device.itemsPerWorkItem, 8u);
@@ -148,6 +149,32 @@ TEST(Options, ChannelsNeedAnExr) {
         EXPECT_THAT(filesOf(aov + " -o x.jpg -o x.EXR"), testing::ElementsAre("x.jpg", "x.EXR")) << each.name;
     }
     EXPECT_THAT(filesOf("-o x.jpg"), testing::ElementsAre("x.jpg"));
+}
+
+/// What renderJobs makes of a command line: scene and files, or the error.
+std::vector<std::string> jobsOf(const std::string& line) {
+    std::vector<std::string> jobs;
+    try {
+        for (const Options& job : renderJobs(parse("render " + line))) {
+            jobs.push_back(job.scene.path);
+            for (const std::string& file : job.output.files) jobs.back() += " " + file;
+        }
+    } catch (const UsageError& error) { return {error.what()}; }
+    return jobs;
+}
+
+TEST(Options, SeveralScenesShareAFolderAndNoFile) {
+    using testing::ElementsAre;
+    EXPECT_THAT(jobsOf("a.pbrt x/b.obj.gz -o out/"), ElementsAre("a.pbrt out/a.exr", "x/b.obj.gz out/b.exr"));
+    EXPECT_THAT(jobsOf("a.pbrt - -o out/ --format png"), ElementsAre("a.pbrt out/a.png", "- out/stdin.png"));
+    EXPECT_THAT(jobsOf("a.pbrt -o out/ -o b.png"), ElementsAre("a.pbrt out/a.exr b.png"));
+    EXPECT_THAT(jobsOf("a.pbrt b.pbrt"), ElementsAre("a.pbrt", "b.pbrt"));
+    EXPECT_THAT(jobsOf("a.pbrt b.pbrt -o c.exr"), ElementsAre(HasSubstr("-o FOLDER/")));
+    EXPECT_THAT(jobsOf("a.pbrt b.pbrt -o - --format exr"), ElementsAre(HasSubstr("-o FOLDER/")));
+    EXPECT_THAT(jobsOf("a.pbrt b.pbrt -o out/ --checkpoint c.film"), ElementsAre(HasSubstr("a call of its own")));
+    EXPECT_THAT(jobsOf("a.pbrt x/a.pbrt -o out/"), ElementsAre(HasSubstr("out/a.exr would be the image of both a.pbrt and x/a.pbrt")));
+    EXPECT_THAT(jobsOf("a.pbrt b.pbrt --deadline 9s -o out/"), ElementsAre(HasSubstr("--time-limit counts for each")));
+    EXPECT_THAT(jobsOf("- -"), ElementsAre(HasSubstr("name it once")));
 }
 
 struct BadValue { const char *line, *message; };
@@ -196,7 +223,13 @@ INSTANTIATE_TEST_SUITE_P(Commands, BadValues, testing::Values(
     BadValue{"a.pbrt", "did you mean `eikonal render a.pbrt`?"},
     BadValue{"frobnicate", "the commands are render, info, bench, trade, cache, list-devices, compare"},
     BadValue{"render", "needs a scene"},
-    BadValue{"render a.pbrt b.pbrt", "\"b.pbrt\""},
+    BadValue{"info a.pbrt b.pbrt", "\"b.pbrt\""},
+    BadValue{"render a.pbrt -o -", "add it: -o - --format exr"},
+    BadValue{"render a.pbrt -o - -o - --format exr", "write `-o -` once"},
+    BadValue{"render a.pbrt -o - --format exr --json", "the image and --json would both go to standard output"},
+    BadValue{"render a.pbrt -o - --format exr --write-partial-images", "standard output holds one"},
+    BadValue{"render a.pbrt --format gif", "--format is one of exr, hdr, pfm, png"},
+    BadValue{"trade -", "standard input can be read once"},
     BadValue{"render a.pbrt --sp 3", "did you mean --spp?"},
     BadValue{"info a.pbrt --wave-paths 3", "info has no option --wave-paths; render has it"},
     BadValue{"--nonsense-of-all-kinds", "eikonal has no option --nonsense-of-all-kinds"},

@@ -4,6 +4,7 @@
 #include "app/options/parser.h"
 #include "error.h"
 #include "image/seed_variance.h"
+#include "standard_stream.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -39,6 +40,25 @@ static void checkParts(const Options& o) {
         throw UsageError("--max-error decides by the whole image and all samples, so it goes with neither --samples nor --tile");
 }
 
+/// Standard output holds one thing.
+static void checkStandardStreams(const Options& o) {
+    const OutputOptions& out = o.output;
+    const bool writesImage = o.command == Command::render || o.command == Command::merge || o.command == Command::denoise;
+    const bool rendersElsewhere = o.command == Command::trade || o.command == Command::submit;
+    if (rendersElsewhere && isStandardStream(o.scene.path))
+        throw UsageError("the scene is read several times, and standard input can be read once; name a file");
+    if (o.command == Command::submit && std::ranges::any_of(out.files, isStandardStream))
+        throw UsageError("other machines write the image, and have another standard output; name a file");
+    if (!writesImage || std::ranges::none_of(out.files, isStandardStream)) return;
+    if (out.encoding.format.empty()) throw UsageError("`-o -` has no name that would tell the format; add it: -o - --format exr");
+    if (std::ranges::count_if(out.files, isStandardStream) > 1) throw UsageError("standard output holds one image; write `-o -` once");
+    if (out.stats || o.json)
+        throw UsageError(
+            fmt::format("the image and {} would both go to standard output; give -o a file", out.stats ? "--stats" : "--json"));
+    if (out.partialImages)
+        throw UsageError("--write-partial-images writes the image several times, and standard output holds one; give -o a file");
+}
+
 void checkTogether(const Parser& parser, const CLI::App* command) {
     const Options& o = parser.options;
     const bool needsScene = o.command == Command::render || o.command == Command::info || o.command == Command::bench ||
@@ -64,6 +84,7 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
         throw UsageError(fmt::format("--efficiency measures the variance between repeats; --repeats must be at least {}, not {}",
                                      SeedVariance::leastSeeds, o.repeats));
     checkParts(o);
+    checkStandardStreams(o);
     if (o.output.resume && o.output.checkpoint.empty())
         throw UsageError("--resume goes on from a checkpoint; name it: --checkpoint FILE --resume");
     if (o.scene.cropWindow && o.scene.pixelBounds)

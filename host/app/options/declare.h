@@ -17,7 +17,7 @@ namespace eikonal {
 inline constexpr int unlimited = std::numeric_limits<int>::max();
 /// Groups of --help that several files name.
 inline constexpr const char *sceneGroup = "Scene (overrides the file)", *objGroup = "Camera of an OBJ", *deviceGroup = "Device",
-                     *imageGroup = "Image", *partsGroup = "Checkpoints and parts";
+                            *imageGroup = "Image", *partsGroup = "Checkpoints and parts";
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Lets completion offer `words`, which are kept as the name of a validator that accepts everything.
@@ -46,7 +46,8 @@ inline auto number(double low, double high = infinity) {
 inline auto numberFrom(double low, double high = infinity) {
     return [=](const std::string& option, const std::string& text) { return parseNumberFrom(option, text, low, high); };
 }
-template <class Value> struct OneOf {
+template <class Value>
+struct OneOf {
     std::vector<std::pair<const char*, Value>> names;
     Value operator()(const std::string& option, const std::string& text) const { return parseName(option, text, names); }
     std::vector<std::string> words() const {
@@ -55,6 +56,9 @@ template <class Value> struct OneOf {
         return all;
     }
 };
-template <class Value> OneOf<Value> oneOf(std::vector<std::pair<const char*, Value>> names) { return {std::move(names)}; }
+template <class Value>
+OneOf<Value> oneOf(std::vector<std::pair<const char*, Value>> names) {
+    return {std::move(names)};
+}
 
 }  // namespace eikonal

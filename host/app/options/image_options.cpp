@@ -6,12 +6,18 @@
 
 namespace eikonal {
 
-void addToneMapping(CLI::App* app, OutputOptions& out) {
+void addEncoding(CLI::App* app, OutputOptions& out) {
     const std::string group = imageGroup;
-    auto* tonemap = value(app, "--tonemap", out.toneMapping.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
-                          [](const std::string&, const std::string& text) { return toneCurve(text); });
+    std::vector<std::pair<const char*, std::string>> formats;
+    for (const char* name : imageFormatNames()) formats.emplace_back(name, name);
+    value(app, "--format", out.encoding.format, "NAME", "Format of the image, whatever its name ends with; `-o -` needs it",
+          oneOf<std::string>(std::move(formats)))
+        ->group(group);
+    auto* tonemap =
+        value(app, "--tonemap", out.encoding.toneMapping.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
+              [](const std::string&, const std::string& text) { return toneCurve(text); });
     offer(tonemap, toneCurveNames())->group(group);
-    value(app, "--exposure", out.toneMapping.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))
+    value(app, "--exposure", out.encoding.toneMapping.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))
         ->group(group);
 }
 
@@ -19,13 +25,13 @@ void addImageFiles(CLI::App* app, OutputOptions& out) {
     const std::string group = imageGroup;
     app->add_option("-o,--outfile", out.files,
                     "An image file: exr, hdr, pfm, png, jpg, tif, tga, bmp, webp; may be repeated. A single EXR is accompanied by a PNG; "
-                    "film: a part for merge "
+                    "film: a part for merge; FOLDER/: a file in it, named like the scene; -: standard output "
                     "(default: the scene's name with .exr)")
         ->type_name("FILE")
         ->type_size(1)
         ->allow_extra_args(false)
         ->group(group);
-    addToneMapping(app, out);
+    addEncoding(app, out);
 }
 
 CLI::Option* addAov(CLI::App* app, OutputOptions& out) {
@@ -57,12 +63,11 @@ void declareImageCommands(Parser& parser) {
 
     auto* denoise = parser.add("denoise", Command::denoise, "Remove noise from an image, with Intel Open Image Denoise");
     denoise->add_option("IMAGE", options.image, "An image file; layers albedo and N of an EXR help")->type_name("");
-    denoise
-        ->add_option("-o,--outfile", options.output.files, "An image file; may be repeated (default: IMAGE-denoised.exr)")
+    denoise->add_option("-o,--outfile", options.output.files, "An image file; may be repeated (default: IMAGE-denoised.exr)")
         ->type_name("FILE")
         ->type_size(1)
         ->allow_extra_args(false);
-    addToneMapping(denoise, options.output);
+    addEncoding(denoise, options.output);
     value(denoise, "--nthreads", options.device.threads, "N", "Threads (default: one per core)", integer(1, 4096));
 
     auto* merge = parser.add("merge", Command::merge, "Make one image of parts that were rendered apart");

@@ -15,8 +15,7 @@ void declareMeasurements(Parser& parser) {
 
     auto* bench = parser.add("bench", Command::bench, "Measure a scene, stage by stage");
     addScene(bench, options);
-    bench->add_flag("--loop", options.loop,
-                    "Also measure a single kernel that follows each path in a loop, interleaved with the stages");
+    bench->add_flag("--loop", options.loop, "Also measure a single kernel that follows each path in a loop, interleaved with the stages");
     bench->add_flag("--efficiency", options.efficiency,
                     "Also measure efficiency: each repeat has its own seed, and the variance between repeats is the error");
     bench
@@ -30,18 +29,18 @@ void declareMeasurements(Parser& parser) {
 
     auto* trade = parser.add("trade", Command::trade, "Measure error and time of a scene under many settings, and recommend some");
     addScene(trade, options);
-    trade
-        ->add_option("-o,--outfile", options.output.files,
-                     "The page; a CSV and a JSON are written beside it (default: SCENE-trade.html)")
+    trade->add_option("-o,--outfile", options.output.files, "The page; a CSV and a JSON are written beside it (default: SCENE-trade.html)")
         ->type_name("FILE.html")
         ->type_size(1)
         ->allow_extra_args(false);
     value(trade, "--budget", options.budget, "TIME", "Time for all measurements, such as 90s, 10m or 1h (default: 5m)", parseDuration);
-    trade->add_option_function<std::vector<std::string>>(
-             "--for", [&options](const std::vector<std::string>& texts) {
-                 for (const std::string& text : texts) options.wishes.push_back(parseWish("--for", text));
-             },
-             "A wish to recommend a command for: a time (30s) or an error (2%); may be repeated (default: 1s, 10s, 60s, 10%, 5%, 2%)")
+    trade
+        ->add_option_function<std::vector<std::string>>(
+            "--for",
+            [&options](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) options.wishes.push_back(parseWish("--for", text));
+            },
+            "A wish to recommend a command for: a time (30s) or an error (2%); may be repeated (default: 1s, 10s, 60s, 10%, 5%, 2%)")
         ->type_name("WISH")
         ->type_size(1)
         ->allow_extra_args(false);

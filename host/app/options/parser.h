@@ -16,7 +16,7 @@ struct Parser {
     Options options;
     CLI::App app{"Eikonal renders scenes by path tracing on OpenCL devices.", "eikonal"};
     std::vector<std::pair<CLI::App*, Command>> commands;
-    std::string shell;   ///< completion
+    std::string shell;  ///< completion
 
     Parser();
     CLI::App* add(const std::string& name, Command command, const std::string& help);

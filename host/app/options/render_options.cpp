@@ -70,7 +70,11 @@ void addWatching(CLI::App* app, WatchOptions& watch) {
 void declareRender(Parser& parser) {
     Options& options = parser.options;
     auto* render = parser.add("render", Command::render, "Render a scene into an image file");
-    addScene(render, options);
+    render
+        ->add_option("SCENE", options.scenes,
+                     "A pbrt-v4 scene (.pbrt) or a Wavefront OBJ (.obj), also compressed (.gz); -: a pbrt-v4 scene from standard input")
+        ->type_name("");
+    addScene(render, options, false);
     addOutput(render, options);
     addCheckpoints(render, options.output);
     addWatching(render, options.watch);

@@ -15,7 +15,7 @@ void addLogging(CLI::App* app, Options& o) {
                            {"warning", LogLevel::warning},
                            {"info", LogLevel::info},
                            {"debug", LogLevel::debug},
-                           {"verbose", LogLevel::debug},   // pbrt's names for the ends
+                           {"verbose", LogLevel::debug},  // pbrt's names for the ends
                            {"fatal", LogLevel::error}}));
     app->add_option("--log-file", o.logFile, "Also append messages to this file, with the time, as at --log-level info")->type_name("FILE");
 }
@@ -34,7 +34,9 @@ void addDevice(CLI::App* app, Options& o) {
     value(app, "--nthreads", d.threads, "N", "Threads for loading the scene and, on PoCL, for rendering (default: one per core)",
           integer(1, 4096))
         ->group(group);
-    app->add_flag_callback("--no-cache", [&d] { d.cache = false; }, "Compile all kernels, and do not cache them")->group(group);
+    app->add_flag_callback(
+           "--no-cache", [&d] { d.cache = false; }, "Compile all kernels, and do not cache them")
+        ->group(group);
     app->add_option("--dump-kernels", d.dumpFolder, "Write the source and build options of each kernel into this folder")
         ->type_name("DIR")
         ->group(group);
@@ -50,7 +52,8 @@ void addDevice(CLI::App* app, Options& o) {
           oneOf<bool>({{"on", true}, {"off", false}}))
         ->group(group);
     app->add_option_function<std::vector<std::string>>(
-           "--math-flags", [&d](const std::vector<std::string>& texts) {
+           "--math-flags",
+           [&d](const std::vector<std::string>& texts) {
                for (const std::string& text : texts) d.mathFlags.push_back(parseStageFlags("--math-flags", text));
            },
            fmt::format("Flags for the arithmetic of a stage (default: all stages) instead of {}; may be repeated", shippedMathFlags))
@@ -84,7 +87,9 @@ static std::string listOf(const std::vector<std::pair<const char*, const Integra
 void addScene(CLI::App* app, Options& o, bool takesOne) {
     SceneOptions& s = o.scene;
     if (takesOne)
-        app->add_option("SCENE", s.path, "A pbrt-v4 scene (.pbrt) or a Wavefront OBJ (.obj), also compressed (.gz)")->type_name("");
+        app->add_option("SCENE", s.path,
+                        "A pbrt-v4 scene (.pbrt) or a Wavefront OBJ (.obj), also compressed (.gz); -: a pbrt-v4 scene from standard input")
+            ->type_name("");
     const std::string group = sceneGroup;
     value(app, "--spp", s.spp, "N", "Samples per pixel", integer(1))->group(group);
     std::vector<std::pair<const char*, const Preset*>> qualities;
@@ -102,8 +107,7 @@ void addScene(CLI::App* app, Options& o, bool takesOne) {
           "rgb; spectral: four wavelengths per path; auto (default): spectral where the scene needs it",
           oneOf<ColorMode>({{"auto", ColorMode::automatic}, {"rgb", ColorMode::rgb}, {"spectral", ColorMode::spectral}}))
         ->group(group);
-    value(app, "--integrator", s.integrator, "NAME",
-          "Light transport algorithm: " + listOf(integratorNames()),
+    value(app, "--integrator", s.integrator, "NAME", "Light transport algorithm: " + listOf(integratorNames()),
           oneOf<const IntegratorKind*>(integratorNames()))
         ->group(group);
     value(app, "--subsurface", s.subsurface, "NAME",

@@ -13,8 +13,9 @@ CLI::Option* addListDevices(CLI::App* app, Options& o);
 void addDevice(CLI::App* app, Options& o);
 /// What overrides the scene. takesOne: the command takes a single scene.
 void addScene(CLI::App* app, Options& o, bool takesOne = true);
-void addToneMapping(CLI::App* app, OutputOptions& out);
-/// -o and how files are encoded.
+/// How files are encoded.
+void addEncoding(CLI::App* app, OutputOptions& out);
+/// -o, and that.
 void addImageFiles(CLI::App* app, OutputOptions& out);
 CLI::Option* addAov(CLI::App* app, OutputOptions& out);
 CLI::Option* addCheckpointInterval(CLI::App* app, OutputOptions& out);

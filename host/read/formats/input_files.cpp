@@ -27,6 +27,11 @@ void noteInputFile(const std::string& path) {
     noted().paths.insert(path);
 }
 
+void forgetInputFiles() {
+    const std::lock_guard lock(noted().mutex);
+    noted().paths.clear();
+}
+
 std::vector<std::string> inputFiles() {
     const std::lock_guard lock(noted().mutex);
     return {noted().paths.begin(), noted().paths.end()};

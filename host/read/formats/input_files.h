@@ -8,6 +8,8 @@ namespace eikonal {
 
 /// Readers call this for each file that they open. Thread-safe.
 void noteInputFile(const std::string& path);
+/// Forgets them: another scene is read.
+void forgetInputFiles();
 /// The files noted so far, each once, sorted.
 std::vector<std::string> inputFiles();
 

@@ -14,5 +14,7 @@ struct ReadProblem : std::runtime_error {
 
 /// The bytes of a file, decompressed if it is gzip (whatever its name). Throws ReadProblem.
 std::vector<char> readBytes(const std::string& path);
+/// The same for standard input.
+std::vector<char> readInputBytes();
 
 }  // namespace eikonal

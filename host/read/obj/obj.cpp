@@ -8,6 +8,7 @@
 #include "read/obj/sky.h"
 #include "read/obj/view.h"
 #include "read/formats/read_bytes.h"
+#include "read/scene_name.h"
 
 #include <fmt/format.h>
 
@@ -159,7 +160,7 @@ Scene readObj(const std::string& path, const ObjOptions& options, Diagnostics& d
                                                    meshes.degenerate + meshes.triangles));
 
     Scene scene;
-    scene.name = std::filesystem::path(path).stem().string();
+    scene.name = sceneName(path);
     scene.integrator.maxDepth = 10;
     scene.sampler.pixelSamples = 64;
     addShapes(scene, geometry, meshes, Library(geometry.libraries, path, diagnostics), file, diagnostics);

@@ -2,22 +2,18 @@
 
 #include "read/pbrt/parser.h"
 #include "read/pbrt/source.h"
+#include "read/scene_name.h"
+
+#include <unistd.h>
 
 #include <filesystem>
 
 namespace eikonal {
 namespace {
 
-/// The file name without folder and extension.
-std::string stemOf(const std::string& path) {
-    std::filesystem::path name = std::filesystem::path(path).filename();
-    if (name.extension() == ".gz") name = name.stem();
-    return name.stem().string();
-}
-
 Scene read(const std::string& name, std::string text, const std::string& folder, Diagnostics& diagnostics) {
     pbrt::Builder builder(diagnostics, folder);
-    builder.reading.scene.name = stemOf(name);
+    builder.reading.scene.name = sceneName(name);
     SourceLocation end{std::make_shared<const std::string>(name)};
     try {
         end = pbrt::Parser(builder).read(name, std::move(text));
@@ -33,6 +29,15 @@ Scene read(const std::string& name, std::string text, const std::string& folder,
 
 Scene readPbrt(const std::string& path, Diagnostics& diagnostics) {
     return read(path, pbrt::readTextFile(path), std::filesystem::path(path).parent_path().string(), diagnostics);
+}
+
+Scene readPbrtInput(Diagnostics& diagnostics) {
+    if (::isatty(STDIN_FILENO))
+        throw Error(ExitCode::scene,
+                    "the scene - is standard input, and that is a terminal; lead a scene to it: eikonal render - < scene.pbrt");
+    Scene scene = read("<stdin>", pbrt::readStandardInput("<stdin>"), "", diagnostics);
+    scene.name = sceneName("-");
+    return scene;
 }
 
 Scene readPbrtText(std::string_view text, const std::string& nameForMessages, const std::string& folder, Diagnostics& diagnostics) {

@@ -15,6 +15,10 @@ namespace eikonal {
 /// diagnostics.unsupported, once per kind.
 Scene readPbrt(const std::string& path, Diagnostics& diagnostics);
 
+/// The same for standard input, which is called <stdin> in messages; file names are relative to the current folder. The scene's name is
+/// "stdin". Throws an Error if it is a terminal, which would wait without a word.
+Scene readPbrtInput(Diagnostics& diagnostics);
+
 /// The same for a text. `nameForMessages` is the file name in messages; file names are relative to `folder`.
 Scene readPbrtText(std::string_view text, const std::string& nameForMessages, const std::string& folder, Diagnostics& diagnostics);
 

@@ -7,11 +7,13 @@
 
 namespace eikonal::pbrt {
 
-std::string readTextFile(const std::string& path) {
-    const SourceLocation where{std::make_shared<const std::string>(path)};
+/// `read` returns the bytes, or throws a ReadProblem.
+template <class Read>
+static std::string readText(const std::string& name, Read read) {
+    const SourceLocation where{std::make_shared<const std::string>(name)};
     std::string text;
     try {
-        const std::vector<char> bytes = readBytes(path);
+        const std::vector<char> bytes = read();
         text.assign(bytes.begin(), bytes.end());
     } catch (const ReadProblem& problem) { throw SceneError(where, std::string("the file ") + problem.what()); }
 
@@ -21,5 +23,11 @@ std::string readTextFile(const std::string& path) {
     if (start.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
     return text;
 }
+
+std::string readTextFile(const std::string& path) {
+    return readText(path, [&] { return readBytes(path); });
+}
+
+std::string readStandardInput(const std::string& nameForMessages) { return readText(nameForMessages, readInputBytes); }
 
 }  // namespace eikonal::pbrt

@@ -10,4 +10,7 @@ namespace eikonal::pbrt {
 /// damaged, or is UTF-16.
 std::string readTextFile(const std::string& path);
 
+/// The same for standard input.
+std::string readStandardInput(const std::string& nameForMessages);
+
 }  // namespace eikonal::pbrt

@@ -1,0 +1,25 @@
+#include "app/tell_error.h"
+
+#include "error.h"
+#include "messages.h"
+
+#include <new>
+
+namespace eikonal {
+
+static int fail(ExitCode code, const std::string& message, const std::string& scene) {
+    tell(LogLevel::error, scene.empty() ? message : message + "\n" + scene + " was not rendered");
+    return static_cast<int>(code);
+}
+
+int tellError(const std::string& scene) {
+    try {
+        throw;
+    } catch (const Error& error) {
+        return fail(error.code(), (error.code() == ExitCode::scene ? "" : "error: ") + std::string(error.what()), scene);
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::scene, "error: not enough memory; --log-level info prints the planned use", scene);
+    } catch (const std::exception& error) { return fail(ExitCode::scene, std::string("error: ") + error.what(), scene); }
+}
+
+}  // namespace eikonal
