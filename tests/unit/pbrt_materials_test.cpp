@@ -136,6 +136,10 @@ TEST_F(PbrtMaterials, mixes) {
     const Material& mix = scene.materials[scene.shapes[0].material];
     EXPECT_EQ(mix.kind, &mix_material);
     EXPECT_EQ(value(mix, "amount"), .5);
+    EXPECT_THAT(warnings_, IsEmpty());
+    const Scene whole = world(parts + "Material \"mix\" \"string materials\" [\"b\" \"a\"] \"float amount\" 2 Shape \"sphere\"");
+    EXPECT_EQ(value(whole.materials[whole.shapes[0].material], "amount"), 1);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"float amount\"")));
     EXPECT_EQ(scene.materials[mix.mixed[0]].name, "b");
     EXPECT_EQ(scene.materials[mix.mixed[1]].name, "a");
     EXPECT_THAT(errorOfWorld(parts + "Material \"mix\" \"string materials\" [\"a\"]"), HasSubstr("needs the names of two materials"));

@@ -6,7 +6,7 @@
 namespace eikonal {
 
 static const MaterialDirective directives[] = {
-    {"mix", "strings materials -> -; floatmap amount = 0.5"},
+    {"mix", "strings materials -> -; floatmap amount = 0.5 clamped to [0, 1]"},
 };
 
 static void read(const pbrt::MaterialReading& in, Material& material) {
