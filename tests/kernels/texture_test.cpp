@@ -178,8 +178,8 @@ TEST(TextureMapping, FindsItsCoordinates) {
     }
 }
 
-/// Stripes of texels, up and down, four to a step of 0.0005: slopes are those between texels where the step is half a texel. And noise whose
-/// waves are shorter than what 0.0005 of (u, v) are in space.
+/// Stripes of texels, up and down, four to a step of 0.0005: slopes are those between texels where the step is half a texel. And noise
+/// whose waves are shorter than what 0.0005 of (u, v) are in space.
 TEST(Relief, KeepsDetailsSmallerThanTheUsualStep) {
     Textures t;
     t.image(1, 1, 3, format_float, wrap_clamp, filter_nearest, {0.5f, 0.5f, 1.0f});
@@ -198,7 +198,8 @@ TEST(Relief, KeepsDetailsSmallerThanTheUsualStep) {
     const auto points = generate(2000, [&] { return random.box(1); });
     std::vector<uint> program(uv.size(), 0);
     int steep = 0;
-    for (const TextureResult& r : evaluate(t.scene, program, uv, points)) steep += std::abs(std::abs(r.bumped.x / r.bumped.z) * 2 / slope - 1) < 0.05;
+    for (const TextureResult& r : evaluate(t.scene, program, uv, points))
+        steep += std::abs(std::abs(r.bumped.x / r.bumped.z) * 2 / slope - 1) < 0.05;
     /* A step from one side of a texel's middle to the other sees less */
     EXPECT_NEAR(steep, 1000, 100);
     /* The slope of a lattice's gradient noise is about 1 over a cell */
