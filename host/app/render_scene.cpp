@@ -88,6 +88,17 @@ void reportShortfall(const Options& o, const FilmTotals::Samples& samples, const
                             invalid.y));
 }
 
+/// Warns if a deadline cannot be met any more, just before rendering.
+void warnOfDeadline(const Deadline& deadline, const Session& session, Diagnostics& diagnostics) {
+    if (deadline.missedBy() <= 0) return;
+    const std::string kernels = session.compiledStages()
+                                    ? fmt::format(", {:.1f} s of it for compiling kernels, which are kept for the next time",
+                                                  session.times().compile)
+                                    : "";
+    diagnostics.warn({}, fmt::format("the deadline will be missed by {:.1f} s or more: rendering begins {:.1f} s after the program{}",
+                                     deadline.missedBy(), secondsSinceStart(), kernels));
+}
+
 /// Reports the rays at implicit surfaces whose hits are a guess.
 void reportUnresolvedRays(uint count, Diagnostics& diagnostics) {
     if (count)
@@ -190,13 +201,7 @@ int renderScene(const Options& o, std::shared_ptr<OpenDevice>& device, WrittenIm
         fmt::format("rendering {} x {} pixels, {} samples each", packed.pixels.width(), packed.pixels.height(), samples.length()));
     const Stopwatch renderTime;
     Deadline deadline(o.output, plan);
-    if (deadline.missedBy() > 0)
-        diagnostics.warn({}, fmt::format("the deadline will be missed by {:.1f} s or more: rendering begins {:.1f} s after the start of "
-                                         "the program{}",
-                                         deadline.missedBy(), secondsSinceStart(),
-                                         session.compiledStages() ? fmt::format(", {:.1f} s of them for compiling kernels, which are kept "
-                                                                                "for the next time", session.times().compile)
-                                                                  : ""));
+    warnOfDeadline(deadline, session, diagnostics);
     if (std::ranges::min(film->taken()) < samples.end) session.survey([&] { return deadline.isFinal(); });
     watching.begin(session, samples.end);
     const RenderResult result =
