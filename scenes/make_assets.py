@@ -203,6 +203,30 @@ def make_spiral(count=400):
     (FOLDER / "spiral.pbrt").write_text("\n".join(lines) + "\n")
 
 
+def make_waves(nx=48, nz=36, width=4.0, depth=3.0):
+    """The surface of a pool: five waves of different directions, with the normals of their sum."""
+    rng = random.Random(11)
+    waves = [(6 + 5 * rng.random(), 2 * math.pi * rng.random(), 2 * math.pi * rng.random(), 0.012 + 0.008 * rng.random()) for _ in range(5)]
+    points, normals = [], []
+    for j in range(nz + 1):
+        for i in range(nx + 1):
+            x, z = width * (i / nx - 0.5), depth * (j / nz - 0.5)
+            y = slope_x = slope_z = 0
+            for k, angle, phase, height in waves:
+                kx, kz = k * math.cos(angle), k * math.sin(angle)
+                y += height * math.sin(kx * x + kz * z + phase)
+                slope_x += height * kx * math.cos(kx * x + kz * z + phase)
+                slope_z += height * kz * math.cos(kx * x + kz * z + phase)
+            length = math.sqrt(slope_x ** 2 + 1 + slope_z ** 2)
+            points.append(f"{x:.4f} {y:.4f} {z:.4f}")
+            normals.append(f"{-slope_x / length:.3f} {1 / length:.3f} {-slope_z / length:.3f}")
+    corners = [(j * (nx + 1) + i) for j in range(nz) for i in range(nx)]
+    triangles = [f"{a} {a + nx + 1} {a + 1} {a + 1} {a + nx + 1} {a + nx + 2}" for a in corners]
+    (FOLDER / "waves.pbrt").write_text(
+        "# Made by make_assets.py: a sum of five waves.\nShape \"trianglemesh\"\n\"point3 P\" [\n" + "\n".join(points) + "\n]\n\"normal N\" [\n" + "\n".join(normals)
+        + "\n]\n\"integer indices\" [\n" + "\n".join(triangles) + "\n]\n")
+
+
 if __name__ == "__main__":
     FOLDER.mkdir(exist_ok=True)
     make_sky()
@@ -210,3 +234,4 @@ if __name__ == "__main__":
     make_leaf()
     make_cloud()
     make_spiral()
+    make_waves()

@@ -34,7 +34,7 @@ bool walksBetweenLayers(const StageProgram& stage) {
 }
 
 int wordsOf(Queue queue, const StageProgram& stage, const Features& features) {
-    const QueueList blocks{Queue::pixels, Queue::film, Queue::splat, Queue::counts};
+    const QueueList blocks{Queue::pixels, Queue::film, Queue::splat, Queue::vertex, Queue::grid, Queue::counts};
     if (blocks.has(queue)) return 0;
     const QueueLayout layout = itemLayout(queue, features);
     switch (queue) {

@@ -66,7 +66,7 @@ nlohmann::ordered_json asJson(const Options& o, const PackedScene& packed, const
     for (const Count& c : countsOf(packed.counts)) json["counts"][c.key] = c.value;
     json["color"] = {{"mode", nameOf(packed.color)}, {"why", packed.color.why}};
     json["hardLight"] = missedLight(packed);
-    json["memory"] = {{"tables", plan.tables}, {"queues", plan.queues}, {"film", plan.film}};
+    json["memory"] = {{"tables", plan.tables}, {"queues", plan.queues}, {"vertices", plan.vertices}, {"film", plan.film}};
     json["features"] = nlohmann::ordered_json::array();
     for (const auto& [feature, why] : packed.reasons)
         json["features"].push_back({{"name", featureName(feature)}, {"meaning", featureReason(feature)}, {"firstUse", why}});

@@ -120,7 +120,7 @@ void warnOfClamping(const FilmImage& image, const FilmDescription& film, Diagnos
 
 /// Throws an error if the film and the output image would not fit into memory, because a process killed for memory loses the whole render.
 void checkMemory(const FilmDescription& film, const PackedScene& packed, const MemoryPlan& plan) {
-    const size_t needed = plan.tables + plan.queues + plan.film + plan.image, available = availableMemory();
+    const size_t needed = plan.tables + plan.queues + plan.vertices + plan.film + plan.image, available = availableMemory();
     if (needed <= available) return;
     const std::string buckets = film.spectrum ? fmt::format(" with spectra of {} buckets", film.spectrum->buckets) : "";
     throw SceneError(

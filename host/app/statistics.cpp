@@ -18,8 +18,8 @@ std::string readableBytes(double bytes) {
 static std::string readableBytes(size_t bytes) { return readableBytes(static_cast<double>(bytes)); }
 
 std::string describe(const MemoryPlan& plan) {
-    return fmt::format("scene tables {}, queues {}, film {}", readableBytes(plan.tables), readableBytes(plan.queues),
-                       readableBytes(plan.film));
+    return fmt::format("scene tables {}, queues {},{} film {}", readableBytes(plan.tables), readableBytes(plan.queues),
+                       plan.vertices ? fmt::format(" light vertices {},", readableBytes(plan.vertices)) : "", readableBytes(plan.film));
 }
 
 std::string asOptions(const Roulette& roulette) {

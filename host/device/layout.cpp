@@ -54,6 +54,18 @@ QueueLayout filmLayout(const Features& features, uint buckets) {
     return builder.take();
 }
 
+QueueLayout vertexLayout(const Features& features) {
+    LayoutBuilder builder("vertex");
+    VERTEX_FIELDS(ADD_FIELD, vertex)
+    return builder.take();
+}
+
+QueueLayout gridLayout(const Features& features) {
+    LayoutBuilder builder("grid");
+    GRID_FIELDS(ADD_FIELD, grid)
+    return builder.take();
+}
+
 int bsdfWords(const Features& features) {
     std::vector<QueueLayout> layouts;
 #define ADD_BSDF(name, FEATURE, PARAMETERS) if (features.has(KindFeature::FEATURE)) ADD_LAYOUT(name, PARAMETERS)

@@ -30,6 +30,9 @@ std::vector<QueueLayout> queueLayouts(const Features& features);
 QueueLayout queueLayout(const std::string& name, const Features& features);
 /// The layout of a film pixel. If the film keeps a spectrum, the last field is "buckets", with BUCKET_WORDS words per bucket.
 QueueLayout filmLayout(const Features& features, uint buckets = 0);
+/// Of a stored vertex of a light path, and of its entry in the grid: records, one after the other.
+QueueLayout vertexLayout(const Features& features);
+QueueLayout gridLayout(const Features& features);
 /// The largest number of parameter words of any BSDF.
 int bsdfWords(const Features& features);
 

@@ -5,6 +5,7 @@
 #include "eikonal/stages.h"
 #include "pack/integrator.h"
 #include "pack/light_paths.h"
+#include "pack/light_vertices.h"
 #include "read/pbrt/arguments.h"
 #include "scene/integrator.h"
 
@@ -133,6 +134,36 @@ const IntegratorKind bdpt_integrator{
     .read = readRegularize,
     .pack = packLightPaths};
 
+static void readMerging(const Arguments& arguments, IntegratorDescription& d) {
+    if (arguments.has("radius")) d.mergeRadius = arguments.number("radius");
+}
+static void packMerging(const IntegratorPacking& in, const IntegratorDescription& d, const std::string& why) {
+    packLightPaths(in, d, why);
+    if (!in.context.has(Feature::LIGHT_PATHS)) return;
+    const std::string obstacle = mergingObstacle(in.context);
+    if (obstacle.empty()) requireMerging(in.context, in.frame, why);
+    else
+        in.context.diagnostics.warn(
+            d.where,
+            fmt::format("integrator \"{}\" merges no vertices here, since {}: the image is that of \"bdpt\"", d.kind->name, obstacle));
+}
+const IntegratorKind sppm_integrator{
+    .name = "sppm",
+    .parameters =
+        "integer photonsperiteration = -1; float radius in (0, inf); integer seed = 0; string lightsampler in {bvh, power, uniform, "
+        "exhaustive}",
+    .countsMedia = true,
+    .followsBsdfs = always,
+    .read = readMerging,
+    .pack = packMerging};
+const IntegratorKind vcm_integrator{
+    .name = "vcm",
+    .parameters = "float radius in (0, inf); string lightsampler in {bvh, power, uniform, exhaustive}",
+    .countsMedia = true,
+    .followsBsdfs = always,
+    .read = readMerging,
+    .pack = packMerging};
+
 const IntegratorKind auto_integrator{.name = "auto",
                                      .parameters = pathParameters,
                                      .countsMedia = true,
@@ -143,7 +174,8 @@ const IntegratorKind auto_integrator{.name = "auto",
 std::span<const IntegratorKind* const> integratorKindList() {
     static const IntegratorKind* const kinds[] = {
         &volpath_integrator,          &path_integrator,       &direct_integrator,    &whitted_integrator,
-        &ambientocclusion_integrator, &simplepath_integrator, &randomwalk_integrator, &bdpt_integrator, &auto_integrator};
+        &ambientocclusion_integrator, &simplepath_integrator, &randomwalk_integrator, &bdpt_integrator,
+        &sppm_integrator, &vcm_integrator, &auto_integrator};
     return kinds;
 }
 

@@ -35,7 +35,7 @@ struct IntegratorKind {
 };
 
 extern const IntegratorKind volpath_integrator, path_integrator, direct_integrator, whitted_integrator, ambientocclusion_integrator,
-    simplepath_integrator, randomwalk_integrator, bdpt_integrator, auto_integrator;
+    simplepath_integrator, randomwalk_integrator, bdpt_integrator, sppm_integrator, vcm_integrator, auto_integrator;
 std::span<const IntegratorKind* const> integratorKindList();
 /// IntegratorKind::samplesLights and followsBsdfs of an integrator.
 bool samplesLights(const IntegratorDescription&);

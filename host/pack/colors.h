@@ -41,6 +41,8 @@ public:
     void packSensor(settings& frame);
     /// The range and buckets of a film that stores spectra.
     void packFilmSpectrum(settings& frame);
+    /// The wavelengths of a render whose paths merge: the same ones for all paths of a pass. Once the sampler is packed.
+    void packPassWavelengths(const settings& frame);
 
 private:
     uint curve(const DenseCurve& curve);

@@ -2,6 +2,7 @@
 
 #include "kinds/camera_kind.h"
 #include "kinds/integrator_kind.h"
+#include "pack/light_vertices.h"
 #include "pack/missed_light.h"
 
 #include <fmt/format.h>
@@ -28,10 +29,14 @@ void requireLightPaths(const PackContext& context, const std::string& why) {
     if (context.scene.camera.worldFromCameraAtEnd) context.require(Feature::MOTION, why);
 }
 
-void chooseLightPaths(const PackContext& context, const PackedScene& packed) {
+void chooseLightPaths(const PackContext& context, PackedScene& packed) {
     if (!context.scene.integrator.kind->mayTraceLightPaths) return;
-    if (const std::vector<std::string> missed = missedLight(packed); !missed.empty() && lightPathObstacle(context).empty())
-        requireLightPaths(context, "otherwise " + missed.front());
+    const std::vector<std::string> missed = missedLight(packed);
+    if (missed.empty() || !lightPathObstacle(context).empty()) return;
+    requireLightPaths(context, "otherwise " + missed.front());
+    /* What is then seen by way of smooth surfaces, too */
+    if (const std::vector<std::string> more = missedLight(packed); !more.empty() && mergingObstacle(context).empty())
+        requireMerging(context, packed.frame(), "otherwise " + more.front());
 }
 
 }  // namespace eikonal

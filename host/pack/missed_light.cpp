@@ -46,7 +46,8 @@ static double smallestLamp(const PackedScene& packed) {
 
 std::vector<std::string> missedLight(const PackedScene& packed) {
     const std::string smooth = firstSmooth(packed);
-    if (smooth.empty()) return {};
+    /* Where paths from both ends merge, they meet on the surface in between */
+    if (smooth.empty() || packed.features.has(Feature::MERGING)) return {};
     /* Light paths arrive at the camera from surfaces that it sees directly */
     const bool fromBothEnds = packed.features.has(Feature::LIGHT_PATHS);
     const std::string onto = fromBothEnds ? "onto surfaces by way of smooth ones, where they are seen by way of smooth ones, too"

@@ -62,6 +62,7 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     Hierarchies hierarchies = packGeometry({context, tables, packed.counts, textures, materials, lights});
     lights.pack();
     chooseLightPaths(context, packed);
+    if (context.spectral && context.has(Feature::MERGING)) colors.packPassWavelengths(frame);
     lights.packEmission();
     media.packEquiangularLights(tables.lights);
     return hierarchies;

@@ -52,7 +52,14 @@ void ColorPacker::packFilmSpectrum(settings& frame) {
     const double all = longestWavelength - shortestWavelength, extent = film.spectrum->last - film.spectrum->first;
     const double share = std::max(extent / all, leastShare), inversePdf = extent / share;
     const double beside = share < 1 ? (all - extent) / (1 - share) : inversePdf;
-    tables_.wavelengths.push_back({toFloat(film.spectrum->first), toFloat(extent), toFloat(share), toFloat(inversePdf), toFloat(beside)});
+    tables_.wavelengths.push_back(
+        {toFloat(film.spectrum->first), toFloat(extent), toFloat(share), toFloat(inversePdf), toFloat(beside), 0, 0});
+}
+
+void ColorPacker::packPassWavelengths(const settings& frame) {
+    /* Where pixels share a sequence, the pass is in the lower bits of an index (place_in_sequence) */
+    const uint mask = frame.sequence_tile_bits ? (1u << frame.sequence_sample_bits) - 1 : ~0u;
+    tables_.wavelengths.push_back({.pass_mask = mask, .pass_seed = frame.seed});
 }
 
 }  // namespace eikonal

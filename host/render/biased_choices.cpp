@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace eikonal {
 
 std::vector<std::string> inexactFlags(const std::string& compilerFlags) {
@@ -32,6 +35,13 @@ std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& p
     if (scene.film.maxComponentValue > 0)
         choices.push_back({fmt::format("samples clamped at {:g}", scene.film.maxComponentValue), "--max-component-value=0"});
     if (packed.features.has(Feature::DIFFUSION)) choices.push_back({"subsurface scattering by diffusion", "--subsurface=randomwalk"});
+    if (packed.features.has(Feature::MERGING)) {
+        const double radius = double{packed.frame().merge_radius} * packed.worldScale,
+                     last = radius * std::pow(static_cast<double>(std::max(packed.samples, 1)), -0.125);
+        choices.push_back({fmt::format("light paths merged within {:.3g}, and {:.3g} by sample {}: the bias vanishes as samples are added",
+                                       radius, last, packed.samples),
+                           "--integrator=bdpt"});
+    }
     if (const std::string part = partOfTransport(scene); !part.empty()) choices.push_back({part, "--integrator=volpath"});
     for (const std::string& flag : inexactFlags(compilerFlags))
         choices.push_back({"compiler flag " + flag, "no --build-options, no --math-flags"});

@@ -37,11 +37,11 @@ public:
 private:
     /// Brings a film that was stored in the middle of a pass to the end of that pass.
     void finishPass() {
-        const unsigned most = *std::ranges::max_element(film_.taken());
-        traceLights(planned_.empty() ? most : meanOf(planned_));
+        const unsigned most = *std::ranges::max_element(film_.taken()), lights = planned_.empty() ? most : meanOf(planned_);
+        traceLights(lights);
         const std::span<const unsigned> goal = planned_.empty() ? std::span(&most, 1) : std::span<const unsigned>(planned_);
         for (Pass& missing : missingPasses(film_, goal, AdaptiveSampling::blockSize, tracer_.mostPaths())) {
-            tracePass(std::move(missing));
+            tracePass(std::move(missing), lights);
         }
         if (!stopped_) samples_ = *std::ranges::min_element(goal);
     }
@@ -60,8 +60,7 @@ private:
         while (!stopped_) {
             std::optional<Pass> pass = nextPass();
             if (!pass) return;
-            traceLights(begun);
-            tracePass(std::move(*pass));
+            tracePass(std::move(*pass), begun);
         }
     }
 
@@ -72,10 +71,9 @@ private:
             const std::vector<Block> blocks = adaptive.nextPass(film_);
             planned_ = adaptive.samples();
             if (blocks.empty()) return {true, samples_, adaptive.error(), planned_};
-            traceLights(meanOf(planned_));
             allPaths_ = adaptive.plannedSamples();
             isPlanned_ = true;
-            tracePass(cutBlocks(blocks, AdaptiveSampling::blockSize, film_.pixels(), tracer_.mostPaths()));
+            tracePass(cutBlocks(blocks, AdaptiveSampling::blockSize, film_.pixels(), tracer_.mostPaths()), meanOf(planned_));
             if (stopped_) return {false, samples_, {}, planned_};
         }
     }
@@ -84,31 +82,45 @@ private:
         return static_cast<unsigned>(std::accumulate(samples.begin(), samples.end(), 0.0) / static_cast<double>(samples.size()));
     }
 
-    /// Traces the light paths of all samples up to `end` that the film lacks: those of all pixels of the whole image, whatever part of it
-    /// is rendered. They count once all of them have been traced.
+    /// Traces the light paths of all samples up to `end` that the film lacks.
     void traceLights(unsigned end) {
-        SplatSums* const splats = film_.splats();
-        if (!splats || stopped_) return;
+        if (!film_.splats()) return;
+        /* So few at a time that not much is lost if the render ends meanwhile, and that their vertices have room */
+        const double pixels = static_cast<double>(film_.width()) * film_.height();
+        auto atATime = static_cast<unsigned>(std::clamp(8.0 * tracer_.mostPaths() / pixels, 1.0, 1e6));
+        if (const unsigned most = tracer_.mostMergedPasses()) atATime = std::min(atATime, most);
+        for (unsigned begun = missingLights(); begun < end && !stopped_; begun = missingLights())
+            traceLights(SampleRange{begun, std::min(end, begun + atATime)}, true);
+    }
+
+    /// The first sample whose light paths the film lacks.
+    unsigned missingLights() const { return std::max(film_.splats()->end(), film_.firstSample()); }
+
+    /// Traces the light paths of these samples of all pixels of the whole image, whatever part of it is rendered. Their splats are added to
+    /// the film if `add`, once all of them have been traced.
+    void traceLights(SampleRange samples, bool add) {
+        if (stopped_) return;
+        SplatSums& splats = *film_.splats();
         const PixelRect whole{0, 0, film_.width(), film_.height()};
-        std::vector<uint> words(splats->halves());
+        std::vector<uint> words(splats.halves());
         if (!splats_.size()) splats_ = Buffer(context_, words.size() * sizeof(uint), "splats");
-        /* So few at a time that not much is lost if the render ends meanwhile */
-        const double atATime = 8.0 * tracer_.mostPaths() / (static_cast<double>(whole.width()) * whole.height());
-        for (unsigned begun = std::max(splats->end(), film_.firstSample()); begun < end && !stopped_;) {
-            const unsigned some = begun + static_cast<unsigned>(std::clamp(atATime, 1.0, 1e6));
-            const Pass pass = uniformPass(whole, {0, begun}, std::min(end, some), tracer_.mostPaths());
-            Batches batches(pass.size, pass.blocks, tracer_.mostPaths());
-            const auto next = [&]() -> std::optional<Batch> {
-                if (isToStop() || batches.empty()) return {};
-                return batches.next();
-            };
-            splats_.clear(context_, 0, words.size() * sizeof(uint));
-            untilDone([&] { tracer_.traceLights({next, [](const Batch&) {}, whole.x1, whole.y1}, splats_, film_.pixels()); });
-            if (stopped_) return;
-            splats_.read(context_, words.data(), words.size() * sizeof(uint));
-            splats->add({begun, begun + pass.samples}, words);
-            begun += pass.samples;
-        }
+        std::optional<Batches> batches;
+        unsigned begun = samples.first;
+        const auto next = [&]() -> std::optional<Batch> {
+            if (isToStop()) return {};
+            if (!batches || batches->empty()) {
+                if (begun == samples.end) return {};
+                const Pass pass = uniformPass(whole, {0, begun}, samples.end, tracer_.mostPaths());
+                batches.emplace(pass.size, pass.blocks, tracer_.mostPaths());
+                begun += pass.samples;
+            }
+            return batches->next();
+        };
+        splats_.clear(context_, 0, words.size() * sizeof(uint));
+        untilDone([&] { tracer_.traceLights({next, [](const Batch&) {}, whole.x1, whole.y1}, splats_, film_.pixels()); });
+        if (stopped_ || !add) return;
+        splats_.read(context_, words.data(), words.size() * sizeof(uint));
+        splats.add(samples, words);
     }
 
     /// Traces passes until `nextPass` returns nothing.
@@ -128,9 +140,38 @@ private:
         untilDone([&] { tracer_.trace({next, [this](const Batch& batch) { resolve(batch); }, film_.pixels().x1, film_.pixels().y1}); });
     }
 
-    void tracePass(Pass pass) {
+    /// Traces the light paths of all samples up to `lights` that the film lacks, and a pass of paths from the camera.
+    void tracePass(Pass pass, unsigned lights) {
+        const bool merges = tracer_.mostMergedPasses() && film_.splats();
+        if (merges) traceMerging(pass, lights);
+        traceLights(lights);
         std::optional<Pass> left = std::move(pass);
-        trace([&] { return std::exchange(left, std::nullopt); });
+        if (!merges) trace([&] { return std::exchange(left, std::nullopt); });
+    }
+
+    /// Traces a pass some samples at a time, each time after the light paths of the same samples, whose vertices its paths merge with.
+    void traceMerging(const Pass& pass, unsigned lights) {
+        const auto endOf = [](const Block& b) { return b.firstSample + b.samples; };
+        for (unsigned begun = 0; !stopped_;) {
+            /* The next samples of any block. Light paths whose splats the film has are traced again for their vertices alone */
+            SampleRange now{~0u, 0};
+            for (const Block& b : pass.blocks)
+                if (endOf(b) > begun) now = {std::min(now.first, std::max(b.firstSample, begun)), std::max(now.end, endOf(b))};
+            if (!now.end) return;
+            now.end = std::min(now.end, now.first + tracer_.mostMergedPasses());
+            const unsigned missing = missingLights();
+            for (const unsigned border : {missing, lights})
+                if (now.first < border) now.end = std::min(now.end, border);
+            traceLights(now, now.first == missing && now.end <= lights);
+
+            Pass part{pass.size, {}, pass.samples ? now.length() : 0};
+            for (const Block& b : pass.blocks) {
+                const unsigned first = std::max(b.firstSample, now.first), end = std::min(endOf(b), now.end);
+                if (first < end) part.blocks.push_back({b.x, b.y, first, end - first});
+            }
+            trace([left = std::optional(std::move(part))]() mutable { return std::exchange(left, std::nullopt); });
+            begun = now.end;
+        }
     }
 
     bool isToStop() {

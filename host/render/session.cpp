@@ -163,7 +163,7 @@ MemoryPlan Session::plan() const {
     const size_t pixels = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height());
     const StageShape shape = device_ ? device_->shape : StageShape();
     const size_t onDevice = std::min<size_t>(pixels, shape.wavePaths);
-    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape),
+    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape), plannedVertexBytes(packed_),
             pixels * Film::bytes(packed_, static_cast<unsigned>(packed_.samples)) + onDevice * Film::bytes(packed_, 0),
             pixels * Film::developedBytes(packed_)};
 }

@@ -46,6 +46,7 @@ struct SessionTimes {
 struct MemoryPlan {
     size_t tables = 0;      ///< the scene, on the host and on the device
     size_t queues = 0;      ///< a wave of paths, on the device
+    size_t vertices = 0;    ///< stored vertices of light paths, on the device
     size_t film = 0;        ///< on the host, and the part of it that is on the device at a time
     size_t image = 0;       ///< beside it, once it is developed
 };

@@ -8,7 +8,8 @@ void StageLauncher::enqueue(const Stage& stage, SlotRange slots, const Bindings&
     Bindings range;
     range.set("first", slots.first);
     range.set("count", slots.count);
-    profile_.add(stage.name, slots.count, stage.kernel.launch(context_, {&scene_, &queues_, &counts_, &own, &range}, slots.count, group_));
+    profile_.add(stage.name, slots.count,
+                 stage.kernel.launch(context_, {&scene_, &queues_, &counts_, &vertices_, &own, &range}, slots.count, group_));
 }
 
 void StageLauncher::warmUp(Stages& stages, const Bindings& nothing) const {

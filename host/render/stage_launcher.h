@@ -9,10 +9,11 @@ namespace eikonal {
 /// The arguments that all launches of a wave share.
 class StageLauncher {
 public:
-    /// scene, queues, counts: bindings for every stage, read at each launch. group: slots per work-group. All must outlive this object.
-    StageLauncher(const Context& context, const Bindings& scene, const Bindings& queues, const Bindings& counts, unsigned group,
-                  Profile& profile)
-        : context_(context), scene_(scene), queues_(queues), counts_(counts), group_(group), profile_(profile) {}
+    /// scene, queues, counts, vertices: bindings for every stage, read at each launch. group: slots per work-group. All must outlive this
+    /// object.
+    StageLauncher(const Context& context, const Bindings& scene, const Bindings& queues, const Bindings& counts, const Bindings& vertices,
+                  unsigned group, Profile& profile)
+        : context_(context), scene_(scene), queues_(queues), counts_(counts), vertices_(vertices), group_(group), profile_(profile) {}
 
     /// Enqueues the stage over these slots; does nothing if there are none. `own`: further arguments.
     void launch(const Stage& stage, SlotRange slots, const Bindings& own = {}) const {
@@ -26,7 +27,7 @@ private:
     void enqueue(const Stage& stage, SlotRange slots, const Bindings& own) const;
 
     const Context& context_;
-    const Bindings &scene_, &queues_, &counts_;
+    const Bindings &scene_, &queues_, &counts_, &vertices_;
     unsigned group_;
     Profile& profile_;
 };

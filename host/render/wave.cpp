@@ -6,9 +6,9 @@ Wave::Wave(const Context& context, const DeviceScene& tables, const PackedScene&
            Profile& profile, PageSize queuePages)
     : context_(context), stopFlag_(tables.stopFlag()), stages_(stages), shape_(shape), splitting_(RaySplitting::of(scene)),
       size_(shape, splitting_),
-      queues_(context, stages.features(), scene.constants, size_, queuePages), counter_(context, profile),
+      queues_(context, stages.features(), scene.constants, size_, queuePages), vertices_(context, scene), counter_(context, profile),
       batches_(context, queues_, size_, splitting_),
-      launcher_(context, tables.bindings(), queues_.bindings(), counter_.bindings(), shape.group(), profile) {}
+      launcher_(context, tables.bindings(), queues_.bindings(), counter_.bindings(), vertices_.bindings(), shape.group(), profile) {}
 
 void Wave::warmUp() {
     counter_.clear();
@@ -32,23 +32,25 @@ void Wave::trace(const BatchStream& stream) {
     counter_.end();
 }
 
-/// The same for light paths, which have no path states: what they find goes to the splats.
+/// The same for light paths, which have no path states: what they find goes to the splats, and their vertices to a grid, if paths merge.
 void Wave::traceLights(const BatchStream& stream, const Buffer& splat, const PixelRect& part) {
     Bindings splats;
     splats.set("splat", splat);
     const std::pair<const char*, int> numbers[] = {
         {"splat_x", part.x0}, {"splat_y", part.y0}, {"splat_width", part.width()}, {"splat_height", part.height()}};
     for (const auto& [name, number] : numbers) splats.set(name, static_cast<unsigned>(number));
+    vertices_.clear();
     counter_.begin();
     unsigned rays = generate(each_light_sample, 0, stream);           // pixels -> ray
     while (!batches_.empty()) {
         const WaveCounts counts = intersect(rays, each_light_intersection);   // ray -> intersection -> hit
-        rays = shadeLights(counts, splats);                           // hit -> next ray, shadow;  shadow -> splat
+        rays = shadeLights(counts, splats);                           // hit -> next ray, shadow, vertex;  shadow -> splat
         queues_.swapRays();
         if (isInterrupted()) break;
         batches_.finish(counts, stream);
         rays = generate(each_light_sample, rays, stream);
     }
+    if (vertices_.mostPasses() && !stopFlag_.isRaised()) vertices_.build(stages_, launcher_);   // vertex -> grid
     counter_.end();
 }
 

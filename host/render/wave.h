@@ -6,6 +6,7 @@
 #include "render/device_scene.h"
 #include "render/stage_launcher.h"
 #include "render/tracer.h"
+#include "render/vertex_grid.h"
 #include "render/wave_counts.h"
 #include "render/wave_queues.h"
 
@@ -26,6 +27,7 @@ public:
     const StopFlag& stopFlag() const override { return stopFlag_; }
     /// Waits for the device only once per bounce, for the counts.
     void trace(const BatchStream& stream) override;
+    unsigned mostMergedPasses() const override { return vertices_.mostPasses(); }
     void traceLights(const BatchStream& stream, const Buffer& splat, const PixelRect& part) override;
     void resolve(const Batch& batch, const Buffer& film) override;
 
@@ -46,6 +48,7 @@ private:
     RaySplitting splitting_;
     WaveSize size_;
     WaveQueues queues_;
+    VertexGrid vertices_;
     WaveCounter counter_;
     BatchesInFlight batches_;
     StageLauncher launcher_;

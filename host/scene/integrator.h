@@ -54,6 +54,7 @@ struct IntegratorDescription {
     EnvironmentGuide environmentGuide = EnvironmentGuide::automatic;
     bool sampleLights = true;              ///< simplepath: sample lights; otherwise only paths that hit a light find it
     bool sampleBsdf = true;                ///< simplepath: sample directions by the BSDF, otherwise uniformly
+    double mergeRadius = 0;                ///< sppm, vcm: within which vertices merge at first, world units; 0: chosen for the scene
     bool cosine = true;                    ///< ambientocclusion: sample directions by the cosine, otherwise uniformly
     double maxDistance = 0;                ///< ambientocclusion: surfaces farther away do not occlude, world units; 0: no limit
     ColorSpace colorSpace = ColorSpace::srgb;  ///< ambientocclusion: the colour space whose white the light has

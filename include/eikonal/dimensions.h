@@ -35,6 +35,7 @@ enum bounce_dimension {
     dimension_probe,           /* 2D: distance and azimuth of the probe ray */
     dimension_exit,            /* seed: choice among the exit points of a probe ray */
     dimension_splat,           /* seed: of a light path: the pixel that a connection to the camera counts for */
+    dimension_vertex,          /* 1D: of a light path: whether the vertex is stored */
     bounce_dimensions = 16
 };
 

@@ -31,13 +31,39 @@
    Vertex Connection and Merging"). In a ray: without what depends on where the ray ends. */
 #define LIGHT_PATH_TRAVEL_FIELDS(F, q) \
     F(q, float,    d_vcm,      LIGHT_PATHS)  /* 1 / density of the last vertex, if a path from the other side may end there; else 0 */ \
-    F(q, float,    d_vc,       LIGHT_PATHS)  /* the same of all earlier vertices together, per density of the way back to them */
+    F(q, float,    d_vc,       LIGHT_PATHS)  /* the same of all earlier vertices together, per density of the way back to them */ \
+    F(q, uint,     number,     MERGING)      /* of the pixel that it began for: y * width + x */ \
+    F(q, uint,     pass,       MERGING)      /* which sample of that pixel it is */
+#define LIGHT_PATH_HIT_FIELDS(F, q) \
+    F(q, float,    merging,    MERGING)      /* density of merging here, per density of arriving from either side; 0: none merge */
 #define LIGHT_PATH_MISS_FIELDS(F, q) \
     F(q, float,    d_vc,       LIGHT_PATHS)  /* as in ray */
 #define LIGHT_PATH_EMISSION_FIELDS(F, q) \
     F(q, float,    by_light_paths, LIGHT_PATHS) /* density of all light paths that lead here, over that of this path */
 #define LIGHT_PATH_SHADOW_FIELDS(F, q) \
     F(q, vec2,     raster,     LIGHT_PATHS)  /* of a light path: where it arrives in the image, pixels */
+
+/* A vertex of a light path, which camera paths of the same pass merge with: filled by store_vertices, read by merge_vertices. A record of
+   VERTEX_FIELDS words for each, one after the other. */
+#define VERTEX_FIELDS(F, q) \
+    F(q, vec3,     p,          ALWAYS) \
+    F(q, vec3,     ng,         ALWAYS)       /* this and what follows as in hit */ \
+    F(q, vec3,     wo,         ALWAYS) \
+    F(q, spectrum, beta,       ALWAYS)       /* power, of one light path */ \
+    F(q, float,    d_vcm,      ALWAYS) \
+    F(q, float,    d_vc,       ALWAYS) \
+    F(q, uint,     secondary_terminated, DISPERSION) \
+    F(q, uint,     number,     ALWAYS) \
+    F(q, uint,     pass,       ALWAYS) \
+    F(q, uint,     depth,      ALWAYS)
+
+/* An entry of the hash grid of these vertices: those of a bucket one after the other, in the order of pass, number and depth. */
+#define GRID_FIELDS(F, q) \
+    F(q, vec3,     p,          ALWAYS)       /* of the vertex */ \
+    F(q, uint,     vertex,     ALWAYS)       /* its record */ \
+    F(q, uint,     pass,       ALWAYS)       /* of the vertex, like the next two */ \
+    F(q, uint,     number,     ALWAYS) \
+    F(q, uint,     depth,      ALWAYS)
 
 /* Where a path is in a subsurface body. */
 #define SUBSURFACE_TRAVEL_FIELDS(F, q) \

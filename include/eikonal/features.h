@@ -46,6 +46,7 @@
     F(RAY_SPLITTING,    "an integrator that splits rays") \
     F(UNIFORM_DIRECTIONS, "an integrator that samples directions uniformly") \
     F(LIGHT_PATHS,      "an integrator that traces paths from lights") \
+    F(MERGING,          "an integrator that merges vertices of paths from both ends") \
     F(AOVS,             "auxiliary image channels") \
     F(MOTION_VECTORS,   "the channel \"motion\", and a shape that moves")
 

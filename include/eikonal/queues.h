@@ -69,7 +69,7 @@
     F(q, uint,     inside,     MEDIA)        /* medium on the side away from ng */ \
     F(q, uint,     outside,    MEDIA)        /* medium on the side of ng */ \
     F(q, uint,     probe,      DIFFUSION)    /* slot of the probe for the subsurface body below the surface; NONE: no such body */ \
-    LIGHT_CHOICE_FIELDS(F, q)
+    LIGHT_PATH_HIT_FIELDS(F, q) LIGHT_CHOICE_FIELDS(F, q)
 
 /* A scattering point in a medium: filled by route_intersections, drained by shade_scatters. Dense. */
 #define SCATTER_FIELDS(F, q) \

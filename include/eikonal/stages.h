@@ -7,6 +7,8 @@
      pixels     blocks of the image
      film       the sums of their samples
      splat      sums of what light paths add to pixels
+     vertex     stored vertices of light paths
+     grid       the hash grid that finds them
      counts     how many items go to each next_queue, and how many rays each batch has (enum wave_count)
    FEATURE is one of features.h (HAS_x in kernels), ALWAYS, or ENVIRONMENTS: at least one infinite light (host/pack/scene_constants.h).
 
@@ -49,7 +51,13 @@ CONTRACT_BEGIN /* namespace eikonal, in C++ */
     S(generate_light_rays, (pixels), (ray), each_light_sample, LIGHT_PATHS) \
     S(route_light_paths, (intersection, ray, counts), (hit, next_ray, shadow), each_light_intersection, LIGHT_PATHS) \
     S(shade_light_hits, (hit), (next_ray, shadow), each_light_bsdf, LIGHT_PATHS) \
-    S(splat_shadows, (shadow), (splat), each_splat, LIGHT_PATHS)
+    S(splat_shadows, (shadow), (splat), each_splat, LIGHT_PATHS) \
+    /* Keep their vertices, and sort them into a hash grid; then paths from the camera merge with them */ \
+    S(store_vertices, (hit), (vertex), each_light_bsdf, MERGING) \
+    S(count_vertices, (vertex), (grid), each_vertex, MERGING) \
+    S(place_vertices, (vertex), (grid), each_vertex, MERGING) \
+    S(order_vertices, (grid), (grid), each_bucket, MERGING) \
+    S(merge_vertices, (hit, vertex, grid), (path), each_bsdf, MERGING)
 
 /* Kernels that run before the first wave, over no queue (host/render/survey.cpp).   S(kernel, FEATURE that makes it exist) */
 #define SURVEYS(S) \
@@ -87,6 +95,8 @@ enum stage_items {
     each_light_intersection,   /* as each_intersection, for light paths */
     each_light_bsdf,           /* as each_bsdf, for light paths: the stage for BSDF x runs over light_hits + next_x */
     each_splat,                /* every slot of the shadow queue, where it holds connections of light paths to the camera */
+    each_vertex,               /* stored vertices */
+    each_bucket,               /* buckets of the grid */
     no_queue,                  /* of a kernel of SURVEYS */
     light_hits
 };

@@ -101,11 +101,12 @@ std::vector<VectorCase> cases() {
     list.push_back({"shade_occlusions", "shade_occlusions", sphereOf("\"diffuse\""), "Integrator \"ambientocclusion\"\n"});
     list.push_back({"shade_hits_of_a_tree", "shade_hits specular_dielectric", sphereOf("\"dielectric\""), tree});
     list.push_back({"shade_hits_of_a_bundle", "shade_hits conductor", sphereOf("\"conductor\" \"float roughness\" 0.3"), tree});
-    const std::string both = "Integrator \"bdpt\"\n";
     for (const auto& [bsdf, material] : {std::pair("diffuse", "\"diffuse\""), {"conductor", "\"conductor\" \"float roughness\" 0.3"},
                                          {"specular_dielectric", "\"dielectric\""}})
         for (const char* stage : {"shade_hits", "shade_light_hits"})
-            list.push_back({std::string(stage) + "_" + bsdf + "_of_both_ends", std::string(stage) + " " + bsdf, sphereOf(material), both});
+            for (const auto& [ends, integrator] :
+                 {std::pair("_of_both_ends", "Integrator \"bdpt\"\n"), {"_of_merged_ends", "Integrator \"sppm\"\n"}})
+                list.push_back({std::string(stage) + "_" + bsdf + ends, std::string(stage) + " " + bsdf, sphereOf(material), integrator});
     return list;
 }
 

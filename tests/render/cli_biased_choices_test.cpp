@@ -25,6 +25,9 @@ TEST_F(BiasedChoices, AreNamedWithTheOptionsThatAvoidThem) {
     EXPECT_EQ(of({"--color", "spectral", "--max-component-value", "2.5"}), "samples clamped at 2.5 (without it: --max-component-value=0)");
     EXPECT_EQ(of({"--color", "spectral", "--regularize", "on"}), "regularised microfacets (without it: --regularize=off)");
     EXPECT_EQ(of({"--color", "spectral", "--integrator", "direct"}), "direct light only (without it: --integrator=volpath)");
+    EXPECT_THAT(
+        of({"--color", "spectral", "--integrator", "sppm"}),
+        testing::ContainsRegex("light paths merged within [0-9.e-]+, and [0-9.e-]+ by sample 1: .*\\(without it: --integrator=bdpt\\)"));
     EXPECT_EQ(of({"--color", "spectral", "--integrator", "whitted"}), "a tree of rays instead of paths (without it: --integrator=volpath)");
 }
 

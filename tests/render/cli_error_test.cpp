@@ -150,7 +150,7 @@ TEST_F(Cli, NamesOfFilesDoNotReachTheTerminalAsTheyAre) {
 }
 
 TEST_F(Cli, StrictTurnsWhatIsNotRenderedIntoAnError) {
-    write("photons.pbrt", tinyScene("Integrator \"sppm\""));
+    write("photons.pbrt", tinyScene("Integrator \"lightpath\""));
     const Outcome lax = run({"info", "photons.pbrt"}), strict = run({"info", "photons.pbrt", "--strict"});
     EXPECT_EQ(lax.status, 0);
     EXPECT_THAT(lax.error, HasSubstr("warning: "));
@@ -160,7 +160,7 @@ TEST_F(Cli, StrictTurnsWhatIsNotRenderedIntoAnError) {
 
 /// The option counts more than the scene, and then there is nothing to be warned of.
 TEST_F(Cli, TheIntegratorMayBeChosen) {
-    write("photons.pbrt", tinyScene("Integrator \"sppm\""));
+    write("photons.pbrt", tinyScene("Integrator \"lightpath\""));
     const Outcome lax = run({"info", "photons.pbrt"}),
                   chosen = run({"info", "photons.pbrt", "--integrator", "ambientocclusion", "--strict"});
     EXPECT_EQ(lax.error.find("warning: "), lax.error.rfind("warning: ")) << "one warning: " << lax.error;

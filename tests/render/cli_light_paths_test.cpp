@@ -22,13 +22,18 @@ protected:
             Material "diffuse" Shape "bilinearmesh" "point3 P" [-3 0 -3  3 0 -3  -3 0 3  3 0 3]
             AttributeBegin Translate 0 .8 0 Material "dielectric" Shape "sphere" "float radius" .6 AttributeEnd)");
     }
+};
+
+/// With another integrator than the scene's.
+class CliLightPathsOf : public CliLightPaths, public testing::WithParamInterface<const char*> {
+protected:
     Outcome render(Words words) const {
-        words.insert(words.begin(), {"render", "ball.pbrt"});
+        words.insert(words.begin(), {"render", "ball.pbrt", "--integrator", GetParam()});
         return run(words);
     }
 };
 
-TEST_F(CliLightPaths, TilesAndRangesOfSamplesAreOneRun) {
+TEST_P(CliLightPathsOf, TilesAndRangesOfSamplesAreOneRun) {
     ASSERT_EQ(render({"-o", "whole.exr"}).status, 0);
     Words parts;
     for (const char* tile : {"1/2", "2/2"})
@@ -51,7 +56,7 @@ TEST_F(CliLightPaths, TilesAndRangesOfSamplesAreOneRun) {
 }
 
 /// A render that ends early and goes on has the image of one run, whichever threads there are.
-TEST_F(CliLightPaths, CheckpointsHoldWhatLightPathsHaveAdded) {
+TEST_P(CliLightPathsOf, CheckpointsHoldWhatLightPathsHaveAdded) {
     ASSERT_EQ(render({"-o", "whole.exr", "--nthreads", "1"}).status, 0);
     const Outcome first = render({"-o", "early.exr", "--checkpoint", "c.film", "--samples", "0:32"});
     ASSERT_EQ(first.status, 0) << first.error;
@@ -60,15 +65,21 @@ TEST_F(CliLightPaths, CheckpointsHoldWhatLightPathsHaveAdded) {
     expectSameFiles(path("whole.exr"), path("resumed.exr"));
 }
 
-TEST_F(CliLightPaths, AreMeasuredByStage) {
-    const Outcome bench = run({"bench", "ball.pbrt", "--spp", "2", "--repeats", "1"});
+TEST_P(CliLightPathsOf, AreMeasuredByStage) {
+    const Outcome bench = run({"bench", "ball.pbrt", "--spp", "2", "--repeats", "1", "--integrator", GetParam()});
     EXPECT_EQ(bench.status, 0) << bench.error;
-    for (const char* stage : {"generate_light_rays", "route_light_paths", "shade_light_hits diffuse", "splat_shadows"})
+    std::vector<const char*> stages{"generate_light_rays", "route_light_paths", "shade_light_hits diffuse", "splat_shadows"};
+    if (std::string(GetParam()) == "sppm")
+        stages.insert(stages.end(),
+                      {"store_vertices diffuse", "count_vertices", "place_vertices", "order_vertices", "merge_vertices diffuse"});
+    for (const char* stage : stages)
         EXPECT_THAT(bench.out, HasSubstr(stage));
     const Outcome loop = run({"bench", "ball.pbrt", "--loop"});
     EXPECT_EQ(loop.status, 2);
     EXPECT_THAT(loop.error, HasSubstr("--loop"));
 }
+
+INSTANTIATE_TEST_SUITE_P(With, CliLightPathsOf, testing::Values("bdpt", "sppm"));
 
 TEST_F(CliLightPaths, AreNamed) {
     const Outcome info = run({"info", "ball.pbrt"});
@@ -79,6 +90,10 @@ TEST_F(CliLightPaths, AreNamed) {
     const Outcome chosen = run({"info", "tiny.pbrt", "--integrator", "bdpt"});
     EXPECT_EQ(chosen.status, 0) << chosen.error;
     EXPECT_THAT(chosen.out, HasSubstr("LIGHT_PATHS"));
+    const Outcome merged = run({"info", "ball.pbrt", "--integrator", "sppm"});
+    EXPECT_THAT(merged.out, HasSubstr("MERGING"));
+    EXPECT_THAT(merged.out, HasSubstr("light vertices"));
+    EXPECT_THAT(merged.out, testing::Not(HasSubstr("hard light")));
 }
 
 }  // namespace

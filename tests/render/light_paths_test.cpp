@@ -1,77 +1,13 @@
 // Paths from both ends: the same image as by paths from the camera where those find all light, and what they cannot find where they do not.
 
-#include "rendering.h"
+#include "both_ends.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace eikonal {
 namespace {
 
-View view() {
-    View v;
-    v.lookAt = "0 1.2 -3.4  0 .9 0  0 1 0";
-    v.fov = 40;
-    v.width = v.height = 24;
-    v.samples = 256;
-    v.maxDepth = 6;
-    return v;
-}
-/// The text of a scene with another directive instead of the one of that name.
-std::string sceneWith(View v, const std::string& directive, const std::string& world) {
-    v.more = directive;
-    return sceneText(v, world);
-}
-/// The same scene with light paths.
-std::string withLightPaths(std::string text) { return text.replace(text.find("volpath"), 7, "bdpt"); }
-
-/// Three walls and a lamp over them.
-const std::string room = R"(AttributeBegin
-    Material "diffuse" "rgb reflectance" [.7 .7 .7]
-    Shape "bilinearmesh" "point3 P" [-1 0 -1  1 0 -1  -1 0 1  1 0 1]
-    Shape "bilinearmesh" "point3 P" [-1 0 1  1 0 1  -1 2 1  1 2 1]
-    Material "diffuse" "rgb reflectance" [.7 .1 .1]
-    Shape "bilinearmesh" "point3 P" [-1 0 -1  -1 0 1  -1 2 -1  -1 2 1]
-    AttributeEnd
-)";
-std::string lamp(const std::string& shape) {
-    return "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [10 8 6] " + shape + " AttributeEnd\n";
-}
-const std::string panel = lamp("Shape \"bilinearmesh\" \"point3 P\" [-.5 1.98 -.5  .5 1.98 -.5  -.5 1.98 .5  .5 1.98 .5]");
-std::string ball(const std::string& material) {
-    return "AttributeBegin Translate .1 .5 0 Material " + material + " Shape \"sphere\" \"float radius\" .4 AttributeEnd\n";
-}
-
-/// The mean of an image, and its standard error by what the film says of the variance of each pixel.
-Estimate meanOf(const FilmImage& image) {
-    Estimate e = estimate(image);
-    double variance = 0;
-    for (const float v : image.variance) variance += static_cast<double>(v);
-    const double n = static_cast<double>(image.pixelCount());
-    e.error = glm::dvec3(std::sqrt(variance) / n);
-    return e;
-}
-
-/// Both ways have the same expectation: the means of the images, and of each of 16 parts of them, are within 4 standard errors.
-void expectSameLight(const std::string& text) {
-    const Rendered camera = render(text), both = render(withLightPaths(text));
-    EXPECT_EQ(both.invalid.count, 0u);
-    const Estimate a = meanOf(camera.image), b = meanOf(both.image);
-    const double error = std::hypot(a.error.g, b.error.g);
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(a.mean[c], b.mean[c], standardErrors * std::max(a.mean[c] / a.mean.g, 1.0) * error);
-    EXPECT_LT(error, 0.02 * a.mean.g) << "too few samples to tell";
-    const int side = camera.image.width / 4;
-    for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 4; ++x) {
-            double difference = 0, variance = 0;
-            for (int i = 0; i < side * side; ++i) {
-                const size_t at = camera.image.index(x * side + i % side, y * side + i / side);
-                difference += static_cast<double>(both.image.color[at].g - camera.image.color[at].g);
-                variance += static_cast<double>(both.image.variance[at] + camera.image.variance[at]);
-            }
-            EXPECT_LE(std::abs(difference), 5 * std::sqrt(variance) + 1e-3 * a.mean.g * side * side) << "part (" << x << ", " << y << ")";
-        }
-}
+std::string withLightPaths(const std::string& text) { return withIntegrator("\"bdpt\"", text); }
 
 struct Case {
     std::string name, world, directive;
@@ -79,7 +15,10 @@ struct Case {
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 class LightPaths : public testing::TestWithParam<Case> {};
 
-TEST_P(LightPaths, GiveTheImageOfPathsFromTheCamera) { expectSameLight(sceneWith(view(), GetParam().directive, room + GetParam().world)); }
+TEST_P(LightPaths, GiveTheImageOfPathsFromTheCamera) {
+    const std::string text = sceneWith(view(), GetParam().directive, room + GetParam().world);
+    expectSameLight(text, withLightPaths(text));
+}
 
 std::string manyLamps() {
     std::string all;

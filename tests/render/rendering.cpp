@@ -84,6 +84,7 @@ Features surfaceFeatures() {
                                 .require(RAY_SPLITTING)
                                 .require(UNIFORM_DIRECTIONS)
                                 .require(LIGHT_PATHS)
+                                .require(MERGING)
                                 .require(LENS)
                                 .require(FILTER)
                                 .require(BUMP)

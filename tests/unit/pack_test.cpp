@@ -224,17 +224,23 @@ TEST_F(Pack, HardLightIsNamed) {
     for (const auto& [world, traces] :
          {std::pair(point + glass, true), {lamp(0.01) + glass, true}, {lamp(1) + glass, false}, {point + rough, false}}) {
         Diagnostics silent(LogLevel::silent, true);
-        EXPECT_EQ(packScene(read("Integrator \"auto\"\nWorldBegin\n" + world), silent).features.has(Feature::LIGHT_PATHS), traces) << world;
+        const PackedScene scene = packScene(read("Integrator \"auto\"\nWorldBegin\n" + world), silent);
+        EXPECT_EQ(scene.features.has(Feature::LIGHT_PATHS), traces) << world;
+        EXPECT_EQ(scene.features.has(Feature::MERGING), traces) << world;
     }
     /* Paths from both ends miss less */
     Diagnostics diagnostics(LogLevel::silent, true);
     EXPECT_THAT(missedLight(packScene(read("Integrator \"bdpt\"\nWorldBegin\n" + point + glass), diagnostics)),
                 ElementsAre(HasSubstr("where they are seen by way of smooth ones, too")));
+    /* Where they merge, nothing */
+    for (const char* name : {"sppm", "vcm"})
+        EXPECT_THAT(missedLight(packScene(read("Integrator \"" + std::string(name) + "\"\nWorldBegin\n" + point + glass), diagnostics)),
+                    IsEmpty());
 }
 
 // Those that pbrt-v4 has and Eikonal has not are rendered as another one, and that is said once; with --strict it is an error.
 TEST_F(Pack, IntegratorsThatAreNotRenderedAreNamedOnce) {
-    for (const auto& [name, instead] : {std::pair("mlt", "bdpt"), {"sppm", "bdpt"}, {"lightpath", "bdpt"}, {"function", "volpath"}}) {
+    for (const auto& [name, instead] : {std::pair("mlt", "vcm"), {"lightpath", "bdpt"}, {"function", "volpath"}}) {
         Scene scene = read("Integrator \"" + std::string(name) + "\"\nWorldBegin\nShape \"sphere\"");
         Diagnostics lax(LogLevel::silent), strict(LogLevel::silent, true);
         packScene(scene, lax);
@@ -244,7 +250,7 @@ TEST_F(Pack, IntegratorsThatAreNotRenderedAreNamedOnce) {
         EXPECT_THROW(packScene(scene, strict), SceneError) << name;
     }
     Diagnostics hard(LogLevel::silent);
-    packScene(read("Integrator \"sppm\"\nWorldBegin\nLightSource \"point\" Material \"dielectric\" Shape \"sphere\""), hard);
+    packScene(read("Integrator \"lightpath\"\nWorldBegin\nLightSource \"point\" Material \"dielectric\" Shape \"sphere\""), hard);
     EXPECT_THAT(hard.warnings(), ElementsAre(HasSubstr("is missing")));
 
     /* What "bdpt" cannot do yet is said, too */
@@ -259,6 +265,20 @@ TEST_F(Pack, IntegratorsThatAreNotRenderedAreNamedOnce) {
         EXPECT_FALSE(packScene(read(std::string(head) + "\nWorldBegin\n" + world), diagnostics).features.has(Feature::LIGHT_PATHS)) << why;
         EXPECT_THAT(diagnostics.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1"), HasSubstr(why)))) << why;
     }
+}
+
+// Vertices merge where nothing moves, at the first radius of the scene or one that is chosen.
+TEST_F(Pack, MergingIsLeftOutWhereShapesMove) {
+    const std::string head = "Integrator \"sppm\" \"float radius\" .25\nWorldBegin\nLightSource \"point\"\n",
+                      moving = "ActiveTransform EndTime Translate 1 0 0 ActiveTransform All Shape \"sphere\"";
+    Diagnostics still(LogLevel::silent, true), moves(LogLevel::silent);
+    const PackedScene scene = packScene(read(head + "Shape \"sphere\""), still);
+    EXPECT_TRUE(scene.features.has(Feature::MERGING));
+    EXPECT_FLOAT_EQ(scene.frame().merge_radius, static_cast<float>(.25 / scene.worldScale));
+    const PackedScene other = packScene(read(head + moving), moves);
+    EXPECT_TRUE(other.features.has(Feature::LIGHT_PATHS));
+    EXPECT_FALSE(other.features.has(Feature::MERGING));
+    EXPECT_THAT(moves.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1"), HasSubstr("shapes move"), HasSubstr("\"bdpt\""))));
 }
 
 // A scene without light is black, and says so; not where nothing needs a light, and not where a medium shines by itself.
@@ -300,8 +320,9 @@ TEST_F(Pack, IntegratorsWithoutMediaSayWhatTheyLeaveOut) {
         packScene(read(head + "Shape \"sphere\""), empty);
         EXPECT_THAT(empty.warnings(), IsEmpty()) << name;
         const bool rendersMedia = packScene(read(head + smoke), smoky).features.has(Feature::MEDIA);
-        EXPECT_EQ(rendersMedia, kind == &volpath_integrator || kind == &bdpt_integrator || kind == &auto_integrator) << name;
-        if (rendersMedia && kind != &bdpt_integrator) EXPECT_THAT(smoky.warnings(), IsEmpty()) << name;
+        const bool startsAtLights = kind == &bdpt_integrator || kind == &sppm_integrator || kind == &vcm_integrator;
+        EXPECT_EQ(rendersMedia, kind == &volpath_integrator || startsAtLights || kind == &auto_integrator) << name;
+        if (rendersMedia && !startsAtLights) EXPECT_THAT(smoky.warnings(), IsEmpty()) << name;
         else EXPECT_THAT(smoky.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1"), HasSubstr("media")))) << name;
     }
 }

@@ -211,13 +211,25 @@ TEST_F(PbrtSettings, parametersOfIntegrators) {
 
 /// That another one is rendered is said when it is known that it is: tests/unit/pack_test.cpp.
 TEST_F(PbrtSettings, integratorsThatAreNotRenderedAreRemembered) {
-    for (const char* name : {"mlt", "sppm", "lightpath", "function"}) {
+    for (const auto& [name, instead] :
+         {std::pair("mlt", &vcm_integrator), {"lightpath", &bdpt_integrator}, {"function", &volpath_integrator}}) {
         const IntegratorDescription read = settings("Integrator \"" + std::string(name) + "\" \"integer maxdepth\" 7").integrator;
         EXPECT_EQ(read.standsFor, name);
-        EXPECT_EQ(read.kind, std::string(name) == "function" ? &volpath_integrator : &bdpt_integrator);
+        EXPECT_EQ(read.kind, instead);
         EXPECT_EQ(read.maxDepth, 7);
     }
     EXPECT_THAT(warnings_, IsEmpty());
+}
+
+/// In world units; 0: chosen for the scene. Photons are counted otherwise than in pbrt, which is said.
+TEST_F(PbrtSettings, theRadiusOfMergingIsRead) {
+    EXPECT_EQ(settings("Integrator \"sppm\" \"float radius\" .5").integrator.mergeRadius, .5);
+    EXPECT_EQ(settings("Integrator \"vcm\" \"float radius\" 2").integrator.mergeRadius, 2);
+    EXPECT_EQ(settings("Integrator \"sppm\"").integrator.mergeRadius, 0);
+    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_THAT(errorOfSettings("Integrator \"sppm\" \"float radius\" 0"), HasSubstr("(0, inf)"));
+    settings("Integrator \"sppm\" \"integer photonsperiteration\" 1000");
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("one light path for each pixel and sample")));
 }
 
 TEST_F(PbrtSettings, theLastOfASortCounts) {

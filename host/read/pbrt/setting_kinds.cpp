@@ -22,7 +22,8 @@ constexpr const char* filmParameters =
     "in (0, inf);"
     "string sensor = cie1931; float iso = 100 in (0, inf); float whitebalance = 0 in [0, inf); float maxcomponentvalue = 0 in (0, inf); "
     "bool savefp16 = false";
-constexpr const char *volpathInstead = "\"volpath\" renders it", *bdptInstead = "\"bdpt\" renders it";
+constexpr const char *volpathInstead = "\"volpath\" renders it", *bdptInstead = "\"bdpt\" renders it",
+                     *vcmInstead = "\"vcm\" renders it";
 
 const KindTable& cameraKinds() {
     static const KindTable table = [] {
@@ -85,13 +86,11 @@ const KindTable& integratorKinds() {
         for (const IntegratorKind* kind : integratorKindList())
             add(kind->name, static_cast<int>(rows.size()), kind->parameters, kind->leastDepth < kind->mostDepth, nullptr);
         add(volpathAlias, rowOf(volpath_integrator), "", true, nullptr);
-        for (const auto& [name, parameters] : std::initializer_list<std::pair<const char*, const char*>>{
-                 {"lightpath", ""},
-                 {"mlt",
-                  "integer bootstrapsamples = 100000; integer chains = 1000; integer mutationsperpixel = 100; float largestepprobability = "
-                  "0.3; float sigma = 0.01; bool regularize = false"},
-                 {"sppm", "integer photonsperiteration = -1; float radius = 1; integer seed = 0"}})
-            add(name, rowOf(bdpt_integrator), parameters, true, bdptInstead);
+        add("lightpath", rowOf(bdpt_integrator), "", true, bdptInstead);
+        add("mlt", rowOf(vcm_integrator),
+            "integer bootstrapsamples = 100000; integer chains = 1000; integer mutationsperpixel = 100; float largestepprobability = "
+            "0.3; float sigma = 0.01; bool regularize = false",
+            true, vcmInstead);
         add("function", rowOf(volpath_integrator), "string function = step; string filename; bool skipbad = true; string imagefilename",
             true, volpathInstead);
         return KindTable("integrator", "", rows);

@@ -29,6 +29,8 @@ constexpr WithoutEffect lines[] = {
     {"integrator", nullptr, "lightsampler", "exhaustive", silence, "\"bvh\" chooses lights by the same bounds, with the same expectation"},
     {"integrator", "bdpt", "visualizestrategies", nullptr, warning, noStrategyImages},
     {"integrator", "bdpt", "visualizeweights", nullptr, warning, noStrategyImages},
+    {"integrator", "sppm", "photonsperiteration", nullptr, warning, "there is one light path for each pixel and sample"},
+    {"integrator", "sppm", "seed", nullptr, silence, "light paths have random numbers of their own, by the sampler's seed"},
     {"sampler", nullptr, "randomization", "owen", silence, owenScrambling},
     {"sampler", nullptr, "randomization", "fastowen", silence, owenScrambling},
     {"sampler", nullptr, "randomization", "permutedigits", warning, owenScrambling},

@@ -1,0 +1,56 @@
+#include "pack/light_vertices.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace eikonal {
+
+/// The most vertices that are stored at a time: with their grid 100 bytes each in RGB, 800 MiB.
+constexpr double mostVertices = 1 << 23;
+/// Light paths at a time, if passes are so small: a few waves.
+constexpr double pathsAtATime = 1 << 19;
+
+/// The vertices that a path stores, at most, in the mean of many (stored_share).
+static double verticesOfPath(const settings& frame) { return std::min(frame.max_depth, 12u); }
+static double pixelsOf(const settings& frame) { return static_cast<double>(frame.width) * frame.height; }
+/// The light paths of a pass that store vertices.
+static double pathsOfPass(const settings& frame) { return std::ldexp(pixelsOf(frame), -static_cast<int>(frame.stored_share)); }
+
+std::string mergingObstacle(const PackContext& context) {
+    const Scene& scene = context.scene;
+    const auto moves = [](const Shape& s) { return s.worldFromObjectAtEnd.has_value(); };
+    if (std::ranges::any_of(scene.shapes, moves) ||
+        std::ranges::any_of(scene.objects, [&](const Object& o) { return std::ranges::any_of(o.shapes, moves); }) ||
+        std::ranges::any_of(scene.instances, [](const Instance& i) { return i.worldFromObjectAtEnd.has_value(); }))
+        return "shapes move, and paths have different times";
+    return {};
+}
+
+void requireMerging(const PackContext& context, settings& frame, const std::string& why) {
+    context.require(Feature::MERGING, why);
+    frame.stored_share = 0;
+    while (pathsOfPass(frame) * verticesOfPath(frame) > mostVertices) ++frame.stored_share;
+    /* As if all paths ended on a disk of the scene's size: four to each radius. That is also about the size of a pixel */
+    const double paths = std::max(pathsOfPass(frame), 1.0), scale = context.space.scale,
+                 chosen = (context.bounds.empty() ? 1.0 : context.bounds.radius() * scale) * 2 / std::sqrt(paths),
+                 radius = context.scene.integrator.mergeRadius > 0 ? context.scene.integrator.mergeRadius * scale : chosen;
+    frame.merge_radius = static_cast<float>(std::max(radius, 1e-7));
+    frame.merge_density = static_cast<float>(paths * M_PI * std::pow(double{frame.merge_radius}, 2));
+}
+
+VertexPlan planVertices(const PackedScene& scene) {
+    if (!scene.features.has(Feature::MERGING)) return {};
+    const settings& frame = scene.frame();
+    const double ofPass = pathsOfPass(frame) * verticesOfPath(frame),
+                 passes =
+                     std::min({pathsAtATime / pixelsOf(frame), mostVertices / std::max(ofPass, 1.0), static_cast<double>(scene.samples)});
+    VertexPlan plan;
+    plan.passes = std::bit_floor(static_cast<unsigned>(std::max(passes, 1.0)));
+    /* Fewer paths than pixels: how many store vertices, and of long ones how many vertices, varies a little */
+    plan.vertices = static_cast<size_t>(plan.passes * ofPass * 1.01) + 4096;
+    plan.buckets = std::bit_floor(plan.vertices);
+    return plan;
+}
+
+}  // namespace eikonal

@@ -1,0 +1,25 @@
+#pragma once
+// Which scenes store vertices of light paths for paths from the camera to merge with, and how many (kernels/shade/light_vertices.clh).
+
+#include "pack/context.h"
+
+#include <string>
+
+namespace eikonal {
+
+/// Why vertices do not merge in this scene where light paths are traced, as a clause: "shapes move". Empty: they do.
+std::string mergingObstacle(const PackContext& context);
+
+/// Has vertices merged, because of `why`: sets their radius, the scene's or one chosen for it, and how many light paths store them.
+void requireMerging(const PackContext& context, settings& frame, const std::string& why);
+
+/// Of the light vertices that are stored at a time.
+struct VertexPlan {
+    unsigned passes = 0;  ///< of whole passes, a power of two; 0: the scene merges none
+    size_t vertices = 0;  ///< room for so many
+    size_t buckets = 1;   ///< of the hash grid, at most; a power of two
+};
+/// For a render of so many samples per pixel. The first pass alone has room for all its vertices; no number changes the image.
+VertexPlan planVertices(const PackedScene& scene);
+
+}  // namespace eikonal

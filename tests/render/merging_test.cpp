@@ -1,0 +1,153 @@
+// Merging of vertices: the same light as paths from the camera find where those find it; what no other strategy finds, against what can be
+// derived; and the same bits, however the passes are divided.
+
+#include "both_ends.h"
+
+#include "pack/light_vertices.h"
+
+#include <cmath>
+
+namespace eikonal {
+namespace {
+
+/// Merges within a radius that is small beside all edges of the room.
+std::string merging(const std::string& text, const std::string& radius = ".03") {
+    return withIntegrator("\"sppm\" \"float radius\" " + radius, text);
+}
+
+struct Case {
+    std::string name, world;
+};
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+class Merging : public testing::TestWithParam<Case> {};
+
+/// But for a bias of half a percent: edges within a radius, and neighbours whose sums share light paths, so that their mean is noisier than
+/// the film says.
+TEST_P(Merging, GivesTheImageOfPathsFromTheCamera) {
+    const std::string text = sceneText(view(), room + GetParam().world);
+    expectSameLight(text, merging(text), 5e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    With, Merging,
+    testing::Values(Case{"matte", panel + ball("\"diffuse\"")}, Case{"clear_glass", panel + ball("\"dielectric\"")},
+                    Case{"rough_glass", panel + ball("\"dielectric\" \"float roughness\" .3")},
+                    Case{"rough_metal", panel + ball("\"conductor\" \"float roughness\" .2")},
+                    Case{"a_coat", panel + ball("\"coateddiffuse\" \"float roughness\" 0")},
+                    Case{"a_leaf", panel + ball("\"diffusetransmission\" \"rgb reflectance\" [.3 .3 .3] \"rgb transmittance\" [.5 .4 .3]")},
+                    Case{"vertex_normals", panel + R"(Material "diffuse" Shape "trianglemesh"
+                         "point3 P" [-.8 .3 .3  .8 .3 .3  0 1.6 .6] "normal N" [-1 0 -1  1 0 -1  0 1 -.5])"},
+                    Case{"a_sky", "LightSource \"infinite\" \"rgb L\" [.4 .5 .6]\n" + ball("\"diffuse\"")},
+                    Case{"a_spot", "LightSource \"spot\" \"rgb I\" [9 8 7] \"point3 from\" [.4 1.9 -.4] \"float coneangle\" 40\n" +
+                                       ball("\"diffuse\"")}),
+    [](const auto& info) { return info.param.name; });
+
+/// The floor of a pool under still water, lit from above and seen from above, both at right angles: the light passes the surface, is
+/// scattered by the floor, and passes the surface again. `maxdepth` 3 leaves out what returns to the floor.
+struct Pool {
+    static constexpr double eta = 1.33, reflectance = .5, height = 2, depth = 1;
+    static std::string text(const std::string& light) {
+        View v;
+        v.lookAt = "0 9 0  0 0 0  0 0 1";
+        v.fov = .5;
+        v.samples = 1024;
+        v.maxDepth = 3;
+        return sceneText(v, light + R"(Material "diffuse" "rgb reflectance" [.5 .5 .5]
+            Shape "bilinearmesh" "point3 P" [-3 -1 -3  3 -1 -3  -3 -1 3  3 -1 3]
+            Material "dielectric" "float eta" 1.33 Shape "bilinearmesh" "point3 P" [-3 0 -3  3 0 -3  -3 0 3  3 0 3])");
+    }
+    /// What is seen of an irradiance at the floor. Radiance that leaves water is spread over more directions.
+    static double radiance(double irradiance) { return irradiance * reflectance / M_PI * transmittance() / (eta * eta); }
+    static double transmittance() { return 1 - std::pow((eta - 1) / (eta + 1), 2); }
+};
+
+void expectOnlyMergingFinds(const std::string& text, double radiance) {
+    EXPECT_EQ(estimate(render(text).image).mean.g, 0);
+    EXPECT_EQ(estimate(render(withIntegrator("\"bdpt\"", text)).image).mean.g, 0);
+    const Rendered merged = render(merging(text, ".1"));
+    /* All pixels see one point, so they share light paths: the error is that between passes, as each pixel tells */
+    double variance = 0;
+    for (const float v : merged.image.variance) variance += static_cast<double>(v) / static_cast<double>(merged.image.pixelCount());
+    EXPECT_EQ(merged.invalid.count, 0u);
+    EXPECT_NEAR(estimate(merged.image).mean.g, radiance, standardErrors * std::sqrt(variance) + 2e-3 * radiance);
+    EXPECT_LT(std::sqrt(variance), .02 * radiance) << "too few samples to tell";
+}
+
+/// A point light: rays of a small angle a arrive at the distance a (height + depth / eta) from the middle.
+TEST(MergingInAPool, FindsAPointLight) {
+    const double irradiance = 4 * Pool::transmittance() / std::pow(Pool::height + Pool::depth / Pool::eta, 2);
+    expectOnlyMergingFinds(Pool::text("LightSource \"point\" \"rgb I\" [4 4 4] \"point3 from\" [0 2 0]\n"), Pool::radiance(irradiance));
+}
+/// The sun: the floor is lit as evenly as the water.
+TEST(MergingInAPool, FindsTheSun) {
+    expectOnlyMergingFinds(Pool::text("LightSource \"distant\" \"rgb L\" [4 4 4] \"point3 from\" [0 1 0] \"point3 to\" [0 0 0]\n"),
+                           Pool::radiance(4 * Pool::transmittance()));
+}
+
+class MergingEquality : public testing::TestWithParam<const char*> {
+protected:
+    static std::string text() {
+        View v = view();
+        v.samples = 24;
+        v.sampler = GetParam();
+        return merging(
+            sceneWith(v, "PixelFilter \"gaussian\"",
+                      room + panel + ball("\"dielectric\"") + "LightSource \"point\" \"rgb I\" [2 2 2] \"point3 from\" [-.5 1.5 -.6]\n"));
+    }
+    /// At wavelengths, which the paths of a pass share.
+    static PackedScene scene() { return packScene(text(), ColorMode::spectral); }
+    const Rendered reference = render(scene());
+};
+
+TEST_P(MergingEquality, WavesAndBatchesDoNotShow) {
+    for (const auto& [paths, batches] : {std::pair(64u, 8u), {1000u, 8u}, {65472u, 3u}}) {
+        RenderSetup setup;
+        setup.shape.wavePaths = paths;
+        setup.shape.batches = batches;
+        expectSameBits(reference.image, render(scene(), setup).image, std::to_string(paths) + " paths in a wave");
+    }
+}
+TEST_P(MergingEquality, SamplesMayComeInParts) {
+    RenderSetup setup;
+    setup.splits = {3, 4, 16};
+    expectSameBits(reference.image, render(scene(), setup).image, "in parts");
+}
+TEST_P(MergingEquality, ACropHasThePixelsOfTheWhole) {
+    PackedScene part = scene();
+    part.pixels = {5, 3, 18, 16};
+    expectSameBits(reference.image, render(part).image, "the crop");
+}
+INSTANTIATE_TEST_SUITE_P(Of, MergingEquality, testing::Values("zsobol", "independent"),
+                         [](const auto& info) { return std::string(info.param); });
+
+/// Blocks with different numbers of samples merge with the light paths of the same passes.
+TEST(MergingAdaptively, EndsWithTheErrorAskedFor) {
+    RenderSetup setup;
+    PackedScene scene = packScene(merging(sceneWith(view(), "", room + panel + ball("\"dielectric\""))));
+    scene.samples = 1024;
+    setup.targetError = 0.05;
+    const Rendered adaptive = render(scene, setup);
+    ASSERT_TRUE(adaptive.result.error.has_value());
+    EXPECT_LE(*adaptive.result.error, 0.05);
+    const Estimate a = meanOf(adaptive.image),
+                   b = meanOf(render(merging(sceneWith(view(), "", room + panel + ball("\"dielectric\"")))).image);
+    EXPECT_NEAR(a.mean.g, b.mean.g, standardErrors * std::hypot(a.error.g, b.error.g) + 5e-3 * b.mean.g);
+}
+
+/// What is stored at a time stays below a GiB, whatever the image and the length of paths; and a pass has room for all that it stores.
+TEST(MergingPlan, IsBounded) {
+    for (const auto& [side, depth] : {std::pair(1, 5), {24, 5}, {2900, 5}, {2900, 100}, {16000, 1000}}) {
+        View v = view();
+        v.width = v.height = side;
+        v.maxDepth = depth;
+        const PackedScene scene = packScene(merging(sceneText(v, room + panel)));
+        const VertexPlan plan = planVertices(scene);
+        EXPECT_LT(static_cast<double>(plan.vertices) * 100 + static_cast<double>(plan.buckets) * 4, 1 << 30) << side;
+        const double paths = std::ldexp(double{side} * side, -static_cast<int>(scene.frame().stored_share));
+        EXPECT_GE(static_cast<double>(plan.vertices), plan.passes * paths * std::min(depth, 11)) << side;
+        EXPECT_GE(plan.passes, 1u);
+    }
+}
+
+}  // namespace
+}  // namespace eikonal
