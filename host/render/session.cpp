@@ -199,6 +199,9 @@ void Session::survey(const std::function<bool()>& abandon) {
 void Session::setSeed(int seed) {
     packed_.frame().seed = static_cast<uint>(seed);
     deviceScene_->setFrame(device_->context, packed_.frame());
+    if (!packed_.features.has(Feature::MERGING)) return;
+    for (wavelength_range& range : packed_.tables.wavelengths) range.pass_seed = packed_.frame().seed;
+    deviceScene_->replace(device_->context, "wavelengths", packed_.tables.wavelengths);
 }
 
 std::unique_ptr<Tracer> Session::makeLoop(Profile& profile) {
