@@ -104,7 +104,7 @@ TEST(StageTable, DrainsWhatAnEarlierStageFills) {
 TEST(StageTable, RequiresNoMoreOfAQueueThanOfTheStageThatDrainsIt) {
     for (const StageRow& stage : stageTable) {
         const Queue drained = *stage.reads.begin();
-        if (drained == Queue::pixels) continue;
+        if (static_cast<size_t>(drained) >= queueCount) continue;   // memory that is not of a wave
         const Requirement queue = rowOf(drained).requirement;
         EXPECT_TRUE(queue == Requirement() || queue == stage.requirement) << stage.name;
     }
