@@ -54,7 +54,7 @@ struct Pool {
         v.maxDepth = 3;
         return sceneText(v, light + R"(Material "diffuse" "rgb reflectance" [.5 .5 .5]
             Shape "bilinearmesh" "point3 P" [-3 -1 -3  3 -1 -3  -3 -1 3  3 -1 3]
-            Material "dielectric" "float eta" 1.33 Shape "bilinearmesh" "point3 P" [-3 0 -3  3 0 -3  -3 0 3  3 0 3])");
+            Material "dielectric" "float eta" 1.33 Shape "bilinearmesh" "point3 P" [-3 0 3  3 0 3  -3 0 -3  3 0 -3])");
     }
     /// What is seen of an irradiance at the floor. Radiance that leaves water is spread over more directions.
     static double radiance(double irradiance) { return irradiance * reflectance / M_PI * transmittance() / (eta * eta); }
