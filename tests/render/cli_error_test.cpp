@@ -167,7 +167,7 @@ TEST_F(Cli, TheIntegratorMayBeChosen) {
     EXPECT_EQ(chosen.status, 0);
     EXPECT_EQ(chosen.error, "");
     EXPECT_THAT(chosen.out, HasSubstr("AMBIENT_OCCLUSION"));
-    const Outcome unknown = run({"info", "photons.pbrt", "--integrator", "sppm"});
+    const Outcome unknown = run({"info", "photons.pbrt", "--integrator", "photons"});
     EXPECT_EQ(unknown.status, 2);
     EXPECT_THAT(unknown.error, HasSubstr("--integrator is one of volpath, path, direct, whitted"));
 }
