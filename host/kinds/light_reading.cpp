@@ -21,7 +21,7 @@ void readDirection(const Arguments& arguments, Light& light) {
 bool readImage(const LightReading& in, image_wrap wrap, Light& light) {
     const Arguments& arguments = in.arguments;
     if (!arguments.has("filename")) throw SceneError(arguments.where(), arguments.kind().title() + " needs an image: \"string filename\"");
-    const std::optional<std::string> path = arguments.file("filename");
+    const std::optional<std::string> path = arguments.file("filename", "the light is left out");
     if (!path) return false;
     ImageFile file{*path};
     file.wrap = wrap;

@@ -98,18 +98,23 @@ TEST(Color, OfATexelIsThatOfTheTable) {
 }
 
 /// Over the samples of a pixel, the film makes of light of a colour that colour; wavelengths have the density that they say, or white would
-/// not be 1.
-TEST(Color, ComesBackFromItsWavelengths) {
+/// not be 1. Of paths that merge, and of those that do not.
+class ColorOfWavelengths : public testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Color, ColorOfWavelengths, testing::Bool());
+
+TEST_P(ColorOfWavelengths, ComesBack) {
     Colors tables;
-    static const DeviceFunction<vec3> function({.include = "shade/color.clh",
-                                                .type = "rgb",
-                                                .body = R"(
+    tables.packer.packPassWavelengths(tables.packed.frame());
+    const DeviceFunction<vec3> function({.include = "shade/color.clh",
+                                         .type = "rgb",
+                                         .body = R"(
         color_tables set = BIND_COLORS;
         sampled_wavelengths p = path_wavelengths(set, 77u, sample);
         result = color_seen(p, from, eval_color(p, c));)",
-                                                .inputs = {"color c", "uint sample", "uint from"},
-                                                .tables = "COLOR_TABLES(TABLE)",
-                                                .features = Features::allSpectral()});
+                                         .inputs = {"color c", "uint sample", "uint from"},
+                                         .tables = "COLOR_TABLES(TABLE)",
+                                         .features = GetParam() ? Features::allSpectral()
+                                                                : Features::allSpectral().without(Feature::MERGING)});
     const uint light = tables.packed.frame().sensor_curves, surface = tables.packed.frame().albedo_curves;
     struct Case { color c; uint from; glm::dvec3 expected; };
     const Case cases[] = {{tables.packer.emission(Spectrum::rgb({1, 1, 1})), light, {1, 1, 1}},

@@ -35,7 +35,7 @@ TEST_F(Cli, ErrorsInASceneSayWhereAndExitWith1) {
 }
 
 TEST_F(Cli, OutputThatCannotBeWrittenIsSaidBeforeRendering) {
-    for (const char* file : {"absent/a.exr", "a.xyz", "."}) {
+    for (const char* file : {"absent/a.exr", "a.xyz", "tiny.pbrt/a.exr"}) {
         const Outcome run = this->run({"render", "tiny.pbrt", "-o", file, "--spp", "100000000"});
         EXPECT_EQ(run.status, 1) << file;
         EXPECT_THAT(run.error, HasSubstr("cannot write")) << file;

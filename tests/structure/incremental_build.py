@@ -49,7 +49,8 @@ def output_of(command):
 def carry_contract(tree):
     target = tree / "build" / CARRIED
     target.parent.mkdir(parents=True, exist_ok=True)
-    subprocess.run(["cmake", f"-DINCLUDE={tree}/include", f"-DOUTPUT={target}", "-P", tree / "cmake/embed_contract.cmake"], check=True)
+    subprocess.run(["cmake", f"-DROOT={tree}/include", "-DPATTERNS=eikonal/*.h", f"-DOUTPUT={target}", "-P", tree / "cmake/embed_files.cmake"],
+                   check=True)
 
 
 def compile_in(tree, command, source, target):

@@ -30,7 +30,7 @@ static bool read(const pbrt::MediumReading& in, Medium& medium) {
     readCoefficients(arguments, medium);
     pbrt::scaleCoefficients(medium, arguments.number("scale"));
     if (!arguments.has("filename")) throw SceneError(arguments.where(), "medium \"nanovdb\" needs a \"string filename\"");
-    const std::optional<std::string> path = arguments.file("filename");
+    const std::optional<std::string> path = arguments.file("filename", "the medium is left out");
     if (!path) return false;
     readGrids(arguments, *path, medium);
     medium.emissionScale = arguments.number("Lescale");

@@ -21,7 +21,7 @@ static bool readSubdivided(const pbrt::ShapeReading& in, pbrt::PendingShape& pen
 /// Once the file is read, faces with four corners become bilinear patches (read/pbrt/shapes.cpp).
 static bool readPly(const pbrt::ShapeReading& in, pbrt::PendingShape& pending) {
     if (!in.arguments.has("filename")) throw SceneError(in.arguments.where(), "shape \"plymesh\" needs a \"string filename\"");
-    const std::optional<std::string> path = in.arguments.file("filename");
+    const std::optional<std::string> path = in.arguments.file("filename", "the shape is left out");
     if (!path) return false;
     pending.plyFile = in.plyFiles.add(*path, in.arguments.whereOf("filename"));
     if (const pbrt::Parameter* displacement = in.arguments.given("displacement")) {

@@ -40,10 +40,9 @@ static void readEncoding(const pbrt::TextureReading& in, ImageFile& file) {
 static bool read(const pbrt::TextureReading& in, Texture& texture) {
     const pbrt::Arguments& arguments = in.arguments;
     if (!arguments.has("filename")) throw SceneError(arguments.where(), "texture \"imagemap\" needs a \"string filename\"");
-    const std::optional<std::string> path = arguments.file("filename");
-    if (!path) return false;
-    ImageFile file{*path};
-    file.where = arguments.whereOf("filename");
+    std::optional<ImageFile> found = arguments.image("filename");
+    if (!found) return false;
+    ImageFile file = std::move(*found);
     constexpr image_wrap wraps[] = {wrap_repeat, wrap_black, wrap_clamp, wrap_octahedral};
     file.wrap = wraps[choose(arguments, "wrap")];
     file.filter = arguments.text("filter") == "point" ? filter_nearest : filter_bilinear;

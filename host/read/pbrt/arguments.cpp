@@ -281,6 +281,16 @@ std::optional<std::string> Arguments::file(const std::string& name) const {
     return path.empty() ? std::nullopt : reading_->findFile(path, whereOf(name));
 }
 
+std::optional<std::string> Arguments::file(const std::string& name, const char* instead) const {
+    const std::string path = text(name);
+    return path.empty() ? std::nullopt : reading_->findFile(path, whereOf(name), instead);
+}
+
+std::optional<ImageFile> Arguments::image(const std::string& name) const {
+    const std::string path = text(name);
+    return path.empty() ? std::nullopt : reading_->findImage(path, whereOf(name));
+}
+
 std::string typeOf(const ParameterList& parameters, const char* directive, const SourceLocation& where) {
     for (const Parameter& parameter : parameters | std::views::reverse)
         if (parameter.name == "type" && parameter.type == ParameterType::text) {

@@ -52,6 +52,9 @@ public:
 
     /// The path of an existing file; nothing if the parameter is not given or the file is missing (which is noted).
     std::optional<std::string> file(const std::string& name) const;
+    /// The same for a file, or an image of textures, that a picture can do without (Reading::findFile, findImage).
+    std::optional<std::string> file(const std::string& name, const char* instead) const;
+    std::optional<ImageFile> image(const std::string& name) const;
 
     /// Reports parameters of this directive that nothing has asked for: others leave them without an effect. To be called when everything
     /// is read.

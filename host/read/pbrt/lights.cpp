@@ -47,11 +47,9 @@ int addAreaLight(Reading& reading, TextureRegistry& textures, const std::string&
     if (arguments.has("filename") && arguments.has("L"))
         throw SceneError(arguments.whereOf("L"), "area light \"diffuse\" has either \"L\" or \"filename\", not both");
     AreaLight light;
-    if (const std::optional<std::string> path = arguments.file("filename")) {
-        ImageFile file{*path};
-        file.wrap = wrap_clamp;
-        file.where = arguments.whereOf("filename");
-        light.image = textures.image(file);
+    if (std::optional<ImageFile> file = arguments.image("filename")) {
+        file->wrap = wrap_clamp;
+        light.image = textures.image(*file);
     }
     light.where = where;
     light.L = arguments.spectrum("L", whiteOf(arguments));

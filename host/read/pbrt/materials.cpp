@@ -141,7 +141,7 @@ void MaterialRegistry::readInputs(const Arguments& arguments, Material& material
 }
 
 int MaterialRegistry::normalMap(const Arguments& arguments) {
-    const std::optional<std::string> path = arguments.file("normalmap");
+    const std::optional<std::string> path = arguments.file("normalmap", "the surface has no normal map");
     if (!path) return none;
     ImageFile file{*path};
     file.encoding = ColorEncoding::linear;

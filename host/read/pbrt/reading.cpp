@@ -81,11 +81,35 @@ bool Reading::hasFile(const std::string& name, const SourceLocation& where) cons
                                                 [&](const fs::path& candidate) { return fs::is_regular_file(candidate, ignored); });
 }
 
+std::optional<std::string> Reading::lookFor(const std::string& name, const SourceLocation& where) {
+    std::error_code ignored;
+    for (const fs::path& candidate : candidatesFor(name, where))
+        if (!name.empty() && fs::is_regular_file(candidate, ignored)) return candidate.lexically_normal().string();
+    std::optional<std::string> found = findLoosely(name, folder);
+    if (found) diagnostics.warnOnce("loose file " + name, where, looseMatchMessage(name, *found));
+    return found;
+}
+
+std::optional<std::string> Reading::findFile(const std::string& name, const SourceLocation& where, const char* instead) {
+    if (missingFiles == MissingFiles::error) return findFile(name, where);
+    std::optional<std::string> found = lookFor(name, where);
+    if (!found) diagnostics.warnOnce("missing file " + name, where, fmt::format("there is no file \"{}\"; {}", name, instead));
+    return found;
+}
+
+std::optional<ImageFile> Reading::findImage(const std::string& name, const SourceLocation& where) {
+    ImageFile image;
+    if (const auto path = findFile(name, where, "the texture is magenta")) image.path = *path;
+    else if (missingFiles == MissingFiles::magenta) image = magentaImage(name);
+    else return std::nullopt;
+    image.where = where;
+    return image;
+}
+
 std::optional<std::string> Reading::findFile(const std::string& name, const SourceLocation& where) {
+    if (auto found = lookFor(name, where)) return found;
     const std::vector<fs::path> candidates = candidatesFor(name, where);
     std::error_code ignored;
-    for (const fs::path& candidate : candidates)
-        if (!name.empty() && fs::is_regular_file(candidate, ignored)) return candidate.lexically_normal().string();
     if (!name.empty() && std::ranges::any_of(candidates, [&](const fs::path& candidate) { return fs::is_directory(candidate, ignored); }))
         problems.add(where, "\"" + name + "\" is a folder; a file is expected");
     else

@@ -2,6 +2,7 @@
 // Shared state of the parts of the reader.
 
 #include "diagnostics.h"
+#include "read/formats/loose_files.h"
 #include "read/pbrt/parameters.h"
 #include "read/pbrt/problems.h"
 #include "scene/scene.h"
@@ -23,6 +24,7 @@ struct Reading {
 
     Diagnostics& diagnostics;
     std::string folder;      ///< folder of the main scene file, which relative names refer to
+    MissingFiles missingFiles = MissingFiles::error;
     Problems problems;
     Scene scene;
     std::map<std::pair<double, double>, std::shared_ptr<const AlbedoTable>> albedoTables;   ///< by g and eta, each computed once
@@ -30,8 +32,14 @@ struct Reading {
     double displacementEdgeScale = 1;   ///< factor of all edge lengths of displaced meshes
 
     /// The path of a file that the scene names: absolute, or relative to the scene's folder, the folder of the file that names it, or the
-    /// working directory. If there is none, notes the problem and returns nothing.
+    /// working directory; else, with a warning, one that is probably meant (read/formats/loose_files.h). If there is none, notes the
+    /// problem and returns nothing.
     std::optional<std::string> findFile(const std::string& name, const SourceLocation& where);
+    /// The same for a file that a picture can do without: with MissingFiles::magenta there is a warning, which ends with `instead`, and
+    /// no problem.
+    std::optional<std::string> findFile(const std::string& name, const SourceLocation& where, const char* instead);
+    /// The same for an image that textures read. With MissingFiles::magenta, one that is missing is a magenta pixel, and is there.
+    std::optional<ImageFile> findImage(const std::string& name, const SourceLocation& where);
 
     /// Reports a feature that is read but not rendered; under --strict a problem.
     void unsupported(const std::string& kind, const SourceLocation& where, const std::string& message);
@@ -40,6 +48,8 @@ struct Reading {
     Spectrum readSpectrum(const Parameter& parameter);
 
 private:
+    /// An existing file, or nothing, which is not noted.
+    std::optional<std::string> lookFor(const std::string& name, const SourceLocation& where);
     /// The paths that `name` may refer to, in order.
     std::vector<std::filesystem::path> candidatesFor(const std::string& name, const SourceLocation& where) const;
     bool hasFile(const std::string& name, const SourceLocation& where) const;
