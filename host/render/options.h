@@ -3,6 +3,7 @@
 
 #include "device/math_flags.h"
 #include "diagnostics.h"
+#include "read/formats/loose_files.h"
 #include "scene/scene.h"
 
 #include <algorithm>
@@ -36,6 +37,7 @@ struct SceneOptions {
     std::optional<PixelBounds> pixelBounds;
     std::optional<glm::dvec3> camera, lookAt, up;     ///< OBJ only, world space
     std::optional<double> fov;                        ///< OBJ only, degrees along the shorter side, in (0, 180)
+    MissingFiles missingFiles = MissingFiles::error;
     bool strict = false;
 };
 

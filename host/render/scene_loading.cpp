@@ -26,13 +26,14 @@ static Scene loadObj(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.up) obj.up = *o.up;
     obj.fov = o.fov;
     if (o.resolution) { obj.width = (*o.resolution)[0]; obj.height = (*o.resolution)[1]; }
+    obj.missingFiles = o.missingFiles;
     return readObj(o.path, obj, diagnostics);
 }
 
 static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
     const char* name = o.camera ? "--camera" : o.lookAt ? "--look-at" : o.up ? "--up" : o.fov ? "--fov" : nullptr;
     if (name) throw UsageError(fmt::format("{} is for OBJ files; change the camera of a pbrt scene in \"{}\" itself", name, o.path));
-    Scene scene = isStandardStream(o.path) ? readPbrtInput(diagnostics) : readPbrt(o.path, diagnostics);
+    Scene scene = isStandardStream(o.path) ? readPbrtInput(diagnostics, o.missingFiles) : readPbrt(o.path, diagnostics, o.missingFiles);
     if (o.resolution) {
         /* The file's pixel bounds are meaningless at another resolution */
         scene.film.width = (*o.resolution)[0];

@@ -1,6 +1,7 @@
 // Materials of MTL files: what docs/obj.md promises.
 
 #include "kinds/material_kind.h"
+#include "image/image_data.h"
 #include "unit/obj_fixture.h"
 
 #include <gtest/gtest.h>
@@ -154,6 +155,19 @@ TEST_F(ObjMaterials, findImagesBesideTheLibrary) {
     writeImage("wood.ppm");
     const Scene scene = loadMaterial("map_Kd \"C:\\work\\textures\\wood.ppm\"\n");
     EXPECT_EQ(scene.images.at(0).path, path("wood.ppm"));
+}
+
+TEST_F(ObjMaterials, findImagesInOtherCaseAndMayDoWithout) {
+    writeImage("Wood.ppm");
+    EXPECT_EQ(loadMaterial("map_Kd WOOD.PPM\n").images.at(0).path, path("Wood.ppm"));
+    ObjOptions options;
+    options.missingFiles = MissingFiles::magenta;
+    write("model.mtl", "newmtl m\nmap_Kd oak.png\nmap_Bump bumps.png\n");
+    const Scene scene = load("mtllib model.mtl\n" + square + "vt 0 0\nvt 1 0\nvt 1 1\nusemtl m\nf 1/1 2/2 3/3\n", options);
+    EXPECT_THAT(scene.images.at(0).pixels->floats, testing::ElementsAre(1, 0, 1));
+    EXPECT_EQ(materialOf(scene).displacement, none);
+    EXPECT_THAT(warnings_, testing::UnorderedElementsAre(HasSubstr("no image \"oak.png\"; the texture is magenta"),
+                                                         HasSubstr("no image \"bumps.png\"; the map is left out")));
 }
 
 TEST_F(ObjMaterials, haveAlphaBumpAndNormalMaps) {

@@ -1,6 +1,7 @@
 // What is said about scenes that are wrong: where, what, and what would have worked. And that nothing else happens, whatever
 // the text.
 
+#include "image/image_data.h"
 #include "unit/pbrt_reading.h"
 
 #include <random>
@@ -60,6 +61,43 @@ TEST_F(PbrtErrors, allMissingFilesAreListedOnce) {
     for (const char* name : {"a.pbrt", "b.pbrt", "c.ply", "d.png", "e.spd", "f.png", "g.exr"})
         EXPECT_THAT(error, HasSubstr("there is no file \"" + std::string(name) + "\""));
     EXPECT_EQ(lines(error), 7);
+}
+
+TEST_F(PbrtErrors, missingFilesMayBeMagentaOrLeftOut) {
+    missing_ = MissingFiles::magenta;
+    const Scene scene = world(R"(Shape "plymesh" "string filename" "c.ply"
+        Texture "t" "spectrum" "imagemap" "string filename" "d.png"
+        Material "diffuse" "texture reflectance" "t" "string normalmap" "f.png" Shape "sphere"
+        LightSource "infinite" "string filename" "g.exr")");
+    EXPECT_EQ(scene.shapes.size(), 1u);
+    ASSERT_EQ(scene.images.size(), 1u);
+    EXPECT_THAT(scene.images[0].pixels->floats, ElementsAre(1, 0, 1));
+    EXPECT_THAT(warnings_,
+                testing::UnorderedElementsAre(HasSubstr("no file \"c.ply\"; the shape is left out"),
+                                              HasSubstr("no file \"d.png\"; the texture is magenta"),
+                                              HasSubstr("no file \"f.png\"; the surface has no normal map"),
+                                              HasSubstr("no file \"g.exr\"; the light is left out")));
+    /* What a scene cannot do without */
+    EXPECT_THAT(errorOfWorld("Include \"a.pbrt\""), HasSubstr("there is no file \"a.pbrt\""));
+}
+
+TEST_F(PbrtErrors, filesOfOtherMachinesAreFoundBesideTheScene) {
+    std::filesystem::create_directory(folder_ / "Textures");
+    write("Textures/Wood.PNG", "an image");
+    write("brick.png", "an image");
+    const auto found = [&](const std::string& name) {
+        const Scene scene = world("Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"" + name + "\"");
+        return std::filesystem::path(scene.images.at(0).path).filename().string();
+    };
+    EXPECT_EQ(found("brick.png"), "brick.png");
+    EXPECT_THAT(warnings_, IsEmpty());
+    for (const char* name : {"wood.png", "C:/Users/me/tex/wood.png", "textures\\\\wood.png", "/home/me/WOOD.png", "Textures/wood.png"}) {
+        EXPECT_EQ(found(name), "Wood.PNG") << name;
+        EXPECT_THAT(warnings_, ElementsAre(HasSubstr("Wood.PNG\" is read instead"))) << name;
+    }
+    EXPECT_EQ(found("D:/x/Brick.png"), "brick.png");
+    EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"oak.png\""),
+                HasSubstr("there is no file \"oak.png\""));
 }
 
 // What a missing file would have held is not known, so nothing is wrong with the list that includes it, nor with its directive.

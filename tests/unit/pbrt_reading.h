@@ -23,7 +23,7 @@ protected:
         Diagnostics diagnostics(LogLevel::silent, strict);
         const auto keep = [&] { warnings_ = diagnostics.warnings(); };
         try {
-            Scene scene = readPbrtText(text, "test.pbrt", folder_.string(), diagnostics);
+            Scene scene = readPbrtText(text, "test.pbrt", folder_.string(), diagnostics, missing_);
             keep();
             return scene;
         } catch (...) {
@@ -49,6 +49,7 @@ protected:
     }
 
     std::vector<std::string> warnings_;  ///< of the last text that was read
+    MissingFiles missing_ = MissingFiles::error;
 };
 
 inline void expectNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-6) {

@@ -151,6 +151,10 @@ void addScene(CLI::App* app, Options& o, bool takesOne) {
     value(app, "--resolution", s.resolution, "WxH", "Pixels of the whole image", parseResolution)->group(group);
     value(app, "--cropwindow", s.cropWindow, "x0,x1,y0,y1", "Render a part, in fractions of the image", parseCropWindow)->group(group);
     value(app, "--pixelbounds", s.pixelBounds, "x0,x1,y0,y1", "Render a part, in pixels: x0 <= x < x1", parsePixelBounds)->group(group);
+    value(app, "--missing", s.missingFiles, "WHAT",
+          "Files that are missing: error (default) lists them all; magenta: textures become magenta, shapes are left out",
+          oneOf<MissingFiles>({{"error", MissingFiles::error}, {"magenta", MissingFiles::magenta}}))
+        ->group(group);
     app->add_flag("--strict", s.strict, "Features that are parsed but not rendered are errors instead of warnings")->group(group);
     value(app, "--camera", s.camera, "x,y,z", "Position of the camera (default: chosen to show the model)", parseVector)->group(objGroup);
     value(app, "--look-at", s.lookAt, "x,y,z", "A point at the centre of the image", parseVector)->group(objGroup);

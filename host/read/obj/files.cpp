@@ -1,4 +1,5 @@
 #include "error.h"
+#include "read/formats/loose_files.h"
 #include "read/obj/materials.h"
 
 #include <fmt/format.h>
@@ -16,7 +17,7 @@ std::string ObjFiles::find(const std::string& name, const fs::path& beside) {
     std::error_code error;
     for (const fs::path& candidate : {folder / portable, folder / fs::path(portable).filename()})
         if (fs::is_regular_file(candidate, error)) return candidate.string();
-    return {};
+    return findLoosely(name, folder).value_or("");
 }
 
 std::string ObjFiles::require(const std::string& name, const SourceLocation& where) {

@@ -2,6 +2,7 @@
 // Converts the materials of a .mtl file. docs/obj.md describes the mapping for users.
 
 #include "diagnostics.h"
+#include "read/formats/loose_files.h"
 #include "read/obj/mtl.h"
 #include "scene/scene.h"
 
@@ -14,7 +15,12 @@ namespace eikonal {
 /// Finds files that an OBJ or MTL file names. Collects missing files, so that all are reported at once.
 class ObjFiles {
 public:
-    /// Looks for `name` relative to the folder of `beside`, then for its last component in that folder. Empty if neither exists.
+    explicit ObjFiles(MissingFiles missing = MissingFiles::error) : allowsMissing_(missing == MissingFiles::magenta) {}
+    /// Whether an image that is missing becomes magenta.
+    bool allowsMissing() const { return allowsMissing_; }
+
+    /// Looks for `name` relative to the folder of `beside`, then for its last component in that folder, then for what is probably meant
+    /// (read/formats/loose_files.h). Empty if there is none.
     static std::string find(const std::string& name, const std::filesystem::path& beside);
 
     /// Same as find, but notes an error at `where` if the file does not exist.
@@ -24,6 +30,7 @@ public:
     void throwMissing() const;
 
 private:
+    bool allowsMissing_;
     std::vector<std::string> missing_;
 };
 

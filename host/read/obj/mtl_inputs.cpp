@@ -31,10 +31,20 @@ std::optional<std::pair<MtlTexture, ImageFile>> MtlInputs::image(const std::stri
     for (const std::string& option : texture->ignored)
         diagnostics_.unsupported("mtl " + option.substr(0, option.find(' ')), texture->where,
                                  fmt::format("the option \"{}\" is not supported", option));
-    const std::string path = files_.require(texture->file, texture->where);
-    if (path.empty()) return {};
-    usesUvs_ = true;
+    const std::string path = files_.allowsMissing() ? files_.find(texture->file, *texture->where.file)
+                                                    : files_.require(texture->file, texture->where);
     ImageFile file{.path = path, .encoding = encoding};
+    if (path.empty()) {
+        if (!files_.allowsMissing()) return {};
+        /* Numbers, as of bumps, have no colour that would be seen */
+        const bool isColor = encoding == ColorEncoding::automatic;
+        diagnostics_.warnOnce("missing file " + texture->file, texture->where,
+                              fmt::format("there is no image \"{}\"; {}", texture->file,
+                                          isColor ? "the texture is magenta" : "the map is left out"));
+        if (!isColor) return {};
+        file = magentaImage(texture->file);
+    }
+    usesUvs_ = true;
     file.wrap = texture->clamp ? wrap_clamp : wrap_repeat;
     file.where = texture->where;
     return std::pair{std::move(*texture), std::move(file)};

@@ -92,10 +92,10 @@ std::map<std::string, double> textureSizes(const ObjGeometry& geometry, const Ob
 }
 
 void addShapes(Scene& scene, const ObjGeometry& geometry, const ObjMeshes& meshes, const Library& library, const FileName& file,
-               Diagnostics& diagnostics) {
+               MissingFiles missing, Diagnostics& diagnostics) {
     const std::map<std::string, double> sizes = textureSizes(geometry, meshes);
     std::map<const MtlMaterial*, ObjMaterial> materials;
-    ObjFiles files;
+    ObjFiles files(missing);
     for (std::size_t g = 0; g < geometry.groups.size(); ++g) {
         const ObjGroup& group = geometry.groups[g];
         const ObjMesh& mesh = meshes.groups[g];
@@ -163,7 +163,8 @@ Scene readObj(const std::string& path, const ObjOptions& options, Diagnostics& d
     scene.name = sceneName(path);
     scene.integrator.maxDepth = 10;
     scene.sampler.pixelSamples = 64;
-    addShapes(scene, geometry, meshes, Library(geometry.libraries, path, diagnostics), file, diagnostics);
+    addShapes(scene, geometry, meshes, Library(geometry.libraries, path, diagnostics), file, options.missingFiles,
+              diagnostics);
     View view;
     placeCamera(scene, options, view);
     if (scene.areaLights.empty()) addSky(scene, options.up, view.eye - view.target);

@@ -2,6 +2,7 @@
 // Reads a Wavefront OBJ file as a scene. For users: docs/obj.md.
 
 #include "diagnostics.h"
+#include "read/formats/loose_files.h"
 #include "scene/scene.h"
 
 #include <glm/glm.hpp>
@@ -17,6 +18,7 @@ struct ObjOptions {
     glm::dvec3 up{0, 1, 0};                    ///< not zero, not parallel to the view
     std::optional<double> fov;                 ///< along the shorter side of the image, in (0, 180)
     std::optional<int> width, height;          ///< positive
+    MissingFiles missingFiles = MissingFiles::error;
 };
 
 /// Reads an OBJ file, possibly gzip-compressed, and its material libraries. Makes one shape for each material of each object, with

@@ -11,8 +11,10 @@
 namespace eikonal {
 namespace {
 
-Scene read(const std::string& name, std::string text, const std::string& folder, Diagnostics& diagnostics) {
+Scene read(const std::string& name, std::string text, const std::string& folder, Diagnostics& diagnostics,
+           MissingFiles missing) {
     pbrt::Builder builder(diagnostics, folder);
+    builder.reading.missingFiles = missing;
     builder.reading.scene.name = sceneName(name);
     SourceLocation end{std::make_shared<const std::string>(name)};
     try {
@@ -27,21 +29,22 @@ Scene read(const std::string& name, std::string text, const std::string& folder,
 
 }  // namespace
 
-Scene readPbrt(const std::string& path, Diagnostics& diagnostics) {
-    return read(path, pbrt::readTextFile(path), std::filesystem::path(path).parent_path().string(), diagnostics);
+Scene readPbrt(const std::string& path, Diagnostics& diagnostics, MissingFiles missing) {
+    return read(path, pbrt::readTextFile(path), std::filesystem::path(path).parent_path().string(), diagnostics, missing);
 }
 
-Scene readPbrtInput(Diagnostics& diagnostics) {
+Scene readPbrtInput(Diagnostics& diagnostics, MissingFiles missing) {
     if (::isatty(STDIN_FILENO))
         throw Error(ExitCode::scene,
                     "the scene - is standard input, and that is a terminal; lead a scene to it: eikonal render - < scene.pbrt");
-    Scene scene = read("<stdin>", pbrt::readStandardInput("<stdin>"), "", diagnostics);
+    Scene scene = read("<stdin>", pbrt::readStandardInput("<stdin>"), "", diagnostics, missing);
     scene.name = sceneName("-");
     return scene;
 }
 
-Scene readPbrtText(std::string_view text, const std::string& nameForMessages, const std::string& folder, Diagnostics& diagnostics) {
-    return read(nameForMessages, std::string(text), folder, diagnostics);
+Scene readPbrtText(std::string_view text, const std::string& nameForMessages, const std::string& folder, Diagnostics& diagnostics,
+                   MissingFiles missing) {
+    return read(nameForMessages, std::string(text), folder, diagnostics, missing);
 }
 
 }  // namespace eikonal
