@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace eikonal {
 
@@ -70,6 +71,26 @@ void expectSameLight(const std::string& text, const std::string& other, double b
             EXPECT_LE(std::abs(difference), 5 * std::sqrt(variance) + (1e-3 + 5 * bias) * a.mean.g * side * side)
                 << "part (" << x << ", " << y << ")";
         }
+}
+
+void expectSameBitsInAnyWaves(const PackedScene& scene, const FilmImage& image) {
+    for (const auto& [paths, batches] : {std::pair(64u, 8u), {1000u, 1u}, {1000u, 8u}, {65472u, 3u}}) {
+        RenderSetup setup;
+        setup.shape.wavePaths = paths;
+        setup.shape.batches = batches;
+        expectSameBits(image, render(scene, setup).image, std::to_string(paths) + " paths in a wave");
+    }
+}
+
+void expectSameBitsInRangesOfSamples(const PackedScene& scene, const FilmImage& image) {
+    RenderSetup setup;
+    setup.splits = {3, 4, 16};
+    expectSameBits(image, render(scene, setup).image, "in parts");
+}
+
+void expectSameBitsInACrop(PackedScene scene, const FilmImage& image) {
+    scene.pixels = {5, 3, 18, 16};
+    expectSameBits(image, render(std::move(scene)).image, "the crop");
 }
 
 }  // namespace eikonal

@@ -27,4 +27,10 @@ Estimate meanOf(const FilmImage& image);
 /// by how much of the mean it may be off besides.
 void expectSameLight(const std::string& text, const std::string& other, double bias = 0);
 
+/// An image that is rendered in waves of other sizes, in ranges of its samples (24 or more of each pixel), or in part (24 x 24 pixels or
+/// more) has the bits of the scene's image.
+void expectSameBitsInAnyWaves(const PackedScene& scene, const FilmImage& image);
+void expectSameBitsInRangesOfSamples(const PackedScene& scene, const FilmImage& image);
+void expectSameBitsInACrop(PackedScene scene, const FilmImage& image);
+
 }  // namespace eikonal

@@ -2,6 +2,7 @@
 
 #include "cli.h"
 #include "fake_display.h"
+#include "same_files.h"
 
 #include "image/channels.h"
 
@@ -64,11 +65,7 @@ TEST_F(Cli, BeingShownChangesNoBits) {
     EXPECT_EQ(run({"render", "tiny.pbrt", "-o", "a.exr", "--spp", "64", "--aov", "all"}).status, 0);
     EXPECT_EQ(run({"render", "tiny.pbrt", "-o", "b.exr", "--spp", "64", "--aov", "all", "--display-server", display.address()}).status, 0);
     EXPECT_EQ(display.images().size(), 1u);
-    const FilmImage a = image("a.exr"), b = image("b.exr");
-    const auto before = channelsOf<const float>(a), after = channelsOf<const float>(b);
-    ASSERT_EQ(before.size(), after.size());
-    for (std::size_t c = 0; c < before.size(); ++c)
-        for (std::size_t i = 0; i < a.pixelCount(); ++i) ASSERT_EQ(before[c][i], after[c][i]) << before[c].name << " of pixel " << i;
+    expectSameFiles(path("a.exr"), path("b.exr"));
 }
 
 TEST_F(Cli, TheDisplayServersAddressIsChecked) {

@@ -99,24 +99,9 @@ protected:
     const Rendered reference = render(text());
 };
 
-TEST_F(LightPathsEquality, WavesAndBatchesDoNotShow) {
-    for (const auto& [paths, batches] : {std::pair(64u, 8u), {1000u, 1u}, {1000u, 8u}, {65472u, 3u}}) {
-        RenderSetup setup;
-        setup.shape.wavePaths = paths;
-        setup.shape.batches = batches;
-        expectSameBits(reference.image, render(text(), setup).image, std::to_string(paths) + " paths in a wave");
-    }
-}
-TEST_F(LightPathsEquality, SamplesMayComeInParts) {
-    RenderSetup setup;
-    setup.splits = {3, 4, 16};
-    expectSameBits(reference.image, render(text(), setup).image, "in parts");
-}
-TEST_F(LightPathsEquality, ACropHasThePixelsOfTheWhole) {
-    PackedScene scene = packScene(text());
-    scene.pixels = {5, 3, 18, 16};
-    expectSameBits(reference.image, render(scene).image, "the crop");
-}
+TEST_F(LightPathsEquality, WavesAndBatchesDoNotShow) { expectSameBitsInAnyWaves(packScene(text()), reference.image); }
+TEST_F(LightPathsEquality, SamplesMayComeInParts) { expectSameBitsInRangesOfSamples(packScene(text()), reference.image); }
+TEST_F(LightPathsEquality, ACropHasThePixelsOfTheWhole) { expectSameBitsInACrop(packScene(text()), reference.image); }
 TEST_F(LightPathsEquality, AdaptiveSamplingEndsWithTheErrorAskedFor) {
     RenderSetup setup;
     PackedScene scene = packScene(text());

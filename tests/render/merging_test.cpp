@@ -102,24 +102,9 @@ protected:
     const Rendered reference = render(scene());
 };
 
-TEST_P(MergingEquality, WavesAndBatchesDoNotShow) {
-    for (const auto& [paths, batches] : {std::pair(64u, 8u), {1000u, 8u}, {65472u, 3u}}) {
-        RenderSetup setup;
-        setup.shape.wavePaths = paths;
-        setup.shape.batches = batches;
-        expectSameBits(reference.image, render(scene(), setup).image, std::to_string(paths) + " paths in a wave");
-    }
-}
-TEST_P(MergingEquality, SamplesMayComeInParts) {
-    RenderSetup setup;
-    setup.splits = {3, 4, 16};
-    expectSameBits(reference.image, render(scene(), setup).image, "in parts");
-}
-TEST_P(MergingEquality, ACropHasThePixelsOfTheWhole) {
-    PackedScene part = scene();
-    part.pixels = {5, 3, 18, 16};
-    expectSameBits(reference.image, render(part).image, "the crop");
-}
+TEST_P(MergingEquality, WavesAndBatchesDoNotShow) { expectSameBitsInAnyWaves(scene(), reference.image); }
+TEST_P(MergingEquality, SamplesMayComeInParts) { expectSameBitsInRangesOfSamples(scene(), reference.image); }
+TEST_P(MergingEquality, ACropHasThePixelsOfTheWhole) { expectSameBitsInACrop(scene(), reference.image); }
 INSTANTIATE_TEST_SUITE_P(Of, MergingEquality, testing::Values("zsobol", "independent"),
                          [](const auto& info) { return std::string(info.param); });
 
