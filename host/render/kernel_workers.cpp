@@ -1,6 +1,7 @@
 #include "render/kernel_workers.h"
 
 #include "child_process.h"
+#include "render/open_device.h"
 #include "render/session.h"
 
 #include <fmt/format.h>
@@ -94,17 +95,15 @@ void compileInWorkers(const DeviceOptions& o, const PackedScene& scene, int miss
 void compileKernels(const DeviceOptions& o, const CompileRequest& request) {
     if (request.parent && !endWith(request.parent)) return;
     prepareOpenCl(o);
-    const Context context(chooseDevice(o.device));
-    Compiler compiler(context, findKernelFolders(), cacheFolderFor(o));
+    OpenDevice device(o, false);
     const PackedScene scene = emptyScene(request);
-    const StageShape shape = shapeFor(context.device(), o);
-    const DeviceScene tables(context, scene);
+    const DeviceScene tables(device.context, scene);
     Profile profile;
-    Stages stages(compiler, scene, shape, buildSettingsFor(o), {request.part, request.parts},
+    Stages stages(device.compiler, scene, device.shape, buildSettingsFor(o), {request.part, request.parts},
                   [] { [[maybe_unused]] const ssize_t size = ::write(STDOUT_FILENO, ".", 1); });
-    Wave wave(context, tables, scene, stages, shape, profile);
+    Wave wave(device.context, tables, scene, stages, device.shape, profile);
     wave.warmUp();
-    stages.keep(compiler);
+    stages.keep(device.compiler);
 }
 
 }  // namespace eikonal
