@@ -1,6 +1,7 @@
 #include "app/option_values.h"
 
 #include "render/stage_programs.h"
+#include "split.h"
 
 #include <fmt/format.h>
 
@@ -14,15 +15,6 @@ namespace eikonal {
 
 [[noreturn]] static void refuse(const std::string& option, const std::string& wanted, const std::string& text) {
     throw UsageError(fmt::format("{} takes {}, not \"{}\"", option, wanted, text));
-}
-
-static std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> parts(1);
-    for (char c : text) {
-        if (c == separator) parts.emplace_back();
-        else parts.back() += c;
-    }
-    return parts;
 }
 
 /// All of `text` as one number, or nothing.

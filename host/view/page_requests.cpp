@@ -2,6 +2,7 @@
 
 #include "image/channels.h"
 #include "json_text.h"
+#include "split.h"
 #include "view/token.h"
 
 #include <nlohmann/json.hpp>
@@ -64,14 +65,6 @@ nlohmann::ordered_json namedSeconds(const NamedSeconds& all) {
     auto list = nlohmann::ordered_json::array();
     for (const auto& [name, seconds] : all) list.push_back({name, seconds});
     return list;
-}
-
-std::vector<std::string> splitAtCommas(const std::string& text) {
-    std::vector<std::string> parts(1);
-    for (const char c : text)
-        if (c == ',') parts.emplace_back();
-        else parts.back() += c;
-    return parts;
 }
 
 }  // namespace
@@ -142,7 +135,7 @@ HttpAnswer PageRequests::values(const HttpRequest& request) const {
     const auto all = channelsOf<const float>(*s.image);
     const auto asked = request.parameters.find("channels");
     if (asked == request.parameters.end()) return refusal(400, "channels: names, separated by commas");
-    const std::vector<std::string> names = splitAtCommas(asked->second);
+    const std::vector<std::string> names = split(asked->second, ',');
     if (names.size() > 4) return refusal(400, "at most four channels at a time");
     std::string bytes;
     bytes.reserve(names.size() * s.image->pixelCount() * sizeof(float));
