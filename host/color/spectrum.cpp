@@ -116,14 +116,14 @@ static bool isInUnit(std::span<const double> values) {
     return std::ranges::all_of(values, [](double value) { return value >= 0 && value <= 1; });
 }
 static bool isInUnit(const glm::dvec3& rgb) { return isInUnit(std::array{rgb.x, rgb.y, rgb.z}); }
+/// The same of a colour in its space, or of the values at all wavelengths.
+static bool isInUnit(const Spectrum& s) { return s.kind() == Spectrum::Kind::rgb ? isInUnit(s.color()) : isInUnit(s.dense()); }
 
-bool Spectrum::isReflectance() const {
-    return kind_ == Kind::rgb ? isInUnit(rgb_) && isInUnit(albedo()) : isInUnit(dense()) && isInUnit(albedo());
-}
+bool Spectrum::isReflectance() const { return isInUnit(*this) && isInUnit(albedo()); }
 
 Spectrum Spectrum::clampedToUnit() const {
     if (constant_) return constant(std::clamp(rgb_.x, 0.0, 1.0));
-    if (kind_ == Kind::rgb ? isInUnit(rgb_) : isInUnit(dense())) return *this;
+    if (isInUnit(*this)) return *this;
     DenseCurve values = dense();
     for (double& value : values) value = std::clamp(value, 0.0, 1.0);
     return sampled(values);

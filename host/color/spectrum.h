@@ -59,6 +59,16 @@ private:
     double factor_ = 1;  ///< sampled and blackbody
 };
 
+/// f of spectra at each wavelength; of colours, per channel.
+template <class F, class... Spectra> Spectrum combineSpectra(const F& f, const Spectra&... spectra) {
+    const auto valuesOf = [&](auto result, size_t count, const auto&... operands) {
+        for (size_t i = 0; i < count; ++i) result[i] = f(operands[i]...);
+        return result;
+    };
+    if (((spectra.kind() == Spectrum::Kind::rgb) && ...)) return Spectrum::rgb(valuesOf(glm::dvec3(0), 3, spectra.albedo()...));
+    return Spectrum::sampled(valuesOf(DenseCurve{}, wavelengthCount, spectra.dense()...));
+}
+
 /// Complex indices of refraction, one per channel, whose Fresnel reflectance best matches that of the spectra under daylight at all angles.
 /// Used to render measured metals in RGB.
 struct ConductorIndices { glm::dvec3 eta, k; };

@@ -60,14 +60,7 @@ uint MaterialPacker::profile(InputWriter& inputs, const Material& description) {
 /// boundary that leaves through it (Saunderson 1942, solved for the reflectance).
 static Spectrum belowBoundary(const Spectrum& albedo, double eta) {
     const double kept = 1 - boundaryTransmittance(eta) / (eta * eta);  // of diffuse light from inside
-    const auto below = [&](double A) { return A / std::max(1 - kept + A * kept, 1e-9); };
-    if (albedo.kind() == Spectrum::Kind::rgb) {
-        const glm::dvec3 rgb = albedo.albedo();
-        return albedo.isConstant() ? Spectrum::constant(below(rgb.x)) : Spectrum::rgb({below(rgb.r), below(rgb.g), below(rgb.b)});
-    }
-    DenseCurve curve = albedo.dense();
-    for (double& value : curve) value = below(value);
-    return Spectrum::sampled(curve);
+    return combineSpectra([&](double A) { return A / std::max(1 - kept + A * kept, 1e-9); }, albedo);
 }
 
 /// Replacement for subsurface materials with integrator whitted.

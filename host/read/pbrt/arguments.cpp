@@ -269,7 +269,7 @@ Spectrum Arguments::spectrum(const std::string& name, const Spectrum& fallback) 
                 throw SceneError(parameter->where,
                                  "\"" + parameter->declaration() + "\" has a component above 1: it would reflect more than it receives");
         }
-        if (r.wanted == Wanted::colorMap && parameter->type == ParameterType::spectrum && !spectrum.isReflectance())
+        if (r.wanted == Wanted::colorMap && parameter->type == ParameterType::spectrum)
             warnOfImpossible(*parameter, spectrum);
         return spectrum;
     }

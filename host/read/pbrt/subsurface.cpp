@@ -40,33 +40,21 @@ void warnOfIgnored(Reading& reading, const Arguments& arguments, std::initialize
             reading.diagnostics.warn(arguments.whereOf(name), "\"" + std::string(name) + "\" is ignored, since there is " + since);
 }
 
-/// f of two spectra at each wavelength; of colours, per channel.
-template <class F> Spectrum combine(const Spectrum& a, const Spectrum& b, const F& f) {
-    if (a.kind() == Spectrum::Kind::rgb && b.kind() == Spectrum::Kind::rgb) {
-        const glm::dvec3 x = a.albedo(), y = b.albedo();
-        return Spectrum::rgb({f(x.r, y.r), f(x.g, y.g), f(x.b, y.b)});
-    }
-    DenseCurve x = a.dense();
-    const DenseCurve y = b.dense();
-    for (size_t i = 0; i < x.size(); ++i) x[i] = f(x[i], y[i]);
-    return Spectrum::sampled(x);
-}
-
 DiffusionProfile profileOf(const Spectrum& albedo, const Medium& medium, double eta) {
-    const Spectrum reduced = combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return a + s * (1 - medium.g); });
+    const Spectrum reduced = combineSpectra([&](double s, double a) { return a + s * (1 - medium.g); }, medium.sigmaS, medium.sigmaA);
     const double stretch = std::max(eta * eta, 1.0) - 1;
-    return {albedo, combine(albedo, reduced, [&](double A, double sigma) {
-                return profile_length(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), stretch);
-            })};
+    const auto length = [&](double A, double sigma) {
+        return profile_length(1 / std::max(sigma, 1e-9), std::clamp(A, 0.0, 1.0), stretch);
+    };
+    return {albedo, combineSpectra(length, albedo, reduced)};
 }
 
 /// The profile of a body with given coefficients. Spectral rendering converts colours to spectra first, as pbrt-v4 does, because albedo is
 /// far from linear in the coefficients.
 DiffusionProfile profileOf(Medium medium, const DiffuseAlbedoTable& table, double eta) {
     const auto profile = [&] {
-        return profileOf(
-            combine(medium.sigmaS, medium.sigmaA, [&](double s, double a) { return table.diffuse(s / std::max(s + a, 1e-30)); }), medium,
-            eta);
+        const auto diffuse = [&](double s, double a) { return table.diffuse(s / std::max(s + a, 1e-30)); };
+        return profileOf(combineSpectra(diffuse, medium.sigmaS, medium.sigmaA), medium, eta);
     };
     DiffusionProfile result = profile();
     if (medium.sigmaA.kind() != Spectrum::Kind::rgb || medium.sigmaS.kind() != Spectrum::Kind::rgb ||
@@ -148,9 +136,10 @@ void readInterior(Reading& reading, const Arguments& arguments, Material& materi
         /* The share rho of 1 / mfp is scattering, the rest absorption */
         const auto all = [&](double length) { return 1 / std::max(length * scale, 1e-9); };
         albedo = reflectance.value;
-        medium->sigmaA =
-            combine(*albedo, mfp.value, [&](double A, double length) { return (1 - table.singleScattering(A)) * all(length); });
-        medium->sigmaS = combine(*albedo, mfp.value, [&](double A, double length) { return table.singleScattering(A) * all(length); });
+        const auto absorbed = [&](double A, double length) { return (1 - table.singleScattering(A)) * all(length); };
+        const auto scattered = [&](double A, double length) { return table.singleScattering(A) * all(length); };
+        medium->sigmaA = combineSpectra(absorbed, *albedo, mfp.value);
+        medium->sigmaS = combineSpectra(scattered, *albedo, mfp.value);
     } else {
         warnOfIgnored(reading, arguments, {"mfp"}, "no \"reflectance\"");
         medium->sigmaA = Spectrum::rgb({0.0011, 0.0024, 0.014}) * scale;   // pbrt-v4's default: whole milk
