@@ -6,9 +6,11 @@ static float f(double x) { return static_cast<float>(x); }
 /// Texture space from the space of points.
 static glm::dmat4 matrixOf(const TexturePacking& into, const Mapping& m) { return glm::inverse(m.worldFromTexture) * into.worldFromPoint; }
 
-affine textureFromScene(const TexturePacking& into, const Mapping& m, double scale) {
-    return toAffine(glm::dmat4(glm::dmat3(scale)) * matrixOf(into, m));
+static glm::dmat4 scaledMatrixOf(const TexturePacking& into, const Mapping& m, double scale) {
+    return glm::dmat4(glm::dmat3(scale)) * matrixOf(into, m);
 }
+
+affine textureFromScene(const TexturePacking& into, const Mapping& m, double scale) { return toAffine(scaledMatrixOf(into, m, scale)); }
 
 void packMapping(const TexturePacking& into, const Mapping& m, texture_instruction& i) {
     i.mapping = m.kind;
@@ -37,8 +39,9 @@ void packOctaves(TexturePacking& into, const Texture& t, texture_instruction& i)
     i.octaves = static_cast<uint>(t.octaves);
     i.roughness = f(t.roughness);
     i.variation = f(t.variation);
-    i.texture_from_scene = textureFromScene(into, t.mapping, t.scale);
-    const glm::dmat3 turn = glm::dmat3(matrixOf(into, t.mapping)) * std::abs(t.scale);
+    const glm::dmat4 matrix = scaledMatrixOf(into, t.mapping, t.scale);
+    i.texture_from_scene = toAffine(matrix);
+    const glm::dmat3 turn(matrix);
     const double frequency = std::max({glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2])}), lacunarity = 1.99;
     if (frequency > 0) into.addDetail({.distance = 1 / (frequency * std::pow(lacunarity, std::max(t.octaves - 1, 0)))});
 }
