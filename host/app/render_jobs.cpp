@@ -15,11 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isFolder(const std::string& name) {
-    std::error_code absent;
-    return name.ends_with('/') || fs::is_directory(name, absent);
-}
-
 /// The file for a scene that -o leads to.
 std::string fileFor(const std::string& scene, const std::string& output, const ImageEncoding& encoding) {
     if (!isFolder(output)) return output;
@@ -54,6 +49,11 @@ void checkNames(const std::vector<Options>& jobs) {
 }
 
 }  // namespace
+
+bool isFolder(const std::string& name) {
+    std::error_code absent;
+    return name.ends_with('/') || fs::is_directory(name, absent);
+}
 
 std::vector<Options> renderJobs(const Options& options) {
     if (options.scenes.size() > 1) checkSeveral(options);

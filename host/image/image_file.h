@@ -35,6 +35,9 @@ void writeImage(const std::string& path, const FilmImage& image, const Metadata&
 /// Whether writeImage stores channels besides colour in a file of this name.
 bool holdsChannels(const std::string& path, const ImageEncoding& encoding = {});
 
+/// Why the name of a file tells no format, and the encoding names none; empty: there is one.
+std::string unknownFormat(const std::string& path, const ImageEncoding& encoding = {});
+
 /// Throws Error if an image has more columns or rows than a file of this name can hold.
 void checkHolds(const std::string& path, int columns, int rows, const ImageEncoding& encoding = {});
 

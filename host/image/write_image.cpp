@@ -64,12 +64,7 @@ const Format* findFormat(const std::string& path, const ImageEncoding& encoding)
 
 const Format& formatOf(const std::string& path, const ImageEncoding& encoding) {
     if (const Format* format = findFormat(path, encoding)) return *format;
-    if (isStandardStream(path)) fail(path, "it has no extension that would name a format; name one: --format exr");
-    const std::string extension = extensionOf(path);
-    std::string known;
-    for (const Format& format : formats) known += std::string(" ") + format.extension;
-    fail(path,
-         (extension.empty() ? "its name has no extension" : "the extension \"" + extension + "\" is not known") + "; known are" + known);
+    fail(path, unknownFormat(path, encoding));
 }
 
 /// Pixel by pixel, with channels interleaved, as files store them.
@@ -172,6 +167,15 @@ std::vector<unsigned char> encodePfm(const FilmImage& image) {
 }
 
 }  // namespace
+
+std::string unknownFormat(const std::string& path, const ImageEncoding& encoding) {
+    if (findFormat(path, encoding)) return {};
+    if (isStandardStream(path)) return "it has no extension that would name a format; name one: --format exr";
+    const std::string extension = extensionOf(path);
+    std::string known;
+    for (const Format& format : formats) known += std::string(" ") + format.extension;
+    return (extension.empty() ? "its name has no extension" : "the extension \"" + extension + "\" is not known") + "; known are" + known;
+}
 
 std::vector<const char*> imageFormatNames() {
     std::vector<const char*> names;

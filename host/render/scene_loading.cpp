@@ -48,8 +48,8 @@ static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
 Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     const std::string kind = isStandardStream(o.path) ? ".pbrt" : kindOf(o.path);
     if (kind != ".pbrt" && kind != ".obj")
-        throw SceneError(
-            {}, fmt::format("\"{}\" is not a readable scene: its name must end in .pbrt or .obj, optionally followed by .gz", o.path));
+        throw UsageError(
+            fmt::format("\"{}\" is not a readable scene: its name must end in .pbrt or .obj, optionally followed by .gz", o.path));
     Scene scene = kind == ".obj" ? loadObj(o, diagnostics) : loadPbrt(o, diagnostics);
     if (o.spp) scene.sampler.pixelSamples = *o.spp;
     if (o.seed) scene.sampler.seed = *o.seed;

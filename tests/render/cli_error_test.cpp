@@ -28,14 +28,31 @@ TEST_F(Cli, ErrorsInASceneSayWhereAndExitWith1) {
     EXPECT_EQ(run({"render", "absent.pbrt"}).status, 1);
     EXPECT_EQ(run({"info", "absent.obj"}).status, 1);
     EXPECT_EQ(run({"compare", "absent.exr", "absent.exr"}).status, 1);
+}
+
+/// What the command line alone shows to be wrong.
+TEST_F(Cli, ErrorsOfTheCommandLineAreCalledSoAndHaveTheirStatus) {
     write("scene.blend", "");
-    const Outcome unknown = run({"render", "scene.blend"});
-    EXPECT_EQ(unknown.status, 1);
-    EXPECT_THAT(unknown.error, HasSubstr(".pbrt or .obj"));
+    const std::pair<std::vector<std::string>, const char*> wrong[] = {
+        {{"render", "scene.blend"}, ".pbrt or .obj"},
+        {{"info", "scene.blend"}, ".pbrt or .obj"},
+        {{"render", "tiny.pbrt", "-o", "a.xyz"}, "-o a.xyz: cannot write it: the extension \".xyz\" is not known; known are exr"},
+        {{"render", "tiny.pbrt", "-o", "a"}, "its name has no extension"},
+        {{"denoise", "a.exr", "-o", "a.xyz"}, "-o a.xyz"},
+        {{"merge", "a.film", "-o", "a.xyz"}, "-o a.xyz"},
+        {{"submit", "tiny.pbrt", "--engine", "slurm", "--dry-run", "-o", "a.xyz"}, "-o a.xyz"},
+        {{"compare", "a.exr", "b.exr", "--heat-map", "a.xyz"}, "--heat-map a.xyz"},
+        {{"render", "tiny.pbrt", "--spp"}, "--spp"},
+        {{"render", "tiny.pbrt", "--no-such"}, "--no-such"}};
+    for (const auto& [line, part] : wrong) {
+        const Outcome run = this->run(line);
+        EXPECT_EQ(run.status, 2) << part;
+        EXPECT_THAT(run.error, testing::AllOf(testing::StartsWith("error: "), HasSubstr(part)));
+    }
 }
 
 TEST_F(Cli, OutputThatCannotBeWrittenIsSaidBeforeRendering) {
-    for (const char* file : {"absent/a.exr", "a.xyz", "tiny.pbrt/a.exr"}) {
+    for (const char* file : {"absent/a.exr", "tiny.pbrt/a.exr"}) {
         const Outcome run = this->run({"render", "tiny.pbrt", "-o", file, "--spp", "100000000"});
         EXPECT_EQ(run.status, 1) << file;
         EXPECT_THAT(run.error, HasSubstr("cannot write")) << file;

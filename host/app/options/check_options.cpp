@@ -2,7 +2,9 @@
 
 #include "app/command_line.h"
 #include "app/options/parser.h"
+#include "app/render_jobs.h"
 #include "error.h"
+#include "image/image_file.h"
 #include "image/seed_variance.h"
 #include "standard_stream.h"
 
@@ -38,6 +40,18 @@ static void checkParts(const Options& o) {
     if (out.checkpoint.empty()) throw UsageError("--samples and --tile render a part, which merge joins to others; keep it: -o part.film");
     if (out.targetError)
         throw UsageError("--max-error decides by the whole image and all samples, so it goes with neither --samples nor --tile");
+}
+
+/// Each image is to be of a format.
+static void checkFormats(const Options& o) {
+    if (o.command == Command::trade) return;  // -o is a page
+    const auto check = [](const std::string& option, const std::string& file, const ImageEncoding& encoding) {
+        const std::string problem = isFolder(file) ? "" : unknownFormat(file, encoding);
+        if (!problem.empty()) throw UsageError(fmt::format("{} {}: cannot write it: {}", option, file, problem));
+    };
+    for (const std::string& file : o.output.files)
+        if (!isStandardStream(file)) check("-o", file, o.output.encoding);
+    if (!o.heatMap.empty()) check("--heat-map", o.heatMap, {});
 }
 
 /// Standard output holds one thing.
@@ -84,6 +98,7 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
         throw UsageError(fmt::format("--efficiency measures the variance between repeats; --repeats must be at least {}, not {}",
                                      SeedVariance::leastSeeds, o.repeats));
     checkParts(o);
+    checkFormats(o);
     checkStandardStreams(o);
     if (o.output.resume && o.output.checkpoint.empty())
         throw UsageError("--resume goes on from a checkpoint; name it: --checkpoint FILE --resume");
