@@ -1,9 +1,11 @@
 #include "app/commands.h"
 #include "app/output.h"
+#include "app/render_output.h"
 #include "clock.h"
 #include "error.h"
 #include "image/denoise.h"
 #include "image/image_file.h"
+#include "image/sample_variance.h"
 #include "messages.h"
 #include "render/biased_choices.h"
 
@@ -19,10 +21,15 @@ int denoiseCommand(const Options& o) {
         files.push_back(std::filesystem::path(o.image).replace_extension().string() + "-denoised." +
                         (o.output.encoding.format.empty() ? "exr" : o.output.encoding.format));
     files = imageFiles(std::move(files), o.output.encoding);
+    checkEncoding(files, o.output.encoding);
     for (const std::string& file : files) checkWritable(file, 0, o.output.encoding);
     FilmFile file = readImage(o.image);
     for (const std::string& name : files) checkHolds(name, file.image.columns(), file.image.rows(), o.output.encoding);
     Denoiser(o.device.threads).denoise(file.image);
+    if (o.output.encoding.channelNames == ChannelNames::pbrt && !file.image.variance.empty())
+        addSampleVariance(file.image, file.metadata.meanSamples.value_or(file.metadata.samples.value_or(1)));
+    Diagnostics diagnostics(o.log);
+    warnOfClamping(file.image, o.output.encoding, {}, diagnostics);
     file.metadata.biasedChoices = withChoice(file.metadata.biasedChoices, denoisingChoice);
     for (const std::string& name : files) writeImage(name, file.image, file.metadata, o.output.encoding);
     tell(LogLevel::warning, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()), o.log);

@@ -80,7 +80,9 @@ bool hasAll(const FilmRun& run, unsigned wanted) {
 
 int mergeCommand(const Options& o) {
     Diagnostics diagnostics(o.log);
-    for (const std::string& file : o.output.files) checkWritable(file, 0, o.output.encoding);
+    const std::vector<std::string> images = imageFiles(o.output.files, o.output.encoding);
+    if (o.output.hasImage) checkEncoding(images, o.output.encoding);
+    for (const std::string& file : images) checkWritable(file, 0, o.output.encoding);
     if (!o.output.checkpoint.empty()) checkFileWritable(o.output.checkpoint, 0);
     openManyFiles();
     std::vector<std::unique_ptr<FilmFileReader>> files;
@@ -131,8 +133,8 @@ int mergeCommand(const Options& o) {
     metadata.renderSeconds = merged.seconds;
     metadata.commandLine = o.commandLine;
     tell(LogLevel::warning, describe(error, stored.metric), o.log);
-    const FilmImage image = developImage(totals, scene.packed, scene.film, stored.aovs);
-    const std::vector<std::string> images = imageFiles(o.output.files, o.output.encoding);
+    const FilmImage image = developImage(totals, scene.packed, scene.film, stored.aovs, o.output.encoding);
+    warnOfClamping(image, o.output.encoding, {}, diagnostics);
     for (const std::string& file : images) writeImage(file, image, metadata, o.output.encoding);
     tell(LogLevel::warning,
          fmt::format("merged {} part{} into {}", o.parts.size(), o.parts.size() == 1 ? "" : "s", fmt::join(images, " and ")), o.log);

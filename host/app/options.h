@@ -6,7 +6,7 @@
 #include "film/noise.h"
 #include "film/sample_nodes.h"
 #include "film/tile.h"
-#include "image/image_file.h"
+#include "image/image_encoding.h"
 #include "messages.h"
 #include "render/options.h"
 #include "view/options.h"

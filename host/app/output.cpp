@@ -1,6 +1,6 @@
 #include "app/output.h"
 
-#include "image/image_file.h"
+#include "image/image_encoding.h"
 #include "read/formats/input_files.h"
 #include "standard_stream.h"
 
@@ -24,7 +24,9 @@ std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& 
     if (options.aovs.any() && !anyHoldsChannels(files, options.encoding))
         throw UsageError(
             fmt::format("--aov needs an EXR file, and {} cannot hold its channels; add `-o FILE.exr`", fmt::join(files, ", ")));
-    return imageFiles(std::move(files), options.encoding);
+    files = imageFiles(std::move(files), options.encoding);
+    checkEncoding(files, options.encoding);
+    return files;
 }
 
 std::vector<std::string> imageFiles(std::vector<std::string> files, const ImageEncoding& encoding) {

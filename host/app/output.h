@@ -10,7 +10,7 @@ namespace eikonal {
 
 /// The files to write: those of -o, else the file that the scene names, else the scene's name with .exr. A single EXR is accompanied by a
 /// PNG, unless a format is asked for. None for a part of an image. Throws a UsageError if --aov asks for channels that none of these files
-/// can hold.
+/// can hold, or if they cannot be encoded so (checkEncoding).
 std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& scene);
 /// A single EXR is accompanied by a PNG, unless a format is asked for.
 std::vector<std::string> imageFiles(std::vector<std::string> files, const ImageEncoding& encoding);

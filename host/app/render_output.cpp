@@ -4,10 +4,18 @@
 #include "background.h"
 #include "film/projection.h"
 #include "image/image_file.h"
+#include "image/sample_variance.h"
+#include "kinds/camera_kind.h"
 #include "messages.h"
 #include "names.h"
 #include "standard_stream.h"
 #include "wait_notice.h"
+
+#include <fmt/format.h>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <array>
 
 namespace eikonal {
 
@@ -33,12 +41,42 @@ void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const 
     metadata.errorDoubt = error.doubt;
 }
 
-FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs) {
+FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs,
+                       const ImageEncoding& encoding) {
     FilmImage image = totals.develop(scene);
+    if (aovs.variance && encoding.channelNames == ChannelNames::pbrt) addSampleVariance(image);
     selectAovs(image, aovs);
     image.halfFloats = film.halfFloats;
     if (film.gbuffer == GBuffer::cameraSpace) toCameraSpace(image, scene);
     return image;
+}
+
+void warnOfClamping(const FilmImage& image, const ImageEncoding& encoding, const SourceLocation& where, Diagnostics& diagnostics) {
+    constexpr float most = 65504;
+    if (!encoding.halfFloats.value_or(image.halfFloats)) return;
+    const auto count = std::ranges::count_if(image.color, [](const glm::vec3& c) { return std::max({c.r, c.g, c.b}) > most; });
+    if (count)
+        diagnostics.warn(where, fmt::format("{} pixel{} brighter than {}, the most that 16-bit floats hold; in EXR files {} clamped: "
+                                            "--pixel-type float, or \"bool savefp16\" false, keeps all",
+                                            count, count == 1 ? " is" : "s are", most, count == 1 ? "it is" : "they are"));
+}
+
+/// A matrix row by row, as pbrt-v4 stores it.
+static std::array<float, 16> rowByRow(const glm::dmat4& matrix) {
+    std::array<float, 16> rows;
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column) rows[static_cast<size_t>(4 * row + column)] = static_cast<float>(matrix[column][row]);
+    return rows;
+}
+
+/// The camera, as pbrt-v4 describes it.
+static void describeCamera(Metadata& metadata, const CameraDescription& camera, const PackedScene& packed) {
+    const glm::dmat4 world = cameraFromWorld(packed);
+    metadata.worldToCamera = rowByRow(world);
+    if (const auto project = kindOf(camera).traits.screenFromCamera) {
+        const glm::dmat4 ndcFromScreen = glm::translate(glm::dmat4(1), glm::dvec3(0.5)) * glm::scale(glm::dmat4(1), glm::dvec3(0.5));
+        metadata.worldToNdc = rowByRow(ndcFromScreen * project(camera) * world);
+    }
 }
 
 StoredMetadata RenderOutput::metadata() {
@@ -50,6 +88,7 @@ StoredMetadata RenderOutput::metadata() {
     m.sceneHash = hash_.get();
     m.device = session_.context().device().name;
     m.biasedChoices = describe(session_.biasedChoices());
+    describeCamera(m, session_.scene().camera, session_.packed());
     return {m, aovs_, options_.output.errorMetric};
 }
 
@@ -66,7 +105,7 @@ FilmImage RenderOutput::develop(const FilmTotals& totals, bool withErrors) const
     Aovs aovs = aovs_;
     aovs.variance |= withErrors;
     aovs.sampleCount |= withErrors;
-    return developImage(totals, session_.packed(), session_.scene().film, aovs);
+    return developImage(totals, session_.packed(), session_.scene().film, aovs, options_.output.encoding);
 }
 
 /// Whether the image has changed.

@@ -18,7 +18,10 @@ namespace eikonal {
 /// The part of metadata that follows from a film.
 void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const ErrorEstimate& error, ErrorMetric metric);
 /// The image to write, with the channels that are asked for.
-FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs);
+FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs,
+                       const ImageEncoding& encoding);
+/// Warns if colours are too bright for 16 bits, with which the image is to be stored.
+void warnOfClamping(const FilmImage& image, const ImageEncoding& encoding, const SourceLocation& where, Diagnostics& diagnostics);
 
 /// What is known about the image that a film has now.
 struct ImageReport {

@@ -107,17 +107,6 @@ void reportUnresolvedRays(uint count, Diagnostics& diagnostics) {
                                          count, count == 1 ? "" : "s"));
 }
 
-/// Warns if colours are too bright for 16 bits.
-void warnOfClamping(const FilmImage& image, const FilmDescription& film, Diagnostics& diagnostics) {
-    constexpr float most = 65504;
-    if (!image.halfFloats) return;
-    const auto count = std::ranges::count_if(image.color, [](const glm::vec3& c) { return std::max({c.r, c.g, c.b}) > most; });
-    if (count)
-        diagnostics.warn(film.where, fmt::format("{} pixel{} brighter than {}, the most that 16-bit floats hold; in EXR files {} clamped: "
-                                                 "\"bool savefp16\" false keeps all",
-                                                 count, count == 1 ? " is" : "s are", most, count == 1 ? "it is" : "they are"));
-}
-
 /// Throws an error if the film and the output image would not fit into memory, because a process killed for memory loses the whole render.
 void checkMemory(const FilmDescription& film, const PackedScene& packed, const MemoryPlan& plan) {
     const size_t needed = plan.tables + plan.queues + plan.vertices + plan.film + plan.image, available = availableMemory();
@@ -225,7 +214,7 @@ int renderScene(const Options& o, std::shared_ptr<OpenDevice>& device, WrittenIm
 
     FilmImage image = output.develop(*totals);
     watching.showLast(image, report.error, checkpoints.secondsBefore() + renderSeconds);
-    warnOfClamping(image, session.scene().film, diagnostics);
+    warnOfClamping(image, o.output.encoding, session.scene().film.where, diagnostics);
     RunSummary summary;
     if (o.json) summary.identity = identityOf(session, o, *film);
     totals.reset();  // frees what may be most of the memory in use

@@ -22,6 +22,8 @@ std::string toJson(const StoredMetadata& stored) {
               {"errorMetric", nameIn(errorMetricNames, stored.metric)},
               {"channels", Json::array()}};
     if (m.targetError) json["targetError"] = *m.targetError;
+    if (m.worldToCamera) json["worldToCamera"] = *m.worldToCamera;
+    if (m.worldToNdc) json["worldToNDC"] = *m.worldToNdc;
     for (const AovName& each : aovNames)
         if (stored.aovs.*each.asked) json["channels"].push_back(each.name);
     return jsonText(json);
@@ -39,6 +41,8 @@ StoredMetadata storedMetadata(const std::string& text, const std::string& name) 
         m.device = json.at("device");
         m.biasedChoices = json.at("biasedChoices");
         if (json.contains("targetError")) m.targetError = json["targetError"].get<double>();
+        if (json.contains("worldToCamera")) m.worldToCamera = json["worldToCamera"].get<std::array<float, 16>>();
+        if (json.contains("worldToNDC")) m.worldToNdc = json["worldToNDC"].get<std::array<float, 16>>();
         for (const auto& [metric, value] : errorMetricNames)
             if (json.at("errorMetric") == metric) stored.metric = value;
         for (const std::string channel : json.at("channels"))

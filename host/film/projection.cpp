@@ -56,8 +56,14 @@ glm::dvec2 depthSlope(const PackedScene& scene, glm::dvec3 p, glm::dvec3 n) {
     return std::isfinite(slope.x) && std::isfinite(slope.y) ? glm::abs(slope) : glm::dvec2(0);
 }
 
+static glm::dmat4 sceneFromWorld(const PackedScene& scene) {
+    return SceneSpace{scene.worldCenter, 1 / scene.worldScale}.sceneFromWorld();
+}
+
+glm::dmat4 cameraFromWorld(const PackedScene& scene) { return scene.cameraFromScene[0] * sceneFromWorld(scene); }
+
 void toCameraSpace(FilmImage& image, const PackedScene& scene) {
-    const glm::dmat4 cameraFromWorld = scene.cameraFromScene[1] * SceneSpace{scene.worldCenter, 1 / scene.worldScale}.sceneFromWorld();
+    const glm::dmat4 cameraFromWorld = scene.cameraFromScene[1] * sceneFromWorld(scene);
     for (size_t i = 0; i < image.position.size(); ++i)
         if (image.depth.empty() || std::isfinite(image.depth[i]))
             image.position[i] = glm::vec3(transformPoint(cameraFromWorld, image.position[i]));

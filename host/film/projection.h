@@ -22,6 +22,9 @@ glm::dvec2 motionInImage(const PackedScene& scene, glm::dvec3 opening, glm::dvec
 /// middle of the shutter interval. Zero where the plane is seen edge on.
 glm::dvec2 depthSlope(const PackedScene& scene, glm::dvec3 p, glm::dvec3 n);
 
+/// The transform from world space to camera space, in the description's units, when the shutter opens.
+glm::dmat4 cameraFromWorld(const PackedScene& scene);
+
 /// Transforms positions and normals from world space to camera space (x to the right, y up, looking along +z) in the middle of the
 /// shutter interval.
 void toCameraSpace(FilmImage& image, const PackedScene& scene);

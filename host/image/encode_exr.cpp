@@ -7,11 +7,16 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfIntAttribute.h>
+#include <ImfMatrixAttribute.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <ImfThreading.h>
 #include <half.h>
+#include <tbb/global_control.h>
 
 #include <algorithm>
+#include <mutex>
+#include <system_error>
 
 namespace eikonal {
 namespace {
@@ -43,10 +48,35 @@ struct AttributeWriter {
     void operator()(const std::array<float, 8>& c) const {
         header.insert(name, Imf::ChromaticitiesAttribute(Imf::Chromaticities({c[0], c[1]}, {c[2], c[3]}, {c[4], c[5]}, {c[6], c[7]})));
     }
+    void operator()(const std::array<float, 16>& m) const {
+        Imath::M44f stored;
+        std::ranges::copy(m, stored.getValue());
+        header.insert(name, Imf::M44fAttribute(stored));
+    }
 };
 
 /// The greatest number of 16 bits.
 constexpr float mostHalf = HALF_MAX;
+
+/// Threads that compress lines of a file, as many as the program may use, while this object lives; one file at a time. They change no
+/// byte: OpenEXR writes blocks of lines in their order. None: the calling thread compresses, if the system has no more threads.
+class CompressionThreads {
+public:
+    CompressionThreads() {
+        const auto allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+        try {
+            if (allowed > 1) Imf::setGlobalThreadCount(static_cast<int>(allowed));
+        } catch (const std::system_error&) { Imf::setGlobalThreadCount(0); }
+    }
+    ~CompressionThreads() { Imf::setGlobalThreadCount(0); }
+    CompressionThreads(const CompressionThreads&) = delete;
+    CompressionThreads& operator=(const CompressionThreads&) = delete;
+    int count() const { return Imf::globalThreadCount(); }
+
+private:
+    static inline std::mutex one_;
+    const std::scoped_lock<std::mutex> lock_{one_};
+};
 
 /// The values of the channels that have 16 bits, interleaved.
 std::vector<Imath::half> halvesOf(const EncodedImage& image) {
@@ -62,7 +92,7 @@ std::vector<Imath::half> halvesOf(const EncodedImage& image) {
 std::vector<unsigned char> encodeExr(const EncodedImage& image) {
     const Imath::Box2i display({0, 0}, {image.fullWidth - 1, image.fullHeight - 1});
     const Imath::Box2i data({image.x, image.y}, {image.x + image.width - 1, image.y + image.height - 1});
-    Imf::Header header(display, data, 1, {0, 0}, 1, Imf::INCREASING_Y, Imf::ZIP_COMPRESSION);
+    Imf::Header header(display, data, 1, {0, 0}, 1, Imf::INCREASING_Y, static_cast<Imf::Compression>(image.compression));
     for (const auto& [name, value] : image.attributes) std::visit(AttributeWriter{header, name}, value);
 
     /* OpenEXR wants the address that pixel (0, 0) would have */
@@ -83,7 +113,8 @@ std::vector<unsigned char> encodeExr(const EncodedImage& image) {
     std::vector<unsigned char> bytes;
     {
         MemoryStream stream(bytes);
-        Imf::OutputFile file(stream, header, 0);
+        const CompressionThreads threads;
+        Imf::OutputFile file(stream, header, threads.count());
         file.setFrameBuffer(buffer);
         file.writePixels(image.height);
     }

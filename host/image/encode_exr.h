@@ -5,7 +5,7 @@
 
 namespace eikonal {
 
-/// The content of the file: scanlines of floats of 32 or 16 bits, zip-compressed. Values that 16 bits cannot hold are clamped.
+/// The content of the file: scanlines of floats of 32 or 16 bits. Values that 16 bits cannot hold are clamped.
 /// Throws std::exception with OpenEXR's reason.
 std::vector<unsigned char> encodeExr(const EncodedImage& image);
 

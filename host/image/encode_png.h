@@ -5,8 +5,8 @@
 
 namespace eikonal {
 
-/// The content of the file: 8-bit R, G and B, marked as sRGB; text attributes become "tEXt" chunks. Throws std::runtime_error with libpng's
-/// reason.
+/// The content of the file: R, G and B of 8 bits, or 16 for words, marked as sRGB; text attributes become "tEXt" chunks. Throws
+/// std::runtime_error with libpng's reason.
 std::vector<unsigned char> encodePng(const EncodedImage& image);
 
 }  // namespace eikonal

@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -39,6 +40,8 @@ struct FilmImage {
     std::vector<float> material;       ///< the material that most samples hit: 1, 2, 3 ...; 0: none
     std::vector<float> variance;       ///< variance of the pixel's mean luminance
     std::vector<float> sampleCount;    ///< samples taken in the pixel
+    std::vector<glm::vec3> sampleVariance;    ///< variance of a sample, for pbrt's readers (image/sample_variance.h)
+    std::vector<glm::vec3> relativeVariance;  ///< the same over the mean
     PixelSpectra spectrum;             ///< empty unless the film keeps one
     bool halfFloats = false;           ///< FilmDescription::halfFloats
 
@@ -56,7 +59,7 @@ struct FilmImage {
     }
 };
 
-/// How an image was made. Stored as file attributes with the names in brackets (the first two are pbrt-v4's). Unset: not stored.
+/// How an image was made. Stored as file attributes with the names in brackets. Unset: not stored.
 struct Metadata {
     std::optional<int> samples;              ///< per pixel, or the fewest of any pixel [samplesPerPixel]
     std::optional<double> meanSamples;       ///< mean over all pixels, if they differ [meanSamplesPerPixel]
@@ -74,6 +77,8 @@ struct Metadata {
     std::string device;                      ///< the OpenCL device [device]
     std::string biasedChoices;               ///< render/biased_choices.h [biasedChoices]
     std::string commandLine;                 ///< [commandLine]
+    std::optional<std::array<float, 16>> worldToCamera;   ///< row by row, for column vectors: when the shutter opens [worldToCamera]
+    std::optional<std::array<float, 16>> worldToNdc;      ///< likewise: CameraTraits::screenFromCamera, from [-1, 1] to [0, 1] [worldToNDC]
     bool operator==(const Metadata&) const = default;
 };
 

@@ -2,41 +2,24 @@
 // Reads and writes rendered images.
 
 #include "image/film_image.h"
-#include "image/tone_map.h"
+#include "image/image_encoding.h"
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace eikonal {
 
-/// How an image becomes a file.
-struct ImageEncoding {
-    std::string format;       ///< the extension that names it, "exr"; empty: that of the file's name
-    ToneMapping toneMapping;  ///< of integer formats
-};
-
-/// The extensions that name a format.
-std::vector<const char*> imageFormatNames();
-
 /// Writes an image in the format that the encoding names, else that of the file name's extension. The name "-" is standard output
 /// (standard_stream.h).
-///   - exr: 32-bit floats, linear; with FilmImage::halfFloats, colours and normals are 16-bit floats, clamped to 65504.
-///   Display window: the image; data window: the pixels present. Channels R G B and, if the image has them,
-///   noisy.R noisy.G noisy.B, albedo.R albedo.G albedo.B, N.X N.Y N.Z,
-///   Z, variance, sampleCount and the others of image/channels.h, S0.400,000nm
-///   (image/spectral_layout.h). The names follow the layers of Blender and Nuke and the guides of OIDN; Z is 1e10 where there is no
-///   surface, as in Blender. Attributes: chromaticities and the metadata.
+///   - exr: 32-bit floats, linear; with halves, colours and normals are 16-bit floats, clamped to 65504, and in pbrt's spelling all
+///   channels. Display window: the image; data window: the pixels present. Channels R G B and, if the image has them, those of
+///   image/channels.h and S0.400,000nm (image/spectral_layout.h); Z is 1e10 where there is no surface, as in Blender. Attributes:
+///   chromaticities and the metadata.
 ///   - hdr, pfm: linear, colour only, pixels present only.
-///   - png jpg jpeg tga bmp webp (8 bits) and tif tiff (16 bits): pixels present, tone-mapped, encoded as sRGB.
-/// The file is written completely or not at all (image/atomic_file.h). Throws Error (ExitCode::scene) with the reason.
+///   - png jpg jpeg tga bmp webp (8 bits; png also 16) and tif tiff (16 bits, or 8): pixels present, tone-mapped, encoded as sRGB.
+/// Same arguments, same bytes. The file is written completely or not at all (image/atomic_file.h). Throws Error (ExitCode::scene) with the
+/// reason.
 void writeImage(const std::string& path, const FilmImage& image, const Metadata& metadata, const ImageEncoding& encoding = {});
-
-/// Whether writeImage stores channels besides colour in a file of this name.
-bool holdsChannels(const std::string& path, const ImageEncoding& encoding = {});
-
-/// Why the name of a file tells no format, and the encoding names none; empty: there is one.
-std::string unknownFormat(const std::string& path, const ImageEncoding& encoding = {});
 
 /// Throws Error if an image has more columns or rows than a file of this name can hold.
 void checkHolds(const std::string& path, int columns, int rows, const ImageEncoding& encoding = {});
@@ -49,7 +32,8 @@ void checkWritable(const std::string& path, std::uint64_t bytes = 0, const Image
 struct FilmFile { FilmImage image; Metadata metadata; };
 
 /// Reads a file that writeImage wrote, or any other image. Floats are kept (also those that are not finite), integers decoded from sRGB,
-/// grey becomes three equal channels, other primaries are converted to sRGB. Throws Error (ExitCode::scene).
+/// grey becomes three equal channels, other primaries are converted to sRGB. Channels may have our names or pbrt-v4's. Throws Error
+/// (ExitCode::scene).
 FilmFile readImage(const std::string& path);
 
 }  // namespace eikonal

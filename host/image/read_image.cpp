@@ -34,7 +34,9 @@ Metadata metadataOf(const ImageReader& file) {
             .sceneHash = file.text("sceneHash"),
             .device = file.text("device"),
             .biasedChoices = file.text("biasedChoices"),
-            .commandLine = file.text("commandLine")};
+            .commandLine = file.text("commandLine"),
+            .worldToCamera = file.matrix("worldToCamera"),
+            .worldToNdc = file.matrix("worldToNDC")};
 }
 
 int find(const ImageReader::Header& header, const std::string& channel) {
@@ -77,30 +79,21 @@ FilmFile readImage(const std::string& path) {
     FilmFile file{{header.fullWidth, header.fullHeight, {x0, x0 + header.width, y0, y0 + header.height}}, metadataOf(*input)};
     FilmImage& image = file.image;
     const auto has = [&](const char* name) { return find(header, name) >= 0; };
-    if (has("noisy.R") && has("noisy.G") && has("noisy.B")) image.noisy.resize(image.pixelCount());
-    if (has("albedo.R") && has("albedo.G") && has("albedo.B")) image.albedo.resize(image.pixelCount());
-    if (has("N.X") && has("N.Y") && has("N.Z")) image.normal.resize(image.pixelCount());
-    if (has("Ng.X") && has("Ng.Y") && has("Ng.Z")) image.geometricNormal.resize(image.pixelCount());
-    if (has("P.X") && has("P.Y") && has("P.Z")) image.position.resize(image.pixelCount());
-    if (has("u") && has("v")) image.uv.resize(image.pixelCount());
-    if (has("dzdx") && has("dzdy")) image.depthSlope.resize(image.pixelCount());
-    if (has("motion.X") && has("motion.Y")) image.motion.resize(image.pixelCount());
-    if (has("objectId")) image.object.resize(image.pixelCount());
-    if (has("materialId")) image.material.resize(image.pixelCount());
-    if (has("Z")) image.depth.resize(image.pixelCount());
-    if (has("variance")) image.variance.resize(image.pixelCount());
-    if (has("sampleCount")) image.sampleCount.resize(image.pixelCount());
+    const ChannelNames spelling = has("Albedo.R") || has("Ns.X") || has("Variance.R") ? ChannelNames::pbrt : ChannelNames::eikonal;
+    forChannels(image, spelling, [&](auto& values, const ComponentNames& names, ChannelUse) {
+        if (std::ranges::all_of(names, [&](const char* name) { return !name || has(name); })) values.resize(image.pixelCount());
+    });
     for (const std::string& name : header.channels)
         if (const auto wavelength = wavelengthOfChannel(name)) image.spectrum.wavelengths.push_back(*wavelength);
     std::ranges::sort(image.spectrum.wavelengths);
     image.spectrum.radiance.resize(image.spectrum.wavelengths.size() * image.pixelCount());
 
-    for (const auto& channel : channelsOf<float>(image)) {
+    for (const auto& channel : channelsOf<float>(image, spelling)) {
         const bool isColor = channel.name == "R" || channel.name == "G" || channel.name == "B";
         const int from = isColor && grey >= 0 ? grey : find(header, channel.name);
         for (std::size_t i = 0; i < image.pixelCount(); ++i) {
             const float value = values[i * channelCount + static_cast<std::size_t>(from)];
-            channel[i] = channel.isDepth && value >= noDepth ? std::numeric_limits<float>::infinity() : value;
+            channel[i] = channel.use.isDepth && value >= noDepth ? std::numeric_limits<float>::infinity() : value;
         }
     }
 

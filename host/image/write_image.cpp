@@ -12,58 +12,21 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <exception>
-#include <filesystem>
 #include <span>
 
 namespace eikonal {
 namespace {
-
-enum class Content { layers, linear, screen8, screen16 };
-struct Format {
-    const char *extension, *name;
-    Content content;
-    int mostPixels = 1 << 30;      // columns, and rows
-    bool holdsNegatives = true;    // of `linear`
-};
-
-constexpr std::array<Format, 11> formats{{{"exr", "openexr", Content::layers},
-                                          {"hdr", "hdr", Content::linear, 1 << 30, false},
-                                          {"pfm", "pfm", Content::linear},
-                                          {"png", "png", Content::screen8},
-                                          {"jpg", "jpeg", Content::screen8, 65500},
-                                          {"jpeg", "jpeg", Content::screen8, 65500},
-                                          {"tif", "tiff", Content::screen16},
-                                          {"tiff", "tiff", Content::screen16},
-                                          {"tga", "targa", Content::screen8, 65535},
-                                          {"bmp", "bmp", Content::screen8},
-                                          {"webp", "webp", Content::screen8, 16383}}};
 
 [[noreturn]] void fail(const std::string& path, const std::string& reason) {
     throw Error(ExitCode::scene,
                 fmt::format("cannot write {}: {}", isStandardStream(path) ? "to standard output" : "\"" + path + "\"", reason));
 }
 
-std::string extensionOf(const std::string& path) {
-    std::string extension = std::filesystem::path(path).extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    return extension;
-}
-
-/// The format that is asked for, or else that of a file name's extension, in any case; null if there is none.
-const Format* findFormat(const std::string& path, const ImageEncoding& encoding) {
-    const std::string extension = encoding.format.empty() ? extensionOf(path) : "." + encoding.format;
-    const auto found =
-        std::ranges::find_if(formats, [&](const Format& format) { return extension == std::string(".") + format.extension; });
-    return found == formats.end() ? nullptr : &*found;
-}
-
-const Format& formatOf(const std::string& path, const ImageEncoding& encoding) {
-    if (const Format* format = findFormat(path, encoding)) return *format;
+const ImageFormat& formatOf(const std::string& path, const ImageEncoding& encoding) {
+    if (const ImageFormat* format = findImageFormat(path, encoding)) return *format;
     fail(path, unknownFormat(path, encoding));
 }
 
@@ -73,7 +36,7 @@ std::vector<float> interleave(const std::vector<ChannelView<const float>>& chann
     tbb::parallel_for(std::size_t(0), pixels, [&](std::size_t i) {
         for (std::size_t c = 0; c < channels.size(); ++c) {
             const float value = channels[c][i];
-            values[i * channels.size() + c] = channels[c].isDepth && !std::isfinite(value) ? noDepth : value;
+            values[i * channels.size() + c] = channels[c].use.isDepth && !std::isfinite(value) ? noDepth : value;
         }
     });
     return values;
@@ -88,7 +51,7 @@ std::vector<float> toneMapped(const FilmImage& image, const ToneMapping& mapping
     return values;
 }
 
-void addAttributes(EncodedImage& file, const Metadata& metadata) {
+void addAttributes(EncodedImage& file, const Metadata& metadata, const ImageEncoding& encoding) {
     const auto add = [&](const char* name, auto value) { file.attributes.emplace_back(name, value); };
     const auto addText = [&](const char* name, const std::string& text) { if (!text.empty()) add(name, text); };
     if (metadata.samples) add("samplesPerPixel", *metadata.samples);
@@ -99,7 +62,7 @@ void addAttributes(EncodedImage& file, const Metadata& metadata) {
     if (metadata.errorHigh) add("errorHigh", static_cast<float>(*metadata.errorHigh));
     addText("errorMetric", metadata.errorMetric);
     addText("errorDoubt", metadata.errorDoubt);
-    if (metadata.renderSeconds) add("renderTimeSeconds", static_cast<float>(*metadata.renderSeconds));
+    if (metadata.renderSeconds && encoding.recordsTime) add("renderTimeSeconds", static_cast<float>(*metadata.renderSeconds));
     if (metadata.seed) add("seed", *metadata.seed);
     addText("Software", metadata.version);
     addText("scene", metadata.scene);
@@ -109,38 +72,52 @@ void addAttributes(EncodedImage& file, const Metadata& metadata) {
     addText("commandLine", metadata.commandLine);
 }
 
-EncodedImage::Values valuesOf(Content content) {
-    return content == Content::screen8    ? EncodedImage::Values::bytes
-           : content == Content::screen16 ? EncodedImage::Values::words
-                                          : EncodedImage::Values::floats;
+/// What only an EXR has.
+void describeLayers(EncodedImage& file, const FilmImage& image, const Metadata& metadata, const ImageEncoding& encoding) {
+    file.x = image.bounds.x0;
+    file.y = image.bounds.y0;
+    file.fullWidth = image.width;
+    file.fullHeight = image.height;
+    file.compression = encoding.compression.value_or(ExrCompression::zip);
+    file.attributes.emplace_back("chromaticities", srgbPrimaries);
+    if (metadata.worldToCamera) file.attributes.emplace_back("worldToCamera", *metadata.worldToCamera);
+    if (metadata.worldToNdc) file.attributes.emplace_back("worldToNDC", *metadata.worldToNdc);
+    if (!image.spectrum.wavelengths.empty())
+        for (const auto& [attribute, text] : spectralAttributes) file.attributes.emplace_back(attribute, text);
 }
 
 /// The description of the image for a file in this format, without the values.
-EncodedImage describe(const Format& format, const FilmImage& image, const Metadata& metadata) {
-    EncodedImage file{.stored = valuesOf(format.content),
-                      .width = image.columns(),
-                      .height = image.rows(),
-                      .fullWidth = image.columns(),
-                      .fullHeight = image.rows(),
-                      .channels = {"R", "G", "B"},
-                      .isHalf = {},
-                      .attributes = {},
-                      .values = {}};
-    if (format.content == Content::layers) {
-        file.x = image.bounds.x0;
-        file.y = image.bounds.y0;
-        file.fullWidth = image.width;
-        file.fullHeight = image.height;
-        file.attributes.emplace_back("chromaticities", srgbPrimaries);
-        if (!image.spectrum.wavelengths.empty())
-            for (const auto& [attribute, text] : spectralAttributes) file.attributes.emplace_back(attribute, text);
-    }
-    addAttributes(file, metadata);
+EncodedImage describe(const ImageFormat& format, const FilmImage& image, const Metadata& metadata, const ImageEncoding& encoding) {
+    using enum EncodedImage::Values;
+    EncodedImage file;
+    file.stored = format.content != ImageContent::screen ? floats : encoding.bits.value_or(format.bits) == 16 ? words : bytes;
+    file.width = file.fullWidth = image.columns();
+    file.height = file.fullHeight = image.rows();
+    file.channels = {"R", "G", "B"};
+    if (format.content == ImageContent::layers) describeLayers(file, image, metadata, encoding);
+    addAttributes(file, metadata, encoding);
     return file;
 }
 
+/// Adds the values of all channels that the format holds, and their names.
+void addChannels(EncodedImage& file, const ImageFormat& format, const FilmImage& image, const ImageEncoding& encoding) {
+    const bool holdsLayers = format.content == ImageContent::layers;
+    const ChannelNames spelling = encoding.channelNames.value_or(ChannelNames::eikonal);
+    auto channels = channelsOf<const float>(image, spelling);
+    if (!holdsLayers) channels.erase(channels.begin() + 3, channels.end());
+    /* pbrt-v4 reads a file only if all its channels have the same type */
+    const bool hasHalves = holdsLayers && encoding.halfFloats.value_or(image.halfFloats), hasOneType = spelling == ChannelNames::pbrt;
+    file.channels.clear();
+    for (const auto& channel : channels) {
+        file.channels.push_back(channel.name);
+        file.isHalf.push_back(hasHalves && (hasOneType || !channel.use.needsFloats));
+    }
+    file.values = interleave(channels, image.pixelCount());
+    if (!format.holdsNegatives) std::ranges::transform(file.values, file.values.begin(), [](float v) { return v > 0 ? v : 0; });
+}
+
 /// The formats that every render writes do not need OpenImageIO.
-std::vector<unsigned char> encode(const std::string& path, const Format& format, const EncodedImage& image) {
+std::vector<unsigned char> encode(const std::string& path, const ImageFormat& format, const EncodedImage& image) {
     const std::string name = format.name;
     try {
         if (name == "openexr") return encodeExr(image);
@@ -168,23 +145,8 @@ std::vector<unsigned char> encodePfm(const FilmImage& image) {
 
 }  // namespace
 
-std::string unknownFormat(const std::string& path, const ImageEncoding& encoding) {
-    if (findFormat(path, encoding)) return {};
-    if (isStandardStream(path)) return "it has no extension that would name a format; name one: --format exr";
-    const std::string extension = extensionOf(path);
-    std::string known;
-    for (const Format& format : formats) known += std::string(" ") + format.extension;
-    return (extension.empty() ? "its name has no extension" : "the extension \"" + extension + "\" is not known") + "; known are" + known;
-}
-
-std::vector<const char*> imageFormatNames() {
-    std::vector<const char*> names;
-    for (const Format& format : formats) names.push_back(format.extension);
-    return names;
-}
-
 void checkHolds(const std::string& path, int columns, int rows, const ImageEncoding& encoding) {
-    const Format& format = formatOf(path, encoding);
+    const ImageFormat& format = formatOf(path, encoding);
     if (std::max(columns, rows) > format.mostPixels)
         fail(path, fmt::format("a file of this kind holds at most {0} x {0} pixels, and the image has {1} x {2}", format.mostPixels,
                                columns, rows));
@@ -197,33 +159,17 @@ static void store(const std::string& path, std::span<const unsigned char> conten
 }
 
 void writeImage(const std::string& path, const FilmImage& image, const Metadata& metadata, const ImageEncoding& encoding) {
-    const Format& format = formatOf(path, encoding);
+    const ImageFormat& format = formatOf(path, encoding);
     if (image.pixelCount() == 0) fail(path, "the image has no pixels");
     checkHolds(path, image.columns(), image.rows(), encoding);
     if (std::string(format.name) == "pfm") {
         store(path, encodePfm(image));
         return;
     }
-    EncodedImage file = describe(format, image, metadata);
-    if (file.stored != EncodedImage::Values::floats) {
-        file.values = toneMapped(image, encoding.toneMapping);
-    } else {
-        auto channels = channelsOf<const float>(image);
-        if (format.content == Content::linear) channels.erase(channels.begin() + 3, channels.end());
-        file.channels.clear();
-        for (const auto& channel : channels) {
-            file.channels.push_back(channel.name);
-            file.isHalf.push_back(image.halfFloats && format.content == Content::layers && !channel.needsFloats);
-        }
-        file.values = interleave(channels, image.pixelCount());
-        if (!format.holdsNegatives) std::ranges::transform(file.values, file.values.begin(), [](float v) { return v > 0 ? v : 0; });
-    }
+    EncodedImage file = describe(format, image, metadata, encoding);
+    if (format.content == ImageContent::screen) file.values = toneMapped(image, encoding.toneMapping);
+    else addChannels(file, format, image, encoding);
     store(path, encode(path, format, file));
-}
-
-bool holdsChannels(const std::string& path, const ImageEncoding& encoding) {
-    const Format* format = findFormat(path, encoding);
-    return format && format->content == Content::layers;
 }
 
 void checkWritable(const std::string& path, std::uint64_t bytes, const ImageEncoding& encoding) {

@@ -27,6 +27,9 @@ struct CameraTraits {
     void (*pack)(const CameraPacking&, const CameraDescription&, camera&) = nullptr;
     /// Projects a point of camera space to the screen space of the packed camera. Nothing if the camera does not see it.
     std::optional<glm::dvec2> (*project)(const PackedScene&, glm::dvec3 p) = nullptr;
+    /// pbrt-v4's projection of camera space to screen space, for the attribute worldToNDC of an EXR: the shorter side of the image spans
+    /// [-1, 1] in x or y, the depths at which it clips [0, 1] in z. Null: the camera has none.
+    glm::dmat4 (*screenFromCamera)(const CameraDescription&) = nullptr;
     /// Whether the right edge of the image continues at the left edge. Null: never.
     bool (*wrapsAround)(const camera&) = nullptr;
     /// Whether `lensRadius`, `frameAspectRatio` and `screenWindow` apply.

@@ -34,7 +34,7 @@ TEST_F(Cli, TheDisplayServerGetsTheImageThatIsWritten) {
         const std::vector<float>& values = shown.channels.at(channel.name);
         std::size_t different = 0;
         for (std::size_t i = 0; i < values.size(); ++i)
-            different += values[i] != channel[i] && !(channel.isDepth && values[i] > noDepth && channel[i] == noDepth);
+            different += values[i] != channel[i] && !(channel.use.isDepth && values[i] > noDepth && channel[i] == noDepth);
         EXPECT_EQ(different, 0u) << channel.name;
     }
 }

@@ -82,7 +82,8 @@ TEST_F(Cli, WritesHalfFloatsIfAskedTo) {
     const Outcome bright = run({"render", "bright.pbrt", "-o", "bright.exr"});
     EXPECT_THAT(bright.error,
                 testing::ContainsRegex("bright.pbrt:5:1: warning: [0-9]+ pixels are brighter than 65504, the most that 16-bit "
-                                       "floats hold; in EXR files they are clamped: \"bool savefp16\" false keeps all"));
+                                       "floats hold; in EXR files they are clamped: --pixel-type float, or \"bool savefp16\" false, keeps "
+                                       "all"));
 }
 
 }  // namespace

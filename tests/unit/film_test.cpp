@@ -72,7 +72,7 @@ TEST_F(Film, exrKeepsEveryBit) {
     FilmImage image = numbered(5, 4);
     image.color[7] = {1e-20f, 3e38f, -0.f};
     image.color[8] = {inf, -1, 1 / 3.f};
-    writeImage(path("a.exr"), image, metadata);
+    writeImage(path("a.exr"), image, metadata, {.recordsTime = true});
     const FilmFile file = readImage(path("a.exr"));
     EXPECT_EQ(file.image.color, image.color);
     EXPECT_EQ(file.image.width, 5);
@@ -83,7 +83,7 @@ TEST_F(Film, exrKeepsEveryBit) {
 }
 
 TEST_F(Film, exrSaysWhatItsColorsMean) {
-    writeImage(path("a.exr"), numbered(2, 2), metadata);
+    writeImage(path("a.exr"), numbered(2, 2), metadata, {.recordsTime = true});
     auto input = OIIO::ImageInput::open(path("a.exr"));
     float chromaticities[8] = {};
     ASSERT_TRUE(input->spec().getattribute("chromaticities", OIIO::TypeDesc(OIIO::TypeDesc::FLOAT, 8), chromaticities));

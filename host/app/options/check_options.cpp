@@ -2,6 +2,7 @@
 
 #include "app/command_line.h"
 #include "app/options/parser.h"
+#include "app/output.h"
 #include "app/render_jobs.h"
 #include "error.h"
 #include "image/image_file.h"
@@ -52,6 +53,8 @@ static void checkFormats(const Options& o) {
     for (const std::string& file : o.output.files)
         if (!isStandardStream(file)) check("-o", file, o.output.encoding);
     if (!o.heatMap.empty()) check("--heat-map", o.heatMap, {});
+    const bool areNamed = std::ranges::none_of(o.output.files, [](const std::string& file) { return isFolder(file); });
+    if (!o.output.files.empty() && areNamed) checkEncoding(imageFiles(o.output.files, o.output.encoding), o.output.encoding);
 }
 
 /// Standard output holds one thing.
@@ -98,8 +101,8 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
         throw UsageError(fmt::format("--efficiency measures the variance between repeats; --repeats must be at least {}, not {}",
                                      SeedVariance::leastSeeds, o.repeats));
     checkParts(o);
-    checkFormats(o);
     checkStandardStreams(o);
+    checkFormats(o);
     if (o.output.resume && o.output.checkpoint.empty())
         throw UsageError("--resume goes on from a checkpoint; name it: --checkpoint FILE --resume");
     if (o.scene.cropWindow && o.scene.pixelBounds)

@@ -6,6 +6,13 @@
 
 namespace eikonal {
 
+/// Names of compressions, separated by commas.
+static std::string listOf(size_t first, size_t end) {
+    std::string list;
+    for (size_t i = first; i < end; ++i) list += (list.empty() ? "" : ", ") + std::string(exrCompressionNames[i].first);
+    return list;
+}
+
 void addEncoding(CLI::App* app, OutputOptions& out) {
     const std::string group = imageGroup;
     std::vector<std::pair<const char*, std::string>> formats;
@@ -17,6 +24,24 @@ void addEncoding(CLI::App* app, OutputOptions& out) {
         value(app, "--tonemap", out.encoding.toneMapping.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
               [](const std::string&, const std::string& text) { return toneCurve(text); });
     offer(tonemap, toneCurveNames())->group(group);
+    value(app, "--bit-depth", out.encoding.bits, "N", "For integer formats: bits of a channel, 8 or 16 (default: 16 for tif, else 8)",
+          oneOf<int>({{"8", 8}, {"16", 16}}))
+        ->group(group);
+    value(app, "--pixel-type", out.encoding.halfFloats, "NAME",
+          "For EXR: float, 32 bits (default); half, 16 bits for colours and normals, with --channel-names pbrt for all channels",
+          oneOf<bool>({{"float", false}, {"half", true}}))
+        ->group(group);
+    value(app, "--compression", out.encoding.compression, "NAME",
+          fmt::format("For EXR: {}, zip (default), {}; the last five change values", listOf(0, 3), listOf(4, 10)),
+          oneOf<ExrCompression>({std::begin(exrCompressionNames), std::end(exrCompressionNames)}))
+        ->group(group);
+    value(app, "--channel-names", out.encoding.channelNames, "NAME",
+          "For EXR: eikonal (default), or pbrt: those of pbrt-v4's film gbuffer, for programs that read its files",
+          oneOf<ChannelNames>({std::begin(channelNamesNames), std::end(channelNamesNames)}))
+        ->group(group);
+    app->add_flag("--record-time", out.encoding.recordsTime,
+                  "Store the seconds of rendering in the file, so that two runs write different ones")
+        ->group(group);
     value(app, "--exposure", out.encoding.toneMapping.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))
         ->group(group);
 }

@@ -2,6 +2,8 @@
 // Interface to OpenImageIO. It is a separate library, loaded on first use, because loading OpenImageIO with its dependencies takes as long
 // as rendering a small scene.
 
+#include "image/image_encoding.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -14,8 +16,8 @@
 
 namespace eikonal {
 
-/// An attribute of an image file; eight numbers are chromaticities.
-using ImageAttribute = std::pair<std::string, std::variant<int, float, std::string, std::array<float, 8>>>;
+/// An attribute of an image file; eight numbers are chromaticities, sixteen a matrix as the file stores it.
+using ImageAttribute = std::pair<std::string, std::variant<int, float, std::string, std::array<float, 8>, std::array<float, 16>>>;
 
 /// An image to be encoded.
 struct EncodedImage {
@@ -25,6 +27,7 @@ struct EncodedImage {
     int fullWidth = 0, fullHeight = 0;        ///< size of the whole image
     std::vector<std::string> channels;
     std::vector<bool> isHalf;                 ///< OpenEXR: which channels have 16 bits; empty: none
+    ExrCompression compression = ExrCompression::zip;
     std::vector<ImageAttribute> attributes;
     std::vector<float> values;                ///< channels interleaved, row by row from the top
 };
@@ -51,6 +54,7 @@ public:
     virtual std::optional<float> number(const char* name) const = 0;
     virtual std::string text(const char* name) const = 0;                       ///< empty: no such attribute
     virtual std::optional<std::array<float, 8>> chromaticities() const = 0;
+    virtual std::optional<std::array<float, 16>> matrix(const char* name) const = 0;   ///< by OpenImageIO's name, as the file stores it
     /// Reads all channels of all pixels, interleaved. On failure returns false, and error() has the reason.
     virtual bool read(std::uint8_t* values) = 0;
     virtual bool read(float* values) = 0;

@@ -10,6 +10,10 @@ static void pack(const CameraPacking& in, const CameraDescription& description, 
 
 static std::optional<glm::dvec2> project(const PackedScene&, glm::dvec3 p) { return p.z > 0 ? std::optional(glm::dvec2(p)) : std::nullopt; }
 
-const CameraTraits orthographic_camera{.parameters = "", .pack = pack, .project = project, .hasThinLens = true};
+/// Clips at the depths 0 and 1.
+static glm::dmat4 screenFromCamera(const CameraDescription&) { return glm::dmat4(1); }
+
+const CameraTraits orthographic_camera{
+    .parameters = "", .pack = pack, .project = project, .screenFromCamera = screenFromCamera, .hasThinLens = true};
 
 }  // namespace eikonal

@@ -15,7 +15,18 @@ static std::optional<glm::dvec2> project(const PackedScene&, glm::dvec3 p) {
     return p.z > 0 ? std::optional(glm::dvec2(p) / p.z) : std::nullopt;
 }
 
-const CameraTraits perspective_camera{
-    .parameters = "float fov = 90 in (0, 180)", .read = read, .pack = pack, .project = project, .hasThinLens = true};
+/// Clips at the depths 0.01 and 1000.
+static glm::dmat4 screenFromCamera(const CameraDescription& camera) {
+    constexpr double near = 1e-2, far = 1000;
+    const double scale = 1 / std::tan(glm::radians(camera.fov) / 2);
+    return {{scale, 0, 0, 0}, {0, scale, 0, 0}, {0, 0, far / (far - near), 1}, {0, 0, -far * near / (far - near), 0}};  // columns
+}
+
+const CameraTraits perspective_camera{.parameters = "float fov = 90 in (0, 180)",
+                                      .read = read,
+                                      .pack = pack,
+                                      .project = project,
+                                      .screenFromCamera = screenFromCamera,
+                                      .hasThinLens = true};
 
 }  // namespace eikonal

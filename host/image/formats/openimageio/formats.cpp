@@ -39,6 +39,9 @@ public:
     std::optional<std::array<float, 8>> chromaticities() const override {
         return get<std::array<float, 8>>("chromaticities", eightNumbers);
     }
+    std::optional<std::array<float, 16>> matrix(const char* name) const override {
+        return get<std::array<float, 16>>(name, OIIO::TypeMatrix);
+    }
     bool read(std::uint8_t* values) override { return read(TypeDesc::UINT8, values); }
     bool read(float* values) override { return read(TypeDesc::FLOAT, values); }
     std::string error() override { return error_; }
@@ -82,6 +85,7 @@ struct AttributeWriter {
     void operator()(float value) const { spec.attribute(name, value); }
     void operator()(const std::string& value) const { spec.attribute(name, value); }
     void operator()(const std::array<float, 8>& value) const { spec.attribute(name, eightNumbers, value.data()); }
+    void operator()(const std::array<float, 16>& value) const { spec.attribute(name, OIIO::TypeMatrix, value.data()); }
 };
 
 OIIO::ImageSpec specOf(const std::string& format, const EncodedImage& image) {
@@ -93,6 +97,8 @@ OIIO::ImageSpec specOf(const std::string& format, const EncodedImage& image) {
     if (image.stored != floats && format != "tiff") spec.attribute("oiio:ColorSpace", "sRGB");
     if (format == "jpeg" || format == "webp") spec.attribute("compression", format + ":95");
     if (format == "jpeg") spec.attribute("jpeg:subsampling", "4:4:4");
+    // Else OpenImageIO adds the present time; this is how an unknown one is spelled (EXIF 2.3, 4.6.4).
+    if (format == "tiff") spec.attribute("DateTime", "    :  :     :  :  ");
     for (const auto& [name, value] : image.attributes) std::visit(AttributeWriter{spec, name}, value);
     return spec;
 }
