@@ -16,7 +16,7 @@ enum class LogLevel { silent, error, warning, info, debug };
 /// Collects messages for the user. Thread-safe.
 class Diagnostics {
 public:
-    /// strict: throw a SceneError instead of warning about unsupported or unknown content.
+    /// strict: throw a SceneError instead of warning about unsupported or unknown content, or a guess in place of what is missing.
     explicit Diagnostics(LogLevel level = LogLevel::warning, bool strict = false) : level_(level), strict_(strict) {}
 
     /// Prints "place: warning: message" to standard error (if the level allows) and keeps the message.
@@ -25,7 +25,7 @@ public:
     /// Warns once for each `kind`, at the first place; later ones are only counted.
     void warnOnce(const std::string& kind, const SourceLocation& where, const std::string& message);
 
-    /// Reports a feature of the scene that is read but not rendered, once for each kind. With strict, throws a SceneError.
+    /// Reports what is read but not rendered, or something else in its place, once for each kind. With strict, throws a SceneError.
     void unsupported(const std::string& kind, const SourceLocation& where, const std::string& message);
 
     /// A line for --log-level info.

@@ -41,6 +41,19 @@ protected:
         }
     }
     std::string errorIn(const std::string& content) { return errorOf([&] { load(content); }); }
+    std::string strictErrorIn(const std::string& content) {
+        return errorOf([&] {
+            Diagnostics diagnostics(LogLevel::silent, true);
+            readObj(write("model.obj", content), {}, diagnostics);
+        });
+    }
+
+    /// The warnings, but for the one about faces without a material, which files have that are about geometry.
+    std::vector<std::string> geometryWarnings() const {
+        std::vector<std::string> others = warnings_;
+        std::erase_if(others, [](const std::string& text) { return text.find("faces have no material") != text.npos; });
+        return others;
+    }
 
     static const Mesh& meshOf(const Scene& scene, std::size_t shape = 0) { return *scene.shapes.at(shape).mesh; }
 

@@ -155,6 +155,45 @@ TEST_F(ObjMaterials, findImagesBesideTheLibrary) {
     writeImage("wood.ppm");
     const Scene scene = loadMaterial("map_Kd \"C:\\work\\textures\\wood.ppm\"\n");
     EXPECT_EQ(scene.images.at(0).path, path("wood.ppm"));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.mtl:2: warning: there is no file \"C:\\work\\textures\\wood.ppm\"; ")));
+}
+
+// A file that is there under nearly the same name is a guess: a warning, and under --strict an error. The name itself is none.
+TEST_F(ObjMaterials, warnOfFilesUnderOtherNames) {
+    std::filesystem::create_directory(folder_ / "tex");
+    writeImage("tex/Wood.ppm");
+    for (const std::string name : {"tex/wood.ppm", "tex\\Wood.ppm", "D:/models/tex/Wood.ppm", "../elsewhere/tex/Wood.ppm"}) {
+        EXPECT_EQ(loadMaterial("map_Kd " + name + "\n").images.at(0).path, path("tex/Wood.ppm")) << name;
+        EXPECT_THAT(warnings_,
+                    ElementsAre(HasSubstr("there is no file \"" + name + "\"; \"" + path("tex/Wood.ppm") + "\" is read instead")));
+        EXPECT_THAT(strictErrorIn("mtllib model.mtl\nusemtl m\n" + square + "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n"),
+                    AllOf(HasSubstr("model.mtl:2: there is no file \"" + name), HasSubstr("(an error because of --strict)")));
+    }
+    loadMaterial("map_Kd tex/Wood.ppm\n");
+    EXPECT_THAT(warnings_, IsEmpty());
+
+    write("Other.mtl", "newmtl m\nKd 1 0 0\n");
+    const std::string content = "mtllib other.MTL\nusemtl m\n" + square + "f 1 2 3\n";
+    load(content);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:1: warning: there is no file \"other.MTL\"; ")));
+    EXPECT_THAT(strictErrorIn(content), HasSubstr("model.obj:1: there is no file \"other.MTL\"; "));
+}
+
+// Faces without a material are grey, which is said once: before any usemtl, of a material that is not there, and without a library.
+TEST_F(ObjMaterials, thatAreMissingAreGreyWithAWarning) {
+    const std::string faces = square + "f 1 2 3\nf 1 3 4\n";
+    const auto expectWarning = [&](const std::string& content, const std::string& place, const std::string& message) {
+        const Scene scene = load(content);
+        EXPECT_EQ(materialOf(scene).kind, &diffuse_material);
+        EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:" + place + ": warning: " + message)));
+        EXPECT_THAT(strictErrorIn(content), AllOf(HasSubstr("model.obj:" + place + ": " + message), HasSubstr("--strict")));
+    };
+    write("model.mtl", "newmtl m\nKd 1 0 0\n");
+    expectWarning(faces, "5", "faces have no material (\"usemtl\"); they are grey");
+    expectWarning("mtllib model.mtl\n" + faces, "6", "faces have no material (\"usemtl\"); they are grey");
+    expectWarning("usemtl wood\n" + faces, "1", "there is no material \"wood\"; its faces are grey");
+    expectWarning("mtllib gone.mtl\nusemtl wood\n" + faces, "1",
+                  "there is no material library \"gone.mtl\"; faces without a material are grey");
 }
 
 TEST_F(ObjMaterials, findImagesInOtherCaseAndMayDoWithout) {

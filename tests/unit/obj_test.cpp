@@ -37,7 +37,7 @@ TEST_F(ObjTest, readsEverySpellingOfAFace) {
         EXPECT_GT(glm::cross(b - a, c - a).z, 0) << faces;
         EXPECT_THAT(mesh.normals, IsEmpty()) << faces;
         EXPECT_THAT(mesh.uvs, IsEmpty()) << faces;
-        EXPECT_THAT(warnings_, IsEmpty()) << faces;
+        EXPECT_THAT(geometryWarnings(), IsEmpty()) << faces;
     }
 }
 
@@ -49,7 +49,7 @@ TEST_F(ObjTest, readsEveryEndOfLineAndAByteOrderMark) {
         EXPECT_EQ(meshOf(load(other)).indices.size(), 6u);
     }
     EXPECT_EQ(meshOf(load("\xEF\xBB\xBF" + text)).indices.size(), 6u);
-    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_THAT(geometryWarnings(), IsEmpty());
 }
 
 // An L of five unit squares is concave: cut anywhere but along its inside, its triangles would have another area than 5.
@@ -97,7 +97,7 @@ TEST_F(ObjTest, makesOneShapeOfEachMaterialOfEachObject) {
     EXPECT_NE(scene.shapes[0].material, scene.shapes[1].material);
     EXPECT_EQ(scene.shapes[1].where.line, 9);
     EXPECT_EQ(scene.name, "model");
-    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_THAT(geometryWarnings(), IsEmpty());
 }
 
 // A metre-sized model 4,500 km from the origin keeps its shape: floats there are half a metre apart.
@@ -112,14 +112,15 @@ TEST_F(ObjTest, keepsTheDetailOfModelsFarFromTheOrigin) {
 TEST_F(ObjTest, leavesOutTrianglesWithoutArea) {
     const Scene scene = load(square + "v .5 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 5\n");
     EXPECT_EQ(meshOf(scene).indices.size(), 3u);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("2 of 3 triangles have zero area")));
+    EXPECT_THAT(geometryWarnings(), ElementsAre(HasSubstr("2 of 3 triangles have zero area")));
 }
 
 TEST_F(ObjTest, warnsOnceOfWhatItDoesNotRender) {
     load("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nl 1 2\nl 2 3\np 1\nsurf 0 1 0 1 1 2 3\nhello\nf 1 2 3\n");
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:1: warning: the colors of vertices"), HasSubstr("model.obj:4: warning: lines"),
-                                       HasSubstr("model.obj:6: warning: points"), HasSubstr("model.obj:7: warning: free-form"),
-                                       HasSubstr("model.obj:8: warning: \"hello\" is not a statement")));
+    EXPECT_THAT(geometryWarnings(),
+                ElementsAre(HasSubstr("model.obj:1: warning: the colors of vertices"), HasSubstr("model.obj:4: warning: lines"),
+                            HasSubstr("model.obj:6: warning: points"), HasSubstr("model.obj:7: warning: free-form"),
+                            HasSubstr("model.obj:8: warning: \"hello\" is not a statement")));
 }
 
 // ---- files that are wrong ---------------------------------------------------------------------------------------------------

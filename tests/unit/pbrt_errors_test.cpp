@@ -94,6 +94,8 @@ TEST_F(PbrtErrors, filesOfOtherMachinesAreFoundBesideTheScene) {
     for (const char* name : {"wood.png", "C:/Users/me/tex/wood.png", "textures\\\\wood.png", "/home/me/WOOD.png", "Textures/wood.png"}) {
         EXPECT_EQ(found(name), "Wood.PNG") << name;
         EXPECT_THAT(warnings_, ElementsAre(HasSubstr("Wood.PNG\" is read instead"))) << name;
+        EXPECT_THAT(errorOf("WorldBegin\nTexture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"" + std::string(name) + "\"", true),
+                    HasSubstr("Wood.PNG\" is read instead (an error because of --strict)"));
     }
     EXPECT_EQ(found("D:/x/Brick.png"), "brick.png");
     EXPECT_THAT(errorOfWorld("Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"oak.png\""),

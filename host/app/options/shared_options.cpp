@@ -155,7 +155,8 @@ void addScene(CLI::App* app, Options& o, bool takesOne) {
           "Files that are missing: error (default) lists them all; magenta: textures become magenta, shapes are left out",
           oneOf<MissingFiles>({{"error", MissingFiles::error}, {"magenta", MissingFiles::magenta}}))
         ->group(group);
-    app->add_flag("--strict", s.strict, "Features that are parsed but not rendered are errors instead of warnings")->group(group);
+    app->add_flag("--strict", s.strict, "What is parsed but not rendered, or replaced by a guess, is an error instead of a warning")
+        ->group(group);
     value(app, "--camera", s.camera, "x,y,z", "Position of the camera (default: chosen to show the model)", parseVector)->group(objGroup);
     value(app, "--look-at", s.lookAt, "x,y,z", "A point at the centre of the image", parseVector)->group(objGroup);
     value(app, "--up", s.up, "x,y,z", "Up direction of the image (default: 0,1,0)", parseVector)->group(objGroup);

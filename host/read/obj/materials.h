@@ -6,7 +6,6 @@
 #include "read/obj/mtl.h"
 #include "scene/scene.h"
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -15,13 +14,15 @@ namespace eikonal {
 /// Finds files that an OBJ or MTL file names. Collects missing files, so that all are reported at once.
 class ObjFiles {
 public:
-    explicit ObjFiles(MissingFiles missing = MissingFiles::error) : allowsMissing_(missing == MissingFiles::magenta) {}
+    explicit ObjFiles(Diagnostics& diagnostics, MissingFiles missing = MissingFiles::error)
+        : diagnostics_(diagnostics), allowsMissing_(missing == MissingFiles::magenta) {}
     /// Whether an image that is missing becomes magenta.
     bool allowsMissing() const { return allowsMissing_; }
 
-    /// Looks for `name` relative to the folder of `beside`, then for its last component in that folder, then for what is probably meant
-    /// (read/formats/loose_files.h). Empty if there is none.
-    static std::string find(const std::string& name, const std::filesystem::path& beside);
+    /// The path of the file that is called so at `where`: absolute, or relative to the folder of the file there; else, with a warning, of
+    /// one that is probably meant (read/formats/loose_files.h). Empty if there is none. Throws a SceneError instead of that warning if the
+    /// diagnostics are strict.
+    std::string find(const std::string& name, const SourceLocation& where);
 
     /// Same as find, but notes an error at `where` if the file does not exist.
     std::string require(const std::string& name, const SourceLocation& where);
@@ -30,6 +31,7 @@ public:
     void throwMissing() const;
 
 private:
+    Diagnostics& diagnostics_;
     bool allowsMissing_;
     std::vector<std::string> missing_;
 };

@@ -127,7 +127,6 @@ std::optional<MtlTexture> MtlMaterial::texture(const std::string& keyword) const
     if (nameBegin == std::string::npos) throw SceneError(statement.where, fmt::format("\"{}\" names no image", keyword));
     texture.file = statement.rest.substr(nameBegin, nameEnd - nameBegin);
     std::erase(texture.file, '"');
-    std::ranges::replace(texture.file, '\\', '/');
     return texture;
 }
 

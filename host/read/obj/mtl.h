@@ -16,7 +16,7 @@ namespace eikonal {
 
 /// The image of a map_... statement, with its options.
 struct MtlTexture {
-    std::string file;                        ///< without quotes, and with / between folders
+    std::string file;                        ///< without quotes; folders as written
     SourceLocation where;
     glm::dvec2 scale{1}, offset{0};          ///< -s -o: texture coordinates are multiplied by scale, then moved by offset
     bool clamp = false;                      ///< -clamp on

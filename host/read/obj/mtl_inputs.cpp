@@ -31,7 +31,7 @@ std::optional<std::pair<MtlTexture, ImageFile>> MtlInputs::image(const std::stri
     for (const std::string& option : texture->ignored)
         diagnostics_.unsupported("mtl " + option.substr(0, option.find(' ')), texture->where,
                                  fmt::format("the option \"{}\" is not supported", option));
-    const std::string path = files_.allowsMissing() ? files_.find(texture->file, *texture->where.file)
+    const std::string path = files_.allowsMissing() ? files_.find(texture->file, texture->where)
                                                     : files_.require(texture->file, texture->where);
     ImageFile file{.path = path, .encoding = encoding};
     if (path.empty()) {

@@ -15,7 +15,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <sstream>
 
@@ -37,28 +36,31 @@ void checkOptions(const ObjOptions& options) {
 /// The materials of all libraries by name; the first of each name counts.
 class Library {
 public:
-    Library(const std::vector<ObjLibrary>& files, const std::filesystem::path& obj, Diagnostics& diagnostics) : diagnostics_(diagnostics) {
-        for (const ObjLibrary& file : files) read(file, obj);
+    Library(const std::vector<ObjLibrary>& files, Diagnostics& diagnostics) : diagnostics_(diagnostics), files_(diagnostics) {
+        for (const ObjLibrary& file : files) read(file);
     }
 
-    /// Returns null, and warns once per name, if there is no such material.
+    /// Returns null, and warns once per name, if there is no such material. An empty name: of faces before any "usemtl".
     const MtlMaterial* find(const std::string& name, const SourceLocation& where) const {
         const auto found = materials_.find(name);
         if (found != materials_.end()) return &found->second;
-        if (!name.empty() && !isIncomplete_)
-            diagnostics_.warnOnce("obj material " + name, where, fmt::format("there is no material \"{}\"; its faces are grey", name));
+        if (name.empty()) diagnostics_.unsupported("obj no material", where, "faces have no material (\"usemtl\"); they are grey");
+        else if (!isIncomplete_)
+            diagnostics_.unsupported("obj material " + name, where, fmt::format("there is no material \"{}\"; its faces are grey", name));
         return nullptr;
     }
 
 private:
     /// The line is one file name with spaces, or several names.
-    void read(const ObjLibrary& library, const std::filesystem::path& obj) {
-        if (readFile(ObjFiles::find(library.name, obj))) return;
+    void read(const ObjLibrary& library) {
+        if (readFile(files_.find(library.name, library.where))) return;
         std::istringstream names(library.name);
         for (std::string name; names >> name;) {
-            if (readFile(ObjFiles::find(name, obj))) continue;
+            if (readFile(files_.find(name, library.where))) continue;
             isIncomplete_ = true;
-            diagnostics_.warn(library.where, fmt::format("there is no material library \"{}\"; faces without a material are grey", name));
+            diagnostics_.unsupported(
+                "obj library " + name, library.where,
+                fmt::format("there is no material library \"{}\"; faces without a material are grey", name));
         }
     }
 
@@ -75,6 +77,7 @@ private:
     }
 
     Diagnostics& diagnostics_;
+    ObjFiles files_;
     std::map<std::string, MtlMaterial> materials_;
     bool isIncomplete_ = false;
 };
@@ -95,7 +98,7 @@ void addShapes(Scene& scene, const ObjGeometry& geometry, const ObjMeshes& meshe
                MissingFiles missing, Diagnostics& diagnostics) {
     const std::map<std::string, double> sizes = textureSizes(geometry, meshes);
     std::map<const MtlMaterial*, ObjMaterial> materials;
-    ObjFiles files(missing);
+    ObjFiles files(diagnostics, missing);
     for (std::size_t g = 0; g < geometry.groups.size(); ++g) {
         const ObjGroup& group = geometry.groups[g];
         const ObjMesh& mesh = meshes.groups[g];
@@ -163,7 +166,7 @@ Scene readObj(const std::string& path, const ObjOptions& options, Diagnostics& d
     scene.name = sceneName(path);
     scene.integrator.maxDepth = 10;
     scene.sampler.pixelSamples = 64;
-    addShapes(scene, geometry, meshes, Library(geometry.libraries, path, diagnostics), file, options.missingFiles,
+    addShapes(scene, geometry, meshes, Library(geometry.libraries, diagnostics), file, options.missingFiles,
               diagnostics);
     View view;
     placeCamera(scene, options, view);

@@ -86,7 +86,7 @@ std::optional<std::string> Reading::lookFor(const std::string& name, const Sourc
     for (const fs::path& candidate : candidatesFor(name, where))
         if (!name.empty() && fs::is_regular_file(candidate, ignored)) return candidate.lexically_normal().string();
     std::optional<std::string> found = findLoosely(name, folder);
-    if (found) diagnostics.warnOnce("loose file " + name, where, looseMatchMessage(name, *found));
+    if (found) unsupported("loose file " + name, where, looseMatchMessage(name, *found));
     return found;
 }
 

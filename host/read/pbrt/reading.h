@@ -32,8 +32,8 @@ struct Reading {
     double displacementEdgeScale = 1;   ///< factor of all edge lengths of displaced meshes
 
     /// The path of a file that the scene names: absolute, or relative to the scene's folder, the folder of the file that names it, or the
-    /// working directory; else, with a warning, one that is probably meant (read/formats/loose_files.h). If there is none, notes the
-    /// problem and returns nothing.
+    /// working directory; else, with a warning or under --strict a problem, one that is probably meant (read/formats/loose_files.h). If
+    /// there is none, notes the problem and returns nothing.
     std::optional<std::string> findFile(const std::string& name, const SourceLocation& where);
     /// The same for a file that a picture can do without: with MissingFiles::magenta there is a warning, which ends with `instead`, and
     /// no problem.
