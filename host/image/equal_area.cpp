@@ -11,13 +11,31 @@ namespace eikonal {
 
 using std::numbers::pi;
 
-glm::dvec3 directionFromSquare(glm::dvec2 p) {
-    // The inner diamond of the square is the upper hemisphere; r is the distance to the nearer pole, 1 on the equator.
+namespace {
+
+/// Where a point of the square is, with the centre as origin. The inner diamond is the upper hemisphere.
+struct Place {
+    double u, v, x, y;        ///< in [-1, 1], and without signs
+    double height;            ///< above the diamond's border: 1 at the upper pole, -1 at the lower one
+    double r;                 ///< the distance to the nearer pole, 1 on the equator
+    double z() const { return std::copysign(1 - r * r, height); }
+};
+
+Place placeOf(glm::dvec2 p) {
     const double u = 2 * p.x - 1, v = 2 * p.y - 1, x = std::abs(u), y = std::abs(v);
-    const double height = 1 - (x + y), r = 1 - std::abs(height);
-    const double phi = r == 0 ? 0 : ((y - x) / r + 1) * pi / 4;
-    const double sinTheta = r * std::sqrt(2 - r * r);
-    return {std::copysign(std::cos(phi) * sinTheta, u), std::copysign(std::sin(phi) * sinTheta, v), std::copysign(1 - r * r, height)};
+    const double height = 1 - (x + y);
+    return {u, v, x, y, height, 1 - std::abs(height)};
+}
+
+}  // namespace
+
+double heightFromSquare(glm::dvec2 p) { return placeOf(p).z(); }
+
+glm::dvec3 directionFromSquare(glm::dvec2 p) {
+    const Place at = placeOf(p);
+    const double phi = at.r == 0 ? 0 : ((at.y - at.x) / at.r + 1) * pi / 4;
+    const double sinTheta = at.r * std::sqrt(2 - at.r * at.r);
+    return {std::copysign(std::cos(phi) * sinTheta, at.u), std::copysign(std::sin(phi) * sinTheta, at.v), at.z()};
 }
 
 glm::dvec2 squareFromDirection(glm::dvec3 d) {
@@ -32,17 +50,23 @@ glm::dvec2 squareFromDirection(glm::dvec3 d) {
     return {(std::copysign(u, d.x) + 1) / 2, (std::copysign(v, d.y) + 1) / 2};
 }
 
+glm::dvec3 texelOfSquare(const SquareGrid& grid, int x, int y, const std::function<glm::dvec3(glm::dvec2)>& radiance) {
+    const auto& [resolution, samples] = grid;
+    glm::dvec3 sum(0);
+    for (int j = 0; j < samples; ++j)
+        for (int i = 0; i < samples; ++i)
+            sum += radiance({(x + (i + .5) / samples) / resolution, (y + (j + .5) / samples) / resolution});
+    return sum / double(samples * samples);
+}
+
 ImageData equalAreaImage(int resolution, int samples, const std::function<glm::dvec3(glm::dvec3)>& radiance) {
     ImageData image{.width = resolution, .height = resolution, .channels = 3, .format = format_float};
     image.floats.resize(std::size_t(3) * resolution * resolution);
+    const auto radianceAt = [&](glm::dvec2 p) { return radiance(directionFromSquare(p)); };
     tbb::parallel_for(0, resolution, [&](int y) {
         for (int x = 0; x < resolution; ++x) {
-            glm::dvec3 sum(0);
-            for (int j = 0; j < samples; ++j)
-                for (int i = 0; i < samples; ++i)
-                    sum += radiance(directionFromSquare({(x + (i + .5) / samples) / resolution, (y + (j + .5) / samples) / resolution}));
-            for (int c = 0; c < 3; ++c)
-                image.floats[(std::size_t(y) * resolution + x) * 3 + c] = static_cast<float>(sum[c] / (samples * samples));
+            const glm::dvec3 mean = texelOfSquare({resolution, samples}, x, y, radianceAt);
+            for (int c = 0; c < 3; ++c) image.floats[(std::size_t(y) * resolution + x) * 3 + c] = static_cast<float>(mean[c]);
         }
     });
     return image;

@@ -13,11 +13,19 @@ namespace eikonal {
 /// The unit direction of a point in [0, 1]^2.
 glm::dvec3 directionFromSquare(glm::dvec2 p);
 
+/// The z of that direction, which takes no trigonometry.
+double heightFromSquare(glm::dvec2 p);
+
 /// The point in [0, 1]^2 of a direction, which need not be normalised but must not be zero.
 glm::dvec2 squareFromDirection(glm::dvec3 d);
 
-/// A square image of the radiance from all directions (linear sRGB); each texel is the mean of samples x samples points in it. Row y,
-/// column x covers v in [y, y+1] / resolution and u in [x, x+1] / resolution.
+/// Texels of a square image, and the points in each: samples x samples. Row y, column x covers v in [y, y+1] / resolution and u in
+/// [x, x+1] / resolution.
+struct SquareGrid { int resolution, samples; };
+/// The mean of a function of [0, 1]^2 over the points of a texel.
+glm::dvec3 texelOfSquare(const SquareGrid& grid, int x, int y, const std::function<glm::dvec3(glm::dvec2 point)>& radiance);
+
+/// A square image of the radiance from all directions (linear sRGB), of the texels of SquareGrid.
 ImageData equalAreaImage(int resolution, int samples, const std::function<glm::dvec3(glm::dvec3 direction)>& radiance);
 
 /// Resamples a latitude-longitude image, in which z is up, row 0 is +z, and columns run from +x through +y. resolution 0: the smallest

@@ -85,7 +85,7 @@ void Session::load(bool withDevice) {
     auto loaded = inBackground([this] {
         const Stopwatch time;
         scene_ = loadScene(options_.scene, diagnostics_);
-        if (!scene_.images.empty()) imageFormats();
+        if (std::ranges::any_of(scene_.images, [](const ImageFile& image) { return !image.pixels; })) imageFormats();
         times_.load = time.seconds();
     });
     if (withDevice) openDevice();

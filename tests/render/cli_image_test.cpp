@@ -117,6 +117,20 @@ TEST_F(Cli, ExrFilesSayWhereTheCameraIs) {
     EXPECT_FALSE(readImage(path("c.exr")).metadata.worldToNdc) << "as in pbrt, which projects neither";
 }
 
+// Loading OpenImageIO takes longer than rendering a small scene, so only a file that it has to decode or encode loads it: neither the sky
+// of an OBJ without lamps, nor EXR and PNG.
+TEST_F(Cli, OnlyFilesOfImagesLoadOpenImageIo) {
+    write("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const auto loads = [&](const std::string& output) {
+        const Outcome run =
+            this->run({"render", "plain.obj", "--spp", "1", "--resolution", "16x16", "-o", output}, {{"LD_DEBUG", "files"}});
+        EXPECT_EQ(run.status, 0);
+        return run.error.find("libOpenImageIO.so") != std::string::npos;
+    };
+    EXPECT_FALSE(loads("a.exr"));
+    EXPECT_TRUE(loads("a.tif")) << "or this test sees nothing";
+}
+
 // A user compares the files of two machines by their checksums.
 TEST_F(Cli, TwoRunsWriteTheSameBytes) {
     const std::vector<std::string> files = {"a.exr", "a.png", "a.tif", "a.pfm", "a.hdr", "a.jpg"};

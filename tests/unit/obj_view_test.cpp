@@ -1,5 +1,6 @@
 // The default camera and the default light of an OBJ file.
 
+#include "image/equal_area.h"
 #include "kinds/light_kind.h"
 #include "read/obj/sky.h"
 #include "unit/obj_fixture.h"
@@ -121,6 +122,10 @@ TEST_F(ObjView, isLitByASkyIfNothingEmits) {
                 skyRadiance({r * std::cos(phi), r * std::sin(phi), z}) * z * (2 * std::numbers::pi / (double(zenithSteps) * azimuthSteps));
         }
     EXPECT_NEAR(irradiance.y / std::numbers::pi, .8, .05);
+
+    /* Its image, which is made faster, is that of the same sky */
+    EXPECT_TRUE(scene.images.at(static_cast<std::size_t>(scene.lights[0].image)).pixels->floats ==
+                equalAreaImage(512, 3, skyRadiance).floats);
 }
 
 }  // namespace

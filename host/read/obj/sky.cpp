@@ -3,9 +3,12 @@
 
 #include "image/equal_area.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace eikonal {
 namespace {
@@ -27,13 +30,46 @@ double smoothStep(double low, double high, double x) {
     return t * t * (3 - 2 * t);
 }
 
+/// Of the sky and the ground at a height z of the direction, without the sun.
+glm::dvec3 backgroundRadiance(double z) {
+    const double skyShare = smoothStep(-0.02, 0.02, z);
+    if (skyShare == 0) return ground;
+    return glm::mix(ground, glm::mix(horizon, zenith, std::pow(std::max(z, 0.), 0.6)), skyShare);
+}
+
 }  // namespace
 
 glm::dvec3 skyRadiance(glm::dvec3 d) {
-    const glm::dvec3 sky = glm::mix(horizon, zenith, std::pow(std::max(d.z, 0.), 0.6));
-    const glm::dvec3 background = glm::mix(ground, sky, smoothStep(-0.02, 0.02, d.z));
     const double angle = std::acos(std::clamp(glm::dot(d, sunDirection), -1., 1.));
-    return background + sunColor * sunRadiance * (1 - smoothStep(0.85 * sunRadius, 1.15 * sunRadius, angle));
+    return backgroundRadiance(d.z) + sunColor * sunRadiance * (1 - smoothStep(0.85 * sunRadius, 1.15 * sunRadius, angle));
+}
+
+/// The image of skyRadiance. Without the sun it is symmetric, so an eighth of it is computed, and the rest where the sun is.
+static ImageData skyImage() {
+    constexpr SquareGrid grid{.resolution = 512, .samples = 3};
+    constexpr int n = grid.resolution;
+    ImageData image{.width = n, .height = n, .channels = 3, .format = format_float};
+    image.floats.resize(std::size_t(3) * n * n);
+    const auto set = [&](int x, int y, const glm::dvec3& value) {
+        for (int c = 0; c < 3; ++c) image.floats[(std::size_t(y) * n + x) * 3 + c] = static_cast<float>(value[c]);
+    };
+    tbb::parallel_for(0, n / 2, [&](int y) {
+        for (int x = y; x < n / 2; ++x) {
+            const glm::dvec3 value = texelOfSquare(grid, x, y, [](glm::dvec2 p) { return backgroundRadiance(heightFromSquare(p)); });
+            for (const auto& [i, j] : {std::pair(x, y), {y, x}})
+                for (const int column : {i, n - 1 - i})
+                    for (const int row : {j, n - 1 - j}) set(column, row, value);
+        }
+    });
+    /* A disc of the sun's solid angle has this radius in the square; the map stretches no direction to twice that of the area */
+    const double radius = 2 * std::sqrt(std::pow(std::sin(1.15 * sunRadius / 2), 2) / pi);
+    const glm::dvec2 sun = squareFromDirection(sunDirection);
+    const glm::ivec2 low((sun - radius) * double(n)), high((sun + radius) * double(n));
+    tbb::parallel_for(low.y, high.y + 1, [&](int y) {
+        for (int x = low.x; x <= high.x; ++x)
+            set(x, y, texelOfSquare(grid, x, y, [](glm::dvec2 p) { return skyRadiance(directionFromSquare(p)); }));
+    });
+    return image;
 }
 
 void addSky(Scene& scene, glm::dvec3 up, glm::dvec3 towardsViewer) {
@@ -44,7 +80,7 @@ void addSky(Scene& scene, glm::dvec3 up, glm::dvec3 towardsViewer) {
     x = glm::normalize(x);
 
     ImageFile image{.path = "sky", .wrap = wrap_octahedral};
-    image.pixels = std::make_shared<ImageData>(equalAreaImage(512, 3, skyRadiance));
+    image.pixels = std::make_shared<ImageData>(skyImage());
     scene.images.push_back(std::move(image));
     Light light;
     light.kind = &kindOf(kind_image_infinite_light);
