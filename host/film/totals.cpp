@@ -3,6 +3,8 @@
 #include "film/planes.h"
 #include "film/projection.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -58,26 +60,27 @@ void FilmTotals::developAovs(FilmImage& image, const PackedScene& scene) const {
     const bool moves = layout_.field("opening").words > 0;
     for (auto* v : {&image.depth, &image.object, &image.material}) v->resize(n);
     const float *weight = floats("weight"), *albedo = floats("albedo"), *position = floats("position"), *uv = floats("uv"),
-                *distance = floats("distance"), *seen = floats("seen");
-    for (size_t i = 0; i < n; ++i) {
+                *distance = floats("distance"), *seen = floats("seen"), *normal = floats("normal"), *geometric = floats("ng");
+    const float *opening = moves ? floats("opening") : position, *closing = moves ? floats("closing") : position;
+    const uint *object = numbers("object"), *material = numbers("material");
+    tbb::parallel_for(size_t{0}, n, [&](size_t i) {
         const float inverse = weight[i] != 0 ? 1 / weight[i] : 0;
         image.albedo[i] = glm::clamp(glm::vec3(albedo[i], albedo[n + i], albedo[2 * n + i]) * inverse, 0.0f, 1.0f);
-        image.normal[i] = meanDirection(floats("normal"), weight[i], n, i);
-        image.geometricNormal[i] = meanDirection(floats("ng"), weight[i], n, i);
-        image.object[i] = static_cast<float>(numbers("object")[i]);
-        image.material[i] = static_cast<float>(numbers("material")[i]);
+        image.normal[i] = meanDirection(normal, weight[i], n, i);
+        image.geometricNormal[i] = meanDirection(geometric, weight[i], n, i);
+        image.object[i] = static_cast<float>(object[i]);
+        image.material[i] = static_cast<float>(material[i]);
         image.depth[i] = std::numeric_limits<float>::infinity();
-        if (!(seen[i] > 0)) continue;
+        if (!(seen[i] > 0)) return;
         const double count = seen[i];
         const auto meanPoint = [&](const float* sum) { return glm::dvec3(sum[i], sum[n + i], sum[2 * n + i]) / count; };
         const glm::dvec3 p = meanPoint(position);
-        image.motion[i] =
-            glm::vec2(motionInImage(scene, moves ? meanPoint(floats("opening")) : p, moves ? meanPoint(floats("closing")) : p));
+        image.motion[i] = glm::vec2(motionInImage(scene, meanPoint(opening), meanPoint(closing)));
         image.depthSlope[i] = glm::vec2(depthSlope(scene, p, image.geometricNormal[i]));
         image.uv[i] = glm::vec2(uv[i] / count, uv[n + i] / count);
         image.position[i] = glm::vec3(p * scene.worldScale + scene.worldCenter);
         image.depth[i] = static_cast<float>(distance[i] / count * scene.worldScale);
-    }
+    });
 }
 
 FilmImage FilmTotals::develop(const PackedScene& scene) const {

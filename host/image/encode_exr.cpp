@@ -65,7 +65,7 @@ public:
     CompressionThreads() {
         const auto allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
         try {
-            if (allowed > 1) Imf::setGlobalThreadCount(static_cast<int>(allowed));
+            Imf::setGlobalThreadCount(allowed > 1 ? static_cast<int>(allowed) : 0);
         } catch (const std::system_error&) { Imf::setGlobalThreadCount(0); }
     }
     ~CompressionThreads() { Imf::setGlobalThreadCount(0); }
