@@ -130,6 +130,7 @@ int mergeCommand(const Options& o) {
     const ErrorEstimate error = totals.error(stored.metric);
     Metadata& metadata = stored.metadata;
     describeFilm(metadata, totals.samples(), error, stored.metric);
+    if (wholePixels != plane) metadata.partial = fmt::format("{} of {} pixels have all samples", wholePixels, plane);
     metadata.renderSeconds = merged.seconds;
     metadata.commandLine = o.commandLine;
     tell(LogLevel::warning, describe(error, stored.metric), o.log);

@@ -2,6 +2,7 @@
 // The command line. Each option is declared once, in options/, with its help text and its range check.
 
 #include "app/presets.h"
+#include "app/render_place.h"
 #include "app/wish.h"
 #include "film/noise.h"
 #include "film/sample_nodes.h"
@@ -36,6 +37,7 @@ struct OutputOptions {
     std::optional<SampleSelection> samples;           ///< of each pixel, within those of --spp
     std::optional<Tile> tile;
     bool partialImages = false;                       ///< write the image each time that a checkpoint is due
+    bool skipExisting = false;                        ///< what has its whole image is not rendered
 };
 
 struct FarmEngine;
@@ -66,6 +68,8 @@ struct Options : SessionOptions {
     int repeats = 5;                                  ///< bench
     bool clearCache = false, warmCache = false;       ///< cache
     std::vector<std::string> scenes;                  ///< render, cache --warm; scene.path is the first
+    std::vector<int> frames;                          ///< render: of each scene, each once; empty: scenes are no animations
+    RenderPlace place;                                ///< render: of one job
     std::string image;                                ///< compare, denoise
     std::string reference;                            ///< compare; bench: a converged image, empty: none
     bool scatter = false;                             ///< compare: ignore the image's variance channel

@@ -31,31 +31,31 @@ double pauseOf(ProgressForm form) {
 /// Rounded down to a multiple of 1 / parts.
 double roundedDown(double x, double parts) { return std::floor(x * parts) / parts; }
 
-/// What a line says, the most important first.
-std::vector<std::string> partsOf(const Progress& p, unsigned samples) {
+}  // namespace
+
+std::vector<std::string> progressParts(const Progress& p, unsigned samples, const RenderPlace& place) {
     std::vector<std::string> parts{fmt::format("{:3.0f} %", std::floor(p.fraction * 100))};
+    if (place.inAll > 1)
+        parts.push_back(fmt::format("{}{} of {}", place.frame ? fmt::format("frame {}, ", *place.frame) : "", place.number, place.inAll));
     if (p.secondsLeft) parts.push_back(fmt::format("{} left", clockTime(*p.secondsLeft)));
     parts.push_back(fmt::format("{}/{} samples", std::floor(p.meanSamples), samples));
     parts.push_back(fmt::format("{} elapsed", clockTime(p.seconds)));
     return parts;
 }
 
-}  // namespace
-
 std::string clockTime(double seconds) {
     const long s = static_cast<long>(seconds);
     return s >= 3600 ? fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60) : fmt::format("{}:{:02}", s / 60, s % 60);
 }
 
-std::string progressBar(const Progress& p, unsigned samples, int width) {
+std::string progressBar(double fraction, std::vector<std::string> parts, int width) {
     constexpr int frame = 3;   // "[] "
-    std::vector<std::string> parts = partsOf(p, samples);
     const auto text = [&] { return fmt::format("{}", fmt::join(parts, "  ")); };
     const auto room = [&] { return width - static_cast<int>(text().size()); };
     while (parts.size() > 1 && room() < frame + narrowestBar) parts.pop_back();
     const int bar = std::min(room() - frame, widestBar);
     if (bar < 1) return text();
-    const int full = static_cast<int>(p.fraction * bar);
+    const int full = static_cast<int>(fraction * bar);
     return fmt::format("[{:=<{}}{: <{}}] {}", "", full, "", bar - full, text());
 }
 
@@ -72,7 +72,7 @@ void ProgressDisplay::show(Progress p) {
     last_ = p;
     if (p.seconds - loggedAt_ >= secondsBetweenLines) {
         loggedAt_ = p.seconds;
-        logProgress(fmt::format("{}", fmt::join(partsOf(p, subject_.samples), "  ")));
+        logProgress(fmt::format("{}", fmt::join(partsOf(p), "  ")));
     }
     if (!isShown_ || p.seconds - shownAt_ < pauseOf(form_) || p.fraction >= 1) return;   // the end is told by end()
     shownAt_ = p.seconds;
@@ -89,8 +89,8 @@ void ProgressDisplay::print(const Progress& p) {
     switch (form_) {
         case ProgressForm::json: printJson(p); break;
         case ProgressForm::openjd: printOpenJd(p); break;
-        case ProgressForm::bar: drawStatus(progressBar(p, subject_.samples, statusWidth())); break;
-        default: printProgress(fmt::format("{}", fmt::join(partsOf(p, subject_.samples), "  ")));
+        case ProgressForm::bar: drawStatus(progressBar(p.fraction, partsOf(p), statusWidth())); break;
+        default: printProgress(fmt::format("{}", fmt::join(partsOf(p), "  ")));
     }
 }
 
@@ -113,6 +113,11 @@ void ProgressDisplay::printJson(const Progress& p) {
                                 {"secondsLeft", nullptr},
                                 {"error", nullptr}};
     if (p.secondsLeft) json["secondsLeft"] = roundedDown(*p.secondsLeft, milliseconds);
+    if (subject_.place.frame) json["frame"] = *subject_.place.frame;
+    if (subject_.place.inAll > 1) {
+        json["render"] = subject_.place.number;
+        json["rendersInAll"] = subject_.place.inAll;
+    }
     if (const auto& e = error(p)) {
         json["error"] = {{"metric", nameIn(errorMetricNames, subject_.metric)}, {"value", e->error}, {"low", e->low}, {"high", e->high}};
         if (!e->doubt.empty()) json["error"]["doubt"] = e->doubt;
@@ -122,8 +127,9 @@ void ProgressDisplay::printJson(const Progress& p) {
 
 void ProgressDisplay::printOpenJd(const Progress& p) {
     constexpr double tenths = 10;
-    percent_ = std::max(percent_, roundedDown(100 * p.fraction, tenths));
-    std::vector<std::string> parts = partsOf(p, subject_.samples);
+    const double done = static_cast<double>(subject_.place.number - 1) + p.fraction;   // of all renders
+    percent_ = std::max(percent_, roundedDown(100 * done / static_cast<double>(subject_.place.inAll), tenths));
+    std::vector<std::string> parts = partsOf(p);
     parts.front() = "rendering";
     if (const auto& e = error(p)) parts.push_back(describe(*e, subject_.metric));
     printProgress(fmt::format("openjd_progress: {:.1f}\nopenjd_status: {}", percent_, fmt::join(parts, ", ")));

@@ -1,6 +1,7 @@
 #pragma once
 // How a render goes on, for users and programs, in the forms of --progress.
 
+#include "app/render_place.h"
 #include "film/noise.h"
 #include "messages.h"
 #include "render/render.h"
@@ -8,14 +9,17 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace eikonal {
 
 /// 75.4 as "1:15", 4000 as "1:06:40".
 std::string clockTime(double seconds);
 
-/// A bar with as much of the text as fits into `width` characters, from a width of 5 on.
-std::string progressBar(const Progress& progress, unsigned samples, int width);
+/// What a line of progress says, the most important first.
+std::vector<std::string> progressParts(const Progress& progress, unsigned samples, const RenderPlace& place = {});
+/// A bar with as many of the parts as fit into `width` characters, from a width of 5 on.
+std::string progressBar(double fraction, std::vector<std::string> parts, int width);
 
 /// Shows progress on standard error, and in the log file.
 class ProgressDisplay {
@@ -25,6 +29,7 @@ public:
         ErrorMetric metric;
         /// The error of the image so far; unset: unknown. Called seldom, in the forms that tell it.
         std::function<std::optional<ErrorEstimate>()> error;
+        RenderPlace place;   ///< told if there are several renders
     };
     ProgressDisplay(Subject subject, bool isShown);
     /// Ends the bar's line.
@@ -36,6 +41,7 @@ public:
     void end(bool isFinished);
 
 private:
+    std::vector<std::string> partsOf(const Progress& p) const { return progressParts(p, subject_.samples, subject_.place); }
     void print(const Progress& progress);
     void printJson(const Progress& progress);
     void printOpenJd(const Progress& progress);

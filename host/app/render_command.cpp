@@ -1,9 +1,14 @@
 #include "app/commands.h"
+#include "app/existing_images.h"
 #include "app/interrupt.h"
 #include "app/render_jobs.h"
 #include "app/render_scene.h"
+#include "app/run_summary.h"
 #include "app/tell_error.h"
 #include "error.h"
+#include "messages.h"
+
+#include <fmt/format.h>
 
 #include <cstdio>
 
@@ -15,19 +20,35 @@ static int worse(int first, int second) {
     return rank(second) > rank(first) ? second : first;
 }
 
+/// Renders one scene, unless its images are there and are not to be rendered again.
+static int renderJob(const Options& o, std::shared_ptr<OpenDevice>& device, WrittenImages& written) {
+    if (!o.output.skipExisting || !hasWholeImages(o)) return renderScene(o, device, written);
+    const std::vector<std::string> files = filesToLookFor(o.output);
+    tell(LogLevel::warning, fmt::format("skipped {}: {} there", jobName(o.scene), files.size() == 1 ? "the image is" : "the images are"),
+         o.log);
+    if (o.json) std::fputs(describeSkipped(o, files).c_str(), stdout);
+    return static_cast<int>(ExitCode::success);
+}
+
 int renderCommand(const Options& o) {
-    const std::vector<Options> jobs = renderJobs(o);
+    std::vector<RenderJob> jobs = renderJobs(o);
+    int status = 0;
+    for (const std::string& line : takeMissing(jobs)) {
+        tell(LogLevel::error, "error: " + line);
+        status = static_cast<int>(ExitCode::scene);
+    }
     std::shared_ptr<OpenDevice> device;
     WrittenImages written;
-    if (jobs.size() == 1) return renderScene(jobs.front(), device, written);
-    int status = 0;
-    for (const Options& job : jobs) {
+    const bool isAlone = o.scenes.size() == 1 && o.frames.size() <= 1;
+    for (size_t i = 0; i < jobs.size(); ++i) {
+        const Options own = optionsOf(o, jobs, i);
+        if (isAlone) return renderJob(own, device, written);
         try {
-            const int ended = renderScene(job, device, written);
+            const int ended = renderJob(own, device, written);
             status = worse(status, ended);
             if (ended > signalStatus) return ended;
         } catch (...) {
-            const int failed = tellError(job.scene.path);
+            const int failed = tellError(jobName(own.scene));
             status = worse(status, failed);
             if (failed == static_cast<int>(ExitCode::device) && !device) return status;  // it will not open for the others, either
         }

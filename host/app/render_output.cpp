@@ -125,6 +125,7 @@ bool RenderOutput::denoise(FilmImage& image) {
 void RenderOutput::writeSoFar(FilmImage image, Metadata metadata) {
     std::vector<std::string> files = files_;
     std::erase_if(files, isStandardStream);
+    metadata.partial = "the render goes on";
     if (!files.empty()) write(std::move(image), std::move(metadata), files);
 }
 

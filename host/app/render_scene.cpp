@@ -10,6 +10,7 @@
 #include "app/interrupt.h"
 #include "app/progress_display.h"
 #include "app/output.h"
+#include "app/render_jobs.h"
 #include "app/render_output.h"
 #include "app/run_summary.h"
 #include "messages.h"
@@ -37,7 +38,7 @@ void say(const Options& o, const std::string& line) { tell(LogLevel::warning, li
 RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRange samples, Deadline& deadline, Checkpoints& checkpoints,
                         RenderOutput& output, ErrorLog& errors, Watching& watching) {
     const auto error = [&] { return std::optional(film.totals().error(o.output.errorMetric)); };
-    ProgressDisplay display({samples.length(), o.output.errorMetric, error}, showsProgress(o.log));
+    ProgressDisplay display({samples.length(), o.output.errorMetric, error, o.place}, showsProgress(o.log));
     RenderControl control;
     control.endSample = samples.end;
     control.targetError = o.output.targetError;
@@ -70,14 +71,17 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRa
     return result;
 }
 
-/// Reports why the image has fewer samples or more error than asked for, and which samples were not finite.
-void reportShortfall(const Options& o, const FilmTotals::Samples& samples, const FilmTotals::Invalid& invalid, const RenderResult& result,
-                     unsigned wanted, const std::string& ending, Diagnostics& diagnostics) {
-    if (!result.isFinished)
-        say(o, fmt::format("{}: {} of {} samples per pixel", ending,
-                           samples.fewest == samples.most ? fmt::format("{}", samples.fewest)
-                                                          : fmt::format("{} to {}", samples.fewest, samples.most),
-                           wanted));
+/// Why a render has ended before all samples were taken, and which are there.
+std::string describeShortfall(const FilmTotals::Samples& samples, unsigned wanted, const std::string& ending) {
+    return fmt::format(
+        "{}: {} of {} samples per pixel", ending,
+        samples.fewest == samples.most ? fmt::format("{}", samples.fewest) : fmt::format("{} to {}", samples.fewest, samples.most), wanted);
+}
+
+/// Reports why the image has fewer samples (`partial`) or more error than asked for, and which samples were not finite.
+void reportShortfall(const Options& o, const std::string& partial, const FilmTotals::Invalid& invalid, const RenderResult& result,
+                     unsigned wanted, Diagnostics& diagnostics) {
+    if (!partial.empty()) say(o, partial);
     else if (result.error && *result.error > *o.output.targetError)
         say(o, fmt::format("the error is more than {:g} %: a pixel gets at most {} samples; increase --spp", 100 * *o.output.targetError,
                            wanted));
@@ -97,6 +101,12 @@ void warnOfDeadline(const Deadline& deadline, const Session& session, Diagnostic
                                     : "";
     diagnostics.warn({}, fmt::format("the deadline will be missed by {:.1f} s or more: rendering begins {:.1f} s after the program{}",
                                      deadline.missedBy(), secondsSinceStart(), kernels));
+}
+
+/// Warns, once, if the frames of a scene are all the same.
+void warnOfStillness(const Options& o, const PackedScene& packed, Diagnostics& diagnostics) {
+    const bool moves = packed.features.has(Feature::MOTION) || packed.features.has(Feature::CAMERA_MOTION);
+    if (o.scene.fps && !moves && o.place.number == 1) diagnostics.warn({}, "--fps: nothing moves in this scene, so its frames are equal");
 }
 
 /// Reports the rays at implicit surfaces whose hits are a guess.
@@ -168,6 +178,7 @@ int renderScene(const Options& o, std::shared_ptr<OpenDevice>& device, WrittenIm
     const Aovs aovs = aovsOf(o.output, session.scene().film, files, diagnostics);
     session.pack(aovs, keepsSpectrum(o.output, session.scene().film, files, diagnostics));
     const PackedScene& packed = session.packed();
+    warnOfStillness(o, packed, diagnostics);
     if (o.output.tile) session.select(*o.output.tile);
     const SampleRange samples = samplesToTake(o.output, wanted);
     const MemoryPlan plan = planOf(o, session);
@@ -206,8 +217,9 @@ int renderScene(const Options& o, std::shared_ptr<OpenDevice>& device, WrittenIm
         if (session.profile().paths > 0) checkpoints.save(*film, result.planned, renderSeconds);
     } catch (const Error&) { unsaved = std::current_exception(); }
     std::optional<FilmTotals> totals = film->totals();
-    const ImageReport report = output.report(*totals, checkpoints.secondsBefore() + renderSeconds);
-    reportShortfall(o, report.samples, totals->invalid(), result, samples.length(), ending, diagnostics);
+    ImageReport report = output.report(*totals, checkpoints.secondsBefore() + renderSeconds);
+    if (!result.isFinished) report.metadata.partial = describeShortfall(report.samples, samples.length(), ending);
+    reportShortfall(o, report.metadata.partial, totals->invalid(), result, samples.length(), diagnostics);
     const std::string described = describe(report.error, o.output.errorMetric);
     say(o, described);
     reportUnresolvedRays(session.unresolvedRays(), diagnostics);
@@ -225,13 +237,14 @@ int renderScene(const Options& o, std::shared_ptr<OpenDevice>& device, WrittenIm
     for (const std::string& file : files) names.push_back(isStandardStream(file) ? "standard output" : file);
     if (!o.output.checkpoint.empty() && !unsaved) names.push_back(o.output.checkpoint);
     say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(names, " and "), session.seconds()));
-    for (const std::string& file : files) written.emplace(file, o.scene.path);
+    for (const std::string& file : files) written.emplace(file, jobName(o.scene));
     if (o.output.stats)
         std::fputs(printable(describeRun(session, session.profile(), report.samples, described, renderSeconds, writeSeconds)).c_str(),
                    stdout);
     const int status = endedBy ? signalStatus + endedBy : static_cast<int>(result.isFinished ? ExitCode::success : ExitCode::partialImage);
     if (o.json) {
         summary.files = files;
+        summary.frame = o.scene.frame;
         if (!unsaved) summary.checkpoint = o.output.checkpoint;
         summary.isComplete = result.isFinished;
         summary.endedBy = endedBy;

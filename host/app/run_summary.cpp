@@ -28,6 +28,7 @@ std::string describeAsJson(const Session& session, const RunSummary& run) {
                                 {"device", metadata.device},
                                 {"commandLine", metadata.commandLine},
                                 {"samples", {{"fewest", run.samples.fewest}, {"mean", run.samples.mean}, {"most", run.samples.most}}}};
+    if (run.frame) json["frame"] = *run.frame;
     if (run.endedBy) json["signal"] = run.endedBy;
     if (metadata.error) {
         json["error"] = {
@@ -46,6 +47,13 @@ std::string describeAsJson(const Session& session, const RunSummary& run) {
     json["biasedChoices"] = nlohmann::ordered_json::array();
     for (const BiasedChoice& c : session.biasedChoices()) json["biasedChoices"].push_back({{"what", c.what}, {"remedy", c.remedy}});
     json["warnings"] = run.warnings;
+    return jsonText(json) + "\n";
+}
+
+std::string describeSkipped(const Options& options, const std::vector<std::string>& files) {
+    nlohmann::ordered_json json{
+        {"files", files}, {"isSkipped", true}, {"isComplete", true}, {"status", 0}, {"scene", options.scene.path}};
+    if (options.scene.frame) json["frame"] = *options.scene.frame;
     return jsonText(json) + "\n";
 }
 

@@ -1,11 +1,13 @@
 #pragma once
 // The result of a render as JSON, for programs.
 
+#include "app/options.h"
 #include "film/totals.h"
 #include "image/film_image.h"
 #include "render/render_identity.h"
 #include "render/session.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +25,12 @@ struct RunSummary {
     RenderIdentity identity;
     double writeSeconds = 0;
     std::vector<std::string> warnings;
+    std::optional<int> frame;
 };
 
 /// What `eikonal render --json` prints: one line with one JSON object.
 std::string describeAsJson(const Session& session, const RunSummary& run);
+/// The same of a render whose images are there already.
+std::string describeSkipped(const Options& options, const std::vector<std::string>& files);
 
 }  // namespace eikonal

@@ -69,6 +69,7 @@ struct Metadata {
     std::optional<double> errorHigh;         ///< and below this [errorHigh]
     std::string errorMetric;                 ///< what the error is, and the target [errorMetric]
     std::string errorDoubt;                  ///< why the estimate is not reliable; empty: it is [errorDoubt]
+    std::string partial;                     ///< which samples that were asked for are missing; empty: none [partial]
     std::optional<double> renderSeconds;     ///< wall-clock time [renderTimeSeconds]
     std::optional<int> seed;                 ///< [seed]
     std::string version;                     ///< the program and its version, "Eikonal 0.1.0" [Software]

@@ -27,6 +27,7 @@ Metadata metadataOf(const ImageReader& file) {
             .errorHigh = file.number("errorHigh"),
             .errorMetric = file.text("errorMetric"),
             .errorDoubt = file.text("errorDoubt"),
+            .partial = file.text("partial"),
             .renderSeconds = file.number("renderTimeSeconds"),
             .seed = file.integer("seed"),
             .version = file.text("Software"),

@@ -37,6 +37,10 @@ struct SceneOptions {
     std::optional<PixelBounds> pixelBounds;
     std::optional<glm::dvec3> camera, lookAt, up;     ///< OBJ only, world space
     std::optional<double> fov;                        ///< OBJ only, degrees along the shorter side, in (0, 180)
+    std::optional<int> frame;                         ///< of an animation, >= 0; unset: the scene as it is
+    std::optional<double> fps;                        ///< pbrt only: frames per unit of the scene's time, > 0
+    std::optional<double> shutter;                    ///< with fps: the share of a frame that the shutter is open, > 0; unset: the scene's
+    std::optional<int> turntable;                     ///< OBJ only: frames of a full turn of the camera about the model, > 0
     MissingFiles missingFiles = MissingFiles::error;
     bool strict = false;
 };

@@ -19,6 +19,17 @@ static std::string kindOf(const std::string& path) {
     return kind;
 }
 
+/// Moves the shutter to the time of a frame: frame 0 is seen as the scene says.
+static void openShutterFor(const SceneOptions& o, Scene& scene) {
+    if (!o.fps || !o.frame) return;
+    CameraDescription& camera = scene.camera;
+    const double passed = *o.frame / *o.fps, length = camera.shutterClose - camera.shutterOpen;
+    const bool isInstant = length == 0;   // option "disablepixeljitter"
+    camera.shutterOpen += passed;
+    camera.shutterClose = o.shutter && !isInstant ? camera.shutterOpen + *o.shutter / *o.fps : camera.shutterClose + passed;
+    if (o.shutter) scene.film.exposureTime = *o.shutter / *o.fps;
+}
+
 static Scene loadObj(const SceneOptions& o, Diagnostics& diagnostics) {
     ObjOptions obj;
     obj.camera = o.camera;
@@ -31,7 +42,7 @@ static Scene loadObj(const SceneOptions& o, Diagnostics& diagnostics) {
 }
 
 static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
-    const char* name = o.camera ? "--camera" : o.lookAt ? "--look-at" : o.up ? "--up" : o.fov ? "--fov" : nullptr;
+    const char* name = o.turntable ? "--turntable" : o.camera ? "--camera" : o.lookAt ? "--look-at" : o.up ? "--up" : o.fov ? "--fov" : nullptr;
     if (name) throw UsageError(fmt::format("{} is for OBJ files; change the camera of a pbrt scene in \"{}\" itself", name, o.path));
     Scene scene = isStandardStream(o.path) ? readPbrtInput(diagnostics, o.missingFiles) : readPbrt(o.path, diagnostics, o.missingFiles);
     if (o.resolution) {
@@ -42,6 +53,7 @@ static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
             diagnostics.warn(scene.film.where, "\"pixelbounds\" is ignored because of --resolution; use --cropwindow to render a part");
         scene.film.pixelBounds.reset();
     }
+    openShutterFor(o, scene);
     return scene;
 }
 

@@ -1,6 +1,7 @@
 // The command line as the program understands it. What it does then is tested in tests/render/cli_*_test.cpp.
 
 #include "kinds/integrator_kind.h"
+#include "app/frame_numbers.h"
 #include "app/output.h"
 #include "app/progress_display.h"
 #include "app/options.h"
@@ -155,9 +156,10 @@ TEST(Options, ChannelsNeedAnExr) {
 std::vector<std::string> jobsOf(const std::string& line) {
     std::vector<std::string> jobs;
     try {
-        for (const Options& job : renderJobs(parse("render " + line))) {
-            jobs.push_back(job.scene.path);
-            for (const std::string& file : job.output.files) jobs.back() += " " + file;
+        for (const RenderJob& job : renderJobs(parse("render " + line))) {
+            jobs.push_back(job.scene);
+            for (const std::string& file : job.files) jobs.back() += " " + file;
+            if (!job.checkpoint.empty()) jobs.back() += " " + job.checkpoint;
         }
     } catch (const UsageError& error) { return {error.what()}; }
     return jobs;
@@ -175,6 +177,53 @@ TEST(Options, SeveralScenesShareAFolderAndNoFile) {
     EXPECT_THAT(jobsOf("a.pbrt x/a.pbrt -o out/"), ElementsAre(HasSubstr("out/a.exr would be the image of both a.pbrt and x/a.pbrt")));
     EXPECT_THAT(jobsOf("a.pbrt b.pbrt --deadline 9s -o out/"), ElementsAre(HasSubstr("--time-limit counts for each")));
     EXPECT_THAT(jobsOf("- -"), ElementsAre(HasSubstr("name it once")));
+}
+
+TEST(Options, FramesAreNumbersRangesAndSteps) {
+    using testing::ElementsAre;
+    const auto frames = [](const std::string& list) { return parse("render a.pbrt --fps 1 --frames " + list).frames; };
+    EXPECT_THAT(frames("1-10:3,20"), ElementsAre(1, 4, 7, 10, 20));
+    EXPECT_THAT(frames("7,3-5,4,007"), ElementsAre(7, 3, 4, 5));
+    EXPECT_THAT(frames("0-0"), ElementsAre(0));
+    for (const char* bad :
+         {"a", "-5", "1-1e9", "1-", "-", "1--2", "1:2", "1-4:0", "1-4:-1", "1,,2", "1.5", "99999999999", "+1", "1-4:2:2"})
+        EXPECT_THAT(messageOf("render a.pbrt --fps 1 --frames=" + std::string(bad)), HasSubstr("--frames takes whole numbers from 0"))
+            << bad;
+    EXPECT_THAT(messageOf("render a.pbrt --fps 1 --frames 10-1"), HasSubstr("the range 10-1 goes down; write 1-10"));
+    EXPECT_THAT(messageOf("render a.pbrt --fps 1 --frames 0-2147483647"), HasSubstr("more than 100000 frames"));
+    EXPECT_EQ(frameRanges({1, 2, 3, 7, 9, 10}), "1-3, 7, 9-10");
+}
+
+TEST(Options, FramesHaveScenesAndFilesOfTheirOwn) {
+    using testing::ElementsAre;
+    EXPECT_THAT(jobsOf("d#/a.##.pbrt --frames 2,100 -o b#/#.###.exr"),
+                ElementsAre("d#/a.02.pbrt b#/2.002.exr", "d#/a.100.pbrt b#/100.100.exr"));
+    EXPECT_THAT(jobsOf("a.#.pbrt b.#.pbrt --frames 1-2 -o out/"),
+                ElementsAre("a.1.pbrt out/a.1.exr", "a.2.pbrt out/a.2.exr", "b.1.pbrt out/b.1.exr", "b.2.pbrt out/b.2.exr"));
+    EXPECT_THAT(jobsOf("a.pbrt --fps 24 --frames 1-2 -o out/"), ElementsAre("a.pbrt out/a.0001.exr", "a.pbrt out/a.0002.exr"));
+    EXPECT_THAT(jobsOf("a.#.pbrt --frames 1-2 -o p.##.film"), ElementsAre("a.1.pbrt p.01.film", "a.2.pbrt p.02.film"));
+    EXPECT_THAT(jobsOf("a.#.pbrt --frames 1-2"), ElementsAre("a.1.pbrt", "a.2.pbrt"));
+    EXPECT_THAT(jobsOf("a.pbrt --fps 24 --frames 7 -o b.exr"), ElementsAre("a.pbrt b.exr"));
+
+    EXPECT_THAT(jobsOf("a.#.pbrt --frames 1-2 -o b.exr"), ElementsAre(HasSubstr("there are 2 frames; write #### where")));
+    EXPECT_THAT(jobsOf("a.#.pbrt --frames 1-2 -o - --format exr"), ElementsAre(HasSubstr("there are 2 frames")));
+    EXPECT_THAT(jobsOf("a.#.pbrt --frames 1-2 -o p.film"), ElementsAre(HasSubstr("one film, and there are 2 frames")));
+    EXPECT_THAT(jobsOf("a.#.pbrt b.#.pbrt --frames 1-2 -o c.#.exr"), ElementsAre(HasSubstr("-o FOLDER/")));
+    EXPECT_THAT(jobsOf("a.#.pbrt x/a.#.pbrt --frames 1 -o c/"), ElementsAre(HasSubstr("c/a.1.exr would be the image of both")));
+    EXPECT_THAT(jobsOf("a.#.pbrt --frames 1-2 -o c.#.exr -o c.##.exr -o c.#.exr"),
+                ElementsAre(HasSubstr("c.1.exr would be the image of both")));
+    EXPECT_THAT(jobsOf("a.pbrt --fps 24 --frames 1-2"), ElementsAre(HasSubstr("need files of their own")));
+    EXPECT_THAT(jobsOf("a.pbrt --frames 1 -o b.exr"), ElementsAre(HasSubstr("like scene.####.pbrt; or, if the scene moves")));
+    EXPECT_THAT(jobsOf("a.#.pbrt --frames 1 --fps 24 -o b.exr"), ElementsAre(HasSubstr("give one of both")));
+    EXPECT_THAT(jobsOf("a.#.pbrt -o b.exr"), ElementsAre(HasSubstr("there is no file \"a.#.pbrt\"; with --frames")));
+    EXPECT_THAT(jobsOf("- --fps 1 --frames 1-2 -o b.#.exr"), ElementsAre(HasSubstr("frames need files")));
+    EXPECT_THAT(jobsOf("a.#.pbrt --frames 1-2 --view -o b.#.exr"),
+                ElementsAre(HasSubstr("--view shows one render, and there are 2 frames")));
+    EXPECT_THAT(jobsOf("a.#.pbrt --frames 1-2 --deadline 9s -o b.#.exr"), ElementsAre(HasSubstr("--time-limit counts for each")));
+    EXPECT_THAT(messageOf("render a.pbrt --fps 24"), HasSubstr("say which: --frames"));
+    EXPECT_THAT(messageOf("render a.pbrt --shutter 0.5 --frames 1"), HasSubstr("--fps 24 --shutter 0.5"));
+    EXPECT_THAT(messageOf("render a.pbrt --skip-existing"), HasSubstr("-o names"));
+    EXPECT_THAT(messageOf("render a.pbrt --skip-existing -o a.film"), HasSubstr("--resume"));
 }
 
 struct BadValue { const char *line, *message; };

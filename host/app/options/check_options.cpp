@@ -43,6 +43,16 @@ static void checkParts(const Options& o) {
         throw UsageError("--max-error decides by the whole image and all samples, so it goes with neither --samples nor --tile");
 }
 
+/// Checks that concern frames.
+static void checkFrames(const Options& o) {
+    const SceneOptions& scene = o.scene;
+    if (scene.fps && o.frames.empty()) throw UsageError("--fps is of frames; say which: --frames 1-10");
+    if (scene.shutter && !scene.fps) throw UsageError("--shutter is a share of a frame of --fps; give both: --fps 24 --shutter 0.5");
+    if (o.output.skipExisting && !o.output.hasImage) throw UsageError("--skip-existing looks for images; films go on with --resume");
+    if (o.output.skipExisting && o.output.files.empty())
+        throw UsageError("--skip-existing looks for the images that -o names; add it: -o image.exr");
+}
+
 /// Each image is to be of a format.
 static void checkFormats(const Options& o) {
     if (o.command == Command::trade) return;  // -o is a page
@@ -101,6 +111,7 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
         throw UsageError(fmt::format("--efficiency measures the variance between repeats; --repeats must be at least {}, not {}",
                                      SeedVariance::leastSeeds, o.repeats));
     checkParts(o);
+    checkFrames(o);
     checkStandardStreams(o);
     checkFormats(o);
     if (o.output.resume && o.output.checkpoint.empty())

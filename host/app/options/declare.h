@@ -17,7 +17,7 @@ namespace eikonal {
 inline constexpr int unlimited = std::numeric_limits<int>::max();
 /// Groups of --help that several files name.
 inline constexpr const char *sceneGroup = "Scene (overrides the file)", *objGroup = "Camera of an OBJ", *deviceGroup = "Device",
-                            *imageGroup = "Image", *partsGroup = "Checkpoints and parts";
+                            *framesGroup = "Frames", *imageGroup = "Image", *partsGroup = "Checkpoints and parts";
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Lets completion offer `words`, which are kept as the name of a validator that accepts everything.

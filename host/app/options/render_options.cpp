@@ -30,6 +30,7 @@ void addOutput(CLI::App* app, Options& o) {
           "What the error is: relmse-root (default): relative to each pixel; mse-root: absolute; nrmse: relative to the image's mean",
           oneOf<ErrorMetric>({std::begin(errorMetricNames), std::end(errorMetricNames)}))
         ->group(group);
+    app->add_flag("--skip-existing", out.skipExisting, "Leave out what has its whole image already")->group(group);
     app->add_flag("--stats", out.stats, "Print time and memory statistics")->group(group);
     app->add_flag("--json", o.json, "Print one line of JSON at the end: files, samples, times, warnings")->group(group);
 }
@@ -75,6 +76,7 @@ void declareRender(Parser& parser) {
                      "A pbrt-v4 scene (.pbrt) or a Wavefront OBJ (.obj), also compressed (.gz); -: a pbrt-v4 scene from standard input")
         ->type_name("");
     addScene(render, options, false);
+    addFrames(render, options);
     addOutput(render, options);
     addCheckpoints(render, options.output);
     addWatching(render, options.watch);

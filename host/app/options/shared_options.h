@@ -13,6 +13,8 @@ CLI::Option* addListDevices(CLI::App* app, Options& o);
 void addDevice(CLI::App* app, Options& o);
 /// What overrides the scene. takesOne: the command takes a single scene.
 void addScene(CLI::App* app, Options& o, bool takesOne = true);
+/// Which frames of an animation.
+void addFrames(CLI::App* app, Options& o);
 /// How files are encoded.
 void addEncoding(CLI::App* app, OutputOptions& out);
 /// -o, and that.

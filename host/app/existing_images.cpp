@@ -1,0 +1,50 @@
+#include "app/existing_images.h"
+
+#include "app/output.h"
+#include "error.h"
+#include "image/image_file.h"
+#include "messages.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace eikonal {
+
+std::vector<std::string> filesToLookFor(const OutputOptions& options) { return imageFiles(options.files, options.encoding); }
+
+/// The same of the image's size, which files other than EXR know only if they have all of it.
+static bool hasSize(const FilmImage& image, const std::string& file, const SceneOptions& scene) {
+    if (!scene.resolution || (!holdsChannels(file) && (scene.cropWindow || scene.pixelBounds))) return true;
+    return image.width == (*scene.resolution)[0] && image.height == (*scene.resolution)[1];
+}
+
+std::string whyNotWhole(const std::string& file, const Options& options) {
+    try {
+        const FilmFile there = readImage(file);
+        if (!there.metadata.partial.empty()) return "it is partial: " + there.metadata.partial;
+        if (!hasSize(there.image, file, options.scene)) return fmt::format("it has {} x {} pixels", there.image.width, there.image.height);
+        const auto& samples = there.metadata.samples;
+        if (samples && options.scene.spp && *samples < *options.scene.spp && !options.output.targetError)
+            return fmt::format("it has {} of {} samples per pixel", *samples, *options.scene.spp);
+        return {};
+    } catch (const Error& error) { return error.what(); }
+}
+
+bool hasWholeImages(const Options& options) {
+    const std::vector<std::string> files = filesToLookFor(options.output);
+    bool isWhole = !files.empty();
+    for (const std::string& file : files) {
+        std::error_code unknown;
+        if (!std::filesystem::exists(file, unknown)) return false;
+    }
+    for (const std::string& file : files) {
+        const std::string why = whyNotWhole(file, options);
+        if (why.empty()) continue;
+        tell(LogLevel::warning, fmt::format("{} is rendered again: {}", file, why), options.log);
+        isWhole = false;
+    }
+    return isWhole;
+}
+
+}  // namespace eikonal
