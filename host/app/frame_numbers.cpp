@@ -54,12 +54,12 @@ std::vector<int> parseFrames(const std::string& option, const std::string& text)
                 fmt::format("{} takes whole numbers from 0 and ranges of them, like 1-10, 1-10:2 or 1-10:2,20, not \"{}\"", option, word));
         if (range->first > range->last)
             throw UsageError(fmt::format("{}: the range {} goes down; write {}-{}", option, word, range->last, range->first));
-        if (static_cast<size_t>((range->last - range->first) / range->step) >= mostFrames)
+        if ((range->last - range->first) / range->step >= mostFrames)
             throw UsageError(fmt::format("{}: {} are more than {} frames, the most that one call renders", option, word, mostFrames));
         for (long frame = range->first; frame <= range->last; frame += range->step)
             if (known.insert(static_cast<int>(frame)).second) frames.push_back(static_cast<int>(frame));
     }
-    if (frames.size() > mostFrames)
+    if (frames.size() > static_cast<size_t>(mostFrames))
         throw UsageError(fmt::format("{}: {} frames are more than {}, the most that one call renders", option, frames.size(), mostFrames));
     return frames;
 }

@@ -7,7 +7,7 @@
 namespace eikonal {
 
 /// A call renders at most so many frames.
-inline constexpr std::size_t mostFrames = 100'000;
+inline constexpr int mostFrames = 100'000;
 
 /// "1-10:2,20": numbers from 0, ranges and ranges with a step, as Open Job Description writes them; in the order given, each number once.
 /// Throws a UsageError that names the option, what was found, and what would have worked.

@@ -121,6 +121,7 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
     if (options.command == Command::render && !options.scenes.empty()) options.scene.path = options.scenes.front();
     chooseFilm(options);
+    chooseFrames(options);
     checkTogether(parser, command);
     if (command->get_name() == "man") options.text = manualPage(commandLineTable());
     if (command->get_name() == "completion") options.text = completionScript(parser.shell, commandLineTable());

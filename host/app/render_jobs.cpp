@@ -3,6 +3,7 @@
 #include "app/frame_numbers.h"
 #include "error.h"
 #include "read/scene_name.h"
+#include "render/scene_loading.h"
 #include "standard_stream.h"
 
 #include <fmt/format.h>
@@ -74,6 +75,11 @@ void checkFrames(const Options& o) {
                 throw UsageError(fmt::format("there is no file \"{}\"; with --frames, # is the number of a frame: --frames 1-10", scene));
             continue;
         }
+        if (o.scene.turntable && !isObj(scene))
+            throw UsageError(
+                fmt::format("--turntable is for OBJ files; write the camera of \"{}\" itself, or let it move: --fps 24", scene));
+        if (o.scene.fps && isObj(scene))
+            throw UsageError(fmt::format("--fps is for pbrt scenes, which move; \"{}\" can turn: --turntable 36", scene));
         if (isStandardStream(scene)) throw UsageError("standard input holds one scene and can be read once; frames need files");
         if (hasPlace && shareScenes(o.scene))
             throw UsageError(fmt::format("\"{}\" has a file for each frame, and {} makes frames of a single one; give one of both", scene,

@@ -37,12 +37,13 @@ static Scene loadObj(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.up) obj.up = *o.up;
     obj.fov = o.fov;
     if (o.resolution) { obj.width = (*o.resolution)[0]; obj.height = (*o.resolution)[1]; }
+    if (o.turntable) obj.turns = static_cast<double>(o.frame.value_or(0) % *o.turntable) / *o.turntable;
     obj.missingFiles = o.missingFiles;
     return readObj(o.path, obj, diagnostics);
 }
 
 static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
-    const char* name = o.turntable ? "--turntable" : o.camera ? "--camera" : o.lookAt ? "--look-at" : o.up ? "--up" : o.fov ? "--fov" : nullptr;
+    const char* name = o.camera ? "--camera" : o.lookAt ? "--look-at" : o.up ? "--up" : o.fov ? "--fov" : nullptr;
     if (name) throw UsageError(fmt::format("{} is for OBJ files; change the camera of a pbrt scene in \"{}\" itself", name, o.path));
     Scene scene = isStandardStream(o.path) ? readPbrtInput(diagnostics, o.missingFiles) : readPbrt(o.path, diagnostics, o.missingFiles);
     if (o.resolution) {
@@ -56,6 +57,8 @@ static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
     openShutterFor(o, scene);
     return scene;
 }
+
+bool isObj(const std::string& path) { return kindOf(path) == ".obj"; }
 
 Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     const std::string kind = isStandardStream(o.path) ? ".pbrt" : kindOf(o.path);

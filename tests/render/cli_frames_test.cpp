@@ -146,6 +146,37 @@ TEST_F(Frames, HaveCheckpointsOfTheirOwn) {
     EXPECT_THAT(resumed.error, HasSubstr("p.2.film has all samples"));
 }
 
+/// A frame of a turntable has the bits of a run for it alone, and is what a camera at that place sees.
+TEST_F(Frames, OfATurntableGoRoundTheModel) {
+    write("model.obj",
+          "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 1.5 0\nf 4 3 5\nf 3 2 5\nf 2 1 5\nf 1 4 5\nf 1 2 3 4\n"
+          "v 1.5 0 0\nv 1.5 .5 0\nv 1 .5 0\nf 6 7 8\n");
+    const Words settings{"--resolution", "24x16", "--spp", "4"};
+    const auto render = [&](Words words) {
+        words.insert(words.begin(), {"render", "model.obj"});
+        words.insert(words.end(), settings.begin(), settings.end());
+        return run(words);
+    };
+    ASSERT_EQ(render({"--turntable", "4", "-o", "t.##.exr"}).status, 0);
+    for (const char* number : {"00", "01", "02", "03"}) EXPECT_TRUE(exists("t." + std::string(number) + ".exr"));
+    EXPECT_FALSE(exists("t.04.exr"));
+    ASSERT_EQ(render({"--turntable", "4", "--frames", "3", "-o", "alone.exr"}).status, 0);
+    expectSameFiles(path("t.03.exr"), path("alone.exr"));
+    ASSERT_EQ(render({"--turntable", "4", "--frames", "7", "-o", "again.exr"}).status, 0);
+    expectSameFiles(path("t.03.exr"), path("again.exr"));
+    EXPECT_NE(image("t.01.exr").color, image("t.03.exr").color);
+
+    /* A camera that the user places, after a quarter of a turn */
+    const Words view{"--look-at", "0,0.5,0", "--fov", "40"};
+    const auto at = [&](Words words) {
+        words.insert(words.end(), view.begin(), view.end());
+        return render(words);
+    };
+    ASSERT_EQ(at({"--camera", "0,2,6", "--turntable", "4", "--frames", "0", "-o", "q.exr", "--aov", "depth"}).status, 0);
+    ASSERT_EQ(at({"--camera", "0,2,6", "-o", "placed.exr", "--aov", "depth"}).status, 0);
+    expectSameFiles(path("q.exr"), path("placed.exr"));
+}
+
 TEST_F(Frames, AreToldInProgress) {
     writeScenes();
     const Outcome json = run({"render", "s.####.pbrt", "--frames", "2,4", "-o", "f.#.exr", "--progress", "json"});

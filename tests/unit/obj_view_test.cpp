@@ -55,6 +55,32 @@ TEST_F(ObjView, showsAllOfASolid) {
     }
 }
 
+// Seen from all sides, the model stays whole in an image of one size, from one distance, and fills most of it once.
+TEST_F(ObjView, suitsAWholeTurn) {
+    for (const glm::dvec3& size : {glm::dvec3(1, 1, 1), {5, .2, 1}, {.1, 4, .2}}) {
+        constexpr int steps = 48;
+        double farthest = 0;
+        glm::dvec3 first(0);
+        for (int step = 0; step < steps; ++step) {
+            const Scene scene = load(corners(size.x, size.y, size.z) + outwards + front, {.turns = step / double(steps)});
+            if (step == 0) first = eye(scene) - size / 2.;
+            const glm::dvec3 arm = eye(scene) - size / 2.;
+            EXPECT_NEAR(arm.y, first.y, 1e-9 * glm::length(first));
+            EXPECT_NEAR(glm::length(arm), glm::length(first), 1e-9 * glm::length(first));
+            const double turned = glm::distance(arm, {first.z, first.y, -first.x});
+            EXPECT_TRUE(step != steps / 4 || turned < 1e-6) << "counter-clockwise from above";
+            const double shorter = std::min(scene.film.width, scene.film.height);
+            for (int i = 0; i < 8; ++i) {
+                const glm::dvec3 q = project(scene, glm::dvec3(i & 1, i >> 1 & 1, i >> 2) * size);
+                EXPECT_GT(q.z, 0);
+                farthest = std::max({farthest, std::abs(q.x) * shorter / scene.film.width, std::abs(q.y) * shorter / scene.film.height});
+            }
+        }
+        EXPECT_LT(farthest, 1 / 1.049);
+        EXPECT_GT(farthest, .9);
+    }
+}
+
 // A box that is open in front, like Cornell's, is looked into straight from the front.
 TEST_F(ObjView, looksIntoAnOpenBox) {
     const Scene scene = load(corners(2, 2, 2) + inwards);

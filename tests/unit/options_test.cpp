@@ -220,6 +220,12 @@ TEST(Options, FramesHaveScenesAndFilesOfTheirOwn) {
     EXPECT_THAT(jobsOf("a.#.pbrt --frames 1-2 --view -o b.#.exr"),
                 ElementsAre(HasSubstr("--view shows one render, and there are 2 frames")));
     EXPECT_THAT(jobsOf("a.#.pbrt --frames 1-2 --deadline 9s -o b.#.exr"), ElementsAre(HasSubstr("--time-limit counts for each")));
+    EXPECT_THAT(jobsOf("a.obj --turntable 2 -o b.#.exr"), ElementsAre("a.obj b.0.exr", "a.obj b.1.exr"));
+    EXPECT_THAT(jobsOf("a.obj --turntable 36 --frames 9 -o b.exr"), ElementsAre("a.obj b.exr"));
+    EXPECT_THAT(jobsOf("a.pbrt --turntable 2 -o b.#.exr"), ElementsAre(HasSubstr("--turntable is for OBJ files")));
+    EXPECT_THAT(jobsOf("a.obj --fps 2 --frames 1 -o b.#.exr"), ElementsAre(HasSubstr("--fps is for pbrt scenes")));
+    EXPECT_THAT(messageOf("render a.obj --turntable 0"), HasSubstr("from 1 to 100000"));
+    EXPECT_THAT(messageOf("render a.obj --turntable 3 --fps 3 --frames 1"), HasSubstr("give one of them"));
     EXPECT_THAT(messageOf("render a.pbrt --fps 24"), HasSubstr("say which: --frames"));
     EXPECT_THAT(messageOf("render a.pbrt --shutter 0.5 --frames 1"), HasSubstr("--fps 24 --shutter 0.5"));
     EXPECT_THAT(messageOf("render a.pbrt --skip-existing"), HasSubstr("-o names"));

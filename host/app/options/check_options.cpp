@@ -13,6 +13,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <numeric>
 
 namespace eikonal {
 
@@ -43,11 +44,18 @@ static void checkParts(const Options& o) {
         throw UsageError("--max-error decides by the whole image and all samples, so it goes with neither --samples nor --tile");
 }
 
+void chooseFrames(Options& o) {
+    if (!o.scene.turntable || !o.frames.empty()) return;
+    o.frames.resize(static_cast<size_t>(*o.scene.turntable));
+    std::iota(o.frames.begin(), o.frames.end(), 0);
+}
+
 /// Checks that concern frames.
 static void checkFrames(const Options& o) {
     const SceneOptions& scene = o.scene;
     if (scene.fps && o.frames.empty()) throw UsageError("--fps is of frames; say which: --frames 1-10");
     if (scene.shutter && !scene.fps) throw UsageError("--shutter is a share of a frame of --fps; give both: --fps 24 --shutter 0.5");
+    if (scene.fps && scene.turntable) throw UsageError("--fps is for pbrt scenes and --turntable for OBJ files; give one of them");
     if (o.output.skipExisting && !o.output.hasImage) throw UsageError("--skip-existing looks for images; films go on with --resume");
     if (o.output.skipExisting && o.output.files.empty())
         throw UsageError("--skip-existing looks for the images that -o names; add it: -o image.exr");

@@ -17,6 +17,9 @@ void addFrames(CLI::App* app, Options& o) {
     value(app, "--shutter", o.scene.shutter, "X",
           "With --fps: the share of a frame that the shutter is open; 0.5 is 180 degrees (default: as long as in the scene)", number(0))
         ->group(group);
+    value(app, "--turntable", o.scene.turntable, "N",
+          "The camera goes round an OBJ in N frames; all are rendered, unless --frames selects some", integer(1, mostFrames))
+        ->group(group);
 }
 
 }  // namespace eikonal

@@ -35,6 +35,9 @@ void checkTogether(const Parser& parser, const CLI::App* command);
 /// Among the files of -o, one may be a film, which is then the checkpoint. A part of an image makes no image unless one is named.
 void chooseFilm(Options& o);
 
+/// The frames of a turntable are all, unless --frames selects some.
+void chooseFrames(Options& o);
+
 /// The last line of errors.
 inline constexpr const char* getHelp = "Run `eikonal --help` for the commands, `eikonal COMMAND --help` for their options.";
 

@@ -133,8 +133,13 @@ void addShapes(Scene& scene, const ObjGeometry& geometry, const ObjMeshes& meshe
 }
 
 void placeCamera(Scene& scene, const ObjOptions& options, View& view) {
-    view = chooseView(viewedTriangles(scene), {.eye = options.camera, .target = options.lookAt, .up = options.up, .fov = options.fov,
-                                               .width = options.width, .height = options.height});
+    view = chooseView(viewedTriangles(scene), {.eye = options.camera,
+                                               .target = options.lookAt,
+                                               .up = options.up,
+                                               .fov = options.fov,
+                                               .width = options.width,
+                                               .height = options.height,
+                                               .turns = options.turns});
     scene.camera.worldFromCamera = worldFromCamera(view);
     scene.camera.fov = view.fov;
     scene.film.width = view.width;

@@ -18,6 +18,7 @@ struct ObjOptions {
     glm::dvec3 up{0, 1, 0};                    ///< not zero, not parallel to the view
     std::optional<double> fov;                 ///< along the shorter side of the image, in (0, 180)
     std::optional<int> width, height;          ///< positive
+    std::optional<double> turns;               ///< how far the camera has gone round the model; unset: it is to stay
     MissingFiles missingFiles = MissingFiles::error;
 };
 

@@ -1,5 +1,6 @@
 #include "read/obj/view.h"
 
+#include "read/obj/turntable.h"
 #include "read/obj/visibility.h"
 
 #include <tbb/parallel_for.h>
@@ -63,6 +64,10 @@ double fittingDistance(const std::vector<ViewedTriangle>& triangles, const View&
     return distance;
 }
 
+double distanceFor(const std::vector<ViewedTriangle>& triangles, const View& view, double size, const ViewWishes& wishes) {
+    return wishes.turns ? turningDistance(triangles, view, halfTangents(view), size) : fittingDistance(triangles, view, size);
+}
+
 /// A candidate view.
 struct Candidate {
     View view;
@@ -78,7 +83,7 @@ std::vector<Candidate> candidates(const std::vector<ViewedTriangle>& triangles, 
     const auto addOutside = [&](glm::dvec3 direction, double preference) {
         Candidate candidate{start, false, preference};
         candidate.view.eye = candidate.view.target + compass.direction(direction);
-        candidate.view.eye = candidate.view.target + fittingDistance(triangles, candidate.view, size) * compass.direction(direction);
+        candidate.view.eye = candidate.view.target + distanceFor(triangles, candidate.view, size, wishes) * compass.direction(direction);
         result.push_back(candidate);
     };
     addOutside({0.6, 0.45, 1}, 1.1);
@@ -86,6 +91,7 @@ std::vector<Candidate> candidates(const std::vector<ViewedTriangle>& triangles, 
     addOutside({0, 0, 1}, 1);
     for (const glm::dvec3& direction : {glm::dvec3(0.6, 0.45, -1), {-0.6, 0.45, -1}, {1, 0, 0}, {-1, 0, 0}, {0, 0, -1}})
         addOutside(direction, 0.95);
+    if (wishes.turns) return result;
     addOutside({0, 1, 0.001}, 0.9);
 
     for (const glm::dvec2& corner : {glm::dvec2(1, 1), {-1, 1}, {1, -1}, {-1, -1}}) {
@@ -111,7 +117,9 @@ void chooseSize(const std::vector<ViewedTriangle>& triangles, const ViewWishes& 
             low = glm::min(low, q);
             high = glm::max(high, q);
         }
-    const bool isWide = isInside || (!triangles.empty() && high.x - low.x > 1.35 * (high.y - low.y));
+    constexpr double wideRatio = 1.35;
+    const bool isWide = wishes.turns ? isTurnWider(triangles, view, wideRatio)
+                                     : isInside || (!triangles.empty() && high.x - low.x > wideRatio * (high.y - low.y));
     view.width = wishes.width.value_or(wishes.height ? *wishes.height * (isWide ? 16 : 9) / 9 : isWide ? 1280 : 1024);
     view.height = wishes.height.value_or(wishes.width ? *wishes.width * 9 / (isWide ? 16 : 9) : isWide ? 720 : 1024);
 }
@@ -136,6 +144,7 @@ View chooseView(const std::vector<ViewedTriangle>& triangles, const ViewWishes& 
     if (wishes.eye) {
         view.eye = *wishes.eye;
         chooseSize(triangles, wishes, false, view);
+        if (wishes.turns) view.eye = turnedEye(view, *wishes.turns);
         return view;
     }
 
@@ -150,8 +159,9 @@ View chooseView(const std::vector<ViewedTriangle>& triangles, const ViewWishes& 
     chooseSize(triangles, wishes, best.isInside, view);
     if (!best.isInside) {
         const glm::dvec3 direction = glm::normalize(view.eye - view.target);
-        view.eye = view.target + fittingDistance(triangles, view, size) * direction;
+        view.eye = view.target + distanceFor(triangles, view, size, wishes) * direction;
     }
+    if (wishes.turns) view.eye = turnedEye(view, *wishes.turns);
     return view;
 }
 

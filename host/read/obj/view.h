@@ -28,6 +28,7 @@ struct ViewWishes {
     glm::dvec3 up{0, 1, 0};
     std::optional<double> fov;
     std::optional<int> width, height;
+    std::optional<double> turns;  ///< how far the camera has gone round the target, about `up`; unset: it is to stay
 };
 
 /// Chooses everything that `wishes` leaves open:
@@ -37,6 +38,7 @@ struct ViewWishes {
 ///   corners of the interior are candidates, too; there, area seen from behind does not count. They win in closed rooms.
 ///   - Distance: as close as possible with every vertex in the image and a margin of 5 %. Interior views stay in their corner.
 ///   - Size: 1024 x 1024, or 1280 x 720 if the visible part is rather wide.
+///   - With wishes.turns, distance and size suit the whole turn (turntable.h), and the camera begins outside of the model.
 View chooseView(const std::vector<ViewedTriangle>& triangles, const ViewWishes& wishes);
 
 /// pbrt's camera transform of the view: x right, y up, looking along +z.
