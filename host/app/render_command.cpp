@@ -7,6 +7,7 @@
 #include "app/tell_error.h"
 #include "error.h"
 #include "messages.h"
+#include "read/formats/kept_images.h"
 
 #include <fmt/format.h>
 
@@ -43,6 +44,7 @@ int renderCommand(const Options& o) {
     for (size_t i = 0; i < jobs.size(); ++i) {
         const Options own = optionsOf(o, jobs, i);
         if (isAlone) return renderJob(own, device, written);
+        keepImages();
         try {
             const int ended = renderJob(own, device, written);
             status = worse(status, ended);

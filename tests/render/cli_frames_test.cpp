@@ -146,6 +146,37 @@ TEST_F(Frames, HaveCheckpointsOfTheirOwn) {
     EXPECT_THAT(resumed.error, HasSubstr("p.2.film has all samples"));
 }
 
+/// An image that frames share is decoded once; one that changes meanwhile is not taken for what it was.
+TEST_F(Frames, ShareImagesThatStayTheSame) {
+    const std::string textured = tinyScene("",
+                                           "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"wall.png\" "
+                                           "Material \"diffuse\" \"texture reflectance\" \"t\" Translate 0 0 -1 Shape \"sphere\"");
+    for (const char* name : {"s.1.pbrt", "s.2.pbrt", "s.3.pbrt"}) write(name, textured);
+    ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "wall.png"}).status, 0);
+    const Outcome same = run({"render", "s.#.pbrt", "--frames", "1-3", "-o", "f.#.exr", "--json"});
+    ASSERT_EQ(same.status, 0) << same.error;
+    expectSameFiles(path("f.1.exr"), path("f.3.exr"));
+    std::istringstream lines(same.out);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_EQ(nlohmann::json::parse(line).at("hashes").at("files").size(), 2u) << "the image is of each frame";
+
+    /* A frame that the next one reads */
+    write("s.2.pbrt", tinyScene("", "Translate 0 0 0.5"));
+    const Outcome fed = run({"render", "s.1.pbrt", "s.2.pbrt", "s.3.pbrt", "-o", "./", "--format", "png"});
+    ASSERT_EQ(fed.status, 0) << fed.error;
+    const FilmImage before = image("s.1.png");
+    std::string reads = textured;
+    reads.replace(reads.find("wall.png"), 8, "s.2.png");
+    write("s.1.pbrt", reads);
+    write("s.3.pbrt", reads);
+    write("s.2.pbrt", tinyScene("", "Translate 1 0 0"));
+    ASSERT_EQ(run({"render", "s.1.pbrt", "s.2.pbrt", "s.3.pbrt", "-o", "./", "--format", "png"}).status, 0);
+    const FilmImage third = image("s.3.png");
+    ASSERT_EQ(run({"render", "s.3.pbrt", "-o", "alone.png"}).status, 0);
+    EXPECT_EQ(third.color, image("alone.png").color);
+    EXPECT_NE(third.color, image("s.1.png").color);
+}
+
 /// A frame of a turntable has the bits of a run for it alone, and is what a camera at that place sees.
 TEST_F(Frames, OfATurntableGoRoundTheModel) {
     write("model.obj",

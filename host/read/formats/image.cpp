@@ -6,6 +6,7 @@
 #include "image/formats/image_formats.h"
 #include "parallel_errors.h"
 #include "read/formats/input_files.h"
+#include "read/formats/kept_images.h"
 
 #include <fmt/format.h>
 
@@ -177,8 +178,14 @@ ImageData read(const ImageFile& file) {
 
 std::shared_ptr<const ImageData> loadImage(const ImageFile& file) {
     if (file.pixels) return file.pixels;
+    if (auto before = keptImage(file)) {
+        noteInputFile(file.path);
+        return before;
+    }
     try {
-        return std::make_shared<ImageData>(read(file));
+        const auto image = std::make_shared<const ImageData>(read(file));
+        keepImage(file, image);
+        return image;
     } catch (const Problem& problem) {
         throw SceneError(file.where, fmt::format("cannot read image \"{}\": {}", file.path, problem.message));
     } catch (const std::bad_alloc&) {
