@@ -1,6 +1,7 @@
 #include "app/watching.h"
 
 #include "app/interrupt.h"
+#include "app/render_jobs.h"
 #include "clock.h"
 #include "messages.h"
 #include "names.h"
@@ -28,7 +29,7 @@ NamedSeconds stepsOf(const SessionTimes& t) {
 Watching::Watching(const Options& options, Diagnostics& diagnostics) : options_(options) {
     const WatchOptions& watch = options.watch;
     if (watch.display)
-        display_.emplace(*watch.display, fmt::format("{} ({})", options.scene.path, ::getpid()),
+        display_.emplace(*watch.display, fmt::format("{} ({})", jobName(options.scene), ::getpid()),
                          [&diagnostics](const std::string& problem) { diagnostics.warn({}, problem); });
     if (!watch.page) return;
     page_.emplace(watch, options.output.encoding.toneMapping);

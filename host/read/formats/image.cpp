@@ -183,8 +183,9 @@ std::shared_ptr<const ImageData> loadImage(const ImageFile& file) {
         return before;
     }
     try {
+        const FileStamp stamp = stampOf(file.path);
         const auto image = std::make_shared<const ImageData>(read(file));
-        keepImage(file, image);
+        keepImage(file, stamp, image);
         return image;
     } catch (const Problem& problem) {
         throw SceneError(file.where, fmt::format("cannot read image \"{}\": {}", file.path, problem.message));

@@ -6,19 +6,16 @@
 
 #include <map>
 #include <mutex>
-#include <string>
 #include <tuple>
 
 namespace eikonal {
 namespace {
 
-/// What changes with the content of a file.
-using Stamp = std::tuple<dev_t, ino_t, off_t, time_t, long>;
 /// How a file is decoded.
 using Key = std::tuple<std::string, ColorEncoding, double>;
 
 struct Kept {
-    Stamp stamp;
+    FileStamp stamp{};
     std::shared_ptr<const ImageData> image;
     unsigned lastUse = 0;  // the number of a render
 };
@@ -38,14 +35,14 @@ Key keyOf(const ImageFile& file) { return {file.path, file.encoding, file.gamma}
 
 std::size_t bytesOf(const ImageData& image) { return image.bytes.size() + image.floats.size() * sizeof(float); }
 
-bool stampOf(const std::string& path, Stamp& stamp) {
-    struct stat info {};
-    if (::stat(path.c_str(), &info) != 0) return false;
-    stamp = {info.st_dev, info.st_ino, info.st_size, info.st_mtim.tv_sec, info.st_mtim.tv_nsec};
-    return true;
-}
-
 }  // namespace
+
+FileStamp stampOf(const std::string& path) {
+    struct stat info {};
+    if (::stat(path.c_str(), &info) != 0) return {};
+    return {static_cast<std::int64_t>(info.st_dev), static_cast<std::int64_t>(info.st_ino), info.st_size, info.st_mtim.tv_sec,
+            info.st_mtim.tv_nsec};
+}
 
 void keepImages() {
     KeptImages& all = kept();
@@ -62,18 +59,16 @@ std::shared_ptr<const ImageData> keptImage(const ImageFile& file) {
     KeptImages& all = kept();
     const std::lock_guard lock(all.mutex);
     const auto found = all.images.find(keyOf(file));
-    Stamp now;
-    if (found == all.images.end() || !stampOf(file.path, now) || now != found->second.stamp) return nullptr;
+    if (found == all.images.end() || stampOf(file.path) != found->second.stamp) return nullptr;
     found->second.lastUse = all.render;
     return found->second.image;
 }
 
-void keepImage(const ImageFile& file, const std::shared_ptr<const ImageData>& image) {
+void keepImage(const ImageFile& file, const FileStamp& stamp, const std::shared_ptr<const ImageData>& image) {
     constexpr std::size_t shareOfMemory = 4;
     KeptImages& all = kept();
     const std::lock_guard lock(all.mutex);
-    Stamp stamp;
-    if (all.render == 0 || !stampOf(file.path, stamp)) return;
+    if (all.render == 0 || stamp == FileStamp{}) return;
     if (const auto old = all.images.find(keyOf(file)); old != all.images.end()) {
         all.bytes -= bytesOf(*old->second.image);
         all.images.erase(old);

@@ -4,7 +4,10 @@
 #include "image/image_data.h"
 #include "scene/textures.h"
 
+#include <array>
+#include <cstdint>
 #include <memory>
+#include <string>
 
 namespace eikonal {
 
@@ -12,11 +15,15 @@ namespace eikonal {
 /// render before has not used are dropped. Without a call, none is kept.
 void keepImages();
 
-/// The image of a file as it was decoded before; null: it was not, or the file has changed since (its size, time or place on the disk).
-/// Thread-safe.
+/// What changes with a file: its size, time and place on the disk. Zeros: there is no such file.
+using FileStamp = std::array<std::int64_t, 5>;
+FileStamp stampOf(const std::string& path);
+
+/// The image of a file as it was decoded before; null: it was not, or the file has changed since. Thread-safe.
 std::shared_ptr<const ImageData> keptImage(const ImageFile& file);
 
-/// Keeps an image, unless all that are kept would take more than a quarter of the memory that is available. Thread-safe.
-void keepImage(const ImageFile& file, const std::shared_ptr<const ImageData>& image);
+/// Keeps an image, unless all that are kept would take more than a quarter of the memory that is available. stamp: from before the file was
+/// read. Thread-safe.
+void keepImage(const ImageFile& file, const FileStamp& stamp, const std::shared_ptr<const ImageData>& image);
 
 }  // namespace eikonal
