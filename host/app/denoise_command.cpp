@@ -18,8 +18,7 @@ namespace eikonal {
 int denoiseCommand(const Options& o) {
     std::vector<std::string> files = o.output.files;
     if (files.empty())
-        files.push_back(std::filesystem::path(o.image).replace_extension().string() + "-denoised." +
-                        (o.output.encoding.format.empty() ? "exr" : o.output.encoding.format));
+        files.push_back(std::filesystem::path(o.image).replace_extension().string() + "-denoised." + chosenExtension(o.output.encoding));
     files = imageFiles(std::move(files), o.output.encoding);
     checkEncoding(files, o.output.encoding);
     for (const std::string& file : files) checkWritable(file, 0, o.output.encoding);

@@ -18,9 +18,8 @@ static bool anyHoldsChannels(const std::vector<std::string>& files, const ImageE
 std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& scene) {
     if (!options.hasImage) return {};
     std::vector<std::string> files = options.files;
-    const std::string& format = options.encoding.format;
-    if (files.empty() && format.empty() && !scene.film.filename.empty()) files.push_back(scene.film.filename);
-    if (files.empty()) files.push_back(scene.name + "." + (format.empty() ? "exr" : format));
+    if (files.empty() && options.encoding.format.empty() && !scene.film.filename.empty()) files.push_back(scene.film.filename);
+    if (files.empty()) files.push_back(scene.name + "." + chosenExtension(options.encoding));
     if (options.aovs.any() && !anyHoldsChannels(files, options.encoding))
         throw UsageError(
             fmt::format("--aov needs an EXR file, and {} cannot hold its channels; add `-o FILE.exr`", fmt::join(files, ", ")));

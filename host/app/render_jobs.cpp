@@ -23,9 +23,8 @@ bool shareScenes(const SceneOptions& scene) { return scene.fps || scene.turntabl
 /// The file for a render that -o leads to.
 std::string fileFor(const RenderJob& job, const std::string& output, const Options& o) {
     if (!isFolder(output)) return job.frame ? withFrame(output, *job.frame) : output;
-    const std::string& format = o.output.encoding.format;
     const std::string number = job.frame && shareScenes(o.scene) ? fmt::format(".{:04}", *job.frame) : "";
-    return (fs::path(output) / (sceneName(job.scene) + number + "." + (format.empty() ? "exr" : format))).string();
+    return (fs::path(output) / (sceneName(job.scene) + number + "." + chosenExtension(o.output.encoding))).string();
 }
 
 /// How many renders, of what: "2 scenes", "10 frames".

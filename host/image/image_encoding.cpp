@@ -65,6 +65,8 @@ std::string unknownFormat(const std::string& path, const ImageEncoding& encoding
                        fmt::join(imageFormatNames(), " "));
 }
 
+std::string chosenExtension(const ImageEncoding& encoding) { return encoding.format.empty() ? "exr" : encoding.format; }
+
 bool holdsChannels(const std::string& path, const ImageEncoding& encoding) {
     const ImageFormat* format = findImageFormat(path, encoding);
     return format && format->content == ImageContent::layers;

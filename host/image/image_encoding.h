@@ -55,6 +55,9 @@ const ImageFormat* findImageFormat(const std::string& path, const ImageEncoding&
 /// Why the name of a file tells no format, and the encoding names none; empty: there is one.
 std::string unknownFormat(const std::string& path, const ImageEncoding& encoding = {});
 
+/// The extension of an image whose name is ours to choose.
+std::string chosenExtension(const ImageEncoding& encoding);
+
 /// Whether writeImage stores channels besides colour in a file of this name.
 bool holdsChannels(const std::string& path, const ImageEncoding& encoding = {});
 
