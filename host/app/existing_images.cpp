@@ -11,15 +11,15 @@
 
 namespace eikonal {
 
-std::vector<std::string> filesToLookFor(const OutputOptions& options) { return imageFiles(options.files, options.encoding); }
-
-/// The same of the image's size, which files other than EXR know only if they have all of it.
+/// Whether the image has the size that is asked for, which files other than EXR know only if they have all of it.
 static bool hasSize(const FilmImage& image, const std::string& file, const SceneOptions& scene) {
     if (!scene.resolution || (!holdsChannels(file) && (scene.cropWindow || scene.pixelBounds))) return true;
     return image.width == (*scene.resolution)[0] && image.height == (*scene.resolution)[1];
 }
 
-std::string whyNotWhole(const std::string& file, const Options& options) {
+/// Why a file is no whole image as these options ask for: it is damaged, has another size than --resolution, fewer samples than --spp, or
+/// says that its render was ended early, which EXR and PNG files do. Empty: it is one.
+static std::string whyNotWhole(const std::string& file, const Options& options) {
     try {
         const FilmFile there = readImage(file);
         if (!there.metadata.partial.empty()) return "it is partial: " + there.metadata.partial;
@@ -32,7 +32,7 @@ std::string whyNotWhole(const std::string& file, const Options& options) {
 }
 
 bool hasWholeImages(const Options& options) {
-    const std::vector<std::string> files = filesToLookFor(options.output);
+    const std::vector<std::string> files = imageFiles(options.output.files, options.output.encoding);
     bool isWhole = !files.empty();
     for (const std::string& file : files) {
         std::error_code unknown;

@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/existing_images.h"
 #include "app/interrupt.h"
+#include "app/output.h"
 #include "app/render_jobs.h"
 #include "app/render_scene.h"
 #include "app/run_summary.h"
@@ -24,7 +25,7 @@ static int worse(int first, int second) {
 /// Renders one scene, unless its images are there and are not to be rendered again.
 static int renderJob(const Options& o, std::shared_ptr<OpenDevice>& device, WrittenImages& written) {
     if (!o.output.skipExisting || !hasWholeImages(o)) return renderScene(o, device, written);
-    const std::vector<std::string> files = filesToLookFor(o.output);
+    const std::vector<std::string> files = imageFiles(o.output.files, o.output.encoding);
     tell(LogLevel::warning, fmt::format("skipped {}: {} there", jobName(o.scene), files.size() == 1 ? "the image is" : "the images are"),
          o.log);
     if (o.json) std::fputs(describeSkipped(o, files).c_str(), stdout);
