@@ -1,12 +1,13 @@
 #include "app/frame_numbers.h"
 
+#include "app/number_in.h"
 #include "error.h"
 #include "split.h"
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <optional>
+#include <string_view>
 #include <unordered_set>
 
 namespace eikonal {
@@ -14,12 +15,9 @@ namespace {
 
 constexpr char place = '#';
 
-/// All of `text` as a number from 0, or nothing.
-std::optional<int> numberIn(std::string_view text) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || text.starts_with('-')) return {};
-    return value;
+/// All of `text` as a number from 0 without a sign, or nothing.
+std::optional<int> frameIn(std::string_view text) {
+    return text.starts_with('-') || text.starts_with('+') ? std::nullopt : numberIn<int>(std::string(text));
 }
 
 struct FrameRange {
@@ -29,9 +27,9 @@ struct FrameRange {
 /// "A", "A-B" or "A-B:S"; nothing if it is none of these.
 std::optional<FrameRange> rangeIn(std::string_view text) {
     const size_t colon = text.find(':'), dash = text.substr(0, colon).find('-', 1);
-    const auto first = numberIn(text.substr(0, std::min(dash, colon)));
-    const auto last = dash == text.npos ? first : numberIn(text.substr(dash + 1, colon - dash - 1));
-    const auto step = colon == text.npos ? std::optional(1) : numberIn(text.substr(colon + 1));
+    const auto first = frameIn(text.substr(0, std::min(dash, colon)));
+    const auto last = dash == text.npos ? first : frameIn(text.substr(dash + 1, colon - dash - 1));
+    const auto step = colon == text.npos ? std::optional(1) : frameIn(text.substr(colon + 1));
     if (!first || !last || !step || *step < 1 || (dash == text.npos && colon != text.npos)) return {};
     return FrameRange{*first, *last, *step};
 }

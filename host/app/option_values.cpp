@@ -1,5 +1,6 @@
 #include "app/option_values.h"
 
+#include "app/number_in.h"
 #include "render/stage_programs.h"
 #include "split.h"
 
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -15,17 +15,6 @@ namespace eikonal {
 
 [[noreturn]] static void refuse(const std::string& option, const std::string& wanted, const std::string& text) {
     throw UsageError(fmt::format("{} takes {}, not \"{}\"", option, wanted, text));
-}
-
-/// All of `text` as one number, or nothing.
-template <class Number> static std::optional<Number> numberIn(const std::string& text) {
-    Number value{};
-    const char* begin = text.data() + (text.size() > 1 && text[0] == '+' && text[1] != '-' ? 1 : 0);
-    const auto [end, error] = std::from_chars(begin, text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    if constexpr (std::is_floating_point_v<Number>)
-        if (!std::isfinite(value)) return std::nullopt;
-    return value;
 }
 
 /// Exactly N numbers between separators, or nothing.
