@@ -3,6 +3,7 @@
 #include "app/output.h"
 #include "background.h"
 #include "film/projection.h"
+#include "image/half_floats.h"
 #include "image/image_file.h"
 #include "image/sample_variance.h"
 #include "kinds/camera_kind.h"
@@ -52,13 +53,12 @@ FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const
 }
 
 void warnOfClamping(const FilmImage& image, const ImageEncoding& encoding, const SourceLocation& where, Diagnostics& diagnostics) {
-    constexpr float most = 65504;
     if (!encoding.halfFloats.value_or(image.halfFloats)) return;
-    const auto count = std::ranges::count_if(image.color, [](const glm::vec3& c) { return std::max({c.r, c.g, c.b}) > most; });
+    const auto count = std::ranges::count_if(image.color, [](const glm::vec3& c) { return std::max({c.r, c.g, c.b}) > mostHalf; });
     if (count)
         diagnostics.warn(where, fmt::format("{} pixel{} brighter than {}, the most that 16-bit floats hold; in EXR files {} clamped: "
                                             "--pixel-type float, or \"bool savefp16\" false, keeps all",
-                                            count, count == 1 ? " is" : "s are", most, count == 1 ? "it is" : "they are"));
+                                            count, count == 1 ? " is" : "s are", mostHalf, count == 1 ? "it is" : "they are"));
 }
 
 /// A matrix row by row, as pbrt-v4 stores it.

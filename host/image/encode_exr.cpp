@@ -1,5 +1,7 @@
 #include "image/encode_exr.h"
 
+#include "image/half_floats.h"
+
 #include <ImfChannelList.h>
 #include <ImfChromaticitiesAttribute.h>
 #include <ImfFloatAttribute.h>
@@ -54,9 +56,6 @@ struct AttributeWriter {
         header.insert(name, Imf::M44fAttribute(stored));
     }
 };
-
-/// The greatest number of 16 bits.
-constexpr float mostHalf = HALF_MAX;
 
 /// Threads that compress lines of a file, as many as the program may use, while this object lives; one file at a time. They change no
 /// byte: OpenEXR writes blocks of lines in their order. None: the calling thread compresses, if the system has no more threads.

@@ -4,6 +4,7 @@
 #include "color/primaries.h"
 #include "color/transfer.h"
 #include "image/formats/image_formats.h"
+#include "image/half_floats.h"
 #include "parallel_errors.h"
 #include "read/formats/input_files.h"
 #include "read/formats/kept_images.h"
@@ -137,7 +138,7 @@ std::size_t replaceNonFinite(std::vector<float>& values) {
     std::size_t count = 0;
     for (float& value : values) {
         if (std::isfinite(value)) continue;
-        value = std::isnan(value) ? 0.f : std::copysign(65504.f, value);
+        value = std::isnan(value) ? 0.f : std::copysign(mostHalf, value);
         ++count;
     }
     return count;
