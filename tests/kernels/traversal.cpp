@@ -55,7 +55,7 @@ PackedScene pack(const Scene& scene) {
     return packScene(scene, diagnostics);
 }
 
-static glm::dmat4 randomTransform(Random& random, double size) {
+glm::dmat4 randomTransform(Random& random, double size) {
     const auto axis = [&] { return glm::dvec3(toGlm(random.direction())); };
     const glm::dvec3 z = axis(), x = glm::normalize(glm::cross(z, axis())), y = glm::cross(z, x);
     glm::dmat4 m(glm::dmat3(x * (size * random.between(0.5f, 1.5f)), y * (size * random.between(0.5f, 1.5f)),

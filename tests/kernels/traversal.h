@@ -24,6 +24,8 @@ PackedScene pack(const Scene& scene);
 
 static inline glm::vec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
 
+/// A turned, stretched axis system of about `size`, within [-1, 1]^3.
+glm::dmat4 randomTransform(Random& random, double size);
 Shape placed(Shape s, const glm::dmat4& m);
 Shape randomTriangles(Random& random, size_t count);
 /// A closed surface around the origin: an octahedron, each edge in `steps` parts, on the sphere or left flat.

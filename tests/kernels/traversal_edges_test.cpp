@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace eikonal {
 namespace {
@@ -91,6 +92,60 @@ TEST(TraversalEdges, SizesAndDistancesMayDifferByMillions) {
     const auto hits = trace(packed, rays);
     for (size_t i = 0; i < rays.size(); ++i)
         ASSERT_EQ(judgeHit(truth.meet(rays[i].o, rays[i].d), hits[i].element, hits[i].instance, hits[i].t), "") << "ray " << i;
+}
+
+/// Octahedra |x| + |y| + |z| = size within one another, each an instance but the third, which is a shape of the world. A ray towards +x
+/// between two of them meets the larger at x = size - |y| - |z|, whichever boxes it entered before: it has left their spaces again.
+TEST(TraversalEdges, InstancesMayLieWithinOneAnother) {
+    const std::array<double, 4> sizes{1, 0.5, 0.25, 0.125};
+    Scene scene;
+    scene.objects.push_back({"octahedron", {triangleMesh(closedMesh(1, false))}, {}});
+    for (size_t i = 0; i < sizes.size(); ++i) {
+        const glm::dmat4 size(glm::dmat4(glm::dmat3(sizes[i])));
+        if (i == 2) scene.shapes.push_back(placed(triangleMesh(closedMesh(1, false)), size));
+        else scene.instances.push_back({0, size, {}, {}});
+    }
+    const double toWorld = sizes[0] / spaceOf({{-1, -1, -1}, {1, 1, 1}}).scale;   /* coordinates of rays are those of scene space */
+    Random random(74);
+    std::vector<Ray> rays;
+    std::vector<double> expected;
+    for (int i = 0; i < 2000; ++i) {
+        const double y = random.between(-0.05f, 0.05f), z = random.between(-0.05f, 0.05f), off = std::fabs(y) + std::fabs(z);
+        const size_t next = random.below(static_cast<uint>(sizes.size()));
+        const double inner = next + 1 < sizes.size() ? sizes[next + 1] - off : 0;
+        const double x = inner + (sizes[next] - off - inner) * random.between(0.1f, 0.9f);
+        rays.push_back({toVec3(glm::dvec3(x, y, z) / toWorld), {1, 0, 0}});
+        expected.push_back((sizes[next] - off - x) / toWorld);
+    }
+    const auto hits = trace(pack(scene), rays);
+    for (size_t i = 0; i < rays.size(); ++i) ASSERT_NEAR(hits[i].t, expected[i], 1e-6) << "ray " << i;
+}
+
+/// The same triangles as instances whose boxes overlap, and as shapes of the world: the same distances, and the same rays are blocked.
+TEST(TraversalEdges, InstancesEqualTheirFlattenedTriangles) {
+    Random random(75);
+    Scene placedTwice, flat;
+    const Shape triangles = randomTriangles(random, 40);
+    placedTwice.objects.push_back({"triangles", {triangles}, {}});
+    for (int i = 0; i < 60; ++i) {
+        const glm::dmat4 place = randomTransform(random, 0.3);
+        placedTwice.instances.push_back({0, place, {}, {}});
+        flat.shapes.push_back(placed(triangles, place * triangles.worldFromObject));
+    }
+    /* Boxes of both scenes are equal, or their spaces would differ */
+    for (Scene* s : {&placedTwice, &flat}) s->shapes.push_back(placed(triangleMesh(closedMesh(1, false)), glm::dmat4(glm::dmat3(8))));
+    const PackedScene a = pack(placedTwice), b = pack(flat);
+    auto rays = randomRays(4000, 76);
+    for (Ray& r : rays) r.tMax = 0.3f;
+    const auto got = trace(a, rays), want = trace(b, rays);
+    size_t differ = 0;
+    for (size_t i = 0; i < rays.size(); ++i) differ += std::fabs(got[i].t - want[i].t) > 1e-5f;
+    EXPECT_LE(differ, 4u) << "at edges, rounding decides";
+    const auto dark = blocked(a, rays), flatDark = blocked(b, rays);
+    size_t other = 0;
+    for (size_t i = 0; i < rays.size(); ++i) other += dark[i] != flatDark[i];
+    EXPECT_LE(other, 4u);
+    EXPECT_GT(std::count(dark.begin(), dark.end(), true), 400);
 }
 
 }  // namespace
