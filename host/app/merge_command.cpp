@@ -55,7 +55,7 @@ unsigned samplesWanted(const std::vector<std::unique_ptr<FilmFileReader>>& files
 /// What the light paths of all parts have added to the image; nothing without light paths.
 std::unique_ptr<SplatSums> joinedSplats(const std::vector<std::unique_ptr<FilmFileReader>>& files, const PackedScene& scene) {
     if (!scene.features.has(Feature::LIGHT_PATHS)) return nullptr;
-    auto all = std::make_unique<SplatSums>(scene.pixels);
+    auto all = std::make_unique<SplatSums>(scene.pixels, scene.features.has(Feature::RENDER_PASSES));
     for (const auto& file : files)
         file->forSplats([&](const SplatRow& row) {
             if (!all->fits(row))

@@ -187,15 +187,19 @@ StageFlags parseStageFlags(const std::string& option, const std::string& text) {
 }
 
 Aovs parseAovs(const std::string& option, const std::string& text) {
-    std::vector<std::pair<const char*, bool Aovs::*>> names;
-    for (const AovName& each : aovNames) names.emplace_back(each.name, each.asked);
-    names.emplace_back("all", nullptr);
-    Aovs aovs;
-    for (const std::string& word : split(text, ',')) {
-        const auto member = parseName(option, word, names);
-        for (const auto& [name, each] : names)
-            if (each && (!member || each == member)) aovs.*each = true;
+    using Channels = std::vector<bool Aovs::*>;
+    std::vector<std::pair<const char*, Channels>> names;
+    Channels passes, all;
+    for (const AovName& each : aovNames) {
+        names.emplace_back(each.name, Channels{each.asked});
+        if (each.source == AovSource::passes) passes.push_back(each.asked);
+        all.push_back(each.asked);
     }
+    names.emplace_back("passes", passes);
+    names.emplace_back("all", all);
+    Aovs aovs;
+    for (const std::string& word : split(text, ','))
+        for (const auto channel : parseName(option, word, names)) aovs.*channel = true;
     return aovs;
 }
 

@@ -47,7 +47,8 @@ Aovs aovsOf(const OutputOptions& options, const FilmDescription& film, const std
     aovs.albedo |= options.denoise;
     aovs.normal |= options.denoise;
     if (film.gbuffer != GBuffer::none && canHold("the additional channels of film \"gbuffer\"", options, film, files, diagnostics))
-        for (const AovName& each : aovNames) aovs.*each.asked = true;
+        for (const AovName& each : aovNames)
+            if (each.source != AovSource::passes) aovs.*each.asked = true;
     return aovs;
 }
 
@@ -66,6 +67,10 @@ void checkIsNoInput(const std::string& output, const std::vector<std::string>& s
 }
 
 void selectAovs(FilmImage& image, const Aovs& aovs) {
+    if (!aovs.emission) image.emission.clear();
+    if (!aovs.direct) image.direct.clear();
+    if (!aovs.indirect) image.indirect.clear();
+    if (!aovs.volume) image.volume.clear();
     if (!aovs.albedo) image.albedo.clear();
     if (!aovs.normal) image.normal.clear();
     if (!aovs.geometricNormal) image.geometricNormal.clear();

@@ -1,5 +1,7 @@
 #include "film/film.h"
 
+#include "eikonal/render_passes.h"
+
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -25,7 +27,8 @@ Film::Film(const PackedScene& scene, const Features& features, unsigned firstSam
       firstSample_(firstSample) {
     needNodes(1);
     taken_.resize(plane(), firstSample);
-    if (scene.features.has(Feature::LIGHT_PATHS) && scene.frame().emission_count > 0) splats_ = std::make_shared<SplatSums>(pixels_);
+    if (scene.features.has(Feature::LIGHT_PATHS) && scene.frame().emission_count > 0) 
+        splats_ = std::make_shared<SplatSums>(pixels_, features.has(Feature::RENDER_PASSES));
 }
 
 void Film::needNodes(size_t count) {
@@ -134,14 +137,16 @@ size_t Film::bytes(const PackedScene& scene, unsigned end) {
     /* Several nodes of each pixel, and their totals */
     const size_t nodes = nodesOf({0, end}).size(), planes = nodes > 1 ? nodes + 1 : 1;
     /* The sums, those of the last light paths, and these on the device */
-    const size_t splats = scene.features.has(Feature::LIGHT_PATHS) && end > 0 ? 3 * SplatSums::bytesPerPixel : 0;
+    const size_t ofSplats = SplatSums::bytesPerPixel(scene.features.has(Feature::RENDER_PASSES));
+    const size_t splats = scene.features.has(Feature::LIGHT_PATHS) && end > 0 ? 3 * ofSplats : 0;
     return planes * static_cast<size_t>(filmLayout(scene.features, scene.frame().bucket_count).words) * sizeof(uint) + splats;
 }
 
 size_t Film::developedBytes(const PackedScene& scene) {
     const size_t always = sizeof(glm::vec3) + 2 * sizeof(float),
                  ofSurfaces = 4 * sizeof(glm::vec3) + 3 * sizeof(glm::vec2) + 3 * sizeof(float);
-    return always + (scene.features.has(Feature::AOVS) ? ofSurfaces : 0) + scene.frame().bucket_count * sizeof(float);
+    const size_t ofPasses = scene.features.has(Feature::RENDER_PASSES) ? render_passes * sizeof(glm::vec3) : 0;
+    return always + ofPasses + (scene.features.has(Feature::AOVS) ? ofSurfaces : 0) + scene.frame().bucket_count * sizeof(float);
 }
 
 }  // namespace eikonal

@@ -131,8 +131,9 @@ void FilmFileReader::forSplats(const std::function<void(const SplatRow&)>& take)
         if (content.size() >= sizeof head) std::memcpy(&head, content.data(), sizeof head);
         const std::uint64_t width = head.x1 > head.x0 ? static_cast<std::uint64_t>(head.x1 - head.x0) : 0,
                             ranges = head.nodes > 0 ? static_cast<std::uint64_t>(head.nodes) * sizeof(SampleRange) : 0,
-                            words = width * splat_words;
-        if (!width || !ranges || content.size() != sizeof head + ranges + words * sizeof(std::uint64_t))
+                            before = sizeof head + ranges,
+                            words = content.size() > before ? (content.size() - before) / sizeof(std::uint64_t) : 0;
+        if (!width || !ranges || words == 0 || words % width || content.size() != before + words * sizeof(std::uint64_t))
             records_.fail("is damaged: its light paths do not fit its image");
         SplatRow row{head.y, head.x0, head.x1, {}, std::vector<std::uint64_t>(words)};
         row.samples.resize(static_cast<size_t>(head.nodes));

@@ -14,6 +14,10 @@ namespace {
 /// The fields of FILM_FIELDS by how they are added. What is missing here belongs to the error estimate.
 constexpr std::pair<const char*, const char*> compensatedFields[] = {{"sum", "compensation"},
                                                                      {"weight", "weight_excess"},
+                                                                     {"emission", "emission_compensation"},
+                                                                     {"direct", "direct_compensation"},
+                                                                     {"indirect", "indirect_compensation"},
+                                                                     {"volume", "volume_compensation"},
                                                                      {"albedo", "albedo_compensation"},
                                                                      {"position", "position_compensation"},
                                                                      {"uv", "uv_compensation"},

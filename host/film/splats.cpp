@@ -26,9 +26,9 @@ bool addSplats(SplatRow& row, const SplatRow& more) {
     return true;
 }
 
-SplatSums::SplatSums(const PixelRect& pixels) : pixels_(pixels) {
-    const size_t words = static_cast<size_t>(splat_words) * static_cast<size_t>(pixels.width());
-    for (int y = pixels.y0; y < pixels.y1; ++y) rows_.push_back({y, pixels.x0, pixels.x1, {}, std::vector<std::uint64_t>(words)});
+SplatSums::SplatSums(const PixelRect& pixels, bool hasPasses) : pixels_(pixels), hasPasses_(hasPasses) {
+    const size_t inRow = words() * static_cast<size_t>(pixels.width());
+    for (int y = pixels.y0; y < pixels.y1; ++y) rows_.push_back({y, pixels.x0, pixels.x1, {}, std::vector<std::uint64_t>(inRow)});
 }
 
 unsigned SplatSums::end() const {
@@ -41,7 +41,7 @@ void SplatSums::add(SampleRange samples, std::span<const uint> halves) {
     const size_t width = static_cast<size_t>(pixels_.width()), plane = width * rows_.size();
     for (SplatRow& row : rows_) {
         SplatRow more{row.y, row.x0, row.x1, {samples}, std::vector<std::uint64_t>(row.words.size())};
-        for (size_t word = 0; word < splat_words; ++word)
+        for (size_t word = 0; word < words(); ++word)
             for (size_t x = 0; x < width; ++x) {
                 const size_t low = 2 * word * plane + static_cast<size_t>(row.y - pixels_.y0) * width + x;
                 more.words[word * width + x] = halves[low] | static_cast<std::uint64_t>(halves[low + plane]) << 32;
@@ -50,6 +50,6 @@ void SplatSums::add(SampleRange samples, std::span<const uint> halves) {
     }
 }
 
-size_t SplatSums::halves() const { return 2 * static_cast<size_t>(splat_words) * static_cast<size_t>(pixels_.width()) * rows_.size(); }
+size_t SplatSums::halves() const { return 2 * words() * static_cast<size_t>(pixels_.width()) * rows_.size(); }
 
 }  // namespace eikonal

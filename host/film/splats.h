@@ -24,7 +24,8 @@ bool addSplats(SplatRow& row, const SplatRow& more);
 
 class SplatSums {
 public:
-    explicit SplatSums(const PixelRect& pixels);
+    /// hasPasses: also by render pass.
+    SplatSums(const PixelRect& pixels, bool hasPasses);
 
     const PixelRect& pixels() const { return pixels_; }
     const std::vector<SplatRow>& rows() const { return rows_; }
@@ -32,19 +33,24 @@ public:
     unsigned end() const;
     /// Adds what the light paths of `samples` have left on the device: 32-bit words as kernels/film/splat.clh has them.
     void add(SampleRange samples, std::span<const uint> halves);
+    /// Of each pixel.
+    size_t words() const { return wordsPerPixel(hasPasses_); }
     /// Whether a row of a file is one of these.
     bool fits(const SplatRow& row) const {
-        return row.y >= pixels_.y0 && row.y < pixels_.y1 && row.x0 == pixels_.x0 && row.x1 == pixels_.x1;
+        return row.y >= pixels_.y0 && row.y < pixels_.y1 && row.x0 == pixels_.x0 && row.x1 == pixels_.x1 &&
+               row.words.size() == words() * static_cast<size_t>(pixels_.width());
     }
     /// Adds a row that fits. False: some of its samples are there already.
     bool add(const SplatRow& row) { return addSplats(rows_[static_cast<size_t>(row.y - pixels_.y0)], row); }
     /// 32-bit words of all pixels on the device.
     size_t halves() const;
     /// Bytes of a pixel on the host.
-    static constexpr size_t bytesPerPixel = splat_words * sizeof(std::uint64_t);
+    static size_t bytesPerPixel(bool hasPasses) { return wordsPerPixel(hasPasses) * sizeof(std::uint64_t); }
 
 private:
+    static size_t wordsPerPixel(bool hasPasses) { return hasPasses ? splat_words_with_passes : splat_words; }
     PixelRect pixels_;
+    bool hasPasses_;
     std::vector<SplatRow> rows_;
 };
 

@@ -25,6 +25,8 @@ void FilmTotals::developSplats(const SplatSums& splats, double scale) {
     splatColors_.resize(plane());
     splatVariances_.resize(plane());
     lostSplats_.resize(plane());
+    const bool hasPasses = splats.words() > splat_words;
+    for (auto* v : {&directSplats_, &indirectSplats_}) v->resize(hasPasses ? plane() : 0);
     const size_t width = static_cast<size_t>(pixels_.width());
     for (const SplatRow& row : splats.rows()) {
         double samples = 0;
@@ -34,7 +36,13 @@ void FilmTotals::developSplats(const SplatSums& splats, double scale) {
         for (size_t x = 0; x < width; ++x) {
             const auto word = [&](splat_word w) { return static_cast<double>(static_cast<std::int64_t>(row.words[w * width + x])); };
             const double unit = 1 / (double{SPLAT_UNITS} * scale * samples);
-            splatColors_[first + x] = glm::vec3(glm::dvec3(word(splat_red), word(splat_green), word(splat_blue)) * unit);
+            const glm::dvec3 all(word(splat_red), word(splat_green), word(splat_blue));
+            splatColors_[first + x] = glm::vec3(all * unit);
+            if (hasPasses) {
+                const glm::dvec3 direct(word(splat_direct_red), word(splat_direct_green), word(splat_direct_blue));
+                directSplats_[first + x] = glm::vec3(direct * unit);
+                indirectSplats_[first + x] = glm::vec3((all - direct) * unit);
+            }
             /* Of a sum of many rare events; the mean of n samples has 1 / n^2 of it */
             const double variance = word(splat_square) / (double{SPLAT_SQUARE_UNITS} * scale * scale * samples * samples);
             splatVariances_[first + x] = static_cast<float>(std::min(variance, double{std::numeric_limits<float>::max()}));
@@ -51,6 +59,23 @@ static glm::vec3 meanDirection(const float* sum, float weight, size_t n, size_t 
     const glm::vec3 direction(sum[i], sum[n + i], sum[2 * n + i]);
     const float length = std::copysign(glm::length(direction), weight);
     return length != 0 ? direction / length : glm::vec3(0);
+}
+
+void FilmTotals::developPasses(FilmImage& image) const {
+    const size_t n = plane();
+    const float* weight = floats("weight");
+    const auto develop = [&](std::vector<glm::vec3>& layer, const char* field, const std::vector<glm::vec3>& splats) {
+        const float* sum = floats(field);
+        layer.resize(n);
+        tbb::parallel_for(size_t{0}, n, [&](size_t i) {
+            layer[i] = glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0);
+            if (!splats.empty()) layer[i] += splats[i];
+        });
+    };
+    develop(image.emission, "emission", {});
+    develop(image.direct, "direct", directSplats_);
+    develop(image.indirect, "indirect", indirectSplats_);
+    develop(image.volume, "volume", {});
 }
 
 void FilmTotals::developAovs(FilmImage& image, const PackedScene& scene) const {
@@ -94,6 +119,7 @@ FilmImage FilmTotals::develop(const PackedScene& scene) const {
         image.sampleCount[i] = static_cast<float>(planes.count[i]);
         image.variance[i] = planes.variance(i, image.color[i]);
     }
+    if (layout_.field("emission").words > 0) developPasses(image);
     if (layout_.field("albedo").words > 0) developAovs(image, scene);
     if (scene.frame().bucket_count > 0) developSpectrum(image, scene);
     return image;

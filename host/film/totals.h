@@ -35,6 +35,7 @@ public:
     ErrorEstimate error(ErrorMetric metric) const;
 
 private:
+    void developPasses(FilmImage& image) const;
     void developAovs(FilmImage& image, const PackedScene& scene) const;
     void developSpectrum(FilmImage& image, const PackedScene& scene) const;
     size_t plane() const { return static_cast<size_t>(pixels_.width()) * static_cast<size_t>(pixels_.height()); }
@@ -51,6 +52,7 @@ private:
     QueueLayout layout_;
     std::shared_ptr<uint[]> data_;
     std::vector<glm::vec3> splatColors_;      ///< what light paths add to each pixel; empty: nothing
+    std::vector<glm::vec3> directSplats_, indirectSplats_;   ///< the same by render pass, if the film has them
     std::vector<float> splatVariances_;       ///< of its luminance
     std::vector<unsigned> lostSplats_;        ///< how many were too bright
 };

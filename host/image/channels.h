@@ -42,6 +42,10 @@ void forChannels(Image& image, ChannelNames spelling, Visit visit) {
     const ChannelUse few{}, exact{.needsFloats = true};
     visit(image.color, ComponentNames{"R", "G", "B"}, few);
     visit(image.noisy, ComponentNames{"noisy.R", "noisy.G", "noisy.B"}, few);
+    visit(image.emission, ComponentNames{"emission.R", "emission.G", "emission.B"}, few);
+    visit(image.direct, ComponentNames{"direct.R", "direct.G", "direct.B"}, few);
+    visit(image.indirect, ComponentNames{"indirect.R", "indirect.G", "indirect.B"}, few);
+    visit(image.volume, ComponentNames{"volume.R", "volume.G", "volume.B"}, few);
     visit(image.albedo, spelled({"albedo.R", "albedo.G", "albedo.B"}, {"Albedo.R", "Albedo.G", "Albedo.B"}), few);
     visit(image.normal, spelled({"N.X", "N.Y", "N.Z"}, {"Ns.X", "Ns.Y", "Ns.Z"}), few);
     visit(image.geometricNormal, spelled({"Ng.X", "Ng.Y", "Ng.Z"}, {"N.X", "N.Y", "N.Z"}), few);

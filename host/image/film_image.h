@@ -28,6 +28,7 @@ struct FilmImage {
     std::vector<glm::vec3> color;  ///< radiance as the film received it
 
     std::vector<glm::vec3> noisy;      ///< of a denoised image: color before (image/denoise.h)
+    std::vector<glm::vec3> emission, direct, indirect, volume;   ///< render passes (enum render_pass), which sum to color, or to `noisy`
     std::vector<glm::vec3> albedo;     ///< in [0, 1], of the first surface that is not a mirror or clear glass, as seen through those
     std::vector<glm::vec3> normal;     ///< shading normal of the first surface, world space, unit length or zero
     std::vector<glm::vec3> geometricNormal;  ///< geometric normal of the first surface, on the same side

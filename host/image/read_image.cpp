@@ -100,9 +100,8 @@ FilmFile readImage(const std::string& path) {
 
     if (const std::optional<Primaries> primaries = input->chromaticities())
         if (const auto matrix = srgbFromPrimaries(*primaries)) {
-            convert(image.color, *matrix);
-            convert(image.noisy, *matrix);
-            convert(image.albedo, *matrix);
+            for (auto* colors : {&image.color, &image.noisy, &image.emission, &image.direct, &image.indirect, &image.volume, &image.albedo})
+                convert(*colors, *matrix);
         }
     return file;
 }

@@ -64,18 +64,22 @@ struct DeviceOptions {
     }
 };
 
+/// What a channel is made of: the first surface of each path, its light by passes, or the film's statistics, which there are anyway.
+enum class AovSource { surfaces, passes, statistics };
+
 /// Additional channels of an EXR.
 struct Aovs {
     bool albedo = false, normal = false, geometricNormal = false, position = false, uv = false, depthSlope = false, motion = false,
          depth = false, object = false, material = false;
+    bool emission = false, direct = false, indirect = false, volume = false;
     bool variance = false, sampleCount = false;
     bool any() const;
-    /// Whether any channel needs per-path data from the device.
-    bool ofSurfaces() const;
+    /// Whether any channel is of this source.
+    bool has(AovSource source) const;
 };
 
 /// The names of the channels for --aov.
-struct AovName { const char* name; bool Aovs::*asked; bool isOfSurfaces = true; };
+struct AovName { const char* name; bool Aovs::*asked; AovSource source = AovSource::surfaces; };
 inline constexpr AovName aovNames[] = {{"albedo", &Aovs::albedo},
                                        {"normal", &Aovs::normal},
                                        {"geometricNormal", &Aovs::geometricNormal},
@@ -86,11 +90,15 @@ inline constexpr AovName aovNames[] = {{"albedo", &Aovs::albedo},
                                        {"depth", &Aovs::depth},
                                        {"object", &Aovs::object},
                                        {"material", &Aovs::material},
-                                       {"variance", &Aovs::variance, false},
-                                       {"sampleCount", &Aovs::sampleCount, false}};
+                                       {"emission", &Aovs::emission, AovSource::passes},
+                                       {"direct", &Aovs::direct, AovSource::passes},
+                                       {"indirect", &Aovs::indirect, AovSource::passes},
+                                       {"volume", &Aovs::volume, AovSource::passes},
+                                       {"variance", &Aovs::variance, AovSource::statistics},
+                                       {"sampleCount", &Aovs::sampleCount, AovSource::statistics}};
 inline bool Aovs::any() const { return std::ranges::any_of(aovNames, [this](const AovName& n) { return this->*n.asked; }); }
-inline bool Aovs::ofSurfaces() const {
-    return std::ranges::any_of(aovNames, [this](const AovName& n) { return n.isOfSurfaces && this->*n.asked; });
+inline bool Aovs::has(AovSource source) const {
+    return std::ranges::any_of(aovNames, [&](const AovName& n) { return n.source == source && this->*n.asked; });
 }
 
 /// The work of a process of render/kernel_workers.h: compiles every `parts`-th stage, starting with the `part`-th, for scenes with these

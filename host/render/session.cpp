@@ -126,7 +126,8 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     scene_.shapes.clear();
     scene_.objects.clear();
     scene_.images.clear();
-    if (aovs.ofSurfaces()) packed_.require(Feature::AOVS, "--aov, or a film \"gbuffer\"");
+    if (aovs.has(AovSource::surfaces)) packed_.require(Feature::AOVS, "--aov, or a film \"gbuffer\"");
+    if (aovs.has(AovSource::passes)) packed_.require(Feature::RENDER_PASSES, "--aov");
     if (aovs.motion && packed_.features.has(Feature::MOTION)) packed_.require(Feature::MOTION_VECTORS, "--aov, or a film \"gbuffer\"");
     times_.pack = time.seconds();
     /* What the scene requires is known: kernels get ready while its hierarchies are built */

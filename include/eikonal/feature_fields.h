@@ -53,6 +53,7 @@
     F(q, float,    d_vcm,      ALWAYS) \
     F(q, float,    d_vc,       ALWAYS) \
     F(q, uint,     secondary_terminated, DISPERSION) \
+    F(q, uint,     render_pass, RENDER_PASSES) \
     F(q, uint,     number,     ALWAYS) \
     F(q, uint,     pass,       ALWAYS) \
     F(q, uint,     depth,      ALWAYS)
@@ -94,6 +95,16 @@
     F(q, uint,     around,     ALWAYS)       /* medium around the body, or NONE */ \
     F(q, spectrum, weight,     ALWAYS)       /* albedo and profile over the density of the exit point */ \
     F(q, spectrum, albedo,     BODY_TEXTURES) /* of the body */
+
+/* The render pass (enum render_pass) of the light that a ray meets next, or that a hit or scatter brings; of a shadow ray's light; of what
+   an item finds, otherwise. A light path's is that of what it adds to the image. */
+#define ONE_PASS_FIELD(F, q) F(q, uint, render_pass, RENDER_PASSES)
+/* The radiance so far of each render pass, in the order of enum render_pass: they sum to L. */
+#define RENDER_PASS_FIELDS(F, q) \
+    F(q, spectrum, L_emission, RENDER_PASSES) \
+    F(q, spectrum, L_direct,   RENDER_PASSES) \
+    F(q, spectrum, L_indirect, RENDER_PASSES) \
+    F(q, spectrum, L_volume,   RENDER_PASSES)
 
 /* What the auxiliary channels of the image show, of the first surface of a path. */
 #define FIRST_SURFACE_FIELDS(F, q) \

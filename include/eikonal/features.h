@@ -48,6 +48,7 @@
     F(LIGHT_PATHS,      "an integrator that traces paths from lights") \
     F(MERGING,          "an integrator that merges vertices of paths from both ends") \
     F(AOVS,             "auxiliary image channels") \
+    F(RENDER_PASSES,    "the channels \"emission\", \"direct\", \"indirect\" and \"volume\"") \
     F(MOTION_VECTORS,   "the channel \"motion\", and a shape that moves")
 
 #endif

@@ -29,6 +29,14 @@ CONTRACT_BEGIN
     F(q, float,    eighth_square, ALWAYS)   /* quarter_square of the last 2^(k-1) samples: of quarters and their eighths */ \
     F(q, uint,     count,         ALWAYS)   /* samples */ \
     F(q, uint,     invalid,       ALWAYS)   /* samples not finite or above MOST_RADIANCE, counted as black */ \
+    F(q, rgb,      emission,     RENDER_PASSES) /* of weight * film response to L_emission; the next three likewise */ \
+    F(q, rgb,      direct,       RENDER_PASSES) \
+    F(q, rgb,      indirect,     RENDER_PASSES) \
+    F(q, rgb,      volume,       RENDER_PASSES) \
+    F(q, rgb,      emission_compensation, RENDER_PASSES) /* rounding errors of these sums */ \
+    F(q, rgb,      direct_compensation,   RENDER_PASSES) \
+    F(q, rgb,      indirect_compensation, RENDER_PASSES) \
+    F(q, rgb,      volume_compensation,   RENDER_PASSES) \
     F(q, rgb,      albedo,       AOVS)     /* sum of weight * value; the same for the next two */ \
     F(q, vec3,     normal,       AOVS) \
     F(q, vec3,     ng,           AOVS) \
@@ -57,8 +65,13 @@ CONTRACT_BEGIN
    each path adds, times splat_scale (settings): colours in steps of 1 / SPLAT_UNITS, and squared luminances in steps of 1 /
    SPLAT_SQUARE_UNITS, whose sum is the variance of a sum of rare events. The image is the sum of colours over the number of light paths for
    each pixel of the whole image. A splat of MOST_SPLAT or more is not added but counted; thousands of the largest that are fit into a sum.
-   */
-enum splat_word { splat_red, splat_green, splat_blue, splat_square, splat_lost, splat_words };
+   With RENDER_PASSES, what the colours have of the pass "direct" follows; the rest of them is of the pass "indirect". */
+enum splat_word {
+    splat_red, splat_green, splat_blue, splat_square, splat_lost,
+    splat_words,
+    splat_direct_red = splat_words, splat_direct_green, splat_direct_blue,
+    splat_words_with_passes
+};
 #define SPLAT_UNITS 0x1p40f
 #define MOST_SPLAT 0x1p11f
 #define SPLAT_SQUARE_UNITS 0x1p40f

@@ -23,7 +23,7 @@
     F(q, uint,     has_nonspecular_vertex, AOVS) /* 1 once the path has met anything but mirrors and clear glass */ \
     F(q, uint,     has_nondelta_sample, REGULARIZE)  /* 1 once the path has been scattered by anything but delta distributions */ \
     F(q, uint,     secondary_terminated,   DISPERSION)   /* 1: only the first wavelength is left, and counts for all */ \
-    SPLITTING_TRAVEL_FIELDS(F, q) \
+    SPLITTING_TRAVEL_FIELDS(F, q) ONE_PASS_FIELD(F, q) \
     F(q, float,    eta_scale,  TRANSMISSION) /* product of squared relative indices; Russian roulette multiplies by it */ \
     F(q, spectrum, r_u,        MEDIA)        /* rescaled path probability of unidirectional sampling, per channel (pbrt-v4's r_u) */ \
     LIGHT_PATH_TRAVEL_FIELDS(F, q) SUBSURFACE_TRAVEL_FIELDS(F, q)
@@ -90,7 +90,7 @@
     F(q, spectrum, r_u,        MEDIA) \
     F(q, spectrum, r_l,        MEDIA)        /* as in ray */ \
     F(q, vec3,     d,          ALWAYS) \
-    F(q, float,    pdf,        ALWAYS)       /* as in ray */    LIGHT_PATH_MISS_FIELDS(F, q) \
+    F(q, float,    pdf,        ALWAYS)       /* as in ray */    LIGHT_PATH_MISS_FIELDS(F, q) ONE_PASS_FIELD(F, q) \
     F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* as in ray */ \
     F(q, vec3,     o,          PORTALS_OR_ENVIRONMENT_GUIDE_OR_LIGHT_PATHS) /* where d was sampled */
 
@@ -101,7 +101,7 @@
     F(q, spectrum, r_u,        MEDIA) \
     F(q, spectrum, r_l,        MEDIA)        /* as in ray */ \
     F(q, spectrum, Le,         ALWAYS)       /* radiance towards the path */ \
-    F(q, float,    pdf,        ALWAYS)       /* as in ray */    LIGHT_PATH_EMISSION_FIELDS(F, q) \
+    F(q, float,    pdf,        ALWAYS)       /* as in ray */    LIGHT_PATH_EMISSION_FIELDS(F, q) ONE_PASS_FIELD(F, q) \
     F(q, float,    pdf_light,  ALWAYS)       /* density over solid angle with which light sampling produces this point */
 
 /* A shadow ray and the light it carries: filled by shading, drained by test_shadows. Sparse: slot i belongs to slot i of hit or scatter. */
@@ -110,7 +110,7 @@
     F(q, vec3,     o,          ALWAYS) \
     F(q, vec3,     d,          ALWAYS) \
     F(q, float,    t_max,      ALWAYS)       /* < 0: dead slot; ends before the light by what rounding may hide of it */ \
-    LIGHT_ELEMENT_FIELDS(F, q) LIGHT_PATH_SHADOW_FIELDS(F, q) \
+    LIGHT_ELEMENT_FIELDS(F, q) LIGHT_PATH_SHADOW_FIELDS(F, q) ONE_PASS_FIELD(F, q) \
     F(q, float,    time,       MOTION)       /* as in ray */ \
     F(q, spectrum, Ld,         ALWAYS)       /* contribution, all weights included; with MEDIA not yet divided by mean(r_u + r_l) */ \
     F(q, uint,     medium,     MEDIA) \
@@ -125,7 +125,7 @@
 #define PATH_FIELDS(F, q) \
     F(q, uint,     seed,       SPECTRAL) \
     F(q, uint,     sample,     SPECTRAL) \
-    F(q, spectrum, L,          ALWAYS)       /* radiance so far */ \
+    F(q, spectrum, L,          ALWAYS)       /* radiance so far */    RENDER_PASS_FIELDS(F, q) \
     F(q, float,    weight,     ALWAYS)       /* filter weight of this sample; 0: outside the image */ \
     F(q, float,    importance, IMPORTANCE)   /* film response to a radiance of 1 */ \
     FIRST_SURFACE_FIELDS(F, q)               /* auxiliary channels of the image */

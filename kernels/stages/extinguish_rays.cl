@@ -1,6 +1,7 @@
 /* ray, intersection -> ray, intersection, path, slot i to slot i.  Applies media along each ray: absorption, scattering before the ray's
    end, transmittance and emission. A tracing stage; slots in vacuum are skipped. */
 #include "medium/extinguish_ray.clh"
+#include "shade/render_pass.clh"
 #include "stages/stage.clh"
 
 #define EXTINGUISH_RAYS(TABLE, ARGUMENT) \
@@ -16,6 +17,6 @@ TRACING_STAGE(extinguish_rays, EXTINGUISH_RAYS) {
         extinguished e = extinguish_ray(medium_set, color_set, load_ray(ray, capacity, i), load_intersection(intersection, capacity, i));
         store_ray(ray, capacity, i, e.ray);
         store_intersection(intersection, capacity, i, e.intersection);
-        if (!is_black(e.L)) add_radiance(path, path_capacity, e.ray.path, e.L);
+        if (!is_black(e.L)) add_radiance(path, path_capacity, e.ray.path, e.L, pass_of_medium(e.ray.render_pass));
     }
 }

@@ -52,7 +52,7 @@ typedef struct {
 FN void meet_light(scene_tables scene, destinations *to, shadow_item s) {
     if (s.t_max < 0.0f) return;
     spectrum L = test_shadow(scene.geometry, scene.tables, scene.media, scene.colors, s);
-    if (!is_black(L)) add_radiance(to->path, to->path_capacity, s.path, L);
+    if (!is_black(L)) add_radiance(to->path, to->path_capacity, s.path, L, s.render_pass);
 }
 
 /* The shading stages, at once (trace/route_intersection.clh) */
@@ -60,13 +60,13 @@ FN uint reserve_hit(destinations *to, uint next_queue) { return to->slot; }
 FN void send_probe(destinations *to, uint slot, probe_item p) { to->probe = p; }
 FN void send_ray(destinations *to, ray_item r) { to->out.ray = r; }
 FN void send_miss(scene_tables scene, destinations *to, miss_item m) {
-    add_radiance(to->path, to->path_capacity, m.path, shade_miss(scene.lights, scene.colors, m));
+    add_radiance(to->path, to->path_capacity, m.path, shade_miss(scene.lights, scene.colors, m), m.render_pass);
 }
 FN void send_scatter(scene_tables scene, destinations *to, scatter_item s) {
     to->out = shade_scatter(scene.lights, scene.colors, scene.frame, s, 1);
 }
 FN void send_emission(destinations *to, emission_item e) {
-    add_radiance(to->path, to->path_capacity, e.path, shade_emission(e));
+    add_radiance(to->path, to->path_capacity, e.path, shade_emission(e), e.render_pass);
 }
 FN scattering shade_pass(scene_tables scene, destinations *to, uint next_queue, hit_item h, uint pass) {
     scattering out = shade_any(scene.lights, to->bsdfs, scene.colors, scene.frame, to->hit, to->capacity, to->slot, next_queue, h, pass);
@@ -131,7 +131,7 @@ TRACING_STAGE(loop, LOOP) {
                     extinguished e = extinguish_ray(scene.media, scene.colors, r, f);
                     r = e.ray;
                     f = e.intersection;
-                    if (!is_black(e.L)) add_radiance(path, path_capacity, r.path, e.L);
+                    if (!is_black(e.L)) add_radiance(path, path_capacity, r.path, e.L, pass_of_medium(r.render_pass));
                 }
                 next_step next = classify_intersection(scene.geometry, scene.tables, scene.materials, frame, r, f);
                 f.next_queue = next.next_queue;

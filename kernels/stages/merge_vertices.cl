@@ -3,6 +3,7 @@
 #include "stages/stage.clh"
 #include "bsdf/bsdf_names.clh"
 #include "shade/merge_vertex.clh"
+#include "shade/render_pass.clh"
 
 #define MERGE_VERTICES(TABLE, ARGUMENT) \
     BSDF_TABLES(TABLE) COLOR_TABLES(TABLE) INTERRUPT_TABLES(TABLE) \
@@ -18,7 +19,10 @@ TRACING_STAGE(merge_vertices, MERGE_VERTICES) {
         hit_item h = load_hit(hit, capacity, i);
         if (h.merging == 0.0f || h.depth >= frame->max_depth) continue;
         BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
-        spectrum L = merge_hit(frame, vertex, grid, grid_buckets, h, b);
-        if (!is_black(L)) add_radiance(path, path_capacity, h.path, L);
+        merged_light L = merge_hit(frame, vertex, grid, grid_buckets, h, b);
+        if (is_black(L.all)) continue;
+        add_to_spectrum(path, path_L_slot, path_capacity, h.path, L.all);
+        add_to_pass(path, path_capacity, h.path, L.straight, h.render_pass);
+        add_to_pass(path, path_capacity, h.path, L.bounced, pass_behind_surface(h.render_pass));
     }
 }

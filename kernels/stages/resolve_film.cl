@@ -9,6 +9,7 @@
 #include "film/pixel.clh"
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
+#include "film/passes.clh"
 #include "film/quarters.clh"
 
 /* One step of the majority vote: if one id has a majority, it is the final candidate (Boyer and Moore 1991). */
@@ -58,12 +59,17 @@ FN film_item add_sample(film_item f, path_item p, rgb L, sampled_wavelengths col
     return f;
 }
 
+#define ADD_BRANCH(q, type, name, FEATURE) \
+    if (HAS_##FEATURE) p.name = add(p.name, LOAD_FIELD(path, type, name, path, path_capacity, first + branch));
+#define BLACKEN(q, type, name, FEATURE) p.name = uniform_spectrum(0.0f);
+
 /* The state of a camera ray's path, plus the radiance and albedo of all rays that split from it. */
 FN path_item gather_path(__global const settings *frame, __global const uint *path, uint path_capacity, uint index) {
     uint first = state_of_path(frame, index);
     path_item p = load_path(path, path_capacity, first);
     for (uint branch = 1; branch < states_per_path(frame); ++branch) {
         p.L = add(p.L, LOAD_FIELD(path, spectrum, L, path, path_capacity, first + branch));
+        RENDER_PASS_FIELDS(ADD_BRANCH, path)
         if (HAS_AOVS) p.albedo = add(p.albedo, LOAD_FIELD(path, spectrum, albedo, path, path_capacity, first + branch));
     }
     return p;
@@ -86,10 +92,15 @@ TRACING_STAGE(resolve_film, RESOLVE_FILM) {
             path_item p =
                 gather_path(frame, path, path_capacity, first_path + (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u)));
             if (p.weight == 0.0f && is_black(p.L)) continue;
-            if (!is_finite(p.L) || max_component(p.L) > MOST_RADIANCE) { p.L = uniform_spectrum(0.0f); f.invalid += 1; }
+            if (!is_finite(p.L) || max_component(p.L) > MOST_RADIANCE) {
+                p.L = uniform_spectrum(0.0f);
+                RENDER_PASS_FIELDS(BLACKEN, path)
+                f.invalid += 1;
+            }
             sampled_wavelengths colors = path_wavelengths(color_set, p.seed, p.sample);
             exposure e = expose(HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L, colors, frame);
             f = add_sample(f, p, e.color, colors, frame);
+            if (HAS_RENDER_PASSES) f = add_passes(f, p, HAS_IMPORTANCE ? p.importance * e.scale : e.scale, colors, frame);
             if (HAS_SPECTRAL_FILM) add_to_buckets(film, film_words, count, pixel, frame, colors, mul(e.light, p.weight));
         }
         store_film(film, count, pixel, f);

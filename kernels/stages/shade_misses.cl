@@ -13,6 +13,6 @@ STAGE(shade_misses, SHADE_MISSES) {
         miss_item m = load_miss(miss, capacity, i);
         m.guide = i < count ? m.guide : 0u;
         spectrum L = shade_miss(light_set, color_set, m);
-        add_radiance(path, path_capacity, i < count ? m.path : DISCARDED_PATH(i), L);
+        add_radiance(path, path_capacity, i < count ? m.path : DISCARDED_PATH(i), L, i < count ? m.render_pass : 0u);
     }
 }

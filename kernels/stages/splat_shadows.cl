@@ -9,13 +9,20 @@
 
 /* Adds light to a pixel, as the sensor sees it, in units of SPLAT_UNIT over splat_scale. */
 FN void add_splat(__global uint *splat, size_t pixels, size_t pixel, __global const settings *frame, sampled_wavelengths colors, spectrum L,
-                  random_stream *numbers) {
+                  uint render_pass, random_stream *numbers) {
     rgb color = mul(expose(L, colors, frame).color, frame->splat_scale);
     float largest = max1(fabs(color.r), max1(fabs(color.g), fabs(color.b)));
     if (!(largest < MOST_SPLAT) || !is_finite(largest)) { add_to_splat(splat, pixels, splat_lost, pixel, 1); return; }
-    add_to_splat(splat, pixels, splat_red, pixel, splat_units(color.r * SPLAT_UNITS, next_random(numbers)));
-    add_to_splat(splat, pixels, splat_green, pixel, splat_units(color.g * SPLAT_UNITS, next_random(numbers)));
-    add_to_splat(splat, pixels, splat_blue, pixel, splat_units(color.b * SPLAT_UNITS, next_random(numbers)));
+    long red = splat_units(color.r * SPLAT_UNITS, next_random(numbers)), green = splat_units(color.g * SPLAT_UNITS, next_random(numbers)),
+         blue = splat_units(color.b * SPLAT_UNITS, next_random(numbers));
+    add_to_splat(splat, pixels, splat_red, pixel, red);
+    add_to_splat(splat, pixels, splat_green, pixel, green);
+    add_to_splat(splat, pixels, splat_blue, pixel, blue);
+    if (HAS_RENDER_PASSES && render_pass == pass_direct) {
+        add_to_splat(splat, pixels, splat_direct_red, pixel, red);
+        add_to_splat(splat, pixels, splat_direct_green, pixel, green);
+        add_to_splat(splat, pixels, splat_direct_blue, pixel, blue);
+    }
     float square_luminance = min1(square(luminance(color)), MOST_SPLAT_SQUARE);
     add_to_splat(splat, pixels, splat_square, pixel, splat_units(square_luminance * SPLAT_SQUARE_UNITS, next_random(numbers)));
 }
@@ -50,7 +57,8 @@ TRACING_STAGE(splat_shadows, SPLAT_SHADOWS) {
         if (is_black(L)) continue;
         size_t pixels = (size_t)splat_width * splat_height, pixel = (size_t)row * splat_width + (size_t)column;
         if (HAS_FILTER) L = mul(L, weight / frame->pixel_filter.mean);
-        add_splat(splat, pixels, pixel, frame, path_wavelengths(color_set, s.seed, s.sample), L, &numbers);
+        add_splat(splat, pixels, pixel, frame, path_wavelengths(color_set, s.seed, s.sample), L, s.render_pass,
+                  &numbers);
     }
     if (tested) atomic_add(shadow_count, tested);
 }

@@ -28,6 +28,7 @@ TRACING_STAGE(store_vertices, STORE_VERTICES) {
         v.beta = mul(h.beta, 1.0f / stored_share(h.depth));
         v.d_vcm = h.d_vcm; v.d_vc = h.d_vc;
         v.secondary_terminated = h.secondary_terminated;
+        v.render_pass = h.render_pass;
         v.number = h.number; v.pass = h.pass; v.depth = h.depth;
         if (to < vertex_capacity) store_vertex(vertex, 1, (size_t)to * vertex_words, v);
         ++to;

@@ -17,7 +17,7 @@ TRACING_STAGE(test_shadows, TEST_SHADOWS) {
         ++tested;
         shadow_item s = load_shadow(shadow, capacity, i);
         spectrum L = test_shadow(g, tables, medium_set, color_set, s);
-        if (!is_black(L)) add_radiance(path, path_capacity, s.path, L);
+        if (!is_black(L)) add_radiance(path, path_capacity, s.path, L, s.render_pass);
     }
     if (tested) atomic_add(shadow_count, tested);
 }

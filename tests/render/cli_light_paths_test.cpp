@@ -28,7 +28,7 @@ protected:
 class CliLightPathsOf : public CliLightPaths, public testing::WithParamInterface<const char*> {
 protected:
     Outcome render(Words words) const {
-        words.insert(words.begin(), {"render", "ball.pbrt", "--integrator", GetParam()});
+        words.insert(words.begin(), {"render", "ball.pbrt", "--integrator", GetParam(), "--aov", "passes"});
         return run(words);
     }
 };

@@ -78,6 +78,7 @@ Features surfaceFeatures() {
                                 .require(MEDIA)
                                 .require(AOVS)
                                 .require(MOTION_VECTORS)
+                                .require(RENDER_PASSES)
                                 .require(SOBOL)
                                 .require(JOINT_PAIRS)
                                 .require(AMBIENT_OCCLUSION)
@@ -226,7 +227,8 @@ void expectSameBits(const FilmImage& a, const FilmImage& b, const std::string& w
         }
     size_t otherChannels = 0;
     for (const auto& [x, y] :
-         {std::pair(&a.albedo, &b.albedo), {&a.normal, &b.normal}, {&a.geometricNormal, &b.geometricNormal}, {&a.position, &b.position}})
+         {std::pair(&a.albedo, &b.albedo), {&a.normal, &b.normal}, {&a.geometricNormal, &b.geometricNormal}, {&a.position, &b.position},
+          {&a.emission, &b.emission}, {&a.direct, &b.direct}, {&a.indirect, &b.indirect}, {&a.volume, &b.volume}})
         for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];
     for (const auto& [x, y] : {std::pair(&a.motion, &b.motion), {&a.uv, &b.uv}, {&a.depthSlope, &b.depthSlope}})
         for (size_t i = 0; x->size() == y->size() && i < x->size(); ++i) otherChannels += (*x)[i] != (*y)[i];

@@ -4,6 +4,8 @@ const picture = (() => {
   const $ = id => document.getElementById(id), canvas = $("picture"), stage = $("stage"), context = canvas.getContext("2d");
   let bounds = null, planes = null, layer = null, place = {x: 0, y: 0, scale: 1}, isFitted = true;
 
+  const lights = ["image", "noisy", "emission", "direct", "indirect", "volume"];
+
   // Channels of one name belong together: albedo.R, albedo.G, albedo.B
   function layersOf(channels) {
     const groups = new Map();
@@ -14,7 +16,7 @@ const picture = (() => {
     }
     const layers = [];
     for (const [name, all] of groups) {
-      if (all.length === 3) layers.push({name, channels: all, isLight: name === "image" || name === "noisy", isColor: name === "albedo"});
+      if (all.length === 3) layers.push({name, channels: all, isLight: lights.includes(name), isColor: name === "albedo"});
       else for (const c of all) layers.push({name: c, channels: [c]});
     }
     if (channels.includes("variance")) layers.push({name: "relative error", channels: ["R", "G", "B", "variance"], isRelative: true});
