@@ -43,13 +43,15 @@ def mark(shape, x, y, r=4.5):
 
 
 def legend(entries, x, y, step):
-    return [part for i, (shape, words) in enumerate(entries) for part in (mark(shape, x + step * i, y - 4), text(x + 9 + step * i, y, words))]
+    return [part for i, (shape, words) in enumerate(entries)
+            for part in (mark(shape, x + step * i, y - 4), text(x + 9 + step * i, y, words))]
 
 
 def efficiency():
     """Our efficiency over that of the other renderers: a row for each scene, a symbol for each renderer."""
-    peers = {"Mitsuba llvm_ad_rgb": ("full circle", "Mitsuba, LLVM"), "Cycles": ("full square", "Cycles"), "Mitsuba scalar_rgb": ("hollow circle", "Mitsuba, scalar"),
-             "LuxCore PATHCPU": ("hollow diamond", "LuxCore"), "pbrt-v4": ("hollow triangle", "pbrt-v4")}
+    peers = {"Mitsuba llvm_ad_rgb": ("full circle", "Mitsuba, LLVM"), "Cycles": ("full square", "Cycles"),
+             "Mitsuba scalar_rgb": ("hollow circle", "Mitsuba, scalar"), "LuxCore PATHCPU": ("hollow diamond", "LuxCore"),
+             "pbrt-v4": ("hollow triangle", "pbrt-v4")}
     ratios = {}
     for file in ("peers", "peers-others"):
         for row in json.loads((RESULTS / f"{file}.json").read_text())["tables"]["efficiency"]:
@@ -59,11 +61,13 @@ def efficiency():
     axis, bottom = LogAxis(0.8, 32, 130, 640), top + step * len(ratios)
     elements = legend(peers.values(), 60, 18, 122)
     for tick in (1, 2, 4, 8, 16, 32):
-        elements += [line(axis(tick), top - 8, axis(tick), bottom - 8, 1.6 if tick == 1 else 0.5, "" if tick == 1 else ' stroke-opacity="0.4"'),
+        style = (1.6, "") if tick == 1 else (0.5, ' stroke-opacity="0.4"')
+        elements += [line(axis(tick), top - 8, axis(tick), bottom - 8, *style),
                      text(axis(tick), bottom + 8, f"{tick} x" if tick > 1 else "equal", "middle")]
     for i, (scene, row) in enumerate(ratios.items()):
         y = top + step * i + 4
-        elements += [text(122, y + 4, scene, "end"), line(axis(min(row.values())), y, axis(max(row.values())), y, 0.8, ' stroke-opacity="0.5"')]
+        elements += [text(122, y + 4, scene, "end"),
+                     line(axis(min(row.values())), y, axis(max(row.values())), y, 0.8, ' stroke-opacity="0.5"')]
         elements += [mark(peers[name][0], axis(ratio), y) for name, ratio in row.items()]
     elements.append(text(385, bottom + 28, "our efficiency over theirs", "middle"))
     return svg(680, bottom + 36, "Efficiency of Eikonal over that of five other renderers, on nine scenes", elements)
@@ -77,7 +81,7 @@ def table(script):
 
 
 def deviations(script):
-    """In %, of the scenes of the gallery: how far the mean of the worst channel is from that of the reference that counts; the largest last."""
+    """In %, of the scenes of the gallery: how far the mean of the worst channel is from that of the reference that counts, in order."""
     found = []
     for cells in table(script):
         better = re.search(r": ([\d.]+ [\d.]+ [\d.]+)", cells[4])
@@ -87,7 +91,8 @@ def deviations(script):
 
 def gallery():
     """All scenes of the gallery in the order of their deviation, in RGB and at wavelengths."""
-    kinds = [("hollow circle", "in RGB where it suffices (the default)", "gallery.py", 1), ("full circle", "all at wavelengths", "gallery.py --wavelengths", 0.5)]
+    kinds = [("hollow circle", "in RGB where it suffices (the default)", "gallery.py", 1),
+             ("full circle", "all at wavelengths", "gallery.py --wavelengths", 0.5)]
     axis = LogAxis(0.01, 3, 230, 40)
     elements = legend([kind[:2] for kind in kinds], 80, 18, 270)
     for tick in (0.01, 0.03, 0.1, 0.3, 1, 3):
@@ -96,7 +101,8 @@ def gallery():
         values = deviations(script)
         elements += [mark(shape, 68 + 574 * i / (len(values) - 1), axis(value), 2.8) for i, value in enumerate(values)]
         elements += [line(60, axis(limit), 650, axis(limit), 1.2, ' stroke-dasharray="6 4"'), text(66, axis(limit) - 5, f"limit {limit} %")]
-    elements.append(text(355, 252, f"{len(values)} scenes, in the order of how far the mean of their worst channel is from pbrt-v4's", "middle"))
+    words = f"{len(values)} scenes, in the order of how far the mean of their worst channel is from pbrt-v4's"
+    elements.append(text(355, 252, words, "middle"))
     return svg(680, 262, "Difference of the means of the gallery's images from pbrt-v4's", elements)
 
 
@@ -110,9 +116,11 @@ def error_asked():
     scenes = list(dict.fromkeys(row[0] for row in rows))
     half = 9 * (len(scenes) - 1) / 2
     for asked in (0.05, 0.1, 0.2):
-        elements += [line(x(asked) - half - 14, y(asked), x(asked) + half + 14, y(asked), 1.6), text(x(asked), 262, f"{100 * asked:.0f} % asked for", "middle")]
+        elements += [line(x(asked) - half - 14, y(asked), x(asked) + half + 14, y(asked), 1.6),
+                     text(x(asked), 262, f"{100 * asked:.0f} % asked for", "middle")]
     for scene, asked, _, _, _, true_over_asked, *_ in rows:
-        elements.append(mark("full circle", x(float(asked)) + 9 * scenes.index(scene) - half, y(float(asked) * float(true_over_asked)), 3.4))
+        place = x(float(asked)) + 9 * scenes.index(scene) - half
+        elements.append(mark("full circle", place, y(float(asked) * float(true_over_asked)), 3.4))
     elements.append(text(355, 284, f"true error of {len(scenes)} scenes, side by side in the order of the table", "middle"))
     return svg(680, 294, "True error of renders beside the error that was asked for", elements)
 
