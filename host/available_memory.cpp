@@ -34,12 +34,12 @@ std::optional<std::size_t> numberIn(const fs::path& path) {
     return file >> number ? std::optional(number) : std::nullopt;
 }
 
-/// The value of a row "name value" of a file, 0 without one.
+/// The value of a row "name value ..." of a file, 0 without one.
 std::size_t rowOf(const fs::path& path, const std::string& wanted) {
     std::ifstream file(path);
     std::size_t value = 0;
-    for (std::string name; file >> name >> value;)
-        if (name == wanted) return value;
+    for (std::string name, rest; file >> name; std::getline(file, rest))
+        if (name == wanted && file >> value) return value;
     return 0;
 }
 
@@ -79,6 +79,11 @@ std::size_t leftInGroups(const fs::path& proc, const fs::path& groups) {
 std::size_t availableMemory(const std::string& root) {
     const fs::path proc = fs::path(root) / "proc";
     return std::min(leftInMachine(proc), leftInGroups(proc, fs::path(root) / "sys/fs/cgroup"));
+}
+
+OccupiedMemory occupiedMemory(const std::string& root) {
+    const fs::path status = fs::path(root) / "proc/self/status";
+    return {1024 * rowOf(status, "VmRSS:"), 1024 * rowOf(status, "VmHWM:")};
 }
 
 }  // namespace eikonal

@@ -1,5 +1,6 @@
 #include "app/commands.h"
 #include "app/output.h"
+#include "available_memory.h"
 #include "json_text.h"
 #include "printable.h"
 #include "pack/missed_light.h"
@@ -47,8 +48,8 @@ std::string asText(const Options& o, const PackedScene& packed, const MemoryPlan
     if (first) text += "nothing";
     text += fmt::format("\n  color      {}: {}", nameOf(packed.color), packed.color.why);
     for (const std::string& missed : missedLight(packed)) text += "\n  hard light " + missed;
-    text += fmt::format("\n  hierarchy  {} levels, built in {:.2f} s\n  memory     {}\n  requires\n", packed.counts.bvhDepth,
-                        packed.counts.buildSeconds, describe(plan));
+    text += fmt::format("\n  hierarchy  {} levels, built in {:.2f} s\n  memory     {}; at most {} in all\n  requires\n", packed.counts.bvhDepth,
+                        packed.counts.buildSeconds, describe(plan), readableBytes(static_cast<double>(mostMemory(plan, occupiedMemory()))));
     for (const auto& [feature, why] : packed.reasons)
         text += fmt::format("    {:<22} {}{}\n", featureName(feature), featureReason(feature), why.empty() ? "" : "  (" + why + ")");
     return text;
@@ -66,7 +67,8 @@ nlohmann::ordered_json asJson(const Options& o, const PackedScene& packed, const
     for (const Count& c : countsOf(packed.counts)) json["counts"][c.key] = c.value;
     json["color"] = {{"mode", nameOf(packed.color)}, {"why", packed.color.why}};
     json["hardLight"] = missedLight(packed);
-    json["memory"] = {{"tables", plan.tables}, {"queues", plan.queues}, {"vertices", plan.vertices}, {"film", plan.film}};
+    json["memory"] = {{"tables", plan.tables}, {"queues", plan.queues}, {"vertices", plan.vertices}, {"film", plan.film},
+                      {"most", mostMemory(plan, occupiedMemory())}};
     json["features"] = nlohmann::ordered_json::array();
     for (const auto& [feature, why] : packed.reasons)
         json["features"].push_back({{"name", featureName(feature)}, {"meaning", featureReason(feature)}, {"firstUse", why}});

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 namespace eikonal {
@@ -20,6 +21,12 @@ static std::string readableBytes(size_t bytes) { return readableBytes(static_cas
 std::string describe(const MemoryPlan& plan) {
     return fmt::format("scene tables {}, queues {},{} film {}", readableBytes(plan.tables), readableBytes(plan.queues),
                        plan.vertices ? fmt::format(" light vertices {},", readableBytes(plan.vertices)) : "", readableBytes(plan.film));
+}
+
+size_t mostMemory(const MemoryPlan& plan, const OccupiedMemory& occupied) {
+    /* An OpenCL runtime with its compiled kernels, measured */
+    constexpr size_t runtime = size_t(75) << 20;
+    return runtime + std::max(occupied.most, occupied.now + plan.queues + plan.vertices + plan.film + plan.image);
 }
 
 std::string asOptions(const Roulette& roulette) {

@@ -53,6 +53,7 @@ TEST_F(Cli, InfoTellsWhatASceneRequiresAndWhy) {
     const auto json = nlohmann::json::parse(run({"info", "tiny.pbrt", "--json"}).out);
     EXPECT_EQ(json.at("counts").at("triangles"), 2);
     EXPECT_GT(json.at("memory").at("queues"), 0);
+    EXPECT_GT(json.at("memory").at("most"), json.at("memory").at("tables").get<size_t>() + json.at("memory").at("queues").get<size_t>());
     const auto requires_ = [&](const char* name) {
         return std::any_of(json.at("features").begin(), json.at("features").end(), [&](const auto& f) { return f.at("name") == name; });
     };

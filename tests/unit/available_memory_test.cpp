@@ -53,5 +53,14 @@ TEST_F(AvailableMemory, isThatOfControlGroupsOfTheFirstVersion) {
     EXPECT_EQ(left(), 750000u);
 }
 
+// Rows of /proc/self/status are a name, a number and a unit, or a name and words.
+TEST_F(AvailableMemory, whatIsOccupiedIsReadFromTheProcess) {
+    EXPECT_EQ(occupiedMemory(folder_.string()).most, 0u) << "Linux tells nothing";
+    put("proc/self/status", "Name:\teikonal\nState:\tR (running)\nVmHWM:\t   300 kB\nVmRSS:\t   200 kB\n");
+    const OccupiedMemory occupied = occupiedMemory(folder_.string());
+    EXPECT_EQ(occupied.now, 200u * 1024);
+    EXPECT_EQ(occupied.most, 300u * 1024);
+}
+
 }  // namespace
 }  // namespace eikonal
