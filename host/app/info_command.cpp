@@ -48,8 +48,10 @@ std::string asText(const Options& o, const PackedScene& packed, const MemoryPlan
     if (first) text += "nothing";
     text += fmt::format("\n  color      {}: {}", nameOf(packed.color), packed.color.why);
     for (const std::string& missed : missedLight(packed)) text += "\n  hard light " + missed;
-    text += fmt::format("\n  hierarchy  {} levels, built in {:.2f} s\n  memory     {}; at most {} in all\n  requires\n", packed.counts.bvhDepth,
-                        packed.counts.buildSeconds, describe(plan), readableBytes(static_cast<double>(mostMemory(plan, occupiedMemory()))));
+    text += fmt::format("\n  hierarchy  {} levels, built in {:.2f} s\n  memory     {}; at most {} in all\n  requires\n",
+                        packed.counts.bvhDepth,
+                        packed.counts.buildSeconds, describe(plan),
+                        readableBytes(static_cast<double>(mostMemory(plan, occupiedMemory()))));
     for (const auto& [feature, why] : packed.reasons)
         text += fmt::format("    {:<22} {}{}\n", featureName(feature), featureReason(feature), why.empty() ? "" : "  (" + why + ")");
     return text;

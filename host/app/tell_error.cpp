@@ -18,7 +18,9 @@ int tellError(const std::string& scene) {
     } catch (const Error& error) {
         return fail(error.code(), (error.code() == ExitCode::scene ? "" : "error: ") + std::string(error.what()), scene);
     } catch (const std::bad_alloc&) {
-        return fail(ExitCode::scene, "error: not enough memory; --log-level info prints the planned use", scene);
+        return fail(ExitCode::scene,
+                    "error: not enough memory; `eikonal info` tells how much a render takes. A mesh that ObjectInstance places several "
+                    "times is stored once; --pixelbounds renders a part of the image", scene);
     } catch (const std::exception& error) { return fail(ExitCode::scene, std::string("error: ") + error.what(), scene); }
 }
 
