@@ -72,7 +72,8 @@ def text_table(o, folder, report):
 
 def usage(program, scene, image, samples):
     """What `render --stats` prints, and what Linux counts for it: seconds of CPU in `ru_utime`, kilobytes in `ru_maxrss`."""
-    child = subprocess.Popen([str(program), "render", str(scene), "--stats", "--spp", str(samples), "-o", str(image)], stdout=subprocess.PIPE, text=True)
+    child = subprocess.Popen([str(program), "render", str(scene), "--stats", "--spp", str(samples), "-o", str(image)], stdout=subprocess.PIPE,
+                             stderr=subprocess.DEVNULL, text=True)
     out = child.stdout.read()
     return out, os.wait4(child.pid, 0)[2]
 
