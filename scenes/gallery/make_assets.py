@@ -9,6 +9,7 @@ import random
 import struct
 import sys
 
+sys.dont_write_bytecode = True  # scenes/ is installed as it is
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
 import make_assets as shared  # noqa: E402
 
