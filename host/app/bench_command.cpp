@@ -32,7 +32,7 @@ Repeat renderOnce(Session& session, Tracer& tracer, Profile& profile, SeedVarian
     profile.reset();
     const Stopwatch time;
     session.survey();
-    render(session.context(), tracer, film, profile, control);
+    render(std::vector{RenderDevice{&session.context(), &tracer, &profile}}, film, control);
     const double seconds = time.seconds();
     profile.collect();
     if (images) images->add(film.totals().develop(packed));
@@ -197,6 +197,7 @@ int benchCommand(const Options& o) {
     if (!o.jsonFile.empty()) checkFileWritable(o.jsonFile, 0);
     Session session(o, diagnostics, true);
     session.load();
+    if (session.openDevices().size() > 1) throw UsageError("--device: bench measures one device at a time; name one");
     session.pack({});
     const std::optional<FilmImage> reference =
         o.reference.empty() ? std::nullopt : std::optional(readReference(o.reference, session.packed()));

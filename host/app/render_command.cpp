@@ -23,8 +23,8 @@ static int worse(int first, int second) {
 }
 
 /// Renders one scene, unless its images are there and are not to be rendered again.
-static int renderJob(const Options& o, std::shared_ptr<OpenDevice>& device, WrittenImages& written) {
-    if (!o.output.skipExisting || !hasWholeImages(o)) return renderScene(o, device, written);
+static int renderJob(const Options& o, OpenDevices& devices, WrittenImages& written) {
+    if (!o.output.skipExisting || !hasWholeImages(o)) return renderScene(o, devices, written);
     const std::vector<std::string> files = imageFiles(o.output.files, o.output.encoding);
     tell(LogLevel::warning, fmt::format("skipped {}: {} there", jobName(o.scene), files.size() == 1 ? "the image is" : "the images are"),
          o.log);
@@ -39,21 +39,21 @@ int renderCommand(const Options& o) {
         tell(LogLevel::error, "error: " + line);
         status = static_cast<int>(ExitCode::scene);
     }
-    std::shared_ptr<OpenDevice> device;
+    OpenDevices devices;
     WrittenImages written;
     const bool isAlone = o.scenes.size() == 1 && o.frames.size() <= 1;
     for (size_t i = 0; i < jobs.size(); ++i) {
         const Options own = optionsOf(o, jobs, i);
-        if (isAlone) return renderJob(own, device, written);
+        if (isAlone) return renderJob(own, devices, written);
         keepImages();
         try {
-            const int ended = renderJob(own, device, written);
+            const int ended = renderJob(own, devices, written);
             status = worse(status, ended);
             if (ended > signalStatus) return ended;
         } catch (...) {
             const int failed = tellError(jobName(own.scene));
             status = worse(status, failed);
-            if (failed == static_cast<int>(ExitCode::device) && !device) return status;  // it will not open for the others, either
+            if (failed == static_cast<int>(ExitCode::device) && devices.empty()) return status;  // it will not open for the others, either
         }
         std::fflush(stdout);
     }

@@ -86,7 +86,7 @@ StoredMetadata RenderOutput::metadata() {
     m.version = "Eikonal " EIKONAL_VERSION;
     m.scene = options_.scene.path;
     m.sceneHash = hash_.get();
-    m.device = session_.context().device().name;
+    m.device = session_.deviceNames();
     m.biasedChoices = describe(session_.biasedChoices());
     describeCamera(m, session_.scene().camera, session_.packed());
     return {m, aovs_, options_.output.errorMetric};

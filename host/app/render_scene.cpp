@@ -66,7 +66,10 @@ RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRa
         watching.passOnStop();
         return deadline.isFinal();
     };
-    RenderResult result = render(session.context(), session.wave(), film, session.profile(), control);
+    control.dropped = [&](const RenderDevice& device, const DeviceError& error) { session.drop(device, error); };
+    const std::vector<RenderDevice> devices = session.renderDevices();
+    RenderResult result = render(devices, film, control);
+    session.joinProfiles();
     display.end(result.isFinished);
     return result;
 }
@@ -163,15 +166,15 @@ static void checkIsNew(const std::string& file, const WrittenImages& written) {
                                                  file, before->second));
 }
 
-int renderScene(const Options& o, std::shared_ptr<OpenDevice>& device, WrittenImages& written) {
+int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) {
     Diagnostics diagnostics(o.log, o.scene.strict);
     for (const std::string& file : o.output.files) checkWritable(file, 0, o.output.encoding);
     Checkpoints checkpoints(o, diagnostics);
     Watching watching(o, diagnostics);
 
-    Session session(o, diagnostics, o.watch.page, device);
+    Session session(o, diagnostics, o.watch.page, devices);
     session.load();
-    device = session.device();
+    devices = session.openDevices();
     const auto wanted = static_cast<unsigned>(session.scene().sampler.pixelSamples);
     if (const auto before = checkpoints.samplesLaidOutFor()) session.layOutFor(*before);
     const std::vector<std::string> files = outputFiles(o.output, session.scene());

@@ -41,7 +41,7 @@ std::string describeRun(const Session& session, const Profile& profile, const Fi
     const auto line = [&](const char* what, double seconds, const std::string& more = {}) {
         text += fmt::format("  {:<28}{:8.3f} s{}{}\n", what, seconds, more.empty() ? "" : "  ", more);
     };
-    text += fmt::format("Device: {}\nTime:\n", session.context().device().name);
+    text += fmt::format("Device: {}\nTime:\n", session.sharesOfDevices());
     line("start the program", t.start);
     line("open the device", t.device, "while the scene is read");
     line("read the scene", t.load);

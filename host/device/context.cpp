@@ -1,5 +1,7 @@
 #include "device/context.h"
 
+#include "split.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -120,6 +122,33 @@ DeviceInfo chooseDevice(const std::vector<DeviceInfo>& list, const std::string& 
     for (const DeviceInfo& d : list)
         if (lower(d.name + " " + d.platformName + " " + d.version).find(lower(wanted)) != std::string::npos) return d;
     throw DeviceError(fmt::format("no OpenCL device is called \"{}\". There are:{}", wanted, listed));
+}
+
+static size_t indexOf(const std::vector<DeviceInfo>& list, const DeviceInfo& device) {
+    return static_cast<size_t>(std::ranges::find(list, device.id, &DeviceInfo::id) - list.begin());
+}
+
+std::vector<std::string> chooseDevices(const std::vector<DeviceInfo>& list, const std::string& wanted) {
+    std::vector<std::string> chosen;
+    if (wanted == "all") {
+        for (size_t i = 0; i < list.size(); ++i)
+            if (list[i].hasCompiler) chosen.push_back(std::to_string(i));
+        if (chosen.empty()) chooseDevice(list, "");   // says why there is none
+        return chosen;
+    }
+    const std::vector<std::string> parts = split(wanted, ',');
+    if (parts.size() < 2) {
+        chooseDevice(list, wanted);
+        return {wanted};
+    }
+    for (const std::string& part : parts) {
+        const DeviceInfo device = chooseDevice(list, part);
+        const std::string index = std::to_string(indexOf(list, device));
+        if (std::ranges::find(chosen, index) != chosen.end())
+            throw DeviceError(fmt::format("--device {}: \"{}\" is device {} again", wanted, part, index));
+        chosen.push_back(index);
+    }
+    return chosen;
 }
 
 Context::Context(const DeviceInfo& device, bool profiling) : device_(device), profiling_(profiling) {

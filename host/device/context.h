@@ -30,6 +30,9 @@ std::vector<DeviceInfo> listDevices();
 /// name, case-insensitive. Throws a DeviceError that lists the devices.
 DeviceInfo chooseDevice(const std::string& wanted);
 DeviceInfo chooseDevice(const std::vector<DeviceInfo>& list, const std::string& wanted);
+/// Of several devices, that render together: what selects each (chooseDevice), in their order. `wanted` is "all", for all that have a
+/// compiler, or a list of such selections with commas, or one of them. Throws a DeviceError if one is there twice, or not at all.
+std::vector<std::string> chooseDevices(const std::vector<DeviceInfo>& list, const std::string& wanted);
 
 using ContextHandle = Owned<cl_context, clReleaseContext>;
 using QueueHandle = Owned<cl_command_queue, clReleaseCommandQueue>;

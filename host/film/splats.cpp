@@ -50,6 +50,16 @@ void SplatSums::add(SampleRange samples, std::span<const uint> halves) {
     }
 }
 
+void SplatSums::join(std::span<uint> halves, std::span<const uint> more, const PixelRect& part) {
+    const size_t plane = static_cast<size_t>(part.width()) * static_cast<size_t>(part.height());
+    for (size_t word = 0; word < halves.size(); word += 2 * plane)   // low halves of all pixels, then the high ones
+        for (size_t low = word; low < word + plane; ++low) {
+            const uint before = halves[low];
+            halves[low] += more[low];
+            halves[low + plane] += more[low + plane] + (halves[low] < before ? 1u : 0u);
+        }
+}
+
 size_t SplatSums::halves() const { return 2 * words() * static_cast<size_t>(pixels_.width()) * rows_.size(); }
 
 }  // namespace eikonal

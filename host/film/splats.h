@@ -33,6 +33,8 @@ public:
     unsigned end() const;
     /// Adds what the light paths of `samples` have left on the device: 32-bit words as kernels/film/splat.clh has them.
     void add(SampleRange samples, std::span<const uint> halves);
+    /// Adds what another device has left for the pixels of `part` to `halves`, which has the same form.
+    static void join(std::span<uint> halves, std::span<const uint> more, const PixelRect& part);
     /// Of each pixel.
     size_t words() const { return wordsPerPixel(hasPasses_); }
     /// Whether a row of a file is one of these.

@@ -4,10 +4,21 @@
 
 namespace eikonal {
 
-OpenDevice::OpenDevice(const DeviceOptions& options, bool profiling)
-    : context(chooseDevice(options.device), profiling),
+OpenDevice::OpenDevice(const DeviceOptions& all, bool profiling)
+    : options(all),
+      context(chooseDevice(options.device), profiling),
       compiler(context, findKernelFolders(), cacheFolderFor(options)),
       shape(shapeFor(context.device(), options)) {}
+
+OpenDevices openDevices(const DeviceOptions& options, bool profiling) {
+    OpenDevices devices;
+    for (const std::string& name : chooseDevices(listDevices(), options.device)) {
+        DeviceOptions own = options;
+        own.device = name;
+        devices.push_back(std::make_shared<OpenDevice>(own, profiling));
+    }
+    return devices;
+}
 
 std::string cacheFolderFor(const DeviceOptions& options) { return options.cache ? ProgramCache::defaultFolder() : std::string(); }
 

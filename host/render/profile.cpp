@@ -3,10 +3,28 @@
 namespace eikonal {
 
 void Profile::add(const std::string& stage, std::uint64_t slots, cl_event event) {
+    const std::lock_guard lock(mutex_);
     StageProfile& s = stages_[stage];
     ++s.launches;
     s.slots += slots;
     if (event) pending_.push_back({&s, Owned<cl_event, clReleaseEvent>(event)});
+}
+
+void Profile::join(const Profile& other) {
+    for (const auto& [name, more] : other.stages()) {
+        StageProfile& stage = stages_[name];
+        stage.launches += more.launches;
+        stage.slots += more.slots;
+        stage.seconds += more.seconds;
+    }
+    rays += other.rays;
+    shadowRays += other.shadowRays;
+    paths += other.paths;
+}
+
+std::map<std::string, StageProfile> Profile::stages() const {
+    const std::lock_guard lock(mutex_);
+    return stages_;
 }
 
 void Profile::readFirst() {
@@ -19,6 +37,7 @@ void Profile::readFirst() {
 }
 
 void Profile::collectFinished() {
+    const std::lock_guard lock(mutex_);
     for (; !pending_.empty(); readFirst()) {
         cl_int status = CL_COMPLETE;
         check(clGetEventInfo(pending_.front().event, CL_EVENT_COMMAND_EXECUTION_STATUS, sizeof status, &status, nullptr),
@@ -28,10 +47,12 @@ void Profile::collectFinished() {
 }
 
 void Profile::collect() {
+    const std::lock_guard lock(mutex_);
     while (!pending_.empty()) readFirst();
 }
 
 void Profile::reset() {
+    const std::lock_guard lock(mutex_);
     pending_.clear();
     stages_.clear();
     rays = shadowRays = paths = 0;

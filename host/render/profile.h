@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <mutex>
 #include <string>
 
 namespace eikonal {
@@ -17,7 +18,8 @@ struct StageProfile {
     double seconds = 0;          ///< device time
 };
 
-/// Collects the events of launches. Without profiling there are no events, so only launches and slots are counted.
+/// Collects the events of launches. Without profiling there are no events, so only launches and slots are counted. Its functions may be
+/// called at any time by any thread.
 class Profile {
 public:
     /// Takes over `event`, which may be null.
@@ -27,8 +29,10 @@ public:
     /// Reads the clocks of all events so far; the device must be idle.
     void collect();
     void reset();
+    /// Adds what another has counted, whose device must be idle.
+    void join(const Profile& other);
 
-    const std::map<std::string, StageProfile>& stages() const { return stages_; }
+    std::map<std::string, StageProfile> stages() const;
     std::uint64_t rays = 0;      ///< without dead slots
     std::uint64_t shadowRays = 0;
     std::uint64_t paths = 0;
@@ -36,6 +40,7 @@ public:
 private:
     void readFirst();
     struct Pending { StageProfile* stage; Owned<cl_event, clReleaseEvent> event; };
+    mutable std::mutex mutex_;
     std::map<std::string, StageProfile> stages_;
     std::deque<Pending> pending_;   ///< in the order of the launches
 };

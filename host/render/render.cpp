@@ -1,11 +1,14 @@
 #include "render/render.h"
 
 #include "render/adaptive.h"
+#include "render/batch_dealer.h"
+#include "render/light_pass.h"
 #include "render/passes.h"
 
 #include <algorithm>
 #include <chrono>
-#include <deque>
+#include <condition_variable>
+#include <mutex>
 #include <numeric>
 #include <utility>
 
@@ -15,8 +18,12 @@ namespace {
 /// A render in progress.
 class Rendering {
 public:
-    Rendering(const Context& context, Tracer& tracer, Film& film, Profile& profile, const RenderControl& control)
-        : context_(context), tracer_(tracer), film_(film), profile_(profile), control_(control) {
+    Rendering(std::span<const RenderDevice> devices, Film& film, const RenderControl& control)
+        : team_(devices, [this](const RenderDevice& device, const DeviceError& error) { drop(device, error); }),
+          mostPaths_(team_.mostPaths()),
+          mergedPasses_(film.splats() ? team_.first().tracer->mostMergedPasses() : 0),
+          film_(film),
+          control_(control) {
         const std::span<const unsigned> taken = film.taken();
         pixels_ = static_cast<double>(taken.size());
         paths_ = pathsBefore_ = std::accumulate(taken.begin(), taken.end(), 0.0) - pixels_ * film.firstSample();
@@ -35,12 +42,17 @@ public:
     }
 
 private:
+    void drop(const RenderDevice& device, const DeviceError& error) {
+        const std::lock_guard lock(mutex_);
+        if (control_.dropped) control_.dropped(device, error);
+    }
+
     /// Brings a film that was stored in the middle of a pass to the end of that pass.
     void finishPass() {
         const unsigned most = *std::ranges::max_element(film_.taken()), lights = planned_.empty() ? most : meanOf(planned_);
         traceLights(lights);
         const std::span<const unsigned> goal = planned_.empty() ? std::span(&most, 1) : std::span<const unsigned>(planned_);
-        for (Pass& missing : missingPasses(film_, goal, AdaptiveSampling::blockSize, tracer_.mostPaths())) {
+        for (Pass& missing : missingPasses(film_, goal, AdaptiveSampling::blockSize, mostPaths_)) {
             tracePass(std::move(missing), lights);
         }
         if (!stopped_) samples_ = *std::ranges::min_element(goal);
@@ -51,7 +63,7 @@ private:
         unsigned begun = samples_;
         const auto nextPass = [&]() -> std::optional<Pass> {
             if (begun >= end) return {};
-            Pass pass = uniformPass(film_.pixels(), {film_.firstSample(), begun}, end, tracer_.mostPaths());
+            Pass pass = uniformPass(film_.pixels(), {film_.firstSample(), begun}, end, mostPaths_);
             begun += pass.samples;
             return pass;
         };
@@ -73,7 +85,7 @@ private:
             if (blocks.empty()) return {true, samples_, adaptive.error(), planned_};
             allPaths_ = adaptive.plannedSamples();
             isPlanned_ = true;
-            tracePass(cutBlocks(blocks, AdaptiveSampling::blockSize, film_.pixels(), tracer_.mostPaths()), meanOf(planned_));
+            tracePass(cutBlocks(blocks, AdaptiveSampling::blockSize, film_.pixels(), mostPaths_), meanOf(planned_));
             if (stopped_) return {false, samples_, {}, planned_};
         }
     }
@@ -87,8 +99,8 @@ private:
         if (!film_.splats()) return;
         /* So few at a time that not much is lost if the render ends meanwhile, and that their vertices have room */
         const double pixels = static_cast<double>(film_.width()) * film_.height();
-        auto atATime = static_cast<unsigned>(std::clamp(8.0 * tracer_.mostPaths() / pixels, 1.0, 1e6));
-        if (const unsigned most = tracer_.mostMergedPasses()) atATime = std::min(atATime, most);
+        auto atATime = static_cast<unsigned>(std::clamp(8.0 * mostPaths_ / pixels, 1.0, 1e6));
+        if (mergedPasses_) atATime = std::min(atATime, mergedPasses_);
         for (unsigned begun = missingLights(); begun < end && !stopped_; begun = missingLights())
             traceLights(SampleRange{begun, std::min(end, begun + atATime)}, true);
     }
@@ -99,54 +111,63 @@ private:
     /// Traces the light paths of these samples of all pixels of the whole image, whatever part of it is rendered. Their splats are added to
     /// the film if `add`, once all of them have been traced.
     void traceLights(SampleRange samples, bool add) {
-        if (stopped_) return;
-        SplatSums& splats = *film_.splats();
-        const PixelRect whole{0, 0, film_.width(), film_.height()};
-        std::vector<uint> words(splats.halves());
-        if (!splats_.size()) splats_ = Buffer(context_, words.size() * sizeof(uint), "splats");
-        std::optional<Batches> batches;
-        unsigned begun = samples.first;
-        const auto next = [&]() -> std::optional<Batch> {
-            if (isToStop()) return {};
-            if (!batches || batches->empty()) {
-                if (begun == samples.end) return {};
-                const Pass pass = uniformPass(whole, {0, begun}, samples.end, tracer_.mostPaths());
-                batches.emplace(pass.size, pass.blocks, tracer_.mostPaths());
-                begun += pass.samples;
-            }
-            return batches->next();
+        const auto isToStopNow = [this] {
+            const std::lock_guard lock(mutex_);
+            return isToStop();
         };
-        splats_.clear(context_, 0, words.size() * sizeof(uint));
-        untilDone([&] { tracer_.traceLights({next, [](const Batch&) {}, whole.x1, whole.y1}, splats_, film_.pixels()); });
-        if (stopped_ || !add) return;
-        splats_.read(context_, words.data(), words.size() * sizeof(uint));
-        splats.add(samples, words);
+        if (stopped_) return;
+        if (!lights_) lights_.emplace(PixelRect{0, 0, film_.width(), film_.height()}, film_.pixels(), *film_.splats());
+        const auto words = lights_->trace(team_, {samples, mostPaths_, mergedPasses_ > 0}, isToStopNow, control_.abandon);
+        stopped_ |= !words;
+        if (!stopped_ && add) film_.splats()->add(samples, *words);
     }
 
-    /// Traces passes until `nextPass` returns nothing.
-    void trace(const std::function<std::optional<Pass>()>& nextPass) {
-        std::optional<Batches> batches;
+    /// Traces passes until `nextPass` returns nothing. `vertices`: if paths merge, the samples of the light paths that they merge with.
+    void trace(const std::function<std::optional<Pass>()>& nextPass, SampleRange vertices = {}) {
+        BatchDealer dealer(film_, nextPass, mostPaths_);
+        const auto work = [&](const RenderDevice& device) { traceOn(device, dealer); };
+        while (!stopped_) {
+            const size_t devices = team_.size();
+            stopped_ |= mergedPasses_ ? team_.runFirst(control_.abandon, work) : team_.run(control_.abandon, work);
+            if (!dealer.hasLost()) return;
+            /* The next device has no vertices yet */
+            if (mergedPasses_ && team_.size() < devices) traceLights(vertices, false);
+        }
+    }
+
+    /// What one device does of that.
+    void traceOn(const RenderDevice& device, BatchDealer& dealer) {
+        Buffer blocks;
         const auto next = [&]() -> std::optional<Batch> {
+            const std::lock_guard lock(mutex_);
             if (isToStop()) return {};
-            if (!batches || batches->empty()) {
-                const std::optional<Pass> pass = nextPass();
-                if (!pass) return {};
-                batches.emplace(pass->size, pass->blocks, tracer_.mostPaths());
-                traced_.push_back({pass->samples, layersOf(*pass)});
-            }
-            return batches->next();
+            return dealer.deal(device.tracer);
         };
-        if (stopped_) return;
-        untilDone([&] { tracer_.trace({next, [this](const Batch& batch) { resolve(batch); }, film_.pixels().x1, film_.pixels().y1}); });
+        const auto traced = [&](const Batch& batch) {
+            std::unique_lock lock(mutex_);
+            while (dealer.stateOf(device.tracer) == BatchDealer::State::waiting) changed_.wait(lock);
+            if (dealer.stateOf(device.tracer) == BatchDealer::State::ready && resolve(device, batch, blocks)) finishBatch(device, dealer, batch);
+            else dealer.lose(device.tracer);
+            changed_.notify_all();
+        };
+        /* However this ends, nobody may wait for what the device still holds */
+        struct AtEnd {
+            std::function<void()> run;
+            ~AtEnd() { run(); }
+        } const atEnd{[&] {
+            const std::lock_guard lock(mutex_);
+            dealer.loseAll(device.tracer);
+            changed_.notify_all();
+        }};
+        device.tracer->trace({next, traced, film_.pixels().x1, film_.pixels().y1});
     }
 
     /// Traces the light paths of all samples up to `lights` that the film lacks, and a pass of paths from the camera.
     void tracePass(Pass pass, unsigned lights) {
-        const bool merges = tracer_.mostMergedPasses() && film_.splats();
-        if (merges) traceMerging(pass, lights);
+        if (mergedPasses_) traceMerging(pass, lights);
         traceLights(lights);
         std::optional<Pass> left = std::move(pass);
-        if (!merges) trace([&] { return std::exchange(left, std::nullopt); });
+        if (!mergedPasses_) trace([&] { return std::exchange(left, std::nullopt); });
     }
 
     /// Traces a pass some samples at a time, each time after the light paths of the same samples, whose vertices its paths merge with.
@@ -158,7 +179,7 @@ private:
             for (const Block& b : pass.blocks)
                 if (endOf(b) > begun) now = {std::min(now.first, std::max(b.firstSample, begun)), std::max(now.end, endOf(b))};
             if (!now.end) return;
-            now.end = std::min(now.end, now.first + tracer_.mostMergedPasses());
+            now.end = std::min(now.end, now.first + mergedPasses_);
             const unsigned missing = missingLights();
             for (const unsigned border : {missing, lights})
                 if (now.first < border) now.end = std::min(now.end, border);
@@ -169,7 +190,7 @@ private:
                 const unsigned first = std::max(b.firstSample, now.first), end = std::min(endOf(b), now.end);
                 if (first < end) part.blocks.push_back({b.x, b.y, first, end - first});
             }
-            trace([left = std::optional(std::move(part))]() mutable { return std::exchange(left, std::nullopt); });
+            trace([left = std::optional(std::move(part))]() mutable { return std::exchange(left, std::nullopt); }, now);
             begun = now.end;
         }
     }
@@ -179,32 +200,28 @@ private:
         return stopped_;
     }
 
-    /// Runs something that traces paths, and waits for it. It may be interrupted.
-    void untilDone(const std::function<void()>& trace) {
-        const StopWatcher watcher(tracer_.stopFlag(), control_.abandon);
-        trace();
-        context_.finish();
-        stopped_ |= tracer_.stopFlag().isRaised();
+    /// Adds the paths of a batch to the film. Returns false, and changes nothing, if the device was interrupted.
+    bool resolve(const RenderDevice& device, const Batch& batch, Buffer& blocks) {
+        const size_t bytes = static_cast<size_t>(batch.pixels()) * static_cast<size_t>(film_.words()) * sizeof(uint);
+        if (blocks.size() < bytes) blocks = Buffer(*device.context, bytes, "blocks of the film");
+        film_.upload(*device.context, blocks, batch);
+        device.tracer->resolve(batch, blocks);
+        film_.download(*device.context, blocks, batch);
+        if (device.tracer->stopFlag().isRaised()) return false;   // resolve_film may have left pixels as they were
+        film_.keep(batch);
+        return true;
     }
 
-    void resolve(const Batch& batch) {
-        const PixelRect& rect = film_.pixels();
-        const size_t bytes = static_cast<size_t>(batch.pixels()) * static_cast<size_t>(film_.words()) * sizeof(uint);
-        if (blocks_.size() < bytes) blocks_ = Buffer(context_, bytes, "blocks of the film");
-        film_.upload(context_, blocks_, batch);
-        tracer_.resolve(batch, blocks_);
-        film_.download(context_, blocks_, batch);
-        if (tracer_.stopFlag().isRaised()) return;   // resolve_film may have left pixels as they were
-        film_.keep(batch);
+    /// Counts a batch that is in the film.
+    void finishBatch(const RenderDevice& device, BatchDealer& dealer, const Batch& batch) {
         std::uint64_t paths = 0;
         for (const Block& b : batch.blocks) {
-            const PixelRect part = b.within(rect, batch.size);
+            const PixelRect part = b.within(film_.pixels(), batch.size);
             paths += static_cast<std::uint64_t>(part.width()) * static_cast<std::uint64_t>(part.height()) * b.samples;
         }
-        profile_.paths += paths;
+        device.profile->paths += paths;
         paths_ += static_cast<double>(paths);
-        traced_.front().layers -= batch.layers();
-        if (!traced_.front().layers) { samples_ += traced_.front().samples; traced_.pop_front(); }
+        samples_ += dealer.keep(device.tracer);
         if (control_.progress) control_.progress(progress());
         if (control_.pause) control_.pause(planned_);
     }
@@ -216,22 +233,15 @@ private:
         return {std::min(paths_ / allPaths_, 1.0), seconds, left, samples_ - film_.firstSample(), paths_ / pixels_};
     }
 
-    static unsigned long layersOf(const Pass& pass) {
-        unsigned long sum = 0;
-        for (const Block& b : pass.blocks) sum += b.samples;
-        return sum;
-    }
-
-    const Context& context_;
-    Tracer& tracer_;
+    DeviceTeam team_;
+    const unsigned mostPaths_;              ///< of a batch
+    const unsigned mergedPasses_;           ///< passes whose paths merge at a time; 0: none merge
     Film& film_;
-    Profile& profile_;
     const RenderControl& control_;
+    std::mutex mutex_;                      ///< of all that several devices change, the film above all
+    std::condition_variable changed_;       ///< a batch is in the film, or lost
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-    Buffer blocks_;
-    Buffer splats_;                         ///< what the light paths of a pass add
-    struct Traced { unsigned samples; unsigned long layers; };
-    std::deque<Traced> traced_;             ///< passes in progress: the samples that they add to every pixel, and the layers still to trace
+    std::optional<LightPass> lights_;
     bool stopped_ = false;
     bool isPlanned_ = false;                ///< adaptive sampling has planned the samples
     std::vector<unsigned> planned_;         ///< as for RenderControl::pause
@@ -242,8 +252,8 @@ private:
 
 }  // namespace
 
-RenderResult render(const Context& context, Tracer& tracer, Film& film, Profile& profile, const RenderControl& control) {
-    return Rendering(context, tracer, film, profile, control).run();
+RenderResult render(std::span<const RenderDevice> devices, Film& film, const RenderControl& control) {
+    return Rendering(devices, film, control).run();
 }
 
 }  // namespace eikonal

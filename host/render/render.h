@@ -2,9 +2,7 @@
 // The scheduler: decides the order in which samples of pixels are traced.
 
 #include "film/film.h"
-#include "render/profile.h"
-#include "device/context.h"
-#include "render/tracer.h"
+#include "render/device_team.h"
 
 #include <functional>
 #include <optional>
@@ -34,6 +32,8 @@ struct RenderControl {
     std::function<bool()> stop;                       ///< checked before each batch; true: no further batch begins; may be empty
     /// Asked every few milliseconds, by another thread; true: batches in flight are abandoned; may be empty
     std::function<bool()> abandon;
+    /// Told of each device that fails while others are left, which do its work. May be empty.
+    std::function<void(const RenderDevice&, const DeviceError&)> dropped;
 };
 
 struct RenderResult {
@@ -43,8 +43,9 @@ struct RenderResult {
     std::vector<unsigned> planned;      ///< as for RenderControl::pause
 };
 
-/// Renders what the film's pixels lack. Every pixel gets its samples in order, so stopping, tiling and wave size do not change their
-/// values: a film that was stored in the middle of a render ends with the same bits.
-RenderResult render(const Context& context, Tracer& tracer, Film& film, Profile& profile, const RenderControl& control);
+/// Renders what the film's pixels lack. Every pixel gets its samples in order, so stopping, tiling, wave size and the number of devices do
+/// not change their values: a film that was stored in the middle of a render ends with the same bits. The functions of `control` are
+/// called by one thread at a time, `abandon` excepted.
+RenderResult render(std::span<const RenderDevice> devices, Film& film, const RenderControl& control);
 
 }  // namespace eikonal

@@ -141,7 +141,7 @@ std::vector<std::string> compare(const Values& here, const Values& there, Senten
 RenderIdentity identityOf(const Session& session, const SessionOptions& options, const Film& film) {
     RenderIdentity identity{settingsOf(session, options, film), partOf(film),
                             tablesOf(session.packed()),         {},
-                            session.context().device().name,    session.packed().samples};
+                            session.deviceNames(),    session.packed().samples};
     for (const std::string& file : inputFiles()) identity.files.emplace_back(file, contentHash(file));
     return identity;
 }

@@ -1,9 +1,7 @@
 #include "render/session.h"
 
 #include "render/render.h"
-#include "render/survey.h"
 #include "pack/pack.h"
-#include "render/kernel_workers.h"
 #include "render/scene_loading.h"
 #include "background.h"
 #include "messages.h"
@@ -14,7 +12,6 @@
 #include "kinds/medium_kind.h"
 #include "render/displacement.h"
 #include "render/path_loop.h"
-#include "render/roulette_pilot.h"
 #include "render/table_hash.h"
 #include "render/thread_limit.h"
 #include "render/wave_queues.h"
@@ -57,12 +54,12 @@ void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& 
     diagnostics.warn({}, "the scene has no light: the image will be black");
 }
 
-Session::Session(const SessionOptions& options, Diagnostics& diagnostics, bool profiling, std::shared_ptr<OpenDevice> open)
+Session::Session(const SessionOptions& options, Diagnostics& diagnostics, bool profiling, OpenDevices open)
     : options_(options),
       diagnostics_(diagnostics),
       profiling_(profiling),
-      begin_(open ? secondsSinceStart() : 0),
-      device_(std::move(open)) {
+      begin_(open.empty() ? 0 : secondsSinceStart()) {
+    for (std::shared_ptr<OpenDevice>& device : open) devices_.push_back(std::make_unique<SceneOnDevice>(std::move(device)));
     forgetInputFiles();
     times_.start = seconds();
     DeviceOptions device = options.device;
@@ -88,14 +85,28 @@ void Session::load(bool withDevice) {
         if (std::ranges::any_of(scene_.images, [](const ImageFile& image) { return !image.pixels; })) imageFormats();
         times_.load = time.seconds();
     });
-    if (withDevice) openDevice();
+    if (withDevice) open();
     loaded.get();
 }
 
-void Session::openDevice() {
+OpenDevices Session::openDevices() const {
+    OpenDevices all;
+    for (const auto& device : devices_) all.push_back(device->open());
+    return all;
+}
+
+std::string Session::deviceNames() const {
+    std::vector<std::string> names;
+    for (const auto& device : devices_)
+        if (const std::string& name = device->context().device().name; std::ranges::find(names, name) == names.end()) names.push_back(name);
+    return fmt::format("{}", fmt::join(names, " + "));
+}
+
+void Session::open() {
     const Stopwatch time;
-    if (!device_) {
-        device_ = std::make_shared<OpenDevice>(options_.device, profiling_);
+    if (devices_.empty()) {
+        for (std::shared_ptr<OpenDevice>& device : eikonal::openDevices(options_.device, profiling_))
+            devices_.push_back(std::make_unique<SceneOnDevice>(std::move(device)));
         if (options_.device.cache) reportCacheFolder(diagnostics_);
         warnOfInexactFlags(options_.device.compilerFlags(), diagnostics_);
     }
@@ -104,10 +115,10 @@ void Session::openDevice() {
 
 void Session::displace() {
     if (!hasDisplacedMeshes(scene_)) return;
-    if (!device_) openDevice();
+    if (devices_.empty()) open();
     const WaitNotice notice("displacing meshes", !showsProgress(options_.log));
     const Stopwatch time;
-    displaceMeshes(scene_, device_->context, device_->compiler, device_->shape, buildSettingsFor(options_.device), diagnostics_);
+    displaceMeshes(scene_, context(), first().open()->compiler, shape(), buildSettingsFor(options_.device), diagnostics_);
     times_.displace = time.seconds();
 }
 
@@ -132,25 +143,67 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     times_.pack = time.seconds();
     /* What the scene requires is known: kernels get ready while its hierarchies are built */
     auto built = inBackground([&] { packing.hierarchies.build(packed_.tables, packed_.counts, diagnostics_); });
-    if (device_) buildKernels();
+    forEachDevice([this](SceneOnDevice& device) { buildKernels(device); });
     built.get();
     times_.build = packed_.counts.buildSeconds;
 }
 
-void Session::buildKernels() {
+template <class Step> void Session::forEachDevice(const Step& step) {
+    for (size_t i = 0; i < devices_.size();) {
+        SceneOnDevice& device = *devices_[i];
+        try {
+            step(device);
+            ++i;
+        } catch (const DeviceError& error) {
+            if (devices_.size() == 1) throw;
+            drop(device.renderDevice(), error);
+        }
+    }
+}
+
+void Session::drop(const RenderDevice& gone, const DeviceError& error) {
+    const auto found = std::ranges::find_if(devices_, [&](const auto& d) { return &d->context() == gone.context; });
+    if (found == devices_.end() || devices_.size() == 1) return;
+    diagnostics_.warn({}, fmt::format("\"{}\" has failed, and the other devices go on without it: {}", gone.context->device().name,
+                                      error.what()));
+    failed_.push_back(std::move(*found));
+    devices_.erase(found);
+}
+
+std::vector<RenderDevice> Session::renderDevices() {
+    std::vector<RenderDevice> all;
+    for (const auto& device : devices_) all.push_back(device->renderDevice());
+    return all;
+}
+
+void Session::joinProfiles() {
+    std::vector<const SceneOnDevice*> all;
+    for (const auto* list : {&devices_, &failed_})
+        for (const auto& device : *list) all.push_back(device.get());
+    double paths = 0;
+    for (const SceneOnDevice* device : all) paths += static_cast<double>(device->profile().paths);
+    std::vector<std::string> shares;
+    for (const SceneOnDevice* device : all) {
+        const double share = paths > 0 ? static_cast<double>(device->profile().paths) / paths : 0;
+        shares.push_back(device->context().device().name + (all.size() > 1 ? fmt::format(" ({:.0f} % of the paths)", 100 * share) : ""));
+    }
+    shares_ = fmt::format("{}", fmt::join(shares, " + "));
+    for (const SceneOnDevice* device : all)
+        if (device != &first()) first().profile().join(device->profile());
+}
+
+void Session::buildKernels(SceneOnDevice& device) {
     const Stopwatch time;
-    const BuildSettings settings = buildSettingsFor(options_.device);
-    missing_ = Stages::missing(device_->compiler, packed_, device_->shape, settings);
+    const int missing = device.missingKernels(packed_);
+    missing_ += missing;
+    compiled_ = compileSteps_ = 0;
     compiling_ = std::make_unique<WaitNotice>(
-        fmt::format("compiling {} kernel{} for this device{}", missing_, missing_ == 1 ? "" : "s",
-                    device_->compiler.cache().folder().empty() ? "" : "; they are kept for the next time"),
-        "compiling kernels", WaitNotice::Parts{&compiled_, missing_}, missing_ == 0 || !showsProgress(options_.log));
-    const auto stepDone = [this] { compiled_ = ++compileSteps_ / 2; };
-    if (options_.device.cache && device_->context.device().isCpu) compileInWorkers(options_.device, packed_, missing_, stepDone);
-    times_.workers = time.seconds();
-    stages_ = std::make_unique<Stages>(device_->compiler, packed_, device_->shape, settings, StagePart{}, stepDone);
-    if (compiled_ >= missing_) compiling_.reset();
-    times_.compile = time.seconds();
+        fmt::format("compiling {} kernel{} for this device{}", missing, missing == 1 ? "" : "s",
+                    device.open()->compiler.cache().folder().empty() ? "" : "; they are kept for the next time"),
+        "compiling kernels", WaitNotice::Parts{&compiled_, missing}, missing == 0 || !showsProgress(options_.log));
+    times_.workers += device.build(packed_, missing, [this] { compiled_ = ++compileSteps_ / 2; });
+    if (compiled_ >= missing) compiling_.reset();
+    times_.compile += time.seconds();
 }
 
 void Session::select(const Tile& tile) {
@@ -162,51 +215,58 @@ void Session::select(const Tile& tile) {
 
 MemoryPlan Session::plan() const {
     const size_t pixels = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height());
-    const StageShape shape = device_ ? device_->shape : StageShape();
-    const size_t onDevice = std::min<size_t>(pixels, shape.wavePaths);
-    return {packed_.tables.bytes(), plannedWaveBytes(packed_, shape), plannedVertexBytes(packed_),
-            pixels * Film::bytes(packed_, static_cast<unsigned>(packed_.samples)) + onDevice * Film::bytes(packed_, 0),
-            pixels * Film::developedBytes(packed_)};
+    MemoryPlan plan{.tables = packed_.tables.bytes()};
+    size_t onDevices = 0;
+    std::vector<StageShape> shapes;
+    for (const auto& device : devices_) shapes.push_back(device->open()->shape);
+    if (shapes.empty()) shapes.emplace_back();
+    for (const StageShape& shape : shapes) {
+        plan.queues += plannedWaveBytes(packed_, shape);
+        plan.vertices += plannedVertexBytes(packed_);
+        onDevices += std::min<size_t>(pixels, shape.wavePaths);
+    }
+    plan.film = pixels * Film::bytes(packed_, static_cast<unsigned>(packed_.samples)) + onDevices * Film::bytes(packed_, 0);
+    plan.image = pixels * Film::developedBytes(packed_);
+    return plan;
 }
 
 void Session::prepare() {
-    const Stopwatch uploadTime;
-    deviceScene_ = std::make_unique<DeviceScene>(device_->context, packed_);
-    times_.upload = uploadTime.seconds();
-    const Stopwatch launchTime;
-    const size_t paths =
-        static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height()) * static_cast<size_t>(packed_.samples);
-    wave_ = std::make_unique<Wave>(device_->context, *deviceScene_, packed_, *stages_, device_->shape, profile_,
-                                   paths < device_->shape.wavePaths ? PageSize::small : PageSize::large);
-    wave_->warmUp();
+    const auto timed = [this](double& seconds, auto step) {
+        const Stopwatch time;
+        forEachDevice(step);
+        seconds = time.seconds();
+    };
+    timed(times_.upload, [this](SceneOnDevice& device) { device.upload(packed_); });
+    timed(times_.launch, [this](SceneOnDevice& device) { device.launch(packed_, devices_.size() > 1); });
     compiling_.reset();
-    times_.launch = launchTime.seconds();
-    const Stopwatch keepTime;
-    stages_->keep(device_->compiler);
-    times_.keep = keepTime.seconds();
+    timed(times_.keep, [](SceneOnDevice& device) { device.keep(); });
     times_.firstRay = seconds();
 }
 
-uint Session::unresolvedRays() const { return deviceScene_->unresolvedRays(device_->context); }
+uint Session::unresolvedRays() const {
+    uint rays = 0;
+    for (const auto& device : devices_) rays += device->tables().unresolvedRays(device->context());
+    return rays;
+}
 
 void Session::survey(const std::function<bool()>& abandon) {
-    const StopWatcher watcher(deviceScene_->stopFlag(), abandon);
-    surveyEnvironment(device_->context, *deviceScene_, packed_, *stages_, device_->shape);
-    chosenRoulette_ = pilotRoulette(device_->context, *deviceScene_, packed_, *wave_);
-    profile_.collect();
-    profile_.reset();
+    bool isChosen = false;
+    forEachDevice([&](SceneOnDevice& device) {
+        if (isChosen) device.survey(packed_, chosenRoulette_, abandon);
+        else chosenRoulette_ = device.survey(packed_, abandon);
+        isChosen = true;
+    });
 }
 
 void Session::setSeed(int seed) {
     packed_.frame().seed = static_cast<uint>(seed);
-    deviceScene_->setFrame(device_->context, packed_.frame());
-    if (!packed_.features.has(Feature::MERGING)) return;
-    for (wavelength_range& range : packed_.tables.wavelengths) range.pass_seed = packed_.frame().seed;
-    deviceScene_->replace(device_->context, "wavelengths", packed_.tables.wavelengths);
+    for (wavelength_range& range : packed_.tables.wavelengths)
+        if (packed_.features.has(Feature::MERGING)) range.pass_seed = packed_.frame().seed;
+    forEachDevice([this](SceneOnDevice& device) { device.setSeed(packed_); });
 }
 
 std::unique_ptr<Tracer> Session::makeLoop(Profile& profile) {
-    return std::make_unique<PathLoop>(device_->context, device_->compiler, *deviceScene_, packed_, device_->shape,
+    return std::make_unique<PathLoop>(context(), first().open()->compiler, first().tables(), packed_, shape(),
                                       buildSettingsFor(options_.device), profile);
 }
 

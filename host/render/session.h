@@ -6,12 +6,8 @@
 #include "render/options.h"
 #include "pack/tables.h"
 #include "clock.h"
-#include "render/device_scene.h"
-#include "render/profile.h"
-#include "render/open_device.h"
-#include "render/stages.h"
+#include "render/scene_on_device.h"
 #include "scene/scene.h"
-#include "render/wave.h"
 
 #include <tbb/global_control.h>
 
@@ -54,15 +50,15 @@ struct MemoryPlan {
 /// Warns of a scene whose image will be black, because nothing in it shines and its integrator needs light.
 void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& diagnostics);
 
-/// A scene on a device, with kernels that are compiled.
+/// A scene on one or several devices, with kernels that are compiled.
 class Session {
 public:
     /// profiling: kernels are timed.
-    /// device: of a session before; null: one is opened when it is needed.
-    Session(const SessionOptions& options, Diagnostics& diagnostics, bool profiling = false, std::shared_ptr<OpenDevice> device = {});
+    /// devices: of a session before; none: they are opened when they are needed.
+    Session(const SessionOptions& options, Diagnostics& diagnostics, bool profiling = false, OpenDevices devices = {});
     ~Session();
 
-    /// Reads the scene, while the device opens. Without a device, plan() supposes a processor.
+    /// Reads the scene, while the devices open. Without a device, plan() supposes a processor.
     void load(bool withDevice = true);
     /// What follows is laid out for so many samples per pixel: the points of samplers, and what survey() learns. Default: the scene's.
     /// Before pack().
@@ -76,7 +72,7 @@ public:
     const PixelRect& wholePixels() const { return wholePixels_; }
     /// What prepare() is going to allocate.
     MemoryPlan plan() const;
-    /// Uploads the tables and launches every kernel once.
+    /// Uploads the tables and launches every kernel once. Of several devices those that fail are dropped, with a warning.
     void prepare();
     /// Learns what a first look at the scene can tell (render/survey.h, render/roulette_pilot.h). Part of rendering; its work is not part
     /// of the profile. `abandon`: as in RenderControl; what is not learned by then stays unknown.
@@ -96,26 +92,42 @@ public:
 
     const Scene& scene() const { return scene_; }
     const PackedScene& packed() const { return packed_; }
-    /// What a later session may share; null: no device has been opened yet.
-    const std::shared_ptr<OpenDevice>& device() const { return device_; }
-    const Context& context() const { return device_->context; }
-    const Compiler& compiler() const { return device_->compiler; }
-    const StageShape& shape() const { return device_->shape; }
-    const Stages& stages() const { return *stages_; }
-    Wave& wave() { return *wave_; }
+    /// What a later session may share; empty: no device has been opened yet.
+    OpenDevices openDevices() const;
+    /// The names of the devices that render, each once, joined by " + ".
+    std::string deviceNames() const;
+    /// Of those that have rendered, with what share of the paths each has traced, if there are several. After joinProfiles().
+    const std::string& sharesOfDevices() const { return shares_; }
+    /// Those that render together. After prepare().
+    std::vector<RenderDevice> renderDevices();
+    /// Renders without this device from now on, which has failed.
+    void drop(const RenderDevice& device, const DeviceError& error);
+    /// Adds the profiles of all devices up, in profile(). At the end of a render.
+    void joinProfiles();
+
+    /// Of the first device.
+    const Context& context() const { return first().context(); }
+    const Compiler& compiler() const { return first().open()->compiler; }
+    const StageShape& shape() const { return first().open()->shape; }
+    const Stages& stages() const { return first().stages(); }
+    Wave& wave() { return first().wave(); }
+    Profile& profile() { return first().profile(); }
     /// The same paths by one kernel that loops, compiled but for its first launch. Adds what it does to `profile`; lives no longer than
     /// this.
     std::unique_ptr<Tracer> makeLoop(Profile& profile);
-    Profile& profile() { return profile_; }
     const SessionTimes& times() const { return times_; }
     /// Since the session began; that of the first session of a device is the start of the program.
     double seconds() const { return secondsSinceStart() - begin_; }
     int compiledStages() const { return missing_; }   ///< how many were not in the cache before
 
 private:
-    void openDevice();
+    void open();
+    const SceneOnDevice& first() const { return *devices_.front(); }
+    SceneOnDevice& first() { return *devices_.front(); }
+    /// Calls step(device) for each device; those for which it throws a DeviceError are dropped, while others are left.
+    template <class Step> void forEachDevice(const Step& step);
     /// Loads or compiles what the packed scene requires.
-    void buildKernels();
+    void buildKernels(SceneOnDevice& device);
     /// Moves the vertices of meshes that a texture displaces: a device looks it up.
     void displace();
 
@@ -128,16 +140,14 @@ private:
     PackedScene packed_;
     PixelRect wholePixels_;
     SessionTimes times_;
-    Profile profile_;
     std::optional<Roulette> chosenRoulette_;
     int missing_ = 0;
     int compileSteps_ = 0;              ///< two steps compile a kernel
     std::atomic<int> compiled_ = 0;     ///< read by the notice
     std::unique_ptr<WaitNotice> compiling_;
-    std::shared_ptr<OpenDevice> device_;
-    std::unique_ptr<DeviceScene> deviceScene_;
-    std::unique_ptr<Stages> stages_;
-    std::unique_ptr<Wave> wave_;
+    std::vector<std::unique_ptr<SceneOnDevice>> devices_;   ///< that render, the first first
+    std::string shares_;
+    std::vector<std::unique_ptr<SceneOnDevice>> failed_;    ///< launches of theirs may still be under way
 };
 
 /// A number that changes with anything in the scene but the seed and the number of samples.

@@ -17,14 +17,14 @@ public:
 
     /// Enqueues the stage over these slots; does nothing if there are none. `own`: further arguments.
     void launch(const Stage& stage, SlotRange slots, const Bindings& own = {}) const {
-        if (slots.count) enqueue(stage, slots, own);
+        if (slots.count) enqueue(stage, slots, own, slots.count);
     }
     /// Runs every stage once over no slots, so that implementations that compile at the first launch do it now. `nothing`: the `own`
-    /// arguments of any stage.
-    void warmUp(Stages& stages, const Bindings& nothing) const;
+    /// arguments of any stage. width: in so many dead slots.
+    void warmUp(Stages& stages, const Bindings& nothing, unsigned width) const;
 
 private:
-    void enqueue(const Stage& stage, SlotRange slots, const Bindings& own) const;
+    void enqueue(const Stage& stage, SlotRange slots, const Bindings& own, unsigned width) const;
 
     const Context& context_;
     const Bindings &scene_, &queues_, &counts_, &vertices_;

@@ -27,15 +27,15 @@ void StopFlag::raise() const { word_->value = 1; }
 void StopFlag::lower() const { word_->value = 0; }
 bool StopFlag::isRaised() const { return word_->value != 0; }
 
-StopWatcher::StopWatcher(const StopFlag& flag, std::function<bool()> isDue) : flag_(flag) {
+StopWatcher::StopWatcher(std::vector<const StopFlag*> flags, std::function<bool()> isDue) : flags_(std::move(flags)) {
     if (!isDue) return;
-    thread_ = std::jthread([&flag, isDue = std::move(isDue)](const std::stop_token& ended) {
+    thread_ = std::jthread([this, isDue = std::move(isDue)](const std::stop_token& ended) {
         std::mutex mutex;
         std::condition_variable_any end;
         std::unique_lock lock(mutex);
         while (!isDue())
             if (end.wait_for(lock, ended, watchInterval, [&] { return ended.stop_requested(); })) return;
-        flag.raise();
+        for (const StopFlag* flag : flags_) flag->raise();
     });
 }
 
@@ -44,7 +44,7 @@ StopWatcher::~StopWatcher() {
         thread_.request_stop();
         thread_.join();
     }
-    flag_.lower();
+    for (const StopFlag* flag : flags_) flag->lower();
 }
 
 }  // namespace eikonal

@@ -6,6 +6,8 @@
 #include <functional>
 #include <memory>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace eikonal {
 
@@ -26,17 +28,18 @@ private:
     Buffer buffer_;
 };
 
-/// While it lives, a thread asks `isDue` every few milliseconds and raises the flag once it answers true; in the end the flag is lowered.
+/// While it lives, a thread asks `isDue` every few milliseconds and raises the flags once it answers true; in the end they are lowered.
 /// `isDue` may be empty.
 class StopWatcher {
 public:
-    StopWatcher(const StopFlag& flag, std::function<bool()> isDue);
+    StopWatcher(std::vector<const StopFlag*> flags, std::function<bool()> isDue);
+    StopWatcher(const StopFlag& flag, std::function<bool()> isDue) : StopWatcher(std::vector{&flag}, std::move(isDue)) {}
     ~StopWatcher();
     StopWatcher(const StopWatcher&) = delete;
     StopWatcher& operator=(const StopWatcher&) = delete;
 
 private:
-    const StopFlag& flag_;
+    std::vector<const StopFlag*> flags_;
     std::jthread thread_;
 };
 

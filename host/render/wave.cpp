@@ -10,9 +10,11 @@ Wave::Wave(const Context& context, const DeviceScene& tables, const PackedScene&
       batches_(context, queues_, size_, splitting_),
       launcher_(context, tables.bindings(), queues_.bindings(), counter_.bindings(), vertices_.bindings(), shape.group(), profile) {}
 
-void Wave::warmUp() {
+void Wave::warmUp(bool isShared) {
     counter_.clear();
-    launcher_.warmUp(stages_, batches_.noPaths());
+    /* PoCL 3.1 keeps what it has loaded of a kernel by the widest launch so far, and confuses such entries when devices of one kind launch
+       it with several widths: an assertion fails. A first launch that no other is wider than leaves one entry */
+    launcher_.warmUp(stages_, batches_.noPaths(), isShared ? size_.capacity : 0);
 }
 
 /// The wavefront loop. `stream` supplies the batches of paths, and is told of each that has ended (traced). `rays`: slots of the ray queue

@@ -20,8 +20,9 @@ public:
     Wave(const Context& context, const DeviceScene& tables, const PackedScene& scene, Stages& stages, const StageShape& shape,
          Profile& profile, PageSize queuePages = PageSize::large);
 
-    /// Runs every kernel once over no slots, so that implementations that compile at the first launch do it now.
-    void warmUp();
+    /// Runs every kernel once over no slots, so that implementations that compile at the first launch do it now. isShared: another device
+    /// may run the same kernels at the same time.
+    void warmUp(bool isShared = false);
 
     unsigned mostPaths() const override { return size_.paths; }
     const StopFlag& stopFlag() const override { return stopFlag_; }

@@ -155,7 +155,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     RenderResult result;
     for (unsigned end : ends) {
         control.endSample = end;
-        result = render(device(), wave, film, profile, control);
+        result = render(std::vector{RenderDevice{&device(), &wave, &profile}}, film, control);
     }
     const FilmTotals totals = film.totals();
     return {totals.develop(scene), totals.invalid(), result, roulette, totals.error(ErrorMetric::mseRoot)};
@@ -171,7 +171,7 @@ FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {
     RenderControl control;
     control.endSample = static_cast<unsigned>(scene.samples);
     control.targetError = setup.targetError;
-    render(device(), loop, film, profile, control);
+    render(std::vector{RenderDevice{&device(), &loop, &profile}}, film, control);
     return film.totals().develop(scene);
 }
 

@@ -47,5 +47,23 @@ TEST(DeviceChoice, GoesByNumberOrName) {
                 AllOf(HasSubstr("no OpenCL device is called \"gamma\""), HasSubstr("\n  0  Alpha (Platform)\n  1  Beta 2 (Platform)")));
 }
 
+TEST(DeviceChoice, TakesSeveral) {
+    std::vector<DeviceInfo> list{named("Alpha", true), named("Mute", true, false), named("Beta, 2", false)};
+    for (size_t i = 0; i < list.size(); ++i) list[i].id = reinterpret_cast<cl_device_id>(i + 1);
+    using testing::ElementsAre;
+    EXPECT_THAT(chooseDevices(list, "all"), ElementsAre("0", "2"));
+    EXPECT_THAT(chooseDevices(list, "beta,0"), ElementsAre("2", "0"));
+    EXPECT_THAT(chooseDevices(list, "alpha"), ElementsAre("alpha"));
+    EXPECT_THAT(chooseDevices(list, ""), ElementsAre(""));
+    const auto errorOfSeveral = [&](const std::vector<DeviceInfo>& devices, const char* wanted) -> std::string {
+        try {
+            return std::to_string(chooseDevices(devices, wanted).size());
+        } catch (const DeviceError& error) { return error.what(); }
+    };
+    EXPECT_THAT(errorOfSeveral(list, "0,alpha"), HasSubstr("--device 0,alpha: \"alpha\" is device 0 again"));
+    EXPECT_THAT(errorOfSeveral(list, "0,gamma"), HasSubstr("no OpenCL device is called \"gamma\""));
+    EXPECT_THAT(errorOfSeveral({list[1]}, "all"), HasSubstr("no OpenCL device has a compiler"));
+}
+
 }  // namespace
 }  // namespace eikonal

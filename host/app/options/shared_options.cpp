@@ -28,8 +28,9 @@ void addDevice(CLI::App* app, Options& o) {
     DeviceOptions& d = o.device;
     const std::string group = deviceGroup;
     app->add_option("--device", d.device,
-                    "The OpenCL device: its number in list-devices, or part of its name (default: a GPU if there is one)")
-        ->type_name("NAME|INDEX")
+                    "The OpenCL device: its number in list-devices, or part of its name (default: a GPU if there is one). Several with "
+                    "commas, or \"all\", render an image together")
+        ->type_name("NAME|INDEX|all")
         ->group(group);
     value(app, "--nthreads", d.threads, "N", "Threads for loading the scene and, on PoCL, for rendering (default: one per core)",
           integer(1, 4096))

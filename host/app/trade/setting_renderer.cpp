@@ -34,7 +34,7 @@ TimedImage SettingRenderer::render(int seed, const std::function<bool()>& stop) 
     control.stop = control.abandon = stop;
     const Stopwatch time;
     session_.survey(stop);
-    const RenderResult result = eikonal::render(session_.context(), session_.wave(), film, session_.profile(), control);
+    const RenderResult result = eikonal::render(session_.renderDevices(), film, control);
     TimedImage timed;
     timed.renderSeconds = time.seconds();
     timed.isFinished = result.isFinished;

@@ -1,0 +1,54 @@
+#include "render/scene_on_device.h"
+
+#include "clock.h"
+#include "pack/pack.h"
+#include "render/kernel_workers.h"
+#include "render/roulette_pilot.h"
+#include "render/survey.h"
+
+namespace eikonal {
+
+int SceneOnDevice::missingKernels(const PackedScene& scene) const {
+    return Stages::missing(device_->compiler, scene, device_->shape, buildSettingsFor(device_->options));
+}
+
+double SceneOnDevice::build(const PackedScene& scene, bool withWorkers, const std::function<void()>& stepDone) {
+    const Stopwatch time;
+    if (withWorkers && device_->options.cache && context().device().isCpu)
+        compileInWorkers(device_->options, scene, missingKernels(scene), stepDone);
+    const double workers = time.seconds();
+    stages_ = std::make_unique<Stages>(device_->compiler, scene, device_->shape, buildSettingsFor(device_->options), StagePart{}, stepDone);
+    return workers;
+}
+
+void SceneOnDevice::launch(const PackedScene& scene, bool isShared) {
+    const size_t paths =
+        static_cast<size_t>(scene.pixels.width()) * static_cast<size_t>(scene.pixels.height()) * static_cast<size_t>(scene.samples);
+    wave_ = std::make_unique<Wave>(context(), *tables_, scene, *stages_, device_->shape, profile_,
+                                   paths < device_->shape.wavePaths ? PageSize::small : PageSize::large);
+    wave_->warmUp(isShared);
+}
+
+std::optional<Roulette> SceneOnDevice::survey(const PackedScene& scene, const std::function<bool()>& abandon) {
+    const StopWatcher watcher(tables_->stopFlag(), abandon);
+    surveyEnvironment(context(), *tables_, scene, *stages_, device_->shape);
+    const std::optional<Roulette> chosen = pilotRoulette(context(), *tables_, scene, *wave_);
+    profile_.collect();
+    profile_.reset();
+    return chosen;
+}
+
+void SceneOnDevice::survey(const PackedScene& scene, const std::optional<Roulette>& chosen, const std::function<bool()>& abandon) {
+    const StopWatcher watcher(tables_->stopFlag(), abandon);
+    surveyEnvironment(context(), *tables_, scene, *stages_, device_->shape);
+    settings frame = scene.frame();
+    if (chosen) setRoulette(frame, *chosen);
+    tables_->setFrame(context(), frame);
+}
+
+void SceneOnDevice::setSeed(const PackedScene& scene) {
+    tables_->setFrame(context(), scene.frame());
+    if (scene.features.has(Feature::MERGING)) tables_->replace(context(), "wavelengths", scene.tables.wavelengths);
+}
+
+}  // namespace eikonal

@@ -1,0 +1,54 @@
+#pragma once
+// A packed scene on a device: its kernels, its tables, and a wave of paths.
+
+#include "render/device_scene.h"
+#include "render/device_team.h"
+#include "render/open_device.h"
+#include "render/wave.h"
+
+#include <memory>
+#include <optional>
+
+namespace eikonal {
+
+/// Made ready step by step: build, upload, launch, keep.
+class SceneOnDevice {
+public:
+    explicit SceneOnDevice(std::shared_ptr<OpenDevice> device) : device_(std::move(device)) {}
+
+    /// How many of its kernels are not in the cache.
+    int missingKernels(const PackedScene& scene) const;
+    /// Loads or compiles them. withWorkers: in processes of their own, on all cores. stepDone: called twice for each that is missing.
+    /// Returns the seconds that the workers took.
+    double build(const PackedScene& scene, bool withWorkers, const std::function<void()>& stepDone);
+    /// Copies the scene's tables, which it may share from then on.
+    void upload(const PackedScene& scene) { tables_ = std::make_unique<DeviceScene>(device_->context, scene); }
+    /// Makes the queues, and launches every kernel once. isShared: as for Wave::warmUp.
+    void launch(const PackedScene& scene, bool isShared);
+    /// Stores the kernels in the cache.
+    void keep() { stages_->keep(device_->compiler); }
+    /// Learns what a first look at the scene can tell (Session::survey). Returns how paths are to end, if that was chosen for the scene.
+    std::optional<Roulette> survey(const PackedScene& scene, const std::function<bool()>& abandon);
+    /// The same beside another device, which has chosen that.
+    void survey(const PackedScene& scene, const std::optional<Roulette>& chosen, const std::function<bool()>& abandon);
+    /// Rendering from now on has the scene's present seed.
+    void setSeed(const PackedScene& scene);
+
+    const std::shared_ptr<OpenDevice>& open() const { return device_; }
+    const Context& context() const { return device_->context; }
+    const DeviceScene& tables() const { return *tables_; }
+    const Stages& stages() const { return *stages_; }
+    Wave& wave() { return *wave_; }
+    Profile& profile() { return profile_; }
+    const Profile& profile() const { return profile_; }
+    RenderDevice renderDevice() { return {&device_->context, wave_.get(), &profile_}; }
+
+private:
+    std::shared_ptr<OpenDevice> device_;
+    Profile profile_;
+    std::unique_ptr<DeviceScene> tables_;
+    std::unique_ptr<Stages> stages_;
+    std::unique_ptr<Wave> wave_;
+};
+
+}  // namespace eikonal
