@@ -127,6 +127,8 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     if (command->get_name() == "completion") options.text = completionScript(parser.shell, commandLineTable());
     options.passedOn = optionsOfGroups(command, {sceneGroup, objGroup, deviceGroup, partsGroup});
     options.passedToMerge = optionsOfGroups(command, {imageGroup});
+    options.passedToFrames = optionsOfGroups(command, {framesGroup});
+    std::erase_if(options.passedToFrames, [](const std::string& word) { return word.starts_with("--frames="); });
     if (options.command == Command::trade && options.wishes.empty()) options.wishes = usualWishes();
     if (options.quiet) options.log = std::min(options.log, LogLevel::error);
     return options;

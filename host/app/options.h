@@ -44,7 +44,7 @@ struct FarmEngine;
 
 struct SubmitOptions {
     const FarmEngine* engine = nullptr;               ///< not null once parsed
-    int tiles = 1, sampleRanges = 1;
+    int tiles = 1, sampleRanges = 1, framesPerTask = 1;
     std::string folder;                               ///< empty: the scene's name and the engine's
     bool isDryRun = false;
 };
@@ -68,7 +68,7 @@ struct Options : SessionOptions {
     int repeats = 5;                                  ///< bench
     bool clearCache = false, warmCache = false;       ///< cache
     std::vector<std::string> scenes;                  ///< render, cache --warm; scene.path is the first
-    std::vector<int> frames;                          ///< render: of each scene, each once; empty: scenes are no animations
+    std::vector<int> frames;                          ///< render, submit: of each scene, each once; empty: scenes are no animations
     RenderPlace place;                                ///< render: of one job
     std::string image;                                ///< compare, denoise
     std::string reference;                            ///< compare; bench: a converged image, empty: none
@@ -82,6 +82,7 @@ struct Options : SessionOptions {
     SubmitOptions submit;
     std::vector<std::string> passedOn;                ///< trade, submit: their options that `render` has, "--name=value"
     std::vector<std::string> passedToMerge;           ///< submit: its options that `merge` has, but for -o
+    std::vector<std::string> passedToFrames;          ///< submit: those of animations, but for --frames
 };
 
 /// Parses the command line. `arguments` begins with the program's name. Throws a UsageError that says what would have worked.

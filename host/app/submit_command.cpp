@@ -1,6 +1,7 @@
 #include "app/commands.h"
 #include "app/farm/job.h"
 #include "app/output.h"
+#include "app/render_jobs.h"
 #include "image/atomic_file.h"
 #include "pack/camera.h"
 #include "printable.h"
@@ -15,6 +16,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -37,8 +39,38 @@ bool isInstalled(const std::string& command) {
 
 std::string thisProgram() { return fs::read_symlink("/proc/self/exe").string(); }
 
+std::string absolute(const std::string& path) { return fs::absolute(path).lexically_normal().string(); }
+
+/// What images and animations have in common.
+FarmJob jobOf(const Options& o, const std::string& name) {
+    FarmJob job;
+    job.name = name;
+    job.program = o.submit.engine->program ? o.submit.engine->program : thisProgram();
+    job.scene = absolute(o.scene.path);
+    job.folder = absolute(o.submit.folder.empty() ? name + "-" + o.submit.engine->name : o.submit.folder);
+    job.renderOptions = o.passedOn;
+    job.imageOptions = o.passedToMerge;
+    return job;
+}
+
+/// Reads the scene of the first frame, and checks that all have one.
+FarmJob jobOfFrames(const Options& o, Diagnostics& diagnostics) {
+    Options all = o;
+    all.scenes = {o.scene.path};
+    std::vector<RenderJob> frames = renderJobs(all);
+    if (const std::vector<std::string> missing = takeMissing(frames); !missing.empty())
+        throw Error(ExitCode::scene, "error: " + missing.front());
+    FarmJob job = jobOf(o, loadScene(optionsOf(all, frames, 0).scene, diagnostics).name);
+    job.renderOptions.insert(job.renderOptions.end(), o.passedToFrames.begin(), o.passedToFrames.end());
+    for (const std::string& file : o.output.files) job.images.push_back(absolute(file));
+    job.frames = o.frames;
+    std::ranges::sort(job.frames);
+    job.framesPerTask = o.submit.framesPerTask;
+    return job;
+}
+
 /// Reads the scene, so that it is not a thousand nodes that find its errors, and checks that the image has as many parts.
-FarmJob jobOf(const Options& o, Diagnostics& diagnostics) {
+FarmJob jobOfParts(const Options& o, Diagnostics& diagnostics) {
     const Scene scene = loadScene(o.scene, diagnostics);
     const int rows = renderedPixels(scene.film, diagnostics).height();
     const auto leaves = static_cast<int>(leavesOf(static_cast<unsigned>(scene.sampler.pixelSamples)));
@@ -48,20 +80,21 @@ FarmJob jobOf(const Options& o, Diagnostics& diagnostics) {
         throw UsageError(
             fmt::format("--sample-ranges: a pixel has {} samples, {} in a range at least, so they make at most {} ranges, not {}",
                         scene.sampler.pixelSamples, leafSamples, leaves, o.submit.sampleRanges));
-    const auto absolute = [](const std::string& path) { return fs::absolute(path).lexically_normal().string(); };
-    FarmJob job;
-    job.name = scene.name;
-    job.program = o.submit.engine->program ? o.submit.engine->program : thisProgram();
-    job.scene = absolute(o.scene.path);
-    job.folder = absolute(o.submit.folder.empty() ? scene.name + "-" + o.submit.engine->name : o.submit.folder);
+    FarmJob job = jobOf(o, scene.name);
     if (o.output.hasImage) job.images.push_back(absolute(outputFiles(o.output, scene).front()));
     for (size_t i = 1; i < o.output.files.size(); ++i) job.images.push_back(absolute(o.output.files[i]));
     if (!o.output.checkpoint.empty()) job.images.push_back(absolute(o.output.checkpoint));
-    job.renderOptions = o.passedOn;
-    job.imageOptions = o.passedToMerge;
     job.tiles = o.submit.tiles;
     job.sampleRanges = o.submit.sampleRanges;
     return job;
+}
+
+/// "6 parts, 3 tiles x 2 ranges of samples", or "48 frames, in 12 tasks".
+std::string describe(const FarmJob& job) {
+    const auto counted = [](long n, const char* what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); };
+    if (!job.frames.empty()) return fmt::format("{}, in {}", counted(std::ssize(job.frames), "frame"), counted(taskCount(job), "task"));
+    return fmt::format("{}, {} x {} of samples", counted(taskCount(job), "part"), counted(job.tiles, "tile"),
+                       counted(job.sampleRanges, "range"));
 }
 
 /// Throws an Error if the folder holds another job, whose parts may wait for these files.
@@ -102,18 +135,14 @@ int submitCommand(const Options& o) {
                     fmt::format("error: {} is not installed here, which hands jobs over to {}. It is in {}; or add --dry-run, "
                                 "which writes the job's folder for a machine that has it",
                                 engine.command, engine.name, engine.install));
-    const FarmJob job = jobOf(o, diagnostics);
+    const FarmJob job = o.frames.empty() ? jobOfParts(o, diagnostics) : jobOfFrames(o, diagnostics);
     const std::vector<JobFile> files = filesOf(job, engine);
     checkIsFree(job.folder, files);
     writeFiles(job.folder, files);
     const std::string script = (fs::path(job.folder) / submitScript).string();
     std::string names;
     for (const JobFile& file : files) names += (names.empty() ? "" : ", ") + file.name;
-    const long parts = static_cast<long>(job.tiles) * job.sampleRanges;
-    std::fputs(printable(fmt::format("{} part{}, {} tile{} x {} range{} of samples: {}\n  {}\n", parts, parts == 1 ? "" : "s", job.tiles,
-                                     job.tiles == 1 ? "" : "s", job.sampleRanges, job.sampleRanges == 1 ? "" : "s", job.folder, names))
-                   .c_str(),
-               stdout);
+    std::fputs(printable(fmt::format("{}: {}\n  {}\n", describe(job), job.folder, names)).c_str(), stdout);
     if (!o.submit.isDryRun) handOver(script);
     std::fputs(printable(fmt::format("nothing is handed over (--dry-run). This does it:\n  {}\n", shellWord(script))).c_str(), stdout);
     return static_cast<int>(ExitCode::success);

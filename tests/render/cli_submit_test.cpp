@@ -63,6 +63,32 @@ TEST_F(Submit, OptionsReachThePartsOrTheMerge) {
     EXPECT_EQ(parameters["RenderOptions"], "--aov=depth --checkpoint-every=90s '--build-options=-D X='\\''1'\\'''");
 }
 
+/// Of an animation, tasks have frames.
+TEST_F(Submit, AnimationsAreTasksOfFrames) {
+    const Words words{"--dry-run", "--frames", "0-4,9", "--fps", "24", "--frames-per-task", "4", "--spp", "64", "-o", "f.####.exr"};
+    for (const std::string engine : {"slurm", "openjd", "kubernetes"}) {
+        const Outcome done = submit(engine, words);
+        ASSERT_EQ(done.status, 0) << done.error;
+        EXPECT_THAT(done.out, HasSubstr("6 frames, in 2 tasks"));
+    }
+    EXPECT_THAT(contentOf(path("tiny-slurm/job.env")), HasSubstr("RENDER_OPTIONS=(--spp=64 --fps=24)\nIMAGE_OPTIONS=(-o '" +
+                                                                 path("f.####.exr") + "')\nTILES=1\nRANGES=1\nFRAMES=(0-3 4,9)\n"));
+    EXPECT_THAT(contentOf(path("tiny-kubernetes/kustomization.yaml")), HasSubstr("path: /spec/completions, value: 2}"));
+    const auto animation = nlohmann::json::parse(contentOf(path("tiny-openjd/animation.json")));
+    EXPECT_EQ(animation["Frames"], "0-4,9");
+    EXPECT_EQ(animation["FramesPerTask"], 4);
+    EXPECT_EQ(animation["Options"], "--spp=64 --fps=24 -o '" + path("f.####.exr") + "'");
+
+    EXPECT_THAT(submit("slurm", {"--dry-run", "--frames", "1-4", "--tiles", "2", "-o", "a.##.exr"}).error, HasSubstr("are its frames"));
+    EXPECT_THAT(submit("slurm", {"--dry-run", "--frames", "1-4", "--fps", "24"}).error, HasSubstr("-o image.####.exr"));
+    EXPECT_THAT(submit("slurm", {"--dry-run", "--frames", "1-4", "--fps", "24", "-o", "a.exr"}).error, HasSubstr("there are 4 frames"));
+    EXPECT_THAT(submit("slurm", {"--dry-run", "--frames-per-task", "4"}).error, HasSubstr("say which: --frames 1-48"));
+    write("s.01.pbrt", tinyScene());
+    const Outcome missing = run({"submit", "s.##.pbrt", "--engine", "slurm", "--dry-run", "--frames", "1-3", "-o", "a.##.exr"});
+    EXPECT_EQ(missing.status, 1);
+    EXPECT_THAT(missing.error, HasSubstr("s.##.pbrt has no file for frames 2-3"));
+}
+
 TEST_F(Submit, WhatCannotRunIsRefusedBeforeItIsWritten) {
     const Outcome absent = run({"submit", "tiny.pbrt", "--engine", "slurm"}, {{"PATH", path("nothing")}});
     EXPECT_EQ(absent.status, 1);

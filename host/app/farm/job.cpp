@@ -1,5 +1,6 @@
 #include "app/farm/job.h"
 
+#include "app/frame_numbers.h"
 #include "error.h"
 #include "json_text.h"
 #include "shell_word.h"
@@ -35,15 +36,44 @@ JobFile environmentOf(const FarmJob& job) {
     std::vector<std::string> image = outputWords(job.images);
     image.insert(image.end(), job.imageOptions.begin(), job.imageOptions.end());
     return {"job.env", fmt::format("# The job, for the scripts beside this file; in the quoting of bash.\n"
-                                   "EIKONAL={}\nSCENE={}\nRENDER_OPTIONS=({})\nIMAGE_OPTIONS=({})\nTILES={}\nRANGES={}\n",
+                                   "EIKONAL={}\nSCENE={}\nRENDER_OPTIONS=({})\nIMAGE_OPTIONS=({})\nTILES={}\nRANGES={}\nFRAMES=({})\n",
                                    shellWord(job.program), shellWord(job.scene), shellWords(job.renderOptions), shellWords(image),
-                                   job.tiles, job.sampleRanges)};
+                                   job.tiles, job.sampleRanges, shellWords(frameTasks(job)))};
 }
 
 std::vector<JobFile> slurmSettings(const FarmJob& job) { return {environmentOf(job)}; }
 
+/// The frames as Open Job Description writes them, "1-3,7".
+std::string frameExpression(const std::vector<int>& frames) {
+    std::string text = frameRanges(frames);
+    std::erase(text, ' ');
+    return text;
+}
+
+/// The parameters of farm/openjd/frames.yaml.
+std::vector<JobFile> openjdAnimation(const FarmJob& job) {
+    constexpr size_t longest = 1024;   // of a parameter
+    const std::string frames = frameExpression(job.frames);
+    if (frames.size() > longest)
+        throw Error(ExitCode::scene, fmt::format("error: openjd takes lists of frames of {} characters, and this one has {}; submit some of "
+                                                 "them at a time",
+                                                 longest, frames.size()));
+    std::vector<std::string> options = job.renderOptions, image = outputWords(job.images);
+    options.insert(options.end(), image.begin(), image.end());
+    options.insert(options.end(), job.imageOptions.begin(), job.imageOptions.end());
+    const nlohmann::ordered_json parameters{{"Name", job.name},
+                                            {"Scene", job.scene},
+                                            {"Options", shellWords(options)},
+                                            {"Frames", frames},
+                                            {"FramesPerTask", job.framesPerTask},
+                                            {"Parts", (fs::path(job.folder) / "parts").string()},
+                                            {"Eikonal", job.program}};
+    return {{"animation.json", jsonText(parameters, 2) + "\n"}};
+}
+
 /// The parameters of farm/openjd/eikonal.yaml.
 std::vector<JobFile> openjdSettings(const FarmJob& job) {
+    if (!job.frames.empty()) return openjdAnimation(job);
     std::vector<std::string> image = outputWords({std::next(job.images.begin()), job.images.end()});
     image.insert(image.end(), job.imageOptions.begin(), job.imageOptions.end());
     const nlohmann::ordered_json parameters{{"Name", job.name},
@@ -95,7 +125,7 @@ std::vector<JobFile> kubernetesSettings(const FarmJob& job) {
     const auto replace = [](const char* path, const std::string& value) {
         return fmt::format("      - {{op: replace, path: {}, value: {}}}\n", path, value);
     };
-    const std::string parts = std::to_string(static_cast<long>(job.tiles) * job.sampleRanges);
+    const std::string parts = std::to_string(taskCount(job));
     const auto text = [](const std::string& value) { return jsonText(nlohmann::json(value)); };
     return {
         environmentOf(job),
@@ -109,6 +139,20 @@ std::vector<JobFile> kubernetesSettings(const FarmJob& job) {
 }
 
 }  // namespace
+
+std::vector<std::string> frameTasks(const FarmJob& job) {
+    std::vector<std::string> tasks;
+    const auto perTask = static_cast<size_t>(job.framesPerTask);
+    for (size_t first = 0; first < job.frames.size(); first += perTask) {
+        const auto begin = job.frames.begin() + static_cast<std::ptrdiff_t>(first);
+        tasks.push_back(frameExpression({begin, begin + static_cast<std::ptrdiff_t>(std::min(perTask, job.frames.size() - first))}));
+    }
+    return tasks;
+}
+
+long taskCount(const FarmJob& job) {
+    return job.frames.empty() ? static_cast<long>(job.tiles) * job.sampleRanges : static_cast<long>(frameTasks(job).size());
+}
 
 const std::vector<FarmEngine>& farmEngines() {
     static const std::vector<FarmEngine> engines{

@@ -1,12 +1,12 @@
 #pragma once
-// An image that a render farm makes in parts, as the files that the farm's engine takes.
+// An image that a render farm makes in parts, or an animation, as the files that the farm's engine takes.
 
 #include <string>
 #include <vector>
 
 namespace eikonal {
 
-/// What to render and where. Paths are absolute, and the same on all nodes.
+/// What to render and where. Paths are absolute, and the same on all nodes. An animation has the frames that its tasks render, and no parts.
 struct FarmJob {
     std::string name;                        ///< of the scene
     std::string program;                     ///< eikonal, on the nodes
@@ -15,7 +15,13 @@ struct FarmJob {
     std::vector<std::string> renderOptions;  ///< of each part, "--name=value"
     std::vector<std::string> imageOptions;   ///< of the merge, but for its files
     int tiles = 1, sampleRanges = 1;
+    std::vector<int> frames;                 ///< ascending; empty: one image, in parts
+    int framesPerTask = 1;
 };
+
+/// What runs at the same time, each as a task: the parts of an image, or some frames each ("1-4", "5,8,9", "12").
+std::vector<std::string> frameTasks(const FarmJob& job);
+long taskCount(const FarmJob& job);
 
 struct JobFile {
     std::string name, text;

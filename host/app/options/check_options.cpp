@@ -61,6 +61,17 @@ static void checkFrames(const Options& o) {
         throw UsageError("--skip-existing looks for the images that -o names; add it: -o image.exr");
 }
 
+/// Checks that concern jobs of frames.
+static void checkSubmittedFrames(const Options& o) {
+    const SubmitOptions& s = o.submit;
+    if (s.framesPerTask > 1 && o.frames.empty()) throw UsageError("--frames-per-task is of frames; say which: --frames 1-48");
+    if (o.frames.empty()) return;
+    if (s.tiles > 1 || s.sampleRanges > 1)
+        throw UsageError("the parts of an animation are its frames; leave --tiles and --sample-ranges away, or submit a frame alone");
+    if (!o.output.hasImage) throw UsageError("each frame is an image; name it: -o image.####.exr, or -o FOLDER/");
+    if (o.output.files.empty()) throw UsageError("submit needs to know where the frames go: -o image.####.exr, or -o FOLDER/");
+}
+
 /// Each image is to be of a format.
 static void checkFormats(const Options& o) {
     if (o.command == Command::trade) return;  // -o is a page
@@ -120,6 +131,7 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
                                      SeedVariance::leastSeeds, o.repeats));
     checkParts(o);
     checkFrames(o);
+    if (o.command == Command::submit) checkSubmittedFrames(o);
     checkStandardStreams(o);
     checkFormats(o);
     if (o.output.resume && o.output.checkpoint.empty())
