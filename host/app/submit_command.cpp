@@ -62,7 +62,12 @@ FarmJob jobOfFrames(const Options& o, Diagnostics& diagnostics) {
         throw Error(ExitCode::scene, "error: " + missing.front());
     FarmJob job = jobOf(o, loadScene(optionsOf(all, frames, 0).scene, diagnostics).name);
     job.renderOptions.insert(job.renderOptions.end(), o.passedToFrames.begin(), o.passedToFrames.end());
-    for (const std::string& file : o.output.files) job.images.push_back(absolute(file));
+    for (const std::string& file : o.output.files) {
+        job.images.push_back(absolute(file));
+        const fs::path folder = fs::path(job.images.back()).parent_path();
+        if (!isFolder(file) && !fs::is_directory(folder))
+            throw Error(ExitCode::scene, fmt::format("error: -o {}: there is no folder \"{}\"", file, folder.string()));
+    }
     job.frames = o.frames;
     std::ranges::sort(job.frames);
     job.framesPerTask = o.submit.framesPerTask;

@@ -6,6 +6,7 @@
 Installs openjd-cli of PyPI into a folder of its own; skipped without it.
 """
 
+import json
 import os
 import pathlib
 import re
@@ -38,6 +39,18 @@ def main():
         text = run("openjd", "run", template, "-p", parameters, *other, env=environment, cwd=top)
         expect(re.findall(r"Tiles\(CHUNK\[INT\]\) = (\S+)", text) == ["1-2", "1-2", "3-3", "3-3"], "a task renders a chunk of tiles")
         expect(len(list((top / "chunked").glob("*.film"))) == 6, "a chunk leaves a part for each of its tiles")
+
+        # An animation: tasks of frames, whose images are those of single renders; once more, nothing is rendered
+        (top / "frames").mkdir()
+        job, words = top / "animation", ["--fps", 24, "--spp", 16, "--resolution", "48x32"]
+        run(eikonal, "submit", SCENE, "--engine", "openjd", "--frames", "0-4,9", "--frames-per-task", 4, "--folder", job, *words, "-o",
+            top / "frames" / "f.##.exr", env=environment)
+        run(eikonal, "render", SCENE, "--frames", 9, *words, "-o", top / "single.##.exr")
+        expect(len(list((top / "frames").glob("*.exr"))) == 6, "all frames are there")
+        compared = json.loads(run(eikonal, "compare", top / "frames" / "f.09.exr", top / "single.09.exr", "--json"))
+        expect(compared["relativeMse"] == 0, "a frame is that of a single render")
+        again = run("bash", job / "submit.sh", env=environment)
+        expect(again.count("skipped frame") == 6, "frames that are whole are skipped")
 
         # A part that fails, fails the job, and says why
         text = run("openjd", "run", template, "-p", parameters, "-p", "Scene=missing.pbrt", "-p", f"Parts={top / 'none'}", status=None, env=environment)
