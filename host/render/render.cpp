@@ -146,11 +146,12 @@ private:
         const auto traced = [&](const Batch& batch) {
             std::unique_lock lock(mutex_);
             while (dealer.stateOf(device.tracer) == BatchDealer::State::waiting) changed_.wait(lock);
-            if (dealer.stateOf(device.tracer) == BatchDealer::State::ready && resolve(device, batch, blocks)) finishBatch(device, dealer, batch);
+            const bool isReady = dealer.stateOf(device.tracer) == BatchDealer::State::ready;
+            if (isReady && resolve(device, batch, blocks)) finishBatch(device, dealer, batch);
             else dealer.lose(device.tracer);
             changed_.notify_all();
         };
-        /* However this ends, nobody may wait for what the device still holds */
+        /* However this ends, no other device may wait for what this one still holds */
         struct AtEnd {
             std::function<void()> run;
             ~AtEnd() { run(); }

@@ -36,7 +36,8 @@ JobFile environmentOf(const FarmJob& job) {
     std::vector<std::string> image = outputWords(job.images);
     image.insert(image.end(), job.imageOptions.begin(), job.imageOptions.end());
     return {"job.env", fmt::format("# The job, for the scripts beside this file; in the quoting of bash.\n"
-                                   "EIKONAL={}\nSCENE={}\nRENDER_OPTIONS=({})\nIMAGE_OPTIONS=({})\nTILES={}\nRANGES={}\nFRAMES=({})\n",
+                                   "EIKONAL={}\nSCENE={}\nRENDER_OPTIONS=({})\nIMAGE_OPTIONS=({})\n"
+                                   "TILES={}\nRANGES={}\nFRAMES=({})\n",
                                    shellWord(job.program), shellWord(job.scene), shellWords(job.renderOptions), shellWords(image),
                                    job.tiles, job.sampleRanges, shellWords(frameTasks(job)))};
 }
@@ -55,9 +56,9 @@ std::vector<JobFile> openjdAnimation(const FarmJob& job) {
     constexpr size_t longest = 1024;   // of a parameter
     const std::string frames = frameExpression(job.frames);
     if (frames.size() > longest)
-        throw Error(ExitCode::scene, fmt::format("error: openjd takes lists of frames of {} characters, and this one has {}; submit some of "
-                                                 "them at a time",
-                                                 longest, frames.size()));
+        throw Error(ExitCode::scene,
+                    fmt::format("error: openjd takes lists of frames of {} characters, and this one has {}; submit some of them at a time",
+                                longest, frames.size()));
     std::vector<std::string> options = job.renderOptions, image = outputWords(job.images);
     options.insert(options.end(), image.begin(), image.end());
     options.insert(options.end(), job.imageOptions.begin(), job.imageOptions.end());

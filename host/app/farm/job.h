@@ -6,7 +6,7 @@
 
 namespace eikonal {
 
-/// What to render and where. Paths are absolute, and the same on all nodes. An animation has the frames that its tasks render, and no parts.
+/// What to render and where: an image in parts, or the frames of an animation. Paths are absolute, and the same on all nodes.
 struct FarmJob {
     std::string name;                        ///< of the scene
     std::string program;                     ///< eikonal, on the nodes
