@@ -93,7 +93,8 @@ int mergeCommand(const Options& o) {
     const std::string name = files.front()->path();
     const StoredScene scene = storedScene(head.scene, name);
     const PixelRect pixels = scene.packed.pixels;
-    const QueueLayout layout = filmLayout(scene.packed.features, scene.packed.frame().bucket_count);
+    const QueueLayout layout = filmLayout(scene.packed.features, scene.packed.frame().bucket_count,
+                                          scene.packed.constants.lightGroups);
     const JoinedSums sums(layout);
     const unsigned wanted = samplesWanted(files), end = o.output.hasImage && !o.isPartial ? wanted : 0;
     FilmFileHead merged = head;

@@ -193,7 +193,7 @@ Aovs parseAovs(const std::string& option, const std::string& text) {
     for (const AovName& each : aovNames) {
         names.emplace_back(each.name, Channels{each.asked});
         if (each.source == AovSource::passes) passes.push_back(each.asked);
-        all.push_back(each.asked);
+        if (each.source != AovSource::lightGroups) all.push_back(each.asked);
     }
     names.emplace_back("passes", passes);
     names.emplace_back("all", all);

@@ -48,7 +48,7 @@ Aovs aovsOf(const OutputOptions& options, const FilmDescription& film, const std
     aovs.normal |= options.denoise;
     if (film.gbuffer != GBuffer::none && canHold("the additional channels of film \"gbuffer\"", options, film, files, diagnostics))
         for (const AovName& each : aovNames)
-            if (each.source != AovSource::passes) aovs.*each.asked = true;
+            if (each.source == AovSource::surfaces || each.source == AovSource::statistics) aovs.*each.asked = true;
     return aovs;
 }
 
@@ -71,6 +71,7 @@ void selectAovs(FilmImage& image, const Aovs& aovs) {
     if (!aovs.direct) image.direct.clear();
     if (!aovs.indirect) image.indirect.clear();
     if (!aovs.volume) image.volume.clear();
+    if (!aovs.lightGroups) image.lightGroups.clear();
     if (!aovs.albedo) image.albedo.clear();
     if (!aovs.normal) image.normal.clear();
     if (!aovs.geometricNormal) image.geometricNormal.clear();

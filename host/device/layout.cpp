@@ -47,10 +47,11 @@ std::vector<QueueLayout> queueLayouts(const Features& features) {
     return layouts;
 }
 
-QueueLayout filmLayout(const Features& features, uint buckets) {
+QueueLayout filmLayout(const Features& features, uint buckets, int lightGroups) {
     LayoutBuilder builder("film");
     FILM_FIELDS(ADD_FIELD, film)
     if (buckets > 0) builder.add("buckets", "bucket", static_cast<int>(buckets) * BUCKET_WORDS, true);
+    if (lightGroups > 0) builder.add("groups", "group", lightGroups * GROUP_WORDS, true);
     return builder.take();
 }
 

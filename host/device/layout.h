@@ -28,8 +28,9 @@ struct QueueLayout {
 std::vector<QueueLayout> queueLayouts(const Features& features);
 /// The layout of the queue `name`. Throws std::out_of_range for an unknown queue.
 QueueLayout queueLayout(const std::string& name, const Features& features);
-/// The layout of a film pixel. If the film keeps a spectrum, the last field is "buckets", with BUCKET_WORDS words per bucket.
-QueueLayout filmLayout(const Features& features, uint buckets = 0);
+/// The layout of a film pixel. If the film keeps a spectrum, a field "buckets" follows, with BUCKET_WORDS words per bucket; then, if it
+/// keeps light groups, "groups", with GROUP_WORDS words per group.
+QueueLayout filmLayout(const Features& features, uint buckets = 0, int lightGroups = 0);
 /// Of a stored vertex of a light path, and of its entry in the grid: records, one after the other.
 QueueLayout vertexLayout(const Features& features);
 QueueLayout gridLayout(const Features& features);

@@ -22,7 +22,7 @@ std::shared_ptr<uint[]> allocatePlanes(const PixelRect& pixels, int words) {
 Film::Film(const PackedScene& scene, const Features& features, unsigned firstSample)
     : scene_(scene),
       pixels_(scene.pixels),
-      layout_(filmLayout(features, scene.frame().bucket_count)),
+      layout_(filmLayout(features, scene.frame().bucket_count, scene.constants.lightGroups)),
       sums_(layout_),
       firstSample_(firstSample) {
     needNodes(1);
@@ -139,14 +139,16 @@ size_t Film::bytes(const PackedScene& scene, unsigned end) {
     /* The sums, those of the last light paths, and these on the device */
     const size_t ofSplats = SplatSums::bytesPerPixel(scene.features.has(Feature::RENDER_PASSES));
     const size_t splats = scene.features.has(Feature::LIGHT_PATHS) && end > 0 ? 3 * ofSplats : 0;
-    return planes * static_cast<size_t>(filmLayout(scene.features, scene.frame().bucket_count).words) * sizeof(uint) + splats;
+    const QueueLayout layout = filmLayout(scene.features, scene.frame().bucket_count, scene.constants.lightGroups);
+    return planes * static_cast<size_t>(layout.words) * sizeof(uint) + splats;
 }
 
 size_t Film::developedBytes(const PackedScene& scene) {
     const size_t always = sizeof(glm::vec3) + 2 * sizeof(float),
                  ofSurfaces = 4 * sizeof(glm::vec3) + 3 * sizeof(glm::vec2) + 3 * sizeof(float);
-    const size_t ofPasses = scene.features.has(Feature::RENDER_PASSES) ? render_passes * sizeof(glm::vec3) : 0;
-    return always + ofPasses + (scene.features.has(Feature::AOVS) ? ofSurfaces : 0) + scene.frame().bucket_count * sizeof(float);
+    const size_t ofPasses = scene.features.has(Feature::RENDER_PASSES) ? render_passes * sizeof(glm::vec3) : 0,
+                 ofGroups = static_cast<size_t>(scene.constants.lightGroups) * sizeof(glm::vec3);
+    return always + ofPasses + ofGroups + (scene.features.has(Feature::AOVS) ? ofSurfaces : 0) + scene.frame().bucket_count * sizeof(float);
 }
 
 }  // namespace eikonal

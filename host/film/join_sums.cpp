@@ -60,6 +60,11 @@ JoinedSums::JoinedSums(const QueueLayout& layout) : words_(static_cast<std::size
         if (field.name == "buckets") {
             known.insert(field.name);
             for (int word = 0; word < field.words; word += BUCKET_WORDS) compensated_.push_back({field.slot + word, field.slot + word + 1});
+        } else if (field.name == "groups") {
+            known.insert(field.name);
+            for (int group = 0; group < field.words; group += GROUP_WORDS)
+                for (int c = 0; c < WORDS_rgb; ++c)
+                    compensated_.push_back({field.slot + group + c, field.slot + group + WORDS_rgb + c});
         } else if (!known.contains(field.name))
             throw std::logic_error("a film's field " + field.name + " cannot be joined");
     weight_ = slot("weight");

@@ -78,6 +78,18 @@ void FilmTotals::developPasses(FilmImage& image) const {
     develop(image.volume, "volume", {});
 }
 
+void FilmTotals::developLightGroups(FilmImage& image, const std::vector<std::string>& names) const {
+    const size_t n = plane();
+    const float *weight = floats("weight"), *sum = floats("groups");
+    for (const std::string& name : names) {
+        LightGroup& group = image.lightGroups.emplace_back(name, std::vector<glm::vec3>(n));
+        tbb::parallel_for(size_t{0}, n, [&](size_t i) {
+            group.color[i] = glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0);
+        });
+        sum += GROUP_WORDS * n;
+    }
+}
+
 void FilmTotals::developAovs(FilmImage& image, const PackedScene& scene) const {
     const size_t n = plane();
     for (auto* v : {&image.albedo, &image.normal, &image.geometricNormal, &image.position}) v->resize(n);
@@ -120,6 +132,7 @@ FilmImage FilmTotals::develop(const PackedScene& scene) const {
         image.variance[i] = planes.variance(i, image.color[i]);
     }
     if (layout_.field("emission").words > 0) developPasses(image);
+    if (scene.constants.lightGroups > 0) developLightGroups(image, scene.lightGroups);
     if (layout_.field("albedo").words > 0) developAovs(image, scene);
     if (scene.frame().bucket_count > 0) developSpectrum(image, scene);
     return image;

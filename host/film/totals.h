@@ -36,6 +36,7 @@ public:
 
 private:
     void developPasses(FilmImage& image) const;
+    void developLightGroups(FilmImage& image, const std::vector<std::string>& names) const;
     void developAovs(FilmImage& image, const PackedScene& scene) const;
     void developSpectrum(FilmImage& image, const PackedScene& scene) const;
     size_t plane() const { return static_cast<size_t>(pixels_.width()) * static_cast<size_t>(pixels_.height()); }

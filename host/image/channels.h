@@ -30,6 +30,12 @@ struct ChannelView {
     Float& operator[](std::size_t i) const { return first[i * stride]; }
 };
 
+/// The layer of a light group is called like it: "light_key.R".
+inline constexpr const char* lightGroupPrefix = "light_";
+inline std::string lightGroupChannel(const std::string& group, std::size_t component) {
+    return lightGroupPrefix + group + '.' + "RGB"[component];
+}
+
 /// The names of the components of a vector of FilmImage; the rest is null.
 using ComponentNames = std::array<const char*, 3>;
 
@@ -72,6 +78,9 @@ std::vector<ChannelView<Float>> channelsOf(Image& image, ChannelNames spelling =
         auto* first = reinterpret_cast<Float*>(values.data());
         for (std::size_t c = 0; c < components; ++c) channels.push_back({names[c], first + c, components, use});
     });
+    for (auto& group : image.lightGroups)
+        for (std::size_t c = 0; c < 3; ++c)
+            channels.push_back({lightGroupChannel(group.name, c), reinterpret_cast<Float*>(group.color.data()) + c, 3, {}});
     const auto& wavelengths = image.spectrum.wavelengths;
     for (std::size_t b = 0; b < wavelengths.size(); ++b)
         channels.push_back({bucketChannel(wavelengths[b]), &image.spectrum.radiance[b], wavelengths.size(), {}});

@@ -20,6 +20,12 @@ struct PixelSpectra {
     std::vector<float> radiance;       ///< [i * wavelengths.size() + b]: mean over bucket b of pixel i, before sensor and exposure
 };
 
+/// The light of one light group.
+struct LightGroup {
+    std::string name;
+    std::vector<glm::vec3> color;
+};
+
 /// An image in linear sRGB. `bounds` is the part of the whole image that is present: all of it, or a crop. Each non-empty vector has one
 /// entry per pixel in bounds, row by row from the top.
 struct FilmImage {
@@ -43,6 +49,7 @@ struct FilmImage {
     std::vector<float> sampleCount;    ///< samples taken in the pixel
     std::vector<glm::vec3> sampleVariance;    ///< variance of a sample, for pbrt's readers (image/sample_variance.h)
     std::vector<glm::vec3> relativeVariance;  ///< the same over the mean
+    std::vector<LightGroup> lightGroups;   ///< which sum to color, or to `noisy`; empty unless the film keeps them
     PixelSpectra spectrum;             ///< empty unless the film keeps one
     bool halfFloats = false;           ///< FilmDescription::halfFloats
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace eikonal {
@@ -85,6 +86,12 @@ FilmFile readImage(const std::string& path) {
         if (std::ranges::all_of(names, [&](const char* name) { return !name || has(name); })) values.resize(image.pixelCount());
     });
     for (const std::string& name : header.channels)
+        if (name.starts_with(lightGroupPrefix) && name.ends_with(".R")) {
+            const std::string group = name.substr(std::strlen(lightGroupPrefix), name.size() - std::strlen(lightGroupPrefix) - 2);
+            if (has(lightGroupChannel(group, 1).c_str()) && has(lightGroupChannel(group, 2).c_str()))
+                image.lightGroups.push_back({group, std::vector<glm::vec3>(image.pixelCount())});
+        }
+    for (const std::string& name : header.channels)
         if (const auto wavelength = wavelengthOfChannel(name)) image.spectrum.wavelengths.push_back(*wavelength);
     std::ranges::sort(image.spectrum.wavelengths);
     image.spectrum.radiance.resize(image.spectrum.wavelengths.size() * image.pixelCount());
@@ -102,6 +109,7 @@ FilmFile readImage(const std::string& path) {
         if (const auto matrix = srgbFromPrimaries(*primaries)) {
             for (auto* colors : {&image.color, &image.noisy, &image.emission, &image.direct, &image.indirect, &image.volume, &image.albedo})
                 convert(*colors, *matrix);
+            for (LightGroup& group : image.lightGroups) convert(group.color, *matrix);
         }
     return file;
 }

@@ -35,6 +35,7 @@ void LightPacker::addShape(const Shape& s, shape& packed, const GeometryTables& 
     const double scale = description.scale * (description.image != none ? textures_.meanLuminance(description.image) : 1);
     const color L = colors_.emission(description.L, scale);
     if (!s.kind->traits.lightKindOf) throw std::logic_error(std::string("no area light for shape ") + s.kind->name);
+    const uint group = groupNumber(description.group);
     const LightKind& kind = kindOf(s.kind->traits.lightKindOf(s, m));
     if (kind.traits.isAimedByDirection) packed.flags |= shape_is_aimed_by_direction;
     for (size_t e = 0; e < elements; ++e) {
@@ -42,6 +43,7 @@ void LightPacker::addShape(const Shape& s, shape& packed, const GeometryTables& 
         l.two_sided = description.twoSided ? 1 : 0;
         /* With an alpha of 0 it emits but is invisible (as in pbrt-v4) */
         l.invisible = isUnseen;
+        l.group = group;
         l.element = packed.first_element + static_cast<uint>(e);
         l.has_pattern = hasPattern;
         l.rounding = roundingOf(l);

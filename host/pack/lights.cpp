@@ -48,9 +48,18 @@ bool LightPacker::isInfinite(const LightKind& kind) const {
     return (kind.place == LightPlace::DISTANT || kind.place == LightPlace::INFINITE) && !isLeftToBsdfs(kind);
 }
 
+/// light::group of a light of this group; empty: the default group.
+uint LightPacker::groupNumber(const std::string& name) {
+    if (name.empty()) return DEFAULT_GROUP;
+    const auto found = std::ranges::find(groups_, name);
+    if (found == groups_.end()) groups_.push_back(name);
+    return static_cast<uint>(std::ranges::find(groups_, name) - groups_.begin());
+}
+
 void LightPacker::add(const LightPacking& in, const Light& description) {
     const LightKind& kind = *description.kind;
-    const PackedLight packed = kind.traits.pack(in, description);
+    PackedLight packed = kind.traits.pack(in, description);
+    packed.l.group = groupNumber(description.group);
     colors_.checkRange(packed.l.L, description.where, spectrumParameter(kind) + " of a light");
     context_.require(kind.feature, description.where.toString());
     if (kind.place == LightPlace::INFINITE) tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));

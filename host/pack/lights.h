@@ -4,14 +4,17 @@
 #include "kinds/light_packing.h"
 #include "pack/textures.h"
 
+#include <string>
 #include <vector>
 
 namespace eikonal {
 
 class LightPacker {
 public:
-    LightPacker(const PackContext& context, LightTables& tables, settings& frame, ColorPacker& colors, TexturePacker& textures)
-        : context_(context), tables_(tables), frame_(frame), colors_(colors), textures_(textures) {}
+    /// groups: gets the names of the light groups.
+    LightPacker(const PackContext& context, LightTables& tables, settings& frame, ColorPacker& colors, TexturePacker& textures,
+                std::vector<std::string>& groups)
+        : context_(context), tables_(tables), frame_(frame), colors_(colors), textures_(textures), groups_(groups) {}
 
     /// Adds the lights of a shape that emits, one for each of its elements; sets its first_light. `m` maps its object space to scene space.
     void addShape(const Shape&, shape& packed, const GeometryTables&, const glm::dmat4& m, size_t elements);
@@ -25,12 +28,14 @@ private:
     bool isInfinite(const LightKind&) const;
     void add(const LightPacking& in, const Light& description);
     void packGuide();
+    uint groupNumber(const std::string& name);
 
     const PackContext& context_;
     LightTables& tables_;
     settings& frame_;
     ColorPacker& colors_;
     TexturePacker& textures_;
+    std::vector<std::string>& groups_;
     std::vector<double> powers_;  ///< powers of `lights`, for the light sampler
     std::vector<double> emitted_; ///< and of light paths
 };

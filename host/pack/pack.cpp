@@ -47,7 +47,7 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     MicrofacetEnergyPacker energy(tables, packed.constants);
     MediumPacker media(context, tables, colors);
     MaterialPacker materials({context, tables, colors, textures, measured, energy}, media);
-    LightPacker lights(context, tables, frame, colors, textures);
+    LightPacker lights(context, tables, frame, colors, textures, packed.lightGroups);
 
     if (context.spectral) {
         colors.packSensor(frame);

@@ -13,6 +13,7 @@ namespace eikonal {
     C(MEASURED_ANGLE_STEPS,      measuredAngleSteps,      0)  /* bisection steps in the longest list of angles */ \
     C(MEASURED_FACET_STEPS,      measuredFacetSteps,      0)  /* in the longest side of the grids that facets are sampled from */ \
     C(MEASURED_BRIGHTNESS_STEPS, measuredBrightnessSteps, 0)  /* in the longest side of the brightness grids */ \
+    C(LIGHT_GROUP_COUNT,         lightGroups,             0)  /* number of light groups whose light the film keeps apart */ \
     C(ENERGY_TABLES,             energyTables,            1)  /* size of `energy_tables`, at least 1 */
 
 struct SceneConstants {

@@ -75,6 +75,7 @@ struct RequiredFeatures {
 struct PackedScene : RequiredFeatures {
     SceneTables tables;
     SceneConstants constants;
+    std::vector<std::string> lightGroups{"default"};   ///< names, by light::group; constants.lightGroups: how many are kept
     PixelRect pixels;                        ///< the pixels to render, of width x height (settings)
     int samples = 16;                        ///< per pixel
     bool isAlwaysGuided = false;             ///< with ENVIRONMENT_GUIDE: use the guide even in open scenes

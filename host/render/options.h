@@ -64,14 +64,16 @@ struct DeviceOptions {
     }
 };
 
-/// What a channel is made of: the first surface of each path, its light by passes, or the film's statistics, which there are anyway.
-enum class AovSource { surfaces, passes, statistics };
+/// What a channel is made of: the first surface of each path, its light by passes or by light groups, or the film's statistics, which there
+/// are anyway.
+enum class AovSource { surfaces, passes, lightGroups, statistics };
 
 /// Additional channels of an EXR.
 struct Aovs {
     bool albedo = false, normal = false, geometricNormal = false, position = false, uv = false, depthSlope = false, motion = false,
          depth = false, object = false, material = false;
     bool emission = false, direct = false, indirect = false, volume = false;
+    bool lightGroups = false;
     bool variance = false, sampleCount = false;
     bool any() const;
     /// Whether any channel is of this source.
@@ -94,6 +96,7 @@ inline constexpr AovName aovNames[] = {{"albedo", &Aovs::albedo},
                                        {"direct", &Aovs::direct, AovSource::passes},
                                        {"indirect", &Aovs::indirect, AovSource::passes},
                                        {"volume", &Aovs::volume, AovSource::passes},
+                                       {"lightgroups", &Aovs::lightGroups, AovSource::lightGroups},
                                        {"variance", &Aovs::variance, AovSource::statistics},
                                        {"sampleCount", &Aovs::sampleCount, AovSource::statistics}};
 inline bool Aovs::any() const { return std::ranges::any_of(aovNames, [this](const AovName& n) { return this->*n.asked; }); }

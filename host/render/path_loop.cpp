@@ -31,7 +31,7 @@ PathLoop::PathLoop(const Context& context, Compiler& compiler, const DeviceScene
     const unsigned capacity = shape.padded(splitting_.statesOf(mostPaths_));
     const auto words = [&](int count) { return static_cast<size_t>(capacity) * static_cast<size_t>(count) * sizeof(cl_uint); };
     hit_ = Buffer(context, words(itemLayout(Queue::hit, complete.features).words), "hits");
-    path_ = Buffer(context, words(itemLayout(Queue::path, complete.features).words), "paths");
+    path_ = Buffer(context, words(itemLayout(Queue::path, complete.features, scene.constants).words), "paths");
     bindings_.set("hit", hit_);
     bindings_.set("path", path_);
     for (const char* name : {"capacity", "path_capacity"}) bindings_.set(name, capacity);

@@ -122,6 +122,14 @@ void Session::displace() {
     times_.displace = time.seconds();
 }
 
+/// Has the film keep the light of each group.
+static void keepLightGroups(PackedScene& packed) {
+    if (packed.features.has(Feature::LIGHT_PATHS))
+        throw UsageError("--aov lightgroups: paths from the lights do not keep groups apart; add --integrator volpath, or leave it out");
+    packed.constants.lightGroups = static_cast<int>(packed.lightGroups.size());
+    packed.require(Feature::LIGHT_GROUPS, "--aov");
+}
+
 void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     const Stopwatch time;
     if (scene_.film.spectrum && !keepsSpectrum) {
@@ -138,6 +146,7 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     scene_.objects.clear();
     scene_.images.clear();
     if (aovs.has(AovSource::surfaces)) packed_.require(Feature::AOVS, "--aov, or a film \"gbuffer\"");
+    if (aovs.lightGroups) keepLightGroups(packed_);
     if (aovs.has(AovSource::passes)) packed_.require(Feature::RENDER_PASSES, "--aov");
     if (aovs.motion && packed_.features.has(Feature::MOTION)) packed_.require(Feature::MOTION_VECTORS, "--aov, or a film \"gbuffer\"");
     times_.pack = time.seconds();

@@ -19,9 +19,10 @@ unsigned WaveSize::room(unsigned taken) const {
     return left < leastRoom ? 0 : left;
 }
 
-QueueLayout itemLayout(Queue queue, const Features& features) {
+QueueLayout itemLayout(Queue queue, const Features& features, const SceneConstants& constants) {
     QueueLayout layout = queueLayouts(features)[static_cast<size_t>(queue == Queue::next_ray ? Queue::ray : queue)];
     if (queue == Queue::hit) layout.words += bsdfWords(features);
+    if (queue == Queue::path) layout.words += constants.lightGroups * layout.field("L").words;
     return layout;
 }
 
@@ -29,7 +30,7 @@ std::vector<PlannedQueue> planQueues(const Features& features, const SceneConsta
     std::vector<PlannedQueue> queues;
     for (const QueueRow& row : queueTable) {
         const bool required = row.requirement.isMet(features, constants);
-        queues.push_back({row.id, itemLayout(row.id, features), required ? size.items(row.placement) : 0});
+        queues.push_back({row.id, itemLayout(row.id, features, constants), required ? size.items(row.placement) : 0});
     }
     return queues;
 }

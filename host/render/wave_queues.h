@@ -29,8 +29,9 @@ struct WaveSize {
     size_t items(Placement placement) const { return placement == Placement::by_path ? pathCapacity : capacity; }
 };
 
-/// The layout of a queue; that of next_ray is that of ray. In `hit`, the parameters of any BSDF fit behind the fields.
-QueueLayout itemLayout(Queue queue, const Features& features);
+/// The layout of a queue; that of next_ray is that of ray. In `hit`, the parameters of any BSDF fit behind the fields; in `path`, the light
+/// of light groups.
+QueueLayout itemLayout(Queue queue, const Features& features, const SceneConstants& constants = {});
 
 /// A planned queue of a wave. Queues that the scene does not require have no items.
 struct PlannedQueue {

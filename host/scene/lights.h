@@ -8,6 +8,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 
 namespace eikonal {
 
@@ -28,6 +29,7 @@ struct Light {
     std::optional<double> power;          ///< goniometric, projection: total power, for the image as it is
     std::optional<double> illuminance;    ///< infinite with an image: illuminance (lux) of a surface that faces the image's +z
     Transform worldFromLight{1};
+    std::string group;                    ///< its light group; empty: that of lights that name none
     SourceLocation where;
 };
 
@@ -39,6 +41,7 @@ struct AreaLight {
     double scale = 1;
     std::optional<double> power;
     bool twoSided = false;
+    std::string group;                    ///< as in Light
     SourceLocation where;
 };
 

@@ -99,6 +99,8 @@
 /* The render pass (enum render_pass) of the light that a ray meets next, or that a hit or scatter brings; of a shadow ray's light; of what
    an item finds, otherwise. A light path's is that of what it adds to the image. */
 #define ONE_PASS_FIELD(F, q) F(q, uint, render_pass, RENDER_PASSES)
+/* The light group of an item's light. */
+#define LIGHT_GROUP_FIELD(F, q) F(q, uint, group, LIGHT_GROUPS)
 /* The radiance so far of each render pass, in the order of enum render_pass: they sum to L. */
 #define RENDER_PASS_FIELDS(F, q) \
     F(q, spectrum, L_emission, RENDER_PASSES) \

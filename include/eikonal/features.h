@@ -49,6 +49,7 @@
     F(MERGING,          "an integrator that merges vertices of paths from both ends") \
     F(AOVS,             "auxiliary image channels") \
     F(RENDER_PASSES,    "the channels \"emission\", \"direct\", \"indirect\" and \"volume\"") \
+    F(LIGHT_GROUPS,     "the channels of light groups") \
     F(MOTION_VECTORS,   "the channel \"motion\", and a shape that moves")
 
 #endif

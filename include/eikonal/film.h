@@ -61,6 +61,10 @@ CONTRACT_BEGIN
    wavelengths of its samples that lie in the bucket, and the rounding error of that sum. */
 #define BUCKET_WORDS 2
 
+/* With LIGHT_GROUPS, LIGHT_GROUP_COUNT groups follow, of these words each: the sum of weight * film response to the group's light, and its
+   rounding error. */
+#define GROUP_WORDS (2 * WORDS_rgb)
+
 /* LIGHT_PATHS: what light paths add to pixels. 64-bit integers: of each the low halves of all pixels, then the high ones. They sum what
    each path adds, times splat_scale (settings): colours in steps of 1 / SPLAT_UNITS, and squared luminances in steps of 1 /
    SPLAT_SQUARE_UNITS, whose sum is the variance of a sum of rare events. The image is the sum of colours over the number of light paths for

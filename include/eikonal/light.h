@@ -32,6 +32,7 @@ CONTRACT_BEGIN
     F(uint,     element)      /* of an area; otherwise NONE */ \
     F(uint,     has_pattern)  /* 1: an area of varying radiance (an image, alpha). L is the mean, without alpha */ \
     F(uint,     invisible)    /* 1: an area that no ray hits, since its alpha is 0: only light sampling finds it */ \
+    F(uint,     group)        /* its light group: 0 is "default" */ \
     F(float,    emission_pmf) /* LIGHT_PATHS: probability that a light path begins here */ \
     F(float,    pmf)          /* probability of being sampled, or that of the tree that it is in; 0: only BSDF sampling finds it */ \
     F(float,    inverse_area) \
@@ -55,6 +56,9 @@ CONTRACT_BEGIN
 
 #define LIGHT_MEMBER(type, name) type name;
 typedef struct { LIGHT_FIELDS(LIGHT_MEMBER) } light;
+
+/* The light group of lights that name none. */
+#define DEFAULT_GROUP 0u
 
 /* Of several lights to choose from, each weight is raised to at least this share of the mean weight; its probability is then at least 1/21
    of that under uniform choice. */

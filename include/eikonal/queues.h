@@ -101,7 +101,7 @@
     F(q, spectrum, r_u,        MEDIA) \
     F(q, spectrum, r_l,        MEDIA)        /* as in ray */ \
     F(q, spectrum, Le,         ALWAYS)       /* radiance towards the path */ \
-    F(q, float,    pdf,        ALWAYS)       /* as in ray */    LIGHT_PATH_EMISSION_FIELDS(F, q) ONE_PASS_FIELD(F, q) \
+    F(q, float,    pdf,        ALWAYS)       /* as in ray */ LIGHT_PATH_EMISSION_FIELDS(F, q) ONE_PASS_FIELD(F, q) LIGHT_GROUP_FIELD(F, q) \
     F(q, float,    pdf_light,  ALWAYS)       /* density over solid angle with which light sampling produces this point */
 
 /* A shadow ray and the light it carries: filled by shading, drained by test_shadows. Sparse: slot i belongs to slot i of hit or scatter. */
@@ -110,7 +110,7 @@
     F(q, vec3,     o,          ALWAYS) \
     F(q, vec3,     d,          ALWAYS) \
     F(q, float,    t_max,      ALWAYS)       /* < 0: dead slot; ends before the light by what rounding may hide of it */ \
-    LIGHT_ELEMENT_FIELDS(F, q) LIGHT_PATH_SHADOW_FIELDS(F, q) ONE_PASS_FIELD(F, q) \
+    LIGHT_ELEMENT_FIELDS(F, q) LIGHT_PATH_SHADOW_FIELDS(F, q) ONE_PASS_FIELD(F, q) LIGHT_GROUP_FIELD(F, q) \
     F(q, float,    time,       MOTION)       /* as in ray */ \
     F(q, spectrum, Ld,         ALWAYS)       /* contribution, all weights included; with MEDIA not yet divided by mean(r_u + r_l) */ \
     F(q, uint,     medium,     MEDIA) \
@@ -121,7 +121,7 @@
     F(q, uint,     depth,      MEDIA_OR_LIGHT_PATHS)
 
 /* What persists from camera to film, by path index. A path has one item in a queue (where rays
-   split, each has a state of its own), so stages add to L without atomics. */
+   split, each has a state of its own), so stages add to L without atomics. LIGHT_GROUPS: the light of each group follows. */
 #define PATH_FIELDS(F, q) \
     F(q, uint,     seed,       SPECTRAL) \
     F(q, uint,     sample,     SPECTRAL) \

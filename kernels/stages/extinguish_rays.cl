@@ -17,6 +17,8 @@ TRACING_STAGE(extinguish_rays, EXTINGUISH_RAYS) {
         extinguished e = extinguish_ray(medium_set, color_set, load_ray(ray, capacity, i), load_intersection(intersection, capacity, i));
         store_ray(ray, capacity, i, e.ray);
         store_intersection(intersection, capacity, i, e.intersection);
-        if (!is_black(e.L)) add_radiance(path, path_capacity, e.ray.path, e.L, pass_of_medium(e.ray.render_pass));
+        if (is_black(e.L)) continue;
+        add_radiance(path, path_capacity, e.ray.path, e.L, pass_of_medium(e.ray.render_pass));
+        add_to_group(path, path_capacity, e.ray.path, e.L, DEFAULT_GROUP);
     }
 }

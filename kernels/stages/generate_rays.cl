@@ -22,6 +22,8 @@ STAGE(generate_rays, GENERATE_RAYS) {
         camera_path p = start_path(tables, frame, at.x, at.y, at.sample, first_path + of_batch, at.in_image);
         store_ray(ray, capacity, first + i, p.ray);
         /* At p.ray.path. Where rays do not split that is first_path + begun + i, computed so that the compiler sees neighbours */
-        store_path(path, path_capacity, state_to_start(p.ray.path, first_path, begun + i), p.path);
+        size_t state = state_to_start(p.ray.path, first_path, begun + i);
+        store_path(path, path_capacity, state, p.path);
+        clear_groups(path, path_capacity, state);
     }
 }

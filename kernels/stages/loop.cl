@@ -52,7 +52,9 @@ typedef struct {
 FN void meet_light(scene_tables scene, destinations *to, shadow_item s) {
     if (s.t_max < 0.0f) return;
     spectrum L = test_shadow(scene.geometry, scene.tables, scene.media, scene.colors, s);
-    if (!is_black(L)) add_radiance(to->path, to->path_capacity, s.path, L, s.render_pass);
+    if (is_black(L)) return;
+    add_radiance(to->path, to->path_capacity, s.path, L, s.render_pass);
+    add_to_group(to->path, to->path_capacity, s.path, L, s.group);
 }
 
 /* The shading stages, at once (trace/route_intersection.clh) */
@@ -61,12 +63,14 @@ FN void send_probe(destinations *to, uint slot, probe_item p) { to->probe = p; }
 FN void send_ray(destinations *to, ray_item r) { to->out.ray = r; }
 FN void send_miss(scene_tables scene, destinations *to, miss_item m) {
     add_radiance(to->path, to->path_capacity, m.path, shade_miss(scene.lights, scene.colors, m), m.render_pass);
+    add_to_groups(scene.lights, scene.colors, m, to->path, to->path_capacity, m.path);
 }
 FN void send_scatter(scene_tables scene, destinations *to, scatter_item s) {
     to->out = shade_scatter(scene.lights, scene.colors, scene.frame, s, 1);
 }
 FN void send_emission(destinations *to, emission_item e) {
     add_radiance(to->path, to->path_capacity, e.path, shade_emission(e), e.render_pass);
+    add_to_group(to->path, to->path_capacity, e.path, shade_emission(e), e.group);
 }
 FN scattering shade_pass(scene_tables scene, destinations *to, uint next_queue, hit_item h, uint pass) {
     scattering out = shade_any(scene.lights, to->bsdfs, scene.colors, scene.frame, to->hit, to->capacity, to->slot, next_queue, h, pass);
@@ -114,6 +118,7 @@ TRACING_STAGE(loop, LOOP) {
         pixel_sample at = LOCATE_PATH(slot);
         camera_path started = start_path(camera_set, frame, at.x, at.y, at.sample, slot, at.in_image);
         store_path(path, path_capacity, started.ray.path, started.path);
+        clear_groups(path, path_capacity, started.ray.path);
         to.rays = 1;
         to.waiting[0] = started.ray;
         while (to.rays > 0) {
@@ -131,7 +136,10 @@ TRACING_STAGE(loop, LOOP) {
                     extinguished e = extinguish_ray(scene.media, scene.colors, r, f);
                     r = e.ray;
                     f = e.intersection;
-                    if (!is_black(e.L)) add_radiance(path, path_capacity, r.path, e.L, pass_of_medium(r.render_pass));
+                    if (!is_black(e.L)) {
+                        add_radiance(path, path_capacity, r.path, e.L, pass_of_medium(r.render_pass));
+                        add_to_group(path, path_capacity, r.path, e.L, DEFAULT_GROUP);
+                    }
                 }
                 next_step next = classify_intersection(scene.geometry, scene.tables, scene.materials, frame, r, f);
                 f.next_queue = next.next_queue;

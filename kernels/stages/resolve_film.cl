@@ -6,6 +6,7 @@
 #include "film/buckets.clh"
 #include "film/compensated.clh"
 #include "film/exposure.clh"
+#include "film/groups.clh"
 #include "film/pixel.clh"
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
@@ -89,10 +90,11 @@ TRACING_STAGE(resolve_film, RESOLVE_FILM) {
         film_item f = load_film(film, count, pixel);
         layer_range range = block_layers[pixel >> log2_pixels];
         for (uint s = range.first; s < range.first + range.layers; ++s) {
-            path_item p =
-                gather_path(frame, path, path_capacity, first_path + (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u)));
+            uint index = first_path + (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u));
+            path_item p = gather_path(frame, path, path_capacity, index);
             if (p.weight == 0.0f && is_black(p.L)) continue;
-            if (!is_finite(p.L) || max_component(p.L) > MOST_RADIANCE) {
+            int is_valid = is_finite(p.L) && max_component(p.L) <= MOST_RADIANCE;
+            if (!is_valid) {
                 p.L = uniform_spectrum(0.0f);
                 RENDER_PASS_FIELDS(BLACKEN, path)
                 f.invalid += 1;
@@ -100,7 +102,10 @@ TRACING_STAGE(resolve_film, RESOLVE_FILM) {
             sampled_wavelengths colors = path_wavelengths(color_set, p.seed, p.sample);
             exposure e = expose(HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L, colors, frame);
             f = add_sample(f, p, e.color, colors, frame);
-            if (HAS_RENDER_PASSES) f = add_passes(f, p, HAS_IMPORTANCE ? p.importance * e.scale : e.scale, colors, frame);
+            float exposed = HAS_IMPORTANCE ? p.importance * e.scale : e.scale;
+            if (HAS_RENDER_PASSES) f = add_passes(f, p, exposed, colors, frame);
+            add_groups(film, film_words + BUCKET_WORDS * frame->bucket_count, count, pixel, path, path_capacity,
+                       state_of_path(frame, index), states_per_path(frame), is_valid ? exposed : 0.0f, p.weight, colors, frame);
             if (HAS_SPECTRAL_FILM) add_to_buckets(film, film_words, count, pixel, frame, colors, mul(e.light, p.weight));
         }
         store_film(film, count, pixel, f);

@@ -7,6 +7,9 @@
 STAGE(shade_emitters, SHADE_EMITTERS) {
     FOR_EACH_SLOT_OF_GROUP(i, count) {
         emission_item e = load_emission(emission, capacity, i);
-        add_radiance(path, path_capacity, i < count ? e.path : DISCARDED_PATH(i), shade_emission(e), i < count ? e.render_pass : 0u);
+        size_t at = i < count ? e.path : DISCARDED_PATH(i);
+        spectrum L = shade_emission(e);
+        add_radiance(path, path_capacity, at, L, i < count ? e.render_pass : 0u);
+        add_to_group(path, path_capacity, at, L, i < count ? e.group : 0u);
     }
 }

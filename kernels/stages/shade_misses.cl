@@ -13,6 +13,8 @@ STAGE(shade_misses, SHADE_MISSES) {
         miss_item m = load_miss(miss, capacity, i);
         m.guide = i < count ? m.guide : 0u;
         spectrum L = shade_miss(light_set, color_set, m);
-        add_radiance(path, path_capacity, i < count ? m.path : DISCARDED_PATH(i), L, i < count ? m.render_pass : 0u);
+        size_t at = i < count ? m.path : DISCARDED_PATH(i);
+        add_radiance(path, path_capacity, at, L, i < count ? m.render_pass : 0u);
+        add_to_groups(light_set, color_set, m, path, path_capacity, at);
     }
 }

@@ -17,7 +17,9 @@ TRACING_STAGE(test_shadows, TEST_SHADOWS) {
         ++tested;
         shadow_item s = load_shadow(shadow, capacity, i);
         spectrum L = test_shadow(g, tables, medium_set, color_set, s);
-        if (!is_black(L)) add_radiance(path, path_capacity, s.path, L, s.render_pass);
+        if (is_black(L)) continue;
+        add_radiance(path, path_capacity, s.path, L, s.render_pass);
+        add_to_group(path, path_capacity, s.path, L, s.group);
     }
     if (tested) atomic_add(shadow_count, tested);
 }

@@ -142,7 +142,7 @@ TEST(Layout, IsEqualOnBothSides) {
 /// Features that fields of queues name, each alone.
 TEST(Layout, IsEqualForEachFeatureOfAField) {
     for (Feature f : {Feature::MEDIA, Feature::INTERFACE, Feature::TRANSMISSION, Feature::INSTANCES, Feature::ANISOTROPY, Feature::AOVS,
-                      Feature::LIGHT_TREE, Feature::PORTALS, Feature::RENDER_PASSES})
+                      Feature::LIGHT_TREE, Feature::PORTALS, Feature::RENDER_PASSES, Feature::LIGHT_GROUPS})
         expectEqualLayout(Features().require(f), featureName(f));
 }
 

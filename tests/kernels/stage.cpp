@@ -30,9 +30,11 @@ static WaveSize sizeFor(unsigned paths) {
 
 StageBench::StageBench(const PackedScene& scene, unsigned paths, bool poisonItems, unsigned filmPixels)
     : scene_(scene), size_(sizeFor(paths)), poisonItems_(poisonItems), onDevice_(testContext(), scene) {
-    for (const QueueRow& queue : queueTable) layouts_[queue.name] = {itemLayout(queue.id, scene.features), size_.items(queue.placement)};
+    for (const QueueRow& queue : queueTable)
+        layouts_[queue.name] = {itemLayout(queue.id, scene.features, scene.constants), size_.items(queue.placement)};
     layouts_["next_ray"] = layouts_["ray"];
-    layouts_["film"] = {filmLayout(scene.features, scene.frame().bucket_count), filmPixels ? filmPixels : paths};
+    layouts_["film"] = {filmLayout(scene.features, scene.frame().bucket_count, scene.constants.lightGroups),
+                        filmPixels ? filmPixels : paths};
     for (const auto& [name, layout] : layouts_) {
         buffers_[name] = Buffer(testContext(), static_cast<size_t>(layout.first.words) * layout.second * sizeof(uint), "queue " + name);
         bindings_.set(name, buffers_[name]);

@@ -79,6 +79,7 @@ Features surfaceFeatures() {
                                 .require(AOVS)
                                 .require(MOTION_VECTORS)
                                 .require(RENDER_PASSES)
+                                .require(LIGHT_GROUPS)
                                 .require(SOBOL)
                                 .require(JOINT_PAIRS)
                                 .require(AMBIENT_OCCLUSION)
@@ -237,6 +238,10 @@ void expectSameBits(const FilmImage& a, const FilmImage& b, const std::string& w
     for (size_t i = 0; a.pixelCount() == b.pixelCount() && i < std::min(a.spectrum.radiance.size(), b.spectrum.radiance.size()); ++i)
         otherChannels += std::bit_cast<std::uint32_t>(a.spectrum.radiance[i]) != std::bit_cast<std::uint32_t>(b.spectrum.radiance[i]);
     EXPECT_EQ(a.spectrum.wavelengths, b.spectrum.wavelengths) << what;
+    for (size_t group = 0; group < std::min(a.lightGroups.size(), b.lightGroups.size()); ++group) {
+        const auto &x = a.lightGroups[group].color, &y = b.lightGroups[group].color;
+        for (size_t i = 0; x.size() == y.size() && i < x.size(); ++i) otherChannels += x[i] != y[i];
+    }
     EXPECT_EQ(otherChannels, 0u) << what << ": values of other channels";
     EXPECT_GT(compared, 0u) << what;
     EXPECT_EQ(different, 0u) << what << ": of " << compared << " pixels; the first is " << first;

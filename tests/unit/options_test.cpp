@@ -136,7 +136,10 @@ TEST(Options, AnErrorIsANumberOrAPercentageUnderEitherName) {
 
 TEST(Options, AllAovsAtOnce) {
     const Aovs a = parse("render a.pbrt --aov all").output.aovs;
-    for (const AovName& each : aovNames) EXPECT_TRUE(a.*each.asked) << each.name;
+    for (const AovName& each : aovNames) EXPECT_EQ(a.*each.asked, each.source != AovSource::lightGroups) << each.name;
+    const Aovs passes = parse("render a.pbrt --aov passes,lightgroups").output.aovs;
+    for (const AovName& each : aovNames)
+        EXPECT_EQ(passes.*each.asked, each.source == AovSource::passes || each.source == AovSource::lightGroups) << each.name;
 }
 
 // Each channel by itself needs a file that can hold it: an EXR, in small or capital letters, which alone gets a PNG beside it.

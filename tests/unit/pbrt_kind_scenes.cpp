@@ -73,6 +73,7 @@ std::vector<std::string> formedValues(const std::string& title, const std::strin
         {"F", {"\"string F\" \"a*x^2 + b*y^2 + c*z^4 - d*1\""}},
         {"materials", {"\"string materials\" [\"metal\" \"red\"]"}},
         {"name", {"\"string name\" \"Skimmilk\""}},
+        {"lightgroup", {"\"string lightgroup\" \"key\""}},
         {"preset", {"\"string preset\" \"Skimmilk\""}},
         {"encoding", {"\"string encoding\" \"linear\"", "\"string encoding\" \"gamma 1.4\""}},
         {"normalmap", {"\"string normalmap\" \"other.png\""}},

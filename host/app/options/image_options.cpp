@@ -63,7 +63,8 @@ CLI::Option* addAov(CLI::App* app, OutputOptions& out) {
     std::vector<std::string> channels;
     for (const AovName& each : aovNames) channels.emplace_back(each.name);
     auto* aov = value(app, "--aov", out.aovs, "NAMES",
-                      fmt::format("Additional channels of an EXR: {}, separated by commas; passes: emission, direct, indirect, volume; all",
+                      fmt::format("Additional channels of an EXR: {}, separated by commas; passes: emission, direct, indirect, volume; "
+                                  "all: all but lightgroups",
                                   fmt::join(channels, ", ")),
                       parseAovs);
     channels.emplace_back("passes");

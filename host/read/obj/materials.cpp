@@ -254,6 +254,8 @@ private:
         if (maximum(Le) <= 0) return none;
         light.L = Spectrum::rgb(Le);
         light.where = mtl_.whereIs("ke");
+        light.group = mtl_.name;
+        std::ranges::replace_if(light.group, [](unsigned char c) { return !std::isalnum(c) && c != '-'; }, '_');
         scene_.areaLights.push_back(std::move(light));
         return static_cast<int>(scene_.areaLights.size()) - 1;
     }

@@ -2,21 +2,35 @@
 
 #include "kinds/light_reading.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
 namespace eikonal::pbrt {
+
+/// The name of a light group is part of names of channels. Empty: the default group. Throws SceneError.
+static std::string lightGroup(const Arguments& arguments) {
+    const std::string name = arguments.text("lightgroup");
+    if (std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; })) return name;
+    throw SceneError(arguments.whereOf("lightgroup"),
+                     fmt::format("the light group \"{}\" is part of the name of a layer, so it has letters, digits, _ and - only", name));
+}
 
 const KindTable& lightKinds() {
     static const KindTable table = [] {
         std::vector<Row> rows;
         for (const LightKind& e : lightKindList())
             if (e.traits.directive) rows.push_back({e.traits.directive, e.value, e.traits.parameters});
-        return KindTable("light", "float scale = 1 in [0, inf)", rows);
+        return KindTable("light", "float scale = 1 in [0, inf); string lightgroup", rows);
     }();
     return table;
 }
 
 const KindTable& areaLightKinds() {
     static const KindTable table("area light", "", {
-        {"diffuse", 0, "spectrum L; float scale = 1 in [0, inf); float power = -1; bool twosided = false; file filename"},
+        {"diffuse", 0, "spectrum L; float scale = 1 in [0, inf); float power = -1; bool twosided = false; file filename; "
+                       "string lightgroup"},
     });
     return table;
 }
@@ -34,6 +48,7 @@ void addLight(Reading& reading, TextureRegistry& textures, const std::string& ki
         throw SceneError(where, kind.title() + ": its transform cannot be inverted; is there a Scale of 0?");
     light.where = where;
     light.scale = arguments.number("scale");
+    light.group = lightGroup(arguments);
     light.worldFromLight = state.transform[0];
     if (!traits.read({reading, textures, arguments}, light)) return;
     arguments.reportUnused();
@@ -55,6 +70,7 @@ int addAreaLight(Reading& reading, TextureRegistry& textures, const std::string&
     light.L = arguments.spectrum("L", whiteOf(arguments));
     light.scale = arguments.number("scale");
     light.twoSided = arguments.flag("twosided");
+    light.group = lightGroup(arguments);
     if (const double power = arguments.number("power"); power > 0) light.power = power;
     arguments.reportUnused();
     reading.scene.areaLights.push_back(std::move(light));
