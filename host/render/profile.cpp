@@ -11,7 +11,9 @@ void Profile::add(const std::string& stage, std::uint64_t slots, cl_event event)
 }
 
 void Profile::join(const Profile& other) {
-    for (const auto& [name, more] : other.stages()) {
+    const std::map<std::string, StageProfile> others = other.stages();
+    const std::lock_guard lock(mutex_);
+    for (const auto& [name, more] : others) {
         StageProfile& stage = stages_[name];
         stage.launches += more.launches;
         stage.slots += more.slots;

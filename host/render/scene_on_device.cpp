@@ -12,10 +12,9 @@ int SceneOnDevice::missingKernels(const PackedScene& scene) const {
     return Stages::missing(device_->compiler, scene, device_->shape, buildSettingsFor(device_->options));
 }
 
-double SceneOnDevice::build(const PackedScene& scene, bool withWorkers, const std::function<void()>& stepDone) {
+double SceneOnDevice::build(const PackedScene& scene, int missing, const std::function<void()>& stepDone) {
     const Stopwatch time;
-    if (withWorkers && device_->options.cache && context().device().isCpu)
-        compileInWorkers(device_->options, scene, missingKernels(scene), stepDone);
+    if (device_->options.cache && context().device().isCpu) compileInWorkers(device_->options, scene, missing, stepDone);
     const double workers = time.seconds();
     stages_ = std::make_unique<Stages>(device_->compiler, scene, device_->shape, buildSettingsFor(device_->options), StagePart{}, stepDone);
     return workers;

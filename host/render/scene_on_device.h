@@ -18,9 +18,9 @@ public:
 
     /// How many of its kernels are not in the cache.
     int missingKernels(const PackedScene& scene) const;
-    /// Loads or compiles them. withWorkers: in processes of their own, on all cores. stepDone: called twice for each that is missing.
-    /// Returns the seconds that the workers took.
-    double build(const PackedScene& scene, bool withWorkers, const std::function<void()>& stepDone);
+    /// Loads or compiles them, on a processor in processes of their own, if `missing` are worth it: as many as missingKernels() says, or 0.
+    /// stepDone: called twice for each that is missing. Returns the seconds that the processes took.
+    double build(const PackedScene& scene, int missing, const std::function<void()>& stepDone);
     /// Copies the scene's tables, which it may share from then on.
     void upload(const PackedScene& scene) { tables_ = std::make_unique<DeviceScene>(device_->context, scene); }
     /// Makes the queues, and launches every kernel once. isShared: as for Wave::warmUp.

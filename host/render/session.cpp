@@ -259,18 +259,16 @@ uint Session::unresolvedRays() const {
 }
 
 void Session::survey(const std::function<bool()>& abandon) {
-    bool isChosen = false;
     forEachDevice([&](SceneOnDevice& device) {
-        if (isChosen) device.survey(packed_, chosenRoulette_, abandon);
-        else chosenRoulette_ = device.survey(packed_, abandon);
-        isChosen = true;
+        if (&device == &first()) chosenRoulette_ = device.survey(packed_, abandon);
+        else device.survey(packed_, chosenRoulette_, abandon);
     });
 }
 
 void Session::setSeed(int seed) {
     packed_.frame().seed = static_cast<uint>(seed);
-    for (wavelength_range& range : packed_.tables.wavelengths)
-        if (packed_.features.has(Feature::MERGING)) range.pass_seed = packed_.frame().seed;
+    if (packed_.features.has(Feature::MERGING))
+        for (wavelength_range& range : packed_.tables.wavelengths) range.pass_seed = packed_.frame().seed;
     forEachDevice([this](SceneOnDevice& device) { device.setSeed(packed_); });
 }
 

@@ -64,7 +64,7 @@ protected:
         device();   // where kernels are kept
         for (const unsigned batches : fails) {
             auto& d = *devices.emplace_back(std::make_unique<SceneOnDevice>(std::make_shared<OpenDevice>(options, false)));
-            d.build(scene, false, [] {});
+            d.build(scene, 0, [] {});
             d.upload(scene);
             d.launch(scene, fails.size() > 1);
             d.keep();
