@@ -84,7 +84,9 @@ INSTANTIATE_TEST_SUITE_P(
     Of, RenderPasses,
     testing::Values(
         Case{"paths", "", sky + ball("\"dielectric\"")},
-        Case{"wavelengths_a_filter_and_a_limit", "PixelFilter \"mitchell\" Film \"spectral\" \"float maxcomponentvalue\" .5",
+        Case{"wavelengths_a_filter_and_a_limit",
+             "PixelFilter \"mitchell\" Film \"spectral\" \"integer xresolution\" 24 \"integer yresolution\" 24 "
+             "\"float maxcomponentvalue\" .5",
              sky + ball("\"diffuse\"")},
         Case{"media", "", sky + smoke, true},
         Case{"a_subsurface_body", "", ball("\"subsurface\" \"rgb reflectance\" [.5 .5 .5] \"rgb mfp\" [.1 .1 .1]")},
