@@ -61,16 +61,20 @@ static glm::vec3 meanDirection(const float* sum, float weight, size_t n, size_t 
     return length != 0 ? direction / length : glm::vec3(0);
 }
 
-void FilmTotals::developPasses(FilmImage& image) const {
+std::vector<glm::vec3> FilmTotals::meanColors(const float* sum) const {
     const size_t n = plane();
     const float* weight = floats("weight");
+    std::vector<glm::vec3> colors(n);
+    tbb::parallel_for(size_t{0}, n, [&](size_t i) {
+        colors[i] = glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0);
+    });
+    return colors;
+}
+
+void FilmTotals::developPasses(FilmImage& image) const {
     const auto develop = [&](std::vector<glm::vec3>& layer, const char* field, const std::vector<glm::vec3>& splats) {
-        const float* sum = floats(field);
-        layer.resize(n);
-        tbb::parallel_for(size_t{0}, n, [&](size_t i) {
-            layer[i] = glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0);
-            if (!splats.empty()) layer[i] += splats[i];
-        });
+        layer = meanColors(floats(field));
+        for (size_t i = 0; i < splats.size(); ++i) layer[i] += splats[i];
     };
     develop(image.emission, "emission", {});
     develop(image.direct, "direct", directSplats_);
@@ -79,14 +83,10 @@ void FilmTotals::developPasses(FilmImage& image) const {
 }
 
 void FilmTotals::developLightGroups(FilmImage& image, const std::vector<std::string>& names) const {
-    const size_t n = plane();
-    const float *weight = floats("weight"), *sum = floats("groups");
+    const float* sum = floats("groups");
     for (const std::string& name : names) {
-        LightGroup& group = image.lightGroups.emplace_back(name, std::vector<glm::vec3>(n));
-        tbb::parallel_for(size_t{0}, n, [&](size_t i) {
-            group.color[i] = glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0);
-        });
-        sum += GROUP_WORDS * n;
+        image.lightGroups.emplace_back(name, meanColors(sum));
+        sum += GROUP_WORDS * plane();
     }
 }
 

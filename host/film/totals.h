@@ -35,6 +35,8 @@ public:
     ErrorEstimate error(ErrorMetric metric) const;
 
 private:
+    /// Of each pixel, by words of a colour that begin at `sum`: its mean over the samples.
+    std::vector<glm::vec3> meanColors(const float* sum) const;
     void developPasses(FilmImage& image) const;
     void developLightGroups(FilmImage& image, const std::vector<std::string>& names) const;
     void developAovs(FilmImage& image, const PackedScene& scene) const;
