@@ -3,6 +3,7 @@
 #include "app/output.h"
 #include "app/render_jobs.h"
 #include "image/atomic_file.h"
+#include "image/image_file.h"
 #include "pack/camera.h"
 #include "printable.h"
 #include "render/scene_loading.h"
@@ -53,21 +54,18 @@ FarmJob jobOf(const Options& o, const std::string& name) {
     return job;
 }
 
-/// Reads the scene of the first frame, and checks that all have one.
+/// Reads the scene of the first frame, and checks that all have one, and that its images can be written.
 FarmJob jobOfFrames(const Options& o, Diagnostics& diagnostics) {
     Options all = o;
     all.scenes = {o.scene.path};
     std::vector<RenderJob> frames = renderJobs(all);
     if (const std::vector<std::string> missing = takeMissing(frames); !missing.empty())
         throw Error(ExitCode::scene, "error: " + missing.front());
-    FarmJob job = jobOf(o, loadScene(optionsOf(all, frames, 0).scene, diagnostics).name);
+    const Options first = optionsOf(all, frames, 0);
+    for (const std::string& file : first.output.files) checkWritable(file, 0, o.output.encoding);
+    FarmJob job = jobOf(o, loadScene(first.scene, diagnostics).name);
     job.renderOptions.insert(job.renderOptions.end(), o.passedToFrames.begin(), o.passedToFrames.end());
-    for (const std::string& file : o.output.files) {
-        job.images.push_back(absolute(file));
-        const fs::path folder = fs::path(job.images.back()).parent_path();
-        if (!isFolder(file) && !fs::is_directory(folder))
-            throw Error(ExitCode::scene, fmt::format("error: -o {}: there is no folder \"{}\"", file, folder.string()));
-    }
+    for (const std::string& file : o.output.files) job.images.push_back(absolute(file));
     job.frames = o.frames;
     std::ranges::sort(job.frames);
     job.framesPerTask = o.submit.framesPerTask;

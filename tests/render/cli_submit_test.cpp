@@ -83,6 +83,7 @@ TEST_F(Submit, AnimationsAreTasksOfFrames) {
     EXPECT_THAT(submit("slurm", {"--dry-run", "--frames", "1-4", "--fps", "24"}).error, HasSubstr("-o image.####.exr"));
     EXPECT_THAT(submit("slurm", {"--dry-run", "--frames", "1-4", "--fps", "24", "-o", "a.exr"}).error, HasSubstr("there are 4 frames"));
     EXPECT_THAT(submit("slurm", {"--dry-run", "--frames-per-task", "4"}).error, HasSubstr("say which: --frames 1-48"));
+    EXPECT_THAT(submit("slurm", {"--dry-run", "--frames", "1-4", "--fps", "24", "-o", "none/a.##.exr"}).error, HasSubstr("no folder"));
     write("s.01.pbrt", tinyScene());
     const Outcome missing = run({"submit", "s.##.pbrt", "--engine", "slurm", "--dry-run", "--frames", "1-3", "-o", "a.##.exr"});
     EXPECT_EQ(missing.status, 1);
