@@ -189,13 +189,15 @@ StageFlags parseStageFlags(const std::string& option, const std::string& text) {
 Aovs parseAovs(const std::string& option, const std::string& text) {
     using Channels = std::vector<bool Aovs::*>;
     std::vector<std::pair<const char*, Channels>> names;
-    Channels passes, all;
+    Channels passes, cryptomatte, all;
     for (const AovName& each : aovNames) {
         names.emplace_back(each.name, Channels{each.asked});
         if (each.source == AovSource::passes) passes.push_back(each.asked);
-        if (each.source != AovSource::lightGroups) all.push_back(each.asked);
+        if (each.source == AovSource::names) cryptomatte.push_back(each.asked);
+        if (each.source != AovSource::lightGroups && each.source != AovSource::names) all.push_back(each.asked);
     }
     names.emplace_back("passes", passes);
+    names.emplace_back("cryptomatte", cryptomatte);
     names.emplace_back("all", all);
     Aovs aovs;
     for (const std::string& word : split(text, ','))

@@ -23,6 +23,8 @@ std::vector<std::string> outputFiles(const OutputOptions& options, const Scene& 
     if (options.aovs.any() && !anyHoldsChannels(files, options.encoding))
         throw UsageError(
             fmt::format("--aov needs an EXR file, and {} cannot hold its channels; add `-o FILE.exr`", fmt::join(files, ", ")));
+    if (options.aovs.has(AovSource::names) && options.encoding.compression.value_or(ExrCompression::zip) > ExrCompression::piz)
+        throw UsageError("--aov cryptomatte needs --compression none, rle, zips, zip or piz: the others change the IDs");
     files = imageFiles(std::move(files), options.encoding);
     checkEncoding(files, options.encoding);
     return files;
@@ -72,6 +74,10 @@ void selectAovs(FilmImage& image, const Aovs& aovs) {
     if (!aovs.indirect) image.indirect.clear();
     if (!aovs.volume) image.volume.clear();
     if (!aovs.lightGroups) image.lightGroups.clear();
+    const auto& [objects, materials] = cryptomatteLayerNames;
+    std::erase_if(image.cryptomattes, [&](const CryptomatteLayer& layer) {
+        return (layer.name == objects && !aovs.cryptoObject) || (layer.name == materials && !aovs.cryptoMaterial);
+    });
     if (!aovs.albedo) image.albedo.clear();
     if (!aovs.normal) image.normal.clear();
     if (!aovs.geometricNormal) image.geometricNormal.clear();

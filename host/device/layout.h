@@ -29,7 +29,8 @@ std::vector<QueueLayout> queueLayouts(const Features& features);
 /// The layout of the queue `name`. Throws std::out_of_range for an unknown queue.
 QueueLayout queueLayout(const std::string& name, const Features& features);
 /// The layout of a film pixel. If the film keeps a spectrum, a field "buckets" follows, with BUCKET_WORDS words per bucket; then, if it
-/// keeps light groups, "groups", with GROUP_WORDS words per group.
+/// keeps light groups, "groups", with GROUP_WORDS words per group; then, if it keeps them, "object_mattes" and "material_mattes", with
+/// MATTE_SLOTS slots of MATTE_WORDS words.
 QueueLayout filmLayout(const Features& features, uint buckets = 0, int lightGroups = 0);
 /// Of a stored vertex of a light path, and of its entry in the grid: records, one after the other.
 QueueLayout vertexLayout(const Features& features);

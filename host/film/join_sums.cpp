@@ -1,6 +1,7 @@
 #include "film/join_sums.h"
 
 #include "eikonal/film.h"
+#include "film/join_mattes.h"
 
 #include <algorithm>
 #include <bit>
@@ -65,7 +66,8 @@ JoinedSums::JoinedSums(const QueueLayout& layout) : words_(static_cast<std::size
             for (int group = 0; group < field.words; group += GROUP_WORDS)
                 for (int c = 0; c < WORDS_rgb; ++c)
                     compensated_.push_back({field.slot + group + c, field.slot + group + WORDS_rgb + c});
-        } else if (!known.contains(field.name))
+        } else if (field.name == "object_mattes" || field.name == "material_mattes") mattes_.push_back(field.slot);
+        else if (!known.contains(field.name))
             throw std::logic_error("a film's field " + field.name + " cannot be joined");
     weight_ = slot("weight");
     squareWeight_ = slot("square_weight");
@@ -109,6 +111,8 @@ void JoinedSums::join(PixelRow<const uint> earlier, SampleRange earlierRange, Pi
             lead2 = isSame ? lead1 + lead2 : isLess ? lead2 - lead1 : lead1 - lead2;
             id2 = isSame || isLess ? id2 : id1;
         }
+
+    for (const int slot : mattes_) joinMattes(earlier, row, slot, count);
 
     /* The error is estimated from 2^k samples: the first ones, or, of samples that are no siblings, those of the longer range */
     const unsigned length = earlierRange.length(), more = range.length();

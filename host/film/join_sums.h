@@ -2,6 +2,7 @@
 // Adds what a film keeps of one range of samples to what it keeps of another.
 
 #include "device/layout.h"
+#include "film/pixel_row.h"
 #include "film/sample_nodes.h"
 
 #include <cstddef>
@@ -9,12 +10,6 @@
 #include <vector>
 
 namespace eikonal {
-
-/// Pixels in a row: word w of pixel i is first[w * stride + i].
-template <class Word> struct PixelRow {
-    Word* first;
-    std::size_t stride;
-};
 
 class JoinedSums {
 public:
@@ -43,6 +38,7 @@ private:
     std::vector<int> plain_;                     ///< sums without rounding errors
     std::vector<int> counts_;                    ///< whole numbers
     std::vector<Vote> votes_;
+    std::vector<int> mattes_;                    ///< first words of slots (join_mattes.h)
     int weight_, squareWeight_, mean_, spread_, quarter_, lowMean_, half_, quarterSquare_, eighth_;
     int quarterWeight_;                          ///< -1: without a filter
 };

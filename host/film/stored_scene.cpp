@@ -39,6 +39,8 @@ std::string toJson(const PackedScene& packed, const PixelRect& pixels, const Fil
               {"pixels", {pixels.x0, pixels.y0, pixels.x1, pixels.y1}},
               {"samples", packed.samples},
               {"lightGroups", packed.constants.lightGroups > 0 ? packed.lightGroups : std::vector<std::string>()},
+              {"objectManifest", packed.objectManifest},
+              {"materialManifest", packed.materialManifest},
               {"gbuffer", static_cast<int>(film.gbuffer)},
               {"halfFloats", film.halfFloats}};
     for (size_t i = 0; i < featureCount(); ++i)
@@ -67,6 +69,8 @@ StoredScene storedScene(const std::string& text, const std::string& name) {
         packed.samples = json.at("samples");
         packed.lightGroups = json.at("lightGroups").get<std::vector<std::string>>();
         packed.constants.lightGroups = static_cast<int>(packed.lightGroups.size());
+        packed.objectManifest = json.at("objectManifest");
+        packed.materialManifest = json.at("materialManifest");
         for (const Json& feature : json.value("features", Json::array()))
             if (const Feature known = featureNamed(feature); known != Feature::none) packed.features.require(known);
         scene.film.gbuffer = static_cast<GBuffer>(json.at("gbuffer").get<int>());

@@ -133,6 +133,9 @@ FilmImage FilmTotals::develop(const PackedScene& scene) const {
     }
     if (layout_.field("emission").words > 0) developPasses(image);
     if (scene.constants.lightGroups > 0) developLightGroups(image, scene.lightGroups);
+    const auto& [objects, materials] = cryptomatteLayerNames;
+    if (scene.features.has(Feature::CRYPTO_OBJECT)) developMattes(image, "object_mattes", objects, scene.objectManifest);
+    if (scene.features.has(Feature::CRYPTO_MATERIAL)) developMattes(image, "material_mattes", materials, scene.materialManifest);
     if (layout_.field("albedo").words > 0) developAovs(image, scene);
     if (scene.frame().bucket_count > 0) developSpectrum(image, scene);
     return image;

@@ -39,6 +39,8 @@ private:
     std::vector<glm::vec3> meanColors(const float* sum) const;
     void developPasses(FilmImage& image) const;
     void developLightGroups(FilmImage& image, const std::vector<std::string>& names) const;
+    /// field: the film's. name, manifest: of the layer.
+    void developMattes(FilmImage& image, const char* field, const char* name, const std::string& manifest) const;
     void developAovs(FilmImage& image, const PackedScene& scene) const;
     void developSpectrum(FilmImage& image, const PackedScene& scene) const;
     size_t plane() const { return static_cast<size_t>(pixels_.width()) * static_cast<size_t>(pixels_.height()); }

@@ -18,6 +18,7 @@ constexpr float noDepth = 1e10f;
 struct ChannelUse {
     bool needsFloats = false;  ///< positions, numbers and counts, of which 16 bits hold too little
     bool isDepth = false;
+    bool isBits = false;       ///< IDs, which every change of a bit makes wrong
 };
 
 /// One channel: value i belongs to pixel i. Float is `float`, or `const float` to read only.
@@ -81,6 +82,10 @@ std::vector<ChannelView<Float>> channelsOf(Image& image, ChannelNames spelling =
     for (auto& group : image.lightGroups)
         for (std::size_t c = 0; c < 3; ++c)
             channels.push_back({lightGroupChannel(group.name, c), reinterpret_cast<Float*>(group.color.data()) + c, 3, {}});
+    for (auto& layer : image.cryptomattes)
+        for (std::size_t i = 0; i < CryptomatteLayer::perPixel; ++i)
+            channels.push_back({cryptomatteChannel(layer.name, i), &layer.values[i], CryptomatteLayer::perPixel,
+                                {.needsFloats = true, .isBits = true}});
     const auto& wavelengths = image.spectrum.wavelengths;
     for (std::size_t b = 0; b < wavelengths.size(); ++b)
         channels.push_back({bucketChannel(wavelengths[b]), &image.spectrum.radiance[b], wavelengths.size(), {}});

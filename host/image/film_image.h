@@ -1,6 +1,7 @@
 #pragma once
 // A rendered image in memory, and what is known about how it was made.
 
+#include "image/cryptomatte.h"
 #include "scene/film.h"
 
 #include <glm/glm.hpp>
@@ -50,6 +51,7 @@ struct FilmImage {
     std::vector<glm::vec3> sampleVariance;    ///< variance of a sample, for pbrt's readers (image/sample_variance.h)
     std::vector<glm::vec3> relativeVariance;  ///< the same over the mean
     std::vector<LightGroup> lightGroups;   ///< which sum to color, or to `noisy`; empty unless the film keeps them
+    std::vector<CryptomatteLayer> cryptomattes;   ///< empty unless the film keeps them
     PixelSpectra spectrum;             ///< empty unless the film keeps one
     bool halfFloats = false;           ///< FilmDescription::halfFloats
 

@@ -91,6 +91,13 @@ FilmFile readImage(const std::string& path) {
             if (has(lightGroupChannel(group, 1).c_str()) && has(lightGroupChannel(group, 2).c_str()))
                 image.lightGroups.push_back({group, std::vector<glm::vec3>(image.pixelCount())});
         }
+    for (const char* const name : cryptomatteLayerNames) {
+        std::size_t found = 0;
+        while (found < CryptomatteLayer::perPixel && has(cryptomatteChannel(name, found).c_str())) ++found;
+        if (found == CryptomatteLayer::perPixel)
+            image.cryptomattes.push_back({name, input->text(cryptomatteAttribute(name, "manifest").c_str()),
+                                          std::vector<float>(found * image.pixelCount())});
+    }
     for (const std::string& name : header.channels)
         if (const auto wavelength = wavelengthOfChannel(name)) image.spectrum.wavelengths.push_back(*wavelength);
     std::ranges::sort(image.spectrum.wavelengths);

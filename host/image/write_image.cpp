@@ -83,6 +83,8 @@ void describeLayers(EncodedImage& file, const FilmImage& image, const Metadata& 
     file.attributes.emplace_back("chromaticities", srgbPrimaries);
     if (metadata.worldToCamera) file.attributes.emplace_back("worldToCamera", *metadata.worldToCamera);
     if (metadata.worldToNdc) file.attributes.emplace_back("worldToNDC", *metadata.worldToNdc);
+    for (const CryptomatteLayer& layer : image.cryptomattes)
+        for (auto& attribute : cryptomatteAttributes(layer)) file.attributes.push_back(std::move(attribute));
     if (!image.spectrum.wavelengths.empty())
         for (const auto& [attribute, text] : spectralAttributes) file.attributes.emplace_back(attribute, text);
 }
@@ -111,7 +113,7 @@ void addChannels(EncodedImage& file, const ImageFormat& format, const FilmImage&
     file.channels.clear();
     for (const auto& channel : channels) {
         file.channels.push_back(channel.name);
-        file.isHalf.push_back(hasHalves && (hasOneType || !channel.use.needsFloats));
+        file.isHalf.push_back(hasHalves && !channel.use.isBits && (hasOneType || !channel.use.needsFloats));
     }
     file.values = interleave(channels, image.pixelCount());
     if (!format.holdsNegatives) std::ranges::transform(file.values, file.values.begin(), [](float v) { return v > 0 ? v : 0; });

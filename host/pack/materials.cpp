@@ -42,6 +42,13 @@ void MaterialPacker::pack(const Material& description, PackedMaterial& m, bool r
     }
 }
 
+std::vector<int> MaterialPacker::sources() const {
+    std::vector<int> sources(in_.tables.materials.size(), none);
+    for (size_t i = 0; i < indices_.size(); ++i)
+        if (indices_[i] != NONE) sources[indices_[i]] = static_cast<int>(i);
+    return sources;
+}
+
 uint MaterialPacker::material(int index) {
     Table<PackedMaterial>& materials = in_.tables.materials;
     if (index == none) {

@@ -23,6 +23,9 @@ public:
     /// The index in `materials` of a material of the scene, or of pbrt's default material.
     uint material(int index);
 
+    /// By index in `materials`: the scene's material that the packed one stands for; none: pbrt's default, or a part of another.
+    std::vector<int> sources() const;
+
     const MaterialTables& tables() const { return in_.tables; }
 
 private:

@@ -60,6 +60,7 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     packFilter(camera, frame.pixel_filter);
     media.pack();
     Hierarchies hierarchies = packGeometry({context, tables, packed.counts, textures, materials, lights});
+    packed.materialSources = materials.sources();
     lights.pack();
     chooseLightPaths(context, packed);
     if (context.spectral && context.has(Feature::MERGING)) colors.packPassWavelengths(frame);

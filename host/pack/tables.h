@@ -28,10 +28,12 @@ struct BsdfTables { BSDF_TABLES(TABLE_VECTOR) };
 struct MediumTables { MEDIUM_TABLES(TABLE_VECTOR) };
 struct ColorTables { COLOR_TABLES(TABLE_VECTOR) };
 struct CameraTables { CAMERA_TABLES(TABLE_VECTOR) };
+struct MatteTables { MATTE_TABLES(TABLE_VECTOR) };
 #undef TABLE_VECTOR
 
 /// A table of elements for each of SCENE_TABLES, of its name.
-struct SceneTables : GeometryTables, TextureTables, MaterialTables, LightTables, BsdfTables, MediumTables, ColorTables, CameraTables {
+struct SceneTables : GeometryTables, TextureTables, MaterialTables, LightTables, BsdfTables, MediumTables, ColorTables, CameraTables,
+                     MatteTables {
     Table<settings> frame;
 
     /// Bytes of all tables.
@@ -76,6 +78,8 @@ struct PackedScene : RequiredFeatures {
     SceneTables tables;
     SceneConstants constants;
     std::vector<std::string> lightGroups{"default"};   ///< names, by light::group; constants.lightGroups: how many are kept
+    std::vector<int> materialSources;        ///< by index in `materials`: of which scene material; none: of no other than pbrt's default
+    std::string objectManifest, materialManifest;   ///< of the layers of Cryptomatte; empty: not required
     PixelRect pixels;                        ///< the pixels to render, of width x height (settings)
     int samples = 16;                        ///< per pixel
     bool isAlwaysGuided = false;             ///< with ENVIRONMENT_GUIDE: use the guide even in open scenes

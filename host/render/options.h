@@ -65,8 +65,8 @@ struct DeviceOptions {
 };
 
 /// What a channel is made of: the first surface of each path, its light by passes or by light groups, or the film's statistics, which there
-/// are anyway.
-enum class AovSource { surfaces, passes, lightGroups, statistics };
+/// are anyway; or weights of what first surfaces are called.
+enum class AovSource { surfaces, passes, lightGroups, statistics, names };
 
 /// Additional channels of an EXR.
 struct Aovs {
@@ -74,6 +74,7 @@ struct Aovs {
          depth = false, object = false, material = false;
     bool emission = false, direct = false, indirect = false, volume = false;
     bool lightGroups = false;
+    bool cryptoObject = false, cryptoMaterial = false;
     bool variance = false, sampleCount = false;
     bool any() const;
     /// Whether any channel is of this source.
@@ -97,6 +98,8 @@ inline constexpr AovName aovNames[] = {{"albedo", &Aovs::albedo},
                                        {"indirect", &Aovs::indirect, AovSource::passes},
                                        {"volume", &Aovs::volume, AovSource::passes},
                                        {"lightgroups", &Aovs::lightGroups, AovSource::lightGroups},
+                                       {"cryptoObject", &Aovs::cryptoObject, AovSource::names},
+                                       {"cryptoMaterial", &Aovs::cryptoMaterial, AovSource::names},
                                        {"variance", &Aovs::variance, AovSource::statistics},
                                        {"sampleCount", &Aovs::sampleCount, AovSource::statistics}};
 inline bool Aovs::any() const { return std::ranges::any_of(aovNames, [this](const AovName& n) { return this->*n.asked; }); }

@@ -33,6 +33,7 @@ Values tablesOf(const PackedScene& scene) {
     ADD_GROUP("media", MEDIUM_TABLES)
     ADD_GROUP("colours", COLOR_TABLES)
     ADD_GROUP("camera and filter", CAMERA_TABLES)
+    ADD_GROUP("Cryptomatte IDs", MATTE_TABLES)
 #undef ADD_GROUP
 #undef ADD_TABLE
     TableHash frame;

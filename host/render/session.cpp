@@ -1,6 +1,7 @@
 #include "render/session.h"
 
 #include "render/render.h"
+#include "pack/mattes.h"
 #include "pack/pack.h"
 #include "render/scene_loading.h"
 #include "background.h"
@@ -142,10 +143,13 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     packed_ = std::move(packing.scene);
     wholePixels_ = packed_.pixels;
     warnOfDarkness(scene_, packed_, diagnostics_);
+    if (aovs.has(AovSource::surfaces) || aovs.has(AovSource::names)) packed_.require(Feature::AOVS, "--aov, or a film \"gbuffer\"");
+    if (aovs.cryptoObject) packed_.require(Feature::CRYPTO_OBJECT, "--aov");
+    if (aovs.cryptoMaterial) packed_.require(Feature::CRYPTO_MATERIAL, "--aov");
+    packMattes(scene_, packed_);
     scene_.shapes.clear();
     scene_.objects.clear();
     scene_.images.clear();
-    if (aovs.has(AovSource::surfaces)) packed_.require(Feature::AOVS, "--aov, or a film \"gbuffer\"");
     if (aovs.lightGroups) keepLightGroups(packed_);
     if (aovs.has(AovSource::passes)) packed_.require(Feature::RENDER_PASSES, "--aov");
     if (aovs.motion && packed_.features.has(Feature::MOTION)) packed_.require(Feature::MOTION_VECTORS, "--aov, or a film \"gbuffer\"");

@@ -66,6 +66,7 @@ struct Shape {
     std::optional<Displacement> displacement;     ///< triangle
     Transform worldFromObject{1};
     std::optional<Transform> worldFromObjectAtEnd;  ///< set: the shape moves, and has this transform at Scene::motionEnd
+    std::string name;                             ///< of the object that it is, for mattes; empty: none
     bool reverseOrientation = false;
     int material = none;                          ///< in Scene::materials; none: pbrt's default, diffuse 0.5
     Input alpha{Spectrum::constant(1)};           ///< probability that a ray hits the shape

@@ -50,6 +50,8 @@
     F(AOVS,             "auxiliary image channels") \
     F(RENDER_PASSES,    "the channels \"emission\", \"direct\", \"indirect\" and \"volume\"") \
     F(LIGHT_GROUPS,     "the channels of light groups") \
+    F(CRYPTO_OBJECT,    "the channels \"CryptoObject\"") \
+    F(CRYPTO_MATERIAL,  "the channels \"CryptoMaterial\"") \
     F(MOTION_VECTORS,   "the channel \"motion\", and a shape that moves")
 
 #endif

@@ -65,6 +65,15 @@ CONTRACT_BEGIN
    rounding error. */
 #define GROUP_WORDS (2 * WORDS_rgb)
 
+/* With CRYPTO_OBJECT, MATTE_SLOTS slots for objects follow; then, with CRYPTO_MATERIAL, as many for materials. A slot has MATTE_WORDS
+   words: a Cryptomatte ID (host/image/cryptomatte.h), or NO_SURFACE_ID, or 0 if the slot is free; and the sum of the weights of the samples
+   whose first surface has that ID. A leaf has as many samples (host/film/sample_nodes.h), so no ID of it lacks a slot; where leaves join,
+   the host keeps the IDs that weigh most (host/film/join_mattes.h). */
+#define MATTE_SLOTS 16
+#define MATTE_WORDS 2
+/* The first surface that is none. No name has this ID. */
+#define NO_SURFACE_ID 1u
+
 /* LIGHT_PATHS: what light paths add to pixels. 64-bit integers: of each the low halves of all pixels, then the high ones. They sum what
    each path adds, times splat_scale (settings): colours in steps of 1 / SPLAT_UNITS, and squared luminances in steps of 1 /
    SPLAT_SQUARE_UNITS, whose sum is the variance of a sum of rare events. The image is the sum of colours over the number of light paths for

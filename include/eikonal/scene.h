@@ -176,9 +176,14 @@ typedef struct {
     T(pupil_bounds,   pupils)                /* PUPIL_INTERVALS elements */ \
     T(float,          aperture_texels)       /* transmission of the aperture stop, row by row, y up; its mean is pi / 4 */
 
+/* Read by resolve_film: the Cryptomatte ID of each object and material id, whose first is that of no surface. */
+#define MATTE_TABLES(T) \
+    T(uint,           object_matte_ids)      /* with CRYPTO_OBJECT */ \
+    T(uint,           material_matte_ids)    /* with CRYPTO_MATERIAL */
+
 #define SCENE_TABLES(T) \
     GEOMETRY_TABLES(T) TEXTURE_TABLES(T) MATERIAL_TABLES(T) LIGHT_TABLES(T) EMISSION_TABLES(T) BSDF_TABLES(T) MEDIUM_TABLES(T) \
-        COLOR_TABLES(T) CAMERA_TABLES(T) \
+        COLOR_TABLES(T) CAMERA_TABLES(T) MATTE_TABLES(T) \
     T(settings,       frame)
 
 /* The most rays that one camera ray may split into (kernels/shade/ray_splitting.clh). */

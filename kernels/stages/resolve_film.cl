@@ -7,6 +7,7 @@
 #include "film/compensated.clh"
 #include "film/exposure.clh"
 #include "film/groups.clh"
+#include "film/mattes.clh"
 #include "film/pixel.clh"
 #include "eikonal/film.h"
 DEFINE_ITEM(film, FILM_FIELDS, 0)
@@ -77,7 +78,7 @@ FN path_item gather_path(__global const settings *frame, __global const uint *pa
 }
 
 #define RESOLVE_FILM(TABLE, ARGUMENT) \
-    COLOR_TABLES(TABLE) INTERRUPT_TABLES(TABLE) \
+    COLOR_TABLES(TABLE) MATTE_TABLES(TABLE) INTERRUPT_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, path) ARGUMENT(uint, first_path) \
     ARGUMENT(__global uint *, film) ARGUMENT(__global const layer_range *, block_layers) ARGUMENT(uint, block_log2_width) \
     ARGUMENT(uint, block_log2_height)
@@ -106,6 +107,10 @@ TRACING_STAGE(resolve_film, RESOLVE_FILM) {
             if (HAS_RENDER_PASSES) f = add_passes(f, p, exposed, colors, frame);
             add_groups(film, film_words + BUCKET_WORDS * frame->bucket_count, count, pixel, path, path_capacity,
                        state_of_path(frame, index), states_per_path(frame), is_valid ? exposed : 0.0f, p.weight, colors, frame);
+            size_t mattes = film_words + BUCKET_WORDS * frame->bucket_count + GROUP_WORDS * LIGHT_GROUP_COUNT;
+            if (HAS_CRYPTO_OBJECT) add_to_mattes(film, mattes, count, pixel, object_matte_ids[p.object], p.weight);
+            if (HAS_CRYPTO_OBJECT) mattes += MATTE_WORDS * MATTE_SLOTS;
+            if (HAS_CRYPTO_MATERIAL) add_to_mattes(film, mattes, count, pixel, material_matte_ids[p.material], p.weight);
             if (HAS_SPECTRAL_FILM) add_to_buckets(film, film_words, count, pixel, frame, colors, mul(e.light, p.weight));
         }
         store_film(film, count, pixel, f);

@@ -64,10 +64,11 @@ CLI::Option* addAov(CLI::App* app, OutputOptions& out) {
     for (const AovName& each : aovNames) channels.emplace_back(each.name);
     auto* aov = value(app, "--aov", out.aovs, "NAMES",
                       fmt::format("Additional channels of an EXR: {}, separated by commas; passes: emission, direct, indirect, volume; "
-                                  "all: all but lightgroups",
+                                  "cryptomatte: both layers of Cryptomatte; all: all but lightgroups and cryptomatte",
                                   fmt::join(channels, ", ")),
                       parseAovs);
     channels.emplace_back("passes");
+    channels.emplace_back("cryptomatte");
     channels.emplace_back("all");
     return offer(aov, channels);
 }

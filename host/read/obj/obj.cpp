@@ -126,6 +126,7 @@ void addShapes(Scene& scene, const ObjGeometry& geometry, const ObjMeshes& meshe
                 shape.areaLight = static_cast<int>(scene.areaLights.size()) - 1;
             }
         }
+        shape.name = group.object.empty() ? scene.name : group.object;
         shape.where = where;
         scene.shapes.push_back(std::move(shape));
     }

@@ -26,6 +26,7 @@ public:
     int add(const std::string& path, const SourceLocation& where);
     /// Reads all files, and notes their problems.
     void load();
+    const std::string& path(int number) const { return files_[number].path; }
     /// After load(): the contents of a file; empty if it could not be read.
     const PlyMesh& mesh(int number) const { return files_[number].mesh; }
 

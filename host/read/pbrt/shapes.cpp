@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -165,6 +166,7 @@ void ShapeRegistry::place(PendingShape pending) {
         return;
     }
     const PlyMesh& ply = plyFiles_.mesh(pending.plyFile);
+    shape.name = std::filesystem::path(plyFiles_.path(pending.plyFile)).stem().string();
     if (pending.displacement) {
         shape.displacement->texture = textures_.textureOf(*pending.displacement, true);
         const std::shared_ptr<const Mesh> mesh = trianglesOf(ply);
