@@ -1,5 +1,6 @@
 #include "pack/mattes.h"
 
+#include "eikonal/film.h"
 #include "image/cryptomatte.h"
 #include "kinds/material_kind.h"
 #include "kinds/shape_kind.h"
