@@ -70,7 +70,7 @@ float coverage(const CryptomatteLayer& layer, size_t pixel, const std::string& n
 }
 
 TEST_F(Cryptomatte, CoversWhatTheCameraSees) {
-    writeSquares("");
+    writeSquares("PixelFilter \"box\"");
     const FilmImage image = render({"--spp", "1024"});
     ASSERT_EQ(image.cryptomattes.size(), 2u);
     const CryptomatteLayer &objects = image.cryptomattes[0], &materials = image.cryptomattes[1];
