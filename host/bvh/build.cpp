@@ -63,10 +63,12 @@ static References collectReferences(const Sources& sources) {
 
 /// A subtree, or a single node above other pieces.
 struct Piece {
+    struct Child;
     Subtree part;                                   ///< for a single node: without its children
-    std::vector<std::pair<WideBox, Piece>> children;
+    std::vector<Child> children;
     uint firstNode = 0, firstLine = 0, firstElement = 0;  ///< where its tables begin in the joined tables
 };
+struct Piece::Child { WideBox box; Piece piece; };
 
 /* Divides a range into up to eight child ranges of a node */
 static std::vector<Range> divide(std::span<Reference> references, const Range& range, bool halves) {
