@@ -44,6 +44,11 @@ template <class Run> std::vector<unsigned char> contentOf(const Run& run, const 
     return content;
 }
 
+/// Copies bytes of a record. There may be none, and then no place for them.
+void copyBytes(void* to, const unsigned char* from, size_t bytes) {
+    if (bytes > 0) std::memcpy(to, from, bytes);
+}
+
 std::string asText(const std::vector<unsigned char>& content) { return {content.begin(), content.end()}; }
 
 }  // namespace
@@ -84,7 +89,7 @@ FilmFileReader::FilmFileReader(const std::string& path) : records_(path, kind, "
     head_.scene = asText(records_.read(sceneTag));
     head_.metadata = asText(records_.read(metadataTag));
     head_.planned.resize(planned.size() / sizeof(unsigned));
-    std::memcpy(head_.planned.data(), planned.data(), head_.planned.size() * sizeof(unsigned));
+    copyBytes(head_.planned.data(), planned.data(), head_.planned.size() * sizeof(unsigned));
     if (seconds.size() == sizeof head_.seconds) std::memcpy(&head_.seconds, seconds.data(), seconds.size());
 }
 
@@ -119,7 +124,7 @@ FilmRun FilmFileReader::readRun(const RecordReader::Record& record, size_t words
     run.nodes.resize(nodes);
     run.words.resize(wordBytes / sizeof(uint));
     std::memcpy(run.nodes.data(), content.data() + sizeof head, rangeBytes);
-    std::memcpy(run.words.data(), content.data() + sizeof head + rangeBytes, wordBytes);
+    copyBytes(run.words.data(), content.data() + sizeof head + rangeBytes, wordBytes);
     return run;
 }
 
@@ -138,7 +143,7 @@ void FilmFileReader::forSplats(const std::function<void(const SplatRow&)>& take)
         SplatRow row{head.y, head.x0, head.x1, {}, std::vector<std::uint64_t>(words)};
         row.samples.resize(static_cast<size_t>(head.nodes));
         std::memcpy(row.samples.data(), content.data() + sizeof head, ranges);
-        std::memcpy(row.words.data(), content.data() + sizeof head + ranges, words * sizeof(std::uint64_t));
+        copyBytes(row.words.data(), content.data() + sizeof head + ranges, words * sizeof(std::uint64_t));
         take(row);
     }
 }
