@@ -1,7 +1,9 @@
 #include "app/commands.h"
 #include "app/output.h"
 #include "app/render_output.h"
+#include "app/statistics.h"
 #include "app/stored_metadata.h"
+#include "available_memory.h"
 #include "diagnostics.h"
 #include "film/film_parts.h"
 #include "film/stored_scene.h"
@@ -66,6 +68,18 @@ std::unique_ptr<SplatSums> joinedSplats(const std::vector<std::unique_ptr<FilmFi
     return all;
 }
 
+/// Throws an Error if the image does not fit into memory: a small part may be one of any image.
+void checkMemory(const PackedScene& scene, const QueueLayout& layout, const std::string& name) {
+    const PixelRect& pixels = scene.pixels;
+    const double needed = static_cast<double>(pixels.width()) * pixels.height() *
+                          static_cast<double>(sizeof(uint) * static_cast<size_t>(layout.words) + Film::developedBytes(scene));
+    const double available = static_cast<double>(availableMemory());
+    if (needed <= available) return;
+    throw Error(ExitCode::scene,
+                fmt::format("{}: its image of {} x {} pixels needs {} of memory, and {} are available; a part, -o ALL.film, needs little",
+                            name, pixels.width(), pixels.height(), readableBytes(needed), readableBytes(available)));
+}
+
 /// Whether pixels have all of their first `wanted` samples, and none is missing before a later one.
 bool hasAll(const FilmRun& run, unsigned wanted) {
     unsigned next = 0;
@@ -95,6 +109,7 @@ int mergeCommand(const Options& o) {
     const PixelRect pixels = scene.packed.pixels;
     const QueueLayout layout = filmLayout(scene.packed.features, scene.packed.frame().bucket_count,
                                           scene.packed.constants.lightGroups);
+    if (o.output.hasImage) checkMemory(scene.packed, layout, name);
     const JoinedSums sums(layout);
     const unsigned wanted = samplesWanted(files), end = o.output.hasImage && !o.isPartial ? wanted : 0;
     FilmFileHead merged = head;

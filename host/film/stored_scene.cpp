@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
+#include <limits>
+
 namespace eikonal {
 namespace {
 
@@ -18,12 +21,23 @@ std::string hex(const void* bytes, size_t count) {
 }
 template <class T> std::string hex(const Table<T>& table) { return hex(table.data(), table.size() * sizeof(T)); }
 
+/// Of a film "spectral" (nbuckets, host/read/pbrt/setting_kinds.cpp).
+constexpr int mostBuckets = 512;
+
 template <class T> Table<T> tableFrom(const std::string& text) {
     Table<T> table(text.size() / 2 / sizeof(T));
     auto* bytes = reinterpret_cast<unsigned char*>(table.data());
     for (size_t i = 0; i < table.size() * sizeof(T); ++i)
         bytes[i] = static_cast<unsigned char>(std::stoi(text.substr(2 * i, 2), nullptr, 16));
     return table;
+}
+
+/// Throws an Error for a rectangle without pixels, or with more columns or rows than an int counts.
+void requirePixels(const PixelRect& pixels, const std::string& name) {
+    const auto isSide = [](std::int64_t from, std::int64_t to) { return from < to && to - from <= std::numeric_limits<int>::max(); };
+    if (!isSide(pixels.x0, pixels.x1) || !isSide(pixels.y0, pixels.y1))
+        throw Error(ExitCode::scene, fmt::format("{}: is damaged: its image has the columns {} to {} and the rows {} to {}", name,
+                                                 pixels.x0, pixels.x1, pixels.y0, pixels.y1));
 }
 
 }  // namespace
@@ -61,11 +75,14 @@ StoredScene storedScene(const std::string& text, const std::string& name) {
         const auto cameras = tableFrom<glm::dmat4>(json.at("cameraFromScene"));
         if (packed.tables.frame.size() != 1 || center.size() != 1 || cameras.size() != packed.cameraFromScene.size())
             throw Error(ExitCode::scene, fmt::format("{}: was made by another build of the program", name));
+        if (const int buckets = static_cast<int>(packed.frame().bucket_count); buckets < 0 || buckets > mostBuckets)
+            throw Error(ExitCode::scene, fmt::format("{}: is damaged: spectra of {} buckets", name, buckets));
         packed.worldCenter = center.front();
         std::copy(cameras.begin(), cameras.end(), packed.cameraFromScene.begin());
         packed.cameraUnit = json.at("cameraUnit");
         const Json& p = json.at("pixels");
         packed.pixels = {p.at(0), p.at(1), p.at(2), p.at(3)};
+        requirePixels(packed.pixels, name);
         packed.samples = json.at("samples");
         packed.lightGroups = json.at("lightGroups").get<std::vector<std::string>>();
         packed.constants.lightGroups = static_cast<int>(packed.lightGroups.size());

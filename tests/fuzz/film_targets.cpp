@@ -52,6 +52,15 @@ std::string repaired(std::string_view bytes, std::string_view& rest) {
     return file;
 }
 
+/// Whether the image of the parts is so large that it may take much memory and time.
+bool isLarge(const std::string& part) {
+    constexpr double mostPixels = 1 << 18;
+    try {
+        const PixelRect pixels = storedScene(FilmFileReader(part).head().scene, part).packed.pixels;
+        return static_cast<double>(pixels.width()) * pixels.height() > mostPixels;
+    } catch (const Error&) { return false; }
+}
+
 }  // namespace
 
 bool runFilm(std::string_view input) {
@@ -78,7 +87,7 @@ bool runMerge(std::string_view input) {
     options.output.hasImage = !(choice & 2);
     for (std::string_view rest = input.substr(0, input.size() - 1); rest.size() >= kindBytes && options.parts.size() < 4;)
         options.parts.push_back(writeInput(fmt::format("{}.film", options.parts.size()), repaired(std::string_view(rest), rest)));
-    if (options.parts.empty()) return true;
+    if (options.parts.empty() || isLarge(options.parts.front())) return true;
     try {
         mergeCommand(options);
     } catch (const Error&) {}

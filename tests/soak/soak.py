@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Renders random scenes with random settings, ends them by random signals at random moments, and checks that nothing is lost.
 
-A trial renders a scene once undisturbed. Then it renders it again, killed (SIGKILL, SIGTERM, SIGHUP, SIGINT) and resumed from its checkpoint; or in
-parts, tiles times ranges of samples, some of them killed and resumed, which are merged in random order and perhaps in steps; with other threads and
-another wave. Every channel must have the same bits. Exit statuses must be as documented, the time that a checkpoint holds must never shrink, no
-temporary file may stay, and the checkpoint that is there must always be whole. Now and then one process renders many frames, whose memory may not grow.
+A trial renders a scene twice undisturbed. Then it renders it again, killed (SIGKILL, SIGTERM, SIGHUP, SIGINT) and resumed from its
+checkpoint; or in parts, tiles times ranges of samples, some of them killed and resumed, which are merged in random order and perhaps in
+steps; each time with other threads and another wave. Every channel must have the same bits. Exit statuses must be as documented, the time
+that a checkpoint holds must never shrink, no temporary file may stay, and the checkpoint that is there must always be whole. Now and then
+one process renders many frames, whose memory may not grow.
 
-Trial i of seed S is the same in every run, but for the moments: a share of the time that the undisturbed render took. Prints one line for each problem,
+Trial i of seed S is the same in every run, but for the moments: a share of the time that an undisturbed render took. Prints each problem,
 keeps its folder, and exits with 1. --json keeps the figures; docs/reliability.md shows those of one run.
 """
 import argparse
@@ -30,18 +31,26 @@ GROWTH = 16 << 20         # bytes that the second half of the frames may add: wh
 SCENES = ("scenes/*.pbrt", "scenes/*.obj", "scenes/gallery/*.pbrt", "../shared/gallery/*.pbrt")
 
 
+def heed_signals():
+    """Under nohup, the program would ignore SIGHUP as it should."""
+    for number in SIGNALS:
+        if number != signal.SIGKILL:
+            signal.signal(number, signal.SIG_DFL)
+
+
 class Soak:
     def __init__(self, program, scenes, seed):
         self.program, self.scenes, self.seed = program, scenes, seed
-        self.figures = {"trials": 0, "impossible": 0, "runs": 0, "signals": {s.name: 0 for s in SIGNALS}, "came_after_the_end": 0, "resumed": 0, "parts": 0,
-                        "merges": 0, "images_compared": 0, "frames": 0, "largest_growth_bytes": 0, "slowest_stop_seconds": 0.0,
-                        "scenes": set()}
+        self.figures = {"trials": 0, "impossible": 0, "runs": 0, "signals": {s.name: 0 for s in SIGNALS}, "came_after_the_end": 0,
+                        "resumed": 0, "parts": 0, "merges": 0, "images_compared": 0, "frames": 0, "largest_growth_bytes": 0,
+                        "slowest_stop_seconds": 0.0, "scenes": set()}
         self.problems = []
 
     def start(self, folder, *words):
         self.figures["runs"] += 1
         self.commands.append(" ".join(map(str, words)))
-        return subprocess.Popen([self.program, *map(str, words)], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        return subprocess.Popen([self.program, *map(str, words)], cwd=folder, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                                preexec_fn=heed_signals)
 
     def run(self, folder, *words, statuses=(0,)):
         process = self.start(folder, *words)
@@ -69,7 +78,7 @@ class Soak:
                 process.communicate(timeout=STOP_SECONDS)
             except subprocess.TimeoutExpired:
                 process.kill()
-                raise Problem(f"{number.name} after {wait:.2f} s did not end it in {STOP_SECONDS} s: {self.commands[-1]}")
+                raise Problem(f"{number.name} after {wait:.2f} s: still running {STOP_SECONDS} s later: {self.commands[-1]}")
             self.figures["slowest_stop_seconds"] = max(self.figures["slowest_stop_seconds"], time.monotonic() - begin)
             self.figures["signals"][number.name] += 1
         kept = seconds_kept(folder / film)
@@ -89,8 +98,8 @@ class Soak:
         self.run(folder, *words)
 
     def settings(self, dice, scene):
-        words = ["--resolution", f"{dice.randint(2, 96)}x{dice.randint(2, 72)}", "--spp", dice.choice((1, 17, 40, 64, 100, 300, 1000, 3000)),
-                 "--seed", dice.randint(0, 9), "--color", dice.choice(("rgb", "spectral", "auto")),
+        words = ["--resolution", f"{dice.randint(2, 96)}x{dice.randint(2, 72)}",
+                 "--spp", dice.choice((1, 17, 40, 64, 100, 300, 1000, 3000)), "--seed", dice.randint(0, 9), "--color", dice.choice(("rgb", "spectral", "auto")),
                  "--sampler", dice.choice(("independent", "paddedsobol", "sobol", "zsobol"))]
         if dice.random() < 0.5:
             words += ["--integrator", dice.choice(("path", "volpath", "bdpt", "direct", "simplepath", "vcm", "sppm"))]
@@ -117,7 +126,8 @@ class Soak:
                 raise Problem(f"temporary files are left: {' '.join(left)}")
             shutil.rmtree(folder)
         except Problem as problem:
-            self.problems.append({"trial": number, "scene": scene.name, "problem": str(problem), "commands": self.commands, "folder": str(folder)})
+            self.problems.append({"trial": number, "scene": scene.name, "problem": str(problem), "commands": self.commands,
+                                  "folder": str(folder)})
             print(f"trial {number} of seed {self.seed}, {scene}: {problem}\n  kept in {folder}", flush=True)
         self.figures["trials"] += 1
 
@@ -151,8 +161,8 @@ class Soak:
         for tile in range(1, tiles + 1):
             for part in range(1, ranges + 1):
                 names.append(f"{tile}-{part}.film")
-                words = ["render", *settings, *self.place(dice), "--tile", f"{tile}/{tiles}", "--samples", f"{part}/{ranges}", "-o", names[-1],
-                         "--resume", "--checkpoint-every", "0.05s"]
+                words = ["render", *settings, *self.place(dice), "--tile", f"{tile}/{tiles}", "--samples", f"{part}/{ranges}",
+                         "-o", names[-1], "--resume", "--checkpoint-every", "0.05s"]
                 self.render_with_kills(dice, folder, seconds / (tiles * ranges), names[-1], words)
                 self.figures["parts"] += 1
         dice.shuffle(names)
@@ -178,8 +188,9 @@ class Soak:
         if process.returncode != 0 or len(list(folder.glob("f.*.exr"))) != count:
             raise Problem(f"status {process.returncode}, {len(list(folder.glob('f.*.exr')))} of {count} frames: {errors}")
         self.figures["frames"] += count
-        halves = [max((m for done, m in memory.items() if low <= done < high), default=0) for low, high in ((count // 4, count // 2), (count // 2, count))]
-        growth = halves[1] - halves[0]
+        early, late = (max((m for done, m in memory.items() if low <= done < high), default=0)
+                       for low, high in ((count // 4, count // 2), (count // 2, count)))
+        growth = late - early
         self.figures["largest_growth_bytes"] = max(self.figures["largest_growth_bytes"], growth)
         if growth > GROWTH:
             raise Problem(f"memory grew by {growth} bytes in the second half of {count} frames")
@@ -201,8 +212,8 @@ def main():
         number += 1
         if args.trial is not None or time.monotonic() - begin > 60 * args.minutes:
             break
-    figures = {"seed": args.seed, "minutes": round((time.monotonic() - begin) / 60, 1), **soak.figures, "scenes": len(soak.figures["scenes"]),
-               "problems": soak.problems}
+    figures = {"seed": args.seed, "minutes": round((time.monotonic() - begin) / 60, 1), **soak.figures,
+               "scenes": len(soak.figures["scenes"]), "problems": soak.problems}
     if args.json:
         args.json.write_text(json.dumps(figures, indent=1) + "\n")
     print(json.dumps({k: v for k, v in figures.items() if k != "problems"}))

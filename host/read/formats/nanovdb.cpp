@@ -1,7 +1,4 @@
-/* Files may use either compression */
-#define NANOVDB_USE_ZIP
-#define NANOVDB_USE_BLOSC
-#include <nanovdb/util/IO.h>
+#include "read/formats/nanovdb_data.h"
 
 #include "read/formats/nanovdb.h"
 
@@ -35,11 +32,6 @@ constexpr double alwaysFine = 64 << 20, mostTimes = 2000;
 
 /// The header of a grid in the file.
 struct Found { nanovdb::io::MetaData meta; nanovdb::io::Codec codec; };
-
-void readRaw(std::istream& file, void* to, size_t size) {
-    file.read(static_cast<char*>(to), static_cast<std::streamsize>(size));
-    if (!file) throw ReadProblem("ends too early");
-}
 
 /// Goes through the file's headers until `wanted` returns true for a name, and leaves the stream at the start of that grid's data.
 bool findGrid(std::istream& file, const std::function<bool(const std::string&)>& wanted, Found& found) {
@@ -246,14 +238,7 @@ std::shared_ptr<const SparseGrid> readNanoVdb(const std::string& path, const std
     if (found.meta.gridClass == nanovdb::GridClass::LevelSet)
         throw ReadProblem(fmt::format("has a grid \"{}\" that is a level set; only fog volumes are rendered", name));
     try {
-        /* Zlib, which compresses most, does so 1032 times */
-        const std::uint64_t most = found.codec == nanovdb::io::Codec::NONE ? found.meta.fileSize : 1100 * found.meta.fileSize;
-        if (found.meta.gridSize > most || found.meta.gridSize == 0)
-            throw ReadProblem(fmt::format("is damaged: {} bytes of it cannot hold a grid of {} bytes", found.meta.fileSize, found.meta.gridSize));
-        if (found.meta.gridSize > availableMemory() / 2) throw ReadProblem("has a grid that does not fit into memory");
-        nanovdb::GridHandle<> handle(nanovdb::HostBuffer::create(found.meta.gridSize));
-        if (!handle.data()) throw ReadProblem("has a grid that does not fit into memory");
-        nanovdb::io::Internal::read(file, handle, found.codec);
+        const nanovdb::GridHandle<> handle = readGrid(file, found.meta, found.codec);
         return std::make_shared<const SparseGrid>(Copy(handle, found.meta.fileSize).result());
     } catch (const ReadProblem&) {
         throw;
