@@ -46,7 +46,7 @@ void FilmTotals::developSplats(const SplatSums& splats, double scale) {
             /* Of a sum of many rare events; the mean of n samples has 1 / n^2 of it */
             const double variance = word(splat_square) / (double{SPLAT_SQUARE_UNITS} * scale * scale * samples * samples);
             splatVariances_[first + x] = static_cast<float>(std::min(variance, double{std::numeric_limits<float>::max()}));
-            lostSplats_[first + x] = static_cast<unsigned>(word(splat_lost));
+            lostSplats_[first + x] = static_cast<unsigned>(std::clamp(word(splat_lost), 0., double{std::numeric_limits<unsigned>::max()}));
         }
     }
 }
