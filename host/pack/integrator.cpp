@@ -2,6 +2,7 @@
 
 #include "kinds/integrator_kind.h"
 #include "pack/pack.h"
+#include "pack/path_guide.h"
 
 #include <fmt/format.h>
 
@@ -21,6 +22,30 @@ void packIntegrator(const IntegratorPacking& in, bool hasUnusedMedia) {
     in.frame.max_depth = static_cast<uint>(std::clamp(integrator.maxDepth, integrator.kind->leastDepth, integrator.kind->mostDepth));
     if (integrator.kind->pack) integrator.kind->pack(in, integrator, why);
     setRoulette(in.frame, integrator.roulette.value_or(Roulette()));
+}
+
+/// Half of the directions: as good as either alone within a factor of two.
+constexpr float guidedShare = 0.5f;
+/// Scattering events before Russian roulette begins.
+constexpr int guidedRouletteDepth = 8;
+
+void packPathGuide(const PackContext& context, PackedScene& packed) {
+    const IntegratorDescription& integrator = context.scene.integrator;
+    if (!integrator.guidesPaths) return;
+    const char* obstacle = !followsBsdfs(integrator)                ? "this integrator does not sample BSDFs along paths"
+                           : context.has(Feature::LIGHT_PATHS)      ? "paths from the lights must know how all others are sampled"
+                           : packed.frame().max_depth <= 1          ? "paths have one vertex"
+                                                                    : nullptr;
+    if (obstacle) {
+        context.diagnostics.warn({}, fmt::format("--guiding has no effect here: {}", obstacle));
+        return;
+    }
+    context.require(Feature::PATH_GUIDE, "--guiding");
+    packUnlearnedPathGuide(packed.tables);
+    packed.frame().guided_share = guidedShare;
+    /* Throughput says less of what a guided path is worth, so the rules that pilot paths choose from lose more than they gain */
+    if (!packed.roulette) packed.roulette = Roulette{.depth = guidedRouletteDepth};
+    setRoulette(packed.frame(), *packed.roulette);
 }
 
 void setRoulette(settings& frame, const Roulette& roulette) {

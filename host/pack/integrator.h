@@ -15,4 +15,7 @@ struct IntegratorPacking {
 /// Fills in the integrator's settings. Warns if it replaces another one, and if it ignores media.
 void packIntegrator(const IntegratorPacking&, bool hasUnusedMedia);
 
+/// Prepares a path guide, if the scene asks for one and its paths can use it. Call once it is known whether light paths are traced.
+void packPathGuide(const PackContext& context, PackedScene& packed);
+
 }  // namespace eikonal

@@ -63,6 +63,7 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     packed.materialSources = materials.sources();
     lights.pack();
     chooseLightPaths(context, packed);
+    packPathGuide(context, packed);
     if (context.spectral && context.has(Feature::MERGING)) colors.packPassWavelengths(frame);
     lights.packEmission();
     media.packEquiangularLights(tables.lights);

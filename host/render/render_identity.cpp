@@ -94,6 +94,7 @@ Values settingsOf(const Session& session, const SessionOptions& options, const F
                                   ? "auto"
                                   : nameIn(lightSamplerNames, scene.integrator.lightSampler)},
             {"environment guide", nameIn(environmentGuideNames, scene.integrator.environmentGuide)},
+            {"path guiding", scene.integrator.guidesPaths ? "on" : "off"},
             {"regularize", scene.integrator.regularize ? "on" : "off"},
             {"maximum component value", fmt::format("{}", frame.max_component_value)},
             {"colour", packed.features.has(Feature::SPECTRAL) ? "spectral" : "rgb"},

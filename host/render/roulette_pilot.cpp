@@ -1,6 +1,7 @@
 #include "render/roulette_pilot.h"
 
 #include "pack/pack.h"
+#include "render/pilot.h"
 #include "render/roulette.h"
 
 #include <algorithm>
@@ -15,12 +16,6 @@ namespace {
 /// Sets per pixel: consecutive parts of the pixel's sample sequence, each of low discrepancy. Because they complement one another, they
 /// differ slightly more than renders with different seeds.
 constexpr size_t pilotSets = 4;
-/// Pilot paths are truncated after this many bounces, null interfaces included, to keep the pilot short. Later light and rays are ignored.
-constexpr int mostBounces = 24;
-
-/// Not a seed that a user is likely to choose, so that the rule and the image are independent.
-constexpr uint pilotSeed = 0x70696c6f;
-
 /// Whether paths can be long enough for roulette.
 bool playsRoulette(const PackedScene& packed) {
     const Features& f = packed.features;
@@ -42,40 +37,14 @@ struct PilotSize {
     bool isWorthwhile() const { return pixels >= 64 && renderedPaths >= 0x1p20; }
 };
 
-/// Pixels spread over the image by Roberts' low-discrepancy sequence (2018).
-std::vector<Block> scatterPixels(const settings& frame, const PilotSize& size) {
-    const auto at = [](size_t i, double step, uint extent) {
-        return static_cast<int>(std::fmod(0.5 + static_cast<double>(i) * step, 1.) * extent);
-    };
-    std::vector<Block> blocks;
-    for (size_t i = 0; i < size.pixels; ++i)
-        blocks.push_back({at(i, 0.7548776662466927, frame.width), at(i, 0.5698402909980532, frame.height), 0,
-                          static_cast<unsigned>(pilotSets * size.samples)});
-    return blocks;
+/// White light that is as bright in the image as the film's limit of a sample; 0: there is no limit.
+float mostLight(const settings& frame) {
+    const affine& m = frame.image_from_light;
+    return frame.max_component_value / std::max({m.xx + m.xy + m.xz, m.yx + m.yy + m.yz, m.zx + m.zy + m.zz});
 }
 
-template <class T> std::vector<T> readField(const Context& context, const QueueItems& items, const char* name, int word = 0) {
-    std::vector<T> values(items.count);
-    if (!items.count) return values;
-    const size_t first = static_cast<size_t>(items.layout.field(name).slot + word) * items.capacity + items.first;
-    items.words.read(context, values.data(), values.size() * sizeof(T), first * sizeof(T));
-    return values;
-}
-
-bool hasField(const QueueItems& items, const char* name) { return items.layout.field(name).words > 0; }
-
-/// Reduces each spectrum of a field to one number.
-template <class Combine>
-std::vector<float> readSpectra(const Context& context, const QueueItems& items, const char* name, Combine&& combine) {
-    std::vector<float> all(items.count);
-    for (int c = 0; c < items.layout.field(name).words; ++c)
-        std::ranges::transform(all, readField<float>(context, items, name, c), all.begin(), combine);
-    return all;
-}
-std::vector<float> readMeans(const Context& context, const QueueItems& items, const char* name) {
-    const float channels = static_cast<float>(items.layout.field(name).words);
-    return readSpectra(context, items, name, [=](float sum, float x) { return sum + x / channels; });
-}
+/// Not a seed that a user is likely to choose.
+constexpr uint pilotSeed = 0x70696c6f;
 
 /// The throughputs on which roulette is based (kernels/shade/scatter.clh).
 std::vector<float> readThroughputs(const Context& context, const QueueItems& rays) {
@@ -86,20 +55,14 @@ std::vector<float> readThroughputs(const Context& context, const QueueItems& ray
     return t;
 }
 
-/// White light that is as bright in the image as the film's limit of a sample; 0: there is no limit.
-float mostLight(const settings& frame) {
-    const affine& m = frame.image_from_light;
-    return frame.max_component_value / std::max({m.xx + m.xy + m.xz, m.yx + m.yy + m.yz, m.zx + m.zy + m.zz});
-}
-
 /// Records the paths of one batch after another.
-class Recorder {
+class Recorder : public PilotRecorder {
 public:
     /// mostLight: paths are clamped to this, as by the film's maxcomponentvalue; 0: no clamping.
     Recorder(const Context& context, float mostLight)
         : context_(context), mostLight_(mostLight > 0 ? mostLight : std::numeric_limits<float>::max()) {}
 
-    void begin(unsigned paths) {
+    void begin(unsigned paths) override {
         recorded_.insert(recorded_.end(), paths, {PathSegment{}});
         light_.assign(paths, 0);
         depths_.assign(paths, 0);
@@ -107,7 +70,7 @@ public:
     }
 
     /// Records the light of a bounce and the rays that continue. Returns false after the last bounce to record.
-    bool bounced(const QueueItems& rays, const QueueItems& paths) {
+    bool bounced(const QueueItems& rays, const QueueItems& paths) override {
         std::vector<PathSegment>* recorded = &recorded_[recorded_.size() - paths.count];
         const std::vector<float> light = readMeans(context_, paths, "L");
         for (size_t p = 0; p < paths.count; ++p) {
@@ -129,7 +92,7 @@ public:
             }
             recorded[p].back().rays += 1;
         }
-        return ++bounces_ < mostBounces;
+        return ++bounces_ < mostPilotBounces;
     }
 
     std::vector<std::vector<PathSegment>> take() { return std::move(recorded_); }
@@ -143,38 +106,23 @@ private:
     int bounces_ = 0;
 };
 
-/// Traces blocks of single pixels, in batches that fit the wave.
-void record(const settings& frame, std::vector<Block> blocks, Wave& wave, Recorder& recorder) {
-    Batches batches(BlockSize{}, std::move(blocks), wave.mostPaths());
-    while (!batches.empty() && !wave.stopFlag().isRaised()) {
-        std::optional<Batch> batch = batches.next();
-        recorder.begin(batch->paths());
-        wave.trace({[&] { return std::exchange(batch, std::nullopt); }, [](const Batch&) {}, static_cast<int>(frame.width),
-                    static_cast<int>(frame.height),
-                    [&](const QueueItems& rays, const QueueItems& paths) { return recorder.bounced(rays, paths); }});
-    }
-}
-
 }  // namespace
 
 std::optional<Roulette> pilotRoulette(const Context& context, DeviceScene& scene, const PackedScene& packed, Wave& wave) {
     const PilotSize size = PilotSize::of(packed);
     if (packed.roulette || !size.isWorthwhile() || !playsRoulette(packed)) return {};
-    settings frame = packed.frame();
-    frame.seed = pilotSeed;
-    frame.sequence_tile_bits = 0;
-    frame.roulette_depth = NONE;
+    const settings frame = pilotFrame(packed.frame(), pilotSeed);
     scene.setFrame(context, frame);
     Recorder recorder(context, mostLight(frame));
-    record(frame, scatterPixels(frame, size), wave, recorder);
+    tracePilot(frame, scatterPixels(frame, size.pixels, pilotSets * size.samples), wave, recorder);
     if (wave.stopFlag().isRaised()) {
         scene.setFrame(context, packed.frame());
         return {};
     }
     const Roulette chosen = chooseRoulette({pilotSets, size.samples, recorder.take()});
-    frame = packed.frame();
-    setRoulette(frame, chosen);
-    scene.setFrame(context, frame);
+    settings chosenFrame = packed.frame();
+    setRoulette(chosenFrame, chosen);
+    scene.setFrame(context, chosenFrame);
     return chosen;
 }
 

@@ -28,20 +28,23 @@ void SceneOnDevice::launch(const PackedScene& scene, bool isShared) {
     wave_->warmUp(isShared);
 }
 
-std::optional<Roulette> SceneOnDevice::survey(const PackedScene& scene, const std::function<bool()>& abandon) {
+Learned SceneOnDevice::survey(const PackedScene& scene, const std::function<bool()>& abandon) {
     const StopWatcher watcher(tables_->stopFlag(), abandon);
     surveyEnvironment(context(), *tables_, scene, *stages_, device_->shape);
-    const std::optional<Roulette> chosen = pilotRoulette(context(), *tables_, scene, *wave_);
+    Learned learned;
+    learned.guide = pilotPathGuide(context(), *tables_, scene, *wave_);
+    learned.roulette = pilotRoulette(context(), *tables_, scene, *wave_);
     profile_.collect();
     profile_.reset();
-    return chosen;
+    return learned;
 }
 
-void SceneOnDevice::survey(const PackedScene& scene, const std::optional<Roulette>& chosen, const std::function<bool()>& abandon) {
+void SceneOnDevice::survey(const PackedScene& scene, const Learned& learned, const std::function<bool()>& abandon) {
     const StopWatcher watcher(tables_->stopFlag(), abandon);
     surveyEnvironment(context(), *tables_, scene, *stages_, device_->shape);
+    usePathGuide(context(), *tables_, learned.guide);
     settings frame = scene.frame();
-    if (chosen) setRoulette(frame, *chosen);
+    if (learned.roulette) setRoulette(frame, *learned.roulette);
     tables_->setFrame(context(), frame);
 }
 

@@ -4,12 +4,19 @@
 #include "render/device_scene.h"
 #include "render/device_team.h"
 #include "render/open_device.h"
+#include "render/path_guide_pilot.h"
 #include "render/wave.h"
 
 #include <memory>
 #include <optional>
 
 namespace eikonal {
+
+/// What a first look at a scene has told, on one device for all.
+struct Learned {
+    std::optional<Roulette> roulette;   ///< how paths are to end, if that was chosen for the scene
+    LearnedPathGuide guide;
+};
 
 /// Made ready step by step: build, upload, launch, keep.
 class SceneOnDevice {
@@ -27,10 +34,10 @@ public:
     void launch(const PackedScene& scene, bool isShared);
     /// Stores the kernels in the cache.
     void keep() { stages_->keep(device_->compiler); }
-    /// Learns what a first look at the scene can tell (Session::survey). Returns how paths are to end, if that was chosen for the scene.
-    std::optional<Roulette> survey(const PackedScene& scene, const std::function<bool()>& abandon);
-    /// The same beside another device, which has chosen that.
-    void survey(const PackedScene& scene, const std::optional<Roulette>& chosen, const std::function<bool()>& abandon);
+    /// Learns what a first look at the scene can tell (Session::survey).
+    Learned survey(const PackedScene& scene, const std::function<bool()>& abandon);
+    /// The same beside another device, which has learned that.
+    void survey(const PackedScene& scene, const Learned& learned, const std::function<bool()>& abandon);
     /// Rendering from now on has the scene's present seed.
     void setSeed(const PackedScene& scene);
 

@@ -264,8 +264,8 @@ uint Session::unresolvedRays() const {
 
 void Session::survey(const std::function<bool()>& abandon) {
     forEachDevice([&](SceneOnDevice& device) {
-        if (&device == &first()) chosenRoulette_ = device.survey(packed_, abandon);
-        else device.survey(packed_, chosenRoulette_, abandon);
+        if (&device == &first()) learned_ = device.survey(packed_, abandon);
+        else device.survey(packed_, learned_, abandon);
     });
 }
 

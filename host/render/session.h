@@ -78,8 +78,8 @@ public:
     /// of the profile. `abandon`: as in RenderControl; what is not learned by then stays unknown.
     void survey(const std::function<bool()>& abandon = {});
     /// By which paths end, once survey() has been called, and whether it has chosen that for the scene.
-    Roulette roulette() const { return chosenRoulette_.value_or(packed_.roulette.value_or(Roulette())); }
-    bool isRouletteChosen() const { return chosenRoulette_.has_value(); }
+    Roulette roulette() const { return learned_.roulette.value_or(packed_.roulette.value_or(Roulette())); }
+    bool isRouletteChosen() const { return learned_.roulette.has_value(); }
 
     /// How many rays at implicit surfaces have run out of splits so far. After prepare(). Blocks.
     uint unresolvedRays() const;
@@ -140,7 +140,7 @@ private:
     PackedScene packed_;
     PixelRect wholePixels_;
     SessionTimes times_;
-    std::optional<Roulette> chosenRoulette_;
+    Learned learned_;
     int missing_ = 0;
     int compileSteps_ = 0;              ///< two steps compile a kernel
     std::atomic<int> compiled_ = 0;     ///< read by the notice

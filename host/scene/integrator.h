@@ -52,6 +52,7 @@ struct IntegratorDescription {
     bool regularize = false;
     LightSampler lightSampler = LightSampler::automatic;
     EnvironmentGuide environmentGuide = EnvironmentGuide::automatic;
+    bool guidesPaths = false;              ///< directions are sampled by what pilot paths have learned, too
     bool sampleLights = true;              ///< simplepath: sample lights; otherwise only paths that hit a light find it
     bool sampleBsdf = true;                ///< simplepath: sample directions by the BSDF, otherwise uniformly
     double mergeRadius = 0;                ///< sppm, vcm: within which vertices merge at first, world units; 0: chosen for the scene

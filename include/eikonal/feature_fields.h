@@ -7,6 +7,7 @@
 #define HAS_PORTALS_OR_ENVIRONMENT_GUIDE_OR_LIGHT_PATHS (HAS_PORTALS || HAS_ENVIRONMENT_GUIDE || HAS_LIGHT_PATHS)
 #define HAS_MEDIA_OR_LIGHT_PATTERN_OR_LIGHT_PATHS (HAS_MEDIA || HAS_LIGHT_PATTERN || HAS_LIGHT_PATHS)
 #define HAS_MEDIA_OR_LIGHT_PATHS (HAS_MEDIA || HAS_LIGHT_PATHS)
+#define HAS_LIGHT_TREE_OR_PATH_GUIDE (HAS_LIGHT_TREE || HAS_PATH_GUIDE)
 
 /* The element of an area light that a shadow ray is aimed at. */
 #define LIGHT_ELEMENT_FIELDS(F, q) \
@@ -22,6 +23,10 @@
     F(q, vec3,     light_wi,   PORTALS)      /* for a light with a portal: a direction through the portal */ \
     F(q, float,    light_density, PORTALS)   /* density of light_wi over solid angle; 0: none */ \
     F(q, uint,     light_texel, PORTALS)     /* the texel seen along light_wi */
+
+/* Path guiding */
+#define PATH_GUIDE_HIT_FIELDS(F, q) \
+    F(q, uint,     path_map,   PATH_GUIDE)   /* which map of the path guide applies at this point; 0: none does */
 
 /* Ray splitting */
 #define SPLITTING_TRAVEL_FIELDS(F, q) \

@@ -32,6 +32,7 @@
     F(LIGHTS,           "a light that can be sampled") \
     F(LIGHT_TREE,       "many lights, or \"lightsampler\" \"bvh\"") \
     F(ENVIRONMENT_GUIDE, "a constant infinite light, sampled where surfaces see it") \
+    F(PATH_GUIDE,       "paths that learn where light comes from") \
     F(PORTALS,          "an infinite light with a portal") \
     F(LENS,             "a lens with an aperture") \
     F(APERTURE,         "an aperture that is not round") \

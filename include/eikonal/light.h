@@ -103,6 +103,23 @@ typedef struct { OPENING_FIELDS(OPENING_MEMBER) } guide_opening;
 /* Vertices of each survey path that the guide is learnt from. */
 #define SURVEY_VERTICES 4
 
+/* The path guide: from which directions light reaches each place, after any number of bounces, learned before a render. Space is cut by a
+   tree for each of the GUIDE_FACES: for surfaces whose normal is nearest to +x, -x, +y, -y, +z, -z, and for those lit from both sides. A
+   leaf has a map: a probability for each of PATH_GUIDE_SIDE^2 equal parts of the sphere of directions, as the alias tables of a square.
+   Map 0 is that of places where nothing was learned; no direction is sampled by it.
+   After Mueller, Gross and Novak 2017 ("Practical path guiding"); here all is learned before the first sample of the image. */
+#define PATH_GUIDE_SIDE 16
+#define PATH_GUIDE_ENTRIES (PATH_GUIDE_SIDE + PATH_GUIDE_SIDE * PATH_GUIDE_SIDE)
+/* Node f < GUIDE_FACES is the root of face f. */
+typedef struct {
+    float at;     /* points below it go to node `next`, others to the one behind that */
+    uint axis;    /* 0, 1 or 2; PATH_GUIDE_LEAF: a leaf */
+    uint next;    /* of a leaf: its map */
+} path_guide_node;
+#define PATH_GUIDE_LEAF 3u
+/* No leaf is deeper. */
+#define PATH_GUIDE_DEPTH 24
+
 /* A node of the light tree: what bounds the lights under each of its eight children, as in a `bvh_node` side by side.
    Conty Estevez and Kulla 2018, "Importance sampling of many lights with adaptive tree splitting". */
 #define LIGHT_TREE_WIDTH 8

@@ -40,7 +40,7 @@
     F(q, float,    traveled,   INTERFACE)    /* distance from where d was sampled to o; > 0 behind null interfaces */ \
     F(q, uint,     passed,     INTERFACE)    /* number of null interfaces passed since d was sampled */ \
     F(q, uint,     guide,      ENVIRONMENT_GUIDE) /* which map of the environment guide applies where d was sampled */ \
-    F(q, vec3,     n,          LIGHT_TREE)   /* shading normal where d was sampled, on the side of wo; zero: not on a surface */ \
+    F(q, vec3,     n,          LIGHT_TREE_OR_PATH_GUIDE) /* shading normal where d was sampled, towards wo; zero: not on a surface */ \
     F(q, spectrum, r_l,        MEDIA)        /* rescaled path probability of light sampling (pbrt-v4's r_l), without the light's pdf */ \
     F(q, uint,     medium,     MEDIA)        /* medium at o, or NONE */ \
     F(q, uint,     probe,      DIFFUSION)    /* slot of the probe that finds where the path leaves a subsurface body; or NONE */
@@ -69,7 +69,7 @@
     F(q, uint,     inside,     MEDIA)        /* medium on the side away from ng */ \
     F(q, uint,     outside,    MEDIA)        /* medium on the side of ng */ \
     F(q, uint,     probe,      DIFFUSION)    /* slot of the probe for the subsurface body below the surface; NONE: no such body */ \
-    LIGHT_PATH_HIT_FIELDS(F, q) LIGHT_CHOICE_FIELDS(F, q)
+    PATH_GUIDE_HIT_FIELDS(F, q) LIGHT_PATH_HIT_FIELDS(F, q) LIGHT_CHOICE_FIELDS(F, q)
 
 /* A scattering point in a medium: filled by route_intersections, drained by shade_scatters. Dense. */
 #define SCATTER_FIELDS(F, q) \

@@ -111,7 +111,10 @@ typedef struct {
     T(alias_entry,    guide_aliases)         /* GUIDE_MAP_ENTRIES per map */ \
     T(vec3,           guide_box)             /* its low corner, and its size */ \
     T(guide_opening,  guide_openings)        /* GUIDE_OPENINGS */ \
-    T(uint,           guide_texels)          /* GUIDE_BOX_TEXELS: the opening of each texel, or NONE */
+    T(uint,           guide_texels)          /* GUIDE_BOX_TEXELS: the opening of each texel, or NONE */ \
+    /* PATH_GUIDE: the trees that cut space, the roots of all faces first; and PATH_GUIDE_ENTRIES for each map */ \
+    T(path_guide_node, path_guide_nodes) \
+    T(alias_entry,    path_guide_aliases)
 
 /* Read where light paths begin. */
 #define EMISSION_TABLES(T) \
@@ -203,6 +206,7 @@ typedef struct {
     uint roulette_depth;   /* scattering events before Russian roulette starts */
     uint roulette_root;    /* 1: survival probability follows the square root of the throughput; 0: the throughput */
     float roulette_scale;  /* factor of the survival probability, > 0 */
+    float guided_share;    /* PATH_GUIDE: the probability that a direction is sampled by the guide, where it has a map; in [0, 1) */
     color ambient;         /* AMBIENT_OCCLUSION: radiance from unoccluded directions */
     float ambient_distance; /* AMBIENT_OCCLUSION: length of shadow rays, scene units */
     uint ambient_cosine;   /* 1: cosine-weighted directions; 0: uniform */

@@ -7,6 +7,7 @@
 #include "pack/color_mode.h"
 #include "pack/environment_guide.h"
 #include "render/path_loop.h"
+#include "render/path_guide_pilot.h"
 #include "render/roulette_pilot.h"
 #include "render/survey.h"
 #include "render/wave.h"
@@ -145,6 +146,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     wave.warmUp();
     stages.keep(compiler());
     surveyEnvironment(device(), onDevice, scene, stages, setup.shape);
+    pilotPathGuide(device(), onDevice, scene, wave);
     const Roulette roulette = pilotRoulette(device(), onDevice, scene, wave).value_or(scene.roulette.value_or(Roulette()));
 
     Film film(scene, built);

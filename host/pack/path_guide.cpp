@@ -1,0 +1,155 @@
+#include "pack/path_guide.h"
+
+#include "pack/alias_table.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace eikonal {
+namespace {
+
+constexpr size_t side = PATH_GUIDE_SIDE, texels = side * side, entries = PATH_GUIDE_ENTRIES;
+
+/// A leaf is cut in two while each part has this many records with light; one with fewer than a quarter of that has no map.
+constexpr size_t leastLit = 128;
+/// Records that are brighter than this times the mean of their leaf count as that bright: one path must not decide a map.
+constexpr double mostOfMean = 50;
+/// The share of a map that is spread over all directions.
+constexpr double evenShare = 0.02;
+
+float coordinate(const vec3& p, size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
+
+/// As kernels/light/guide_place.clh on the device.
+size_t faceOf(const vec3& n) {
+    const float x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+    return z >= x && z >= y ? (n.z < 0 ? 5 : 4) : x >= y ? (n.x < 0 ? 1 : 0) : (n.y < 0 ? 3 : 2);
+}
+
+/// The texel of a direction: the equal-area mapping of kernels/math/equal_area.clh.
+struct SquarePoint { double x, y; };
+SquarePoint squareOf(const vec3& d) {
+    const double x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z), r = std::sqrt(std::max(0., 1 - z));
+    const double turn = x == 0 && y == 0 ? 0 : std::atan2(y, x) * 2 / 3.14159265358979323846;
+    const double v = turn * r, u = r - v;
+    const bool south = d.z < 0;
+    double su = south ? 1 - v : u, sv = south ? 1 - u : v;
+    if (d.x < 0) su = -su;
+    if (d.y < 0) sv = -sv;
+    return {0.5 * (su + 1), 0.5 * (sv + 1)};
+}
+size_t texelAt(int x, int y) {
+    constexpr int n = static_cast<int>(side);
+    /* Beyond an edge the sphere goes on at the mirrored place of the same edge */
+    if (x < 0 || x >= n) { x = x < 0 ? -1 - x : 2 * n - 1 - x; y = n - 1 - y; }
+    if (y < 0 || y >= n) { y = y < 0 ? -1 - y : 2 * n - 1 - y; x = n - 1 - x; }
+    return static_cast<size_t>(std::clamp(y, 0, n - 1)) * side + static_cast<size_t>(std::clamp(x, 0, n - 1));
+}
+
+struct Leaf { size_t node, begin, end; };
+
+/// Cuts the records of one face.
+class Tree {
+public:
+    Tree(std::span<const GuideRecord> records, Table<path_guide_node>& nodes) : records_(records), nodes_(nodes) {}
+    void cut(size_t node, std::span<uint> members, size_t first, int depth) {
+        size_t lit = 0;
+        std::array<float, 3> low{FAR_AWAY, FAR_AWAY, FAR_AWAY}, high{-FAR_AWAY, -FAR_AWAY, -FAR_AWAY};
+        for (const uint i : members) {
+            lit += records_[i].light > 0;
+            for (size_t a = 0; a < 3; ++a) {
+                low[a] = std::min(low[a], coordinate(records_[i].p, a));
+                high[a] = std::max(high[a], coordinate(records_[i].p, a));
+            }
+        }
+        size_t axis = 0;
+        for (size_t a = 1; a < 3; ++a)
+            if (high[a] - low[a] > high[axis] - low[axis]) axis = a;
+        if (lit < 2 * leastLit || depth + 1 >= PATH_GUIDE_DEPTH || !(high[axis] > low[axis])) {
+            if (lit >= leastLit / 4) leaves.push_back({node, first, first + members.size()});
+            return;
+        }
+        /* At the median of those with light */
+        std::vector<float> at;
+        for (const uint i : members)
+            if (records_[i].light > 0) at.push_back(coordinate(records_[i].p, axis));
+        std::ranges::nth_element(at, at.begin() + static_cast<long>(at.size() / 2));
+        const float middle = at[at.size() / 2];
+        const auto above = std::ranges::stable_partition(members, [&](uint i) { return coordinate(records_[i].p, axis) < middle; });
+        const size_t below = members.size() - above.size();
+        if (below == 0 || below == members.size()) {
+            leaves.push_back({node, first, first + members.size()});
+            return;
+        }
+        const size_t next = nodes_.size();
+        nodes_.resize(next + 2, path_guide_node{0, PATH_GUIDE_LEAF, 0});
+        nodes_[node] = {middle, static_cast<uint>(axis), static_cast<uint>(next)};
+        cut(next, members.first(below), first, depth + 1);
+        cut(next + 1, members.subspan(below), first + below, depth + 1);
+    }
+    std::vector<Leaf> leaves;
+
+private:
+    std::span<const GuideRecord> records_;
+    Table<path_guide_node>& nodes_;
+};
+
+/// The light that arrives from each texel, by the records of a leaf, blurred by a texel.
+std::vector<double> weightsOf(std::span<const GuideRecord> records, std::span<const uint> members) {
+    std::vector<double> found(texels, 0.0), light;
+    for (const uint i : members) {
+        const GuideRecord& r = records[i];
+        const double cosine = std::abs(double{r.d.x} * r.n.x + double{r.d.y} * r.n.y + double{r.d.z} * r.n.z);
+        light.push_back(r.light * cosine / r.pdf);
+    }
+    const double most = mostOfMean * std::accumulate(light.begin(), light.end(), 0.0) / static_cast<double>(members.size());
+    for (size_t k = 0; k < members.size(); ++k) {
+        const SquarePoint at = squareOf(records[members[k]].d);
+        const auto texelOf = [](double u) { return std::min(static_cast<int>(u * side), static_cast<int>(side) - 1); };
+        const int x = texelOf(at.x), y = texelOf(at.y);
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx)
+                found[texelAt(x + dx, y + dy)] += std::min(light[k], most) * (dx ? 0.25 : 0.5) * (dy ? 0.25 : 0.5);
+    }
+    const double sum = std::accumulate(found.begin(), found.end(), 0.0);
+    for (double& f : found) f += evenShare * sum / texels;
+    return found;
+}
+
+}  // namespace
+
+void packUnlearnedPathGuide(LightTables& tables) {
+    tables.path_guide_nodes.assign(GUIDE_FACES, path_guide_node{0, PATH_GUIDE_LEAF, 0});
+    tables.path_guide_aliases = makeAliasSquare(std::vector<double>(texels, 1.0), side);
+}
+
+size_t learnPathGuide(LightTables& tables, std::span<const GuideRecord> records, bool hasAllDirections) {
+    packUnlearnedPathGuide(tables);
+    std::array<std::vector<uint>, GUIDE_FACES> members;
+    for (size_t i = 0; i < records.size(); ++i) {
+        members[faceOf(records[i].n)].push_back(static_cast<uint>(i));
+        if (hasAllDirections) members[GUIDE_ALL_DIRECTIONS].push_back(static_cast<uint>(i));
+    }
+    size_t maps = 0;
+    for (size_t face = 0; face < GUIDE_FACES; ++face) {
+        Tree tree(records, tables.path_guide_nodes);
+        tree.cut(face, members[face], 0, 0);
+        const size_t first = 1 + maps;
+        maps += tree.leaves.size();
+        tables.path_guide_aliases.resize((1 + maps) * entries);
+        tbb::parallel_for(size_t{0}, tree.leaves.size(), [&](size_t k) {
+            const Leaf& leaf = tree.leaves[k];
+            const std::vector<double> weights =
+                weightsOf(records, std::span(members[face]).subspan(leaf.begin, leaf.end - leaf.begin));
+            if (!(std::accumulate(weights.begin(), weights.end(), 0.0) > 0)) return;
+            tables.path_guide_nodes[leaf.node].next = static_cast<uint>(first + k);
+            std::ranges::copy(makeAliasSquare(weights, side), tables.path_guide_aliases.begin() + static_cast<long>((first + k) * entries));
+        });
+    }
+    return maps;
+}
+
+}  // namespace eikonal

@@ -1,0 +1,125 @@
+#include "render/path_guide_pilot.h"
+
+#include "pack/path_guide.h"
+#include "render/pilot.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eikonal {
+namespace {
+
+/// Not a seed that a user is likely to choose.
+constexpr uint guideSeed = 0x67756964;
+
+/// How many of the render's paths are pilot paths: this share, of which each round takes twice as many as the one before.
+constexpr double pilotShare = 0.04;
+constexpr size_t mostPaths = 1 << 18, fewestPaths = 1 << 13;
+constexpr int rounds = 3;
+constexpr size_t samplesOfPixel = 4;
+
+/// Records the vertices of one batch after another.
+class VertexRecorder : public PilotRecorder {
+public:
+    explicit VertexRecorder(const Context& context) : context_(context) {}
+
+    void begin(unsigned paths) override {
+        light_.assign(paths, 0);
+        last_.assign(paths, none);
+        depths_.assign(paths, 0);
+        bounces_ = 0;
+        firstPath_ = nextPath_;
+        nextPath_ += paths;
+    }
+
+    bool bounced(const QueueItems& rays, const QueueItems& paths) override {
+        /* What the paths have found since the last bounce arrived at all their vertices so far */
+        const std::vector<float> light = readMeans(context_, paths, "L");
+        for (size_t p = 0; p < paths.count; ++p) {
+            if (!std::isfinite(light[p])) continue;
+            const float more = light[p] - light_[p];
+            light_[p] = light[p];
+            if (more > 0)
+                for (uint v = last_[p]; v != none; v = vertices_[v].before) vertices_[v].record.light += more * vertices_[v].inverseBeta;
+        }
+        const std::vector<uint> path = readField<uint>(context_, rays, "path"), depth = readField<uint>(context_, rays, "depth");
+        const std::vector<float> end = readField<float>(context_, rays, "t_max"), pdf = readField<float>(context_, rays, "pdf");
+        std::vector<float> beta = readMeans(context_, rays, "beta");
+        if (hasField(rays, "r_u")) {
+            const std::vector<float> scale = readMeans(context_, rays, "r_u");
+            for (size_t i = 0; i < beta.size(); ++i) beta[i] /= std::max(scale[i], 1e-30f);
+        }
+        const std::vector<vec3> o = readVectors(context_, rays, "o"), d = readVectors(context_, rays, "d"),
+                                n = readVectors(context_, rays, "n");
+        for (size_t i = 0; i < rays.count; ++i) {
+            const size_t p = path[i] - paths.first;
+            if (end[i] < 0 || depth[i] <= depths_[p]) continue;
+            depths_[p] = depth[i];
+            const bool isOnSurface = n[i].x != 0 || n[i].y != 0 || n[i].z != 0;
+            if (!isOnSurface || !(pdf[i] > 0) || !(beta[i] > 0)) continue;
+            vertices_.push_back({{o[i], n[i], d[i], 0, pdf[i]}, 1 / beta[i], last_[p], firstPath_ + p});
+            last_[p] = static_cast<uint>(vertices_.size() - 1);
+        }
+        return ++bounces_ < mostPilotBounces;
+    }
+
+    /// Path after path, however they were divided into batches. Begins anew.
+    std::vector<GuideRecord> take() {
+        std::ranges::stable_sort(vertices_, {}, &Vertex::path);
+        std::vector<GuideRecord> all;
+        for (const Vertex& v : vertices_) all.push_back(v.record);
+        vertices_.clear();
+        return all;
+    }
+
+private:
+    static constexpr uint none = NONE;
+    struct Vertex {
+        GuideRecord record;
+        float inverseBeta;   ///< over the throughput of the ray that leaves it
+        uint before;         ///< the vertex before it on its path; none: it is the first
+        size_t path;         ///< its number among all pilot paths
+    };
+    const Context& context_;
+    std::vector<Vertex> vertices_;
+    std::vector<float> light_;     ///< by path, as the next ones
+    std::vector<uint> last_, depths_;
+    int bounces_ = 0;
+    size_t firstPath_ = 0, nextPath_ = 0;
+};
+
+}  // namespace
+
+/// How many pilot paths a render is worth.
+static size_t pilotPaths(const PackedScene& packed) {
+    const double rendered = static_cast<double>(packed.frame().width) * packed.frame().height * packed.samples;
+    return std::min(static_cast<size_t>(rendered * pilotShare), mostPaths);
+}
+
+void usePathGuide(const Context& context, DeviceScene& scene, const LearnedPathGuide& guide) {
+    if (guide.isEmpty()) return;
+    scene.replace(context, "path_guide_nodes", guide.tables.path_guide_nodes);
+    scene.replace(context, "path_guide_aliases", guide.tables.path_guide_aliases);
+}
+
+LearnedPathGuide pilotPathGuide(const Context& context, DeviceScene& scene, const PackedScene& packed, Wave& wave) {
+    LearnedPathGuide guide;
+    if (!packed.features.has(Feature::PATH_GUIDE)) return guide;
+    const size_t paths = pilotPaths(packed);
+    if (paths < fewestPaths) return guide;
+    const settings frame = pilotFrame(packed.frame(), guideSeed);
+    scene.setFrame(context, frame);
+    VertexRecorder recorder(context);
+    for (int round = 0; round < rounds && !wave.stopFlag().isRaised(); ++round) {
+        const double part = std::exp2(round) / (std::exp2(rounds) - 1);
+        const auto pixels = static_cast<size_t>(part * static_cast<double>(paths / samplesOfPixel));
+        tracePilot(frame, scatterPixels(frame, pixels, samplesOfPixel, static_cast<size_t>(round) * samplesOfPixel), wave, recorder);
+        if (wave.stopFlag().isRaised()) break;
+        learnPathGuide(guide.tables, recorder.take(), packed.features.has(Feature::TRANSMISSION));
+        usePathGuide(context, scene, guide);
+    }
+    scene.setFrame(context, packed.frame());
+    return guide;
+}
+
+}  // namespace eikonal
