@@ -107,6 +107,9 @@ LearnedPathGuide pilotPathGuide(const Context& context, DeviceScene& scene, cons
     if (!packed.features.has(Feature::PATH_GUIDE)) return guide;
     const size_t paths = pilotPaths(packed);
     if (paths < fewestPaths) return guide;
+    /* The device may hold what an earlier survey learned, which must not guide this one */
+    packUnlearnedPathGuide(guide.tables);
+    usePathGuide(context, scene, guide);
     const settings frame = pilotFrame(packed.frame(), guideSeed);
     scene.setFrame(context, frame);
     VertexRecorder recorder(context);
