@@ -50,6 +50,14 @@ glm::dvec2 squareFromDirection(glm::dvec3 d) {
     return {(std::copysign(u, d.x) + 1) / 2, (std::copysign(v, d.y) + 1) / 2};
 }
 
+glm::ivec2 wrapTexelOfSquare(glm::ivec2 texel, int resolution) {
+    const int last = resolution - 1;
+    int x = texel.x, y = texel.y;
+    if (x < 0 || x > last) { x = x < 0 ? -x - 1 : 2 * resolution - 1 - x; y = last - y; }
+    if (y < 0 || y > last) { y = y < 0 ? -y - 1 : 2 * resolution - 1 - y; x = last - x; }
+    return {x, y};
+}
+
 glm::dvec3 texelOfSquare(const SquareGrid& grid, int x, int y, const std::function<glm::dvec3(glm::dvec2)>& radiance) {
     const auto& [resolution, samples] = grid;
     glm::dvec3 sum(0);

@@ -19,6 +19,9 @@ double heightFromSquare(glm::dvec2 p);
 /// The point in [0, 1]^2 of a direction, which need not be normalised but must not be zero.
 glm::dvec2 squareFromDirection(glm::dvec3 d);
 
+/// The texel of a square image, resolution x resolution, where the sphere goes on beyond an edge. texel: at most `resolution` outside.
+glm::ivec2 wrapTexelOfSquare(glm::ivec2 texel, int resolution);
+
 /// Texels of a square image, and the points in each: samples x samples. Row y, column x covers v in [y, y+1] / resolution and u in
 /// [x, x+1] / resolution.
 struct SquareGrid { int resolution, samples; };

@@ -2,6 +2,7 @@
 
 #include "pack/alias_table.h"
 #include "pack/guide_openings.h"
+#include "pack/guide_place.h"
 
 #include <tbb/parallel_for.h>
 
@@ -22,8 +23,6 @@ constexpr size_t fewestMaps = 1024;
 /// So many rays tell whether a scene is open, to about half a percent. To find the openings takes a share of all rays.
 constexpr size_t fewRays = 8192;
 constexpr double shareForOpenings = 0.2;
-
-float coordinate(const vec3& p, size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
 /// What to assume of rays that were not traced: this fraction of them is not blocked.
 constexpr double doubt = 0.002;
@@ -67,10 +66,6 @@ size_t intervalOf(std::span<const float> edges, size_t axis, float x) {
     for (size_t e = 0; e < intervals - 1; ++e) interval += x >= edges[axis * intervals + e];
     return interval;
 }
-size_t faceOf(const vec3& n) {
-    const float x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
-    return z >= x && z >= y ? (n.z < 0 ? 5 : 4) : x >= y ? (n.x < 0 ? 1 : 0) : (n.y < 0 ? 3 : 2);
-}
 size_t cellOf(std::span<const float> edges, const vec3& p) {
     return (intervalOf(edges, 2, p.z) * intervals + intervalOf(edges, 1, p.y)) * intervals + intervalOf(edges, 0, p.x);
 }
@@ -91,7 +86,7 @@ std::vector<Group> groupPoints(std::span<const float> edges, std::span<const vec
     std::vector<std::vector<size_t>> members(cells * GUIDE_FACES);
     for (size_t i = 0; i < points.size(); ++i) {
         const size_t cell = cellOf(edges, points[i]);
-        members[faceOf(normals[i]) * cells + cell].push_back(i);
+        members[guideFace(normals[i]) * cells + cell].push_back(i);
         if (hasAllDirections) members[GUIDE_ALL_DIRECTIONS * cells + cell].push_back(i);
     }
     std::vector<Group> groups;

@@ -1,6 +1,8 @@
 #include "pack/path_guide.h"
 
+#include "image/equal_area.h"
 #include "pack/alias_table.h"
+#include "pack/guide_place.h"
 
 #include <tbb/parallel_for.h>
 
@@ -20,34 +22,6 @@ constexpr size_t leastLit = 128;
 constexpr double mostOfMean = 50;
 /// The share of a map that is spread over all directions.
 constexpr double evenShare = 0.02;
-
-float coordinate(const vec3& p, size_t axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
-
-/// As kernels/light/guide_place.clh on the device.
-size_t faceOf(const vec3& n) {
-    const float x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
-    return z >= x && z >= y ? (n.z < 0 ? 5 : 4) : x >= y ? (n.x < 0 ? 1 : 0) : (n.y < 0 ? 3 : 2);
-}
-
-/// The texel of a direction: the equal-area mapping of kernels/math/equal_area.clh.
-struct SquarePoint { double x, y; };
-SquarePoint squareOf(const vec3& d) {
-    const double x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z), r = std::sqrt(std::max(0., 1 - z));
-    const double turn = x == 0 && y == 0 ? 0 : std::atan2(y, x) * 2 / 3.14159265358979323846;
-    const double v = turn * r, u = r - v;
-    const bool south = d.z < 0;
-    double su = south ? 1 - v : u, sv = south ? 1 - u : v;
-    if (d.x < 0) su = -su;
-    if (d.y < 0) sv = -sv;
-    return {0.5 * (su + 1), 0.5 * (sv + 1)};
-}
-size_t texelAt(int x, int y) {
-    constexpr int n = static_cast<int>(side);
-    /* Beyond an edge the sphere goes on at the mirrored place of the same edge */
-    if (x < 0 || x >= n) { x = x < 0 ? -1 - x : 2 * n - 1 - x; y = n - 1 - y; }
-    if (y < 0 || y >= n) { y = y < 0 ? -1 - y : 2 * n - 1 - y; x = n - 1 - x; }
-    return static_cast<size_t>(std::clamp(y, 0, n - 1)) * side + static_cast<size_t>(std::clamp(x, 0, n - 1));
-}
 
 struct Leaf { size_t node, begin, end; };
 
@@ -99,6 +73,7 @@ private:
 
 /// The light that arrives from each texel, by the records of a leaf, blurred by a texel.
 std::vector<double> weightsOf(std::span<const GuideRecord> records, std::span<const uint> members) {
+    constexpr int n = PATH_GUIDE_SIDE;
     std::vector<double> found(texels, 0.0), light;
     for (const uint i : members) {
         const GuideRecord& r = records[i];
@@ -107,12 +82,15 @@ std::vector<double> weightsOf(std::span<const GuideRecord> records, std::span<co
     }
     const double most = mostOfMean * std::accumulate(light.begin(), light.end(), 0.0) / static_cast<double>(members.size());
     for (size_t k = 0; k < members.size(); ++k) {
-        const SquarePoint at = squareOf(records[members[k]].d);
-        const auto texelOf = [](double u) { return std::min(static_cast<int>(u * side), static_cast<int>(side) - 1); };
+        const vec3& d = records[members[k]].d;
+        const glm::dvec2 at = squareFromDirection({d.x, d.y, d.z});
+        const auto texelOf = [](double u) { return std::min(static_cast<int>(u * n), n - 1); };
         const int x = texelOf(at.x), y = texelOf(at.y);
         for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx)
-                found[texelAt(x + dx, y + dy)] += std::min(light[k], most) * (dx ? 0.25 : 0.5) * (dy ? 0.25 : 0.5);
+            for (int dx = -1; dx <= 1; ++dx) {
+                const glm::ivec2 texel = wrapTexelOfSquare({x + dx, y + dy}, n);
+                found[static_cast<size_t>(texel.y * n + texel.x)] += std::min(light[k], most) * (dx ? 0.25 : 0.5) * (dy ? 0.25 : 0.5);
+            }
     }
     const double sum = std::accumulate(found.begin(), found.end(), 0.0);
     for (double& f : found) f += evenShare * sum / texels;
@@ -130,7 +108,7 @@ size_t learnPathGuide(LightTables& tables, std::span<const GuideRecord> records,
     packUnlearnedPathGuide(tables);
     std::array<std::vector<uint>, GUIDE_FACES> members;
     for (size_t i = 0; i < records.size(); ++i) {
-        members[faceOf(records[i].n)].push_back(static_cast<uint>(i));
+        members[guideFace(records[i].n)].push_back(static_cast<uint>(i));
         if (hasAllDirections) members[GUIDE_ALL_DIRECTIONS].push_back(static_cast<uint>(i));
     }
     size_t maps = 0;

@@ -53,14 +53,7 @@ TEST(EnvironmentGuide, FogInARoomIsAsBrightAsWithoutIt) {
 }
 
 TEST(EnvironmentGuide, WavesAndPartsOfTheImageHaveTheSameBits) {
-    const PackedScene scene = packScene(room("", withLights));
-    const FilmImage whole = render(scene).image;
-    RenderSetup smaller;
-    smaller.shape.wavePaths = 4096;
-    expectSameBits(whole, render(scene, smaller).image, "smaller waves");
-    PackedScene part = scene;
-    part.pixels = {20, 10, 41, 33};
-    expectSameBits(whole, render(part).image, "a part of the image");
+    expectSameBitsInWavesAndParts(packScene(room("", withLights)), {20, 10, 41, 33});
 }
 
 // In the open there is nothing to learn: paths find the sky, and no shadow ray is cast.

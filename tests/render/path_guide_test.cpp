@@ -53,14 +53,7 @@ TEST(PathGuide, HasLessNoise) {
 }
 
 TEST(PathGuide, WavesAndPartsOfTheImageHaveTheSameBits) {
-    const PackedScene scene = guided("");
-    const FilmImage whole = render(scene).image;
-    RenderSetup smaller;
-    smaller.shape.wavePaths = 4096;
-    expectSameBits(whole, render(scene, smaller).image, "smaller waves");
-    PackedScene part = scene;
-    part.pixels = {10, 10, 31, 23};
-    expectSameBits(whole, render(part).image, "a part of the image");
+    expectSameBitsInWavesAndParts(guided(""), {10, 10, 31, 23});
 }
 
 }  // namespace

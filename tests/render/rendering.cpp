@@ -249,6 +249,16 @@ void expectSameBits(const FilmImage& a, const FilmImage& b, const std::string& w
     EXPECT_EQ(different, 0u) << what << ": of " << compared << " pixels; the first is " << first;
 }
 
+void expectSameBitsInWavesAndParts(const PackedScene& scene, const PixelRect& pixels) {
+    const FilmImage whole = render(scene).image;
+    RenderSetup smaller;
+    smaller.shape.wavePaths = 4096;
+    expectSameBits(whole, render(scene, smaller).image, "smaller waves");
+    PackedScene part = scene;
+    part.pixels = pixels;
+    expectSameBits(whole, render(part).image, "a part of the image");
+}
+
 void expectFinite(const Rendered& rendered, const std::string& what) {
     EXPECT_EQ(rendered.invalid.count, 0u) << what << ": invalid samples, the first in pixel (" << rendered.invalid.x << ", "
                                           << rendered.invalid.y << ")";

@@ -84,6 +84,8 @@ void expectEqualMeans(const Rendered& a, const Rendered& b, double resolution = 
 /// Holds two images to the same bits in colour, variance and number of samples, in all pixels that both have; and those of the same
 /// size in what further channels both have.
 void expectSameBits(const FilmImage& a, const FilmImage& b, const std::string& what);
+/// The image in smaller waves, and a part of it rendered alone, have the bits of the whole.
+void expectSameBitsInWavesAndParts(const PackedScene& scene, const PixelRect& part);
 /// No pixel is negative, infinite or not a number, and no sample was.
 void expectFinite(const Rendered& rendered, const std::string& what);
 

@@ -12,9 +12,8 @@ namespace eikonal {
 static glm::dvec3 lookUp(const ImageData& image, glm::dvec2 square) {
     const int n = image.width;
     const auto texel = [&](int x, int y) {
-        if (x < 0 || x >= n) { x = x < 0 ? -x - 1 : 2 * n - 1 - x; y = n - 1 - y; }
-        if (y < 0 || y >= n) { y = y < 0 ? -y - 1 : 2 * n - 1 - y; x = n - 1 - x; }
-        return texelOf(image, x, y);
+        const glm::ivec2 wrapped = wrapTexelOfSquare({x, y}, n);
+        return texelOf(image, wrapped.x, wrapped.y);
     };
     const double s = square.x * n - 0.5, t = square.y * n - 0.5;
     const int x = static_cast<int>(std::floor(s)), y = static_cast<int>(std::floor(t));
