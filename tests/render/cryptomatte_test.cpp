@@ -3,6 +3,7 @@
 #include "cli.h"
 #include "same_files.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <bit>
@@ -145,6 +146,42 @@ TEST_F(Cryptomatte, HasTheSameBitsHoweverItIsRendered) {
     ASSERT_EQ(merged.status, 0) << merged.error;
     expectSameFiles(path("whole.exr"), path("merged.exr"));
     EXPECT_THAT(image("merged.exr").cryptomattes.back().manifest, HasSubstr("\"mirror\""));
+}
+
+/// Resumed, in parts and in small waves, also where a pixel shows more names than its slots hold, so that some lose theirs: disks of radius
+/// 0.1, each its own object, 19 of them in a pixel of a square of 1.5.
+TEST_F(Cryptomatte, HasTheSameBitsWhenItGoesOn) {
+    std::string scene = "Film \"rgb\" \"integer xresolution\" 4 \"integer yresolution\" 4 Sampler \"independent\"\n"
+                        "PixelFilter \"gaussian\" LookAt 0 0 -9 0 0 0 0 1 0 Camera \"perspective\" \"float fov\" 37 WorldBegin LightSource \"point\"\n";
+    for (int i = 0; i < 300; ++i)
+        scene += fmt::format("Material \"diffuse\"\nAttributeBegin Translate {} {} 0 Shape \"disk\" \"float radius\" .1 AttributeEnd\n",
+                             i * 37 % 300 * .02 - 3, i * 101 % 300 * .02 - 3);
+    write("crowd.pbrt", scene);
+    const auto render = [&](const std::string& image, std::vector<std::string> more) {
+        more.insert(more.begin(), {"render", "crowd.pbrt", "--aov", "cryptomatte", "-o", image});
+        return run(more).status;
+    };
+    ASSERT_EQ(render("whole.exr", {"--spp", "3000"}), 0);
+    ASSERT_EQ(render("small.exr", {"--spp", "3000", "--wave-paths", "777", "--nthreads", "1"}), 0);
+    expectSameFiles(path("whole.exr"), path("small.exr"));
+
+    const std::vector<std::string> checkpoint{"--checkpoint", "c.film", "--resume"};
+    const auto with = [&](std::vector<std::string> words) {
+        words.insert(words.end(), checkpoint.begin(), checkpoint.end());
+        return words;
+    };
+    for (const char* samples : {"24", "600", "1100"}) ASSERT_EQ(render("resumed.exr", with({"--spp", samples})), 0);
+    render("resumed.exr", with({"--spp", "3000", "--time-limit", "0.02"}));
+    ASSERT_EQ(render("resumed.exr", with({"--spp", "3000"})), 0);
+    expectSameFiles(path("whole.exr"), path("resumed.exr"));
+
+    std::vector<std::string> merge{"merge", "-o", "merged.exr"};
+    for (const std::string samples : {"1600:3000", "0:1008", "1008:1600"}) {
+        merge.push_back("part" + std::to_string(merge.size()) + ".film");
+        ASSERT_EQ(render(merge.back(), {"--spp", "3000", "--samples", samples}), 0);
+    }
+    ASSERT_EQ(run(merge).status, 0);
+    expectSameFiles(path("whole.exr"), path("merged.exr"));
 }
 
 /// Other channels keep their bits, IDs theirs where colours have 16, and what would change them is refused.
