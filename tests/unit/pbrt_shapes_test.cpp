@@ -163,8 +163,12 @@ TEST_F(PbrtShapes, tangents) {
 TEST_F(PbrtShapes, alpha) {
     EXPECT_EQ(shape("\"sphere\"").alpha.value.value(), 1);
     EXPECT_EQ(shape("\"sphere\" \"float alpha\" .25").alpha.value.value(), .25);
-    const Scene scene = world("Texture \"leaf\" \"float\" \"constant\" Shape \"sphere\" \"texture alpha\" \"leaf\"");
+    const Scene scene = world("Texture \"leaf\" \"float\" \"checkerboard\" Shape \"sphere\" \"texture alpha\" \"leaf\"");
     EXPECT_EQ(scene.textures[scene.shapes[0].alpha.texture].name, "leaf");
+    /* pbrt-v4 hides a lamp of such an alpha from rays, and keeps its light */
+    const Shape hidden = shape("\"sphere\" \"texture alpha\" \"zero\"\nTexture \"zero\" \"float\" \"constant\" \"float value\" 0");
+    EXPECT_EQ(hidden.alpha.texture, none);
+    EXPECT_EQ(hidden.alpha.value.value(), 0);
 }
 
 TEST_F(PbrtShapes, reverseOrientationToggles) {

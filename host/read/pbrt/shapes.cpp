@@ -2,6 +2,7 @@
 
 #include "kinds/material_kind.h"
 #include "kinds/shape_reading.h"
+#include "kinds/texture_kind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,17 +144,24 @@ void ShapeRegistry::finish() {
     pending_.clear();
 }
 
+/// A number, also where a texture "constant" gives it: an alpha of 0 hides a lamp, and leaves its light.
+Input ShapeRegistry::alphaOf(const Parameter& given) {
+    const auto number = [&](double value) { return Input{Spectrum::constant(std::clamp(value, 0., 1.)), none, given.where}; };
+    if (given.type != ParameterType::texture) return number(std::get<std::vector<double>>(given.values).front());
+    const int index = textures_.textureOf(given, true);
+    if (index == none) return {Spectrum::constant(1), none, given.where};
+    const Texture& texture = reading_.scene.textures[static_cast<size_t>(index)];
+    if (texture.kind->traits.isItsOperand) return number(texture.operands.front().value.value());
+    return {{}, index, given.where};
+}
+
 void ShapeRegistry::place(PendingShape pending) {
     Shape& shape = pending.shape;
     shape.material = materials_.resolve(pending.material, shape.where);
     const MediumInterface media{media_.resolve(pending.inside, shape.where), media_.resolve(pending.outside, shape.where)};
     if (media.inside != media.outside) shape.interface = media;
 
-    if (pending.alpha) {
-        shape.alpha.where = pending.alpha->where;
-        if (pending.alpha->type == ParameterType::texture) shape.alpha.texture = textures_.textureOf(*pending.alpha, true);
-        else shape.alpha.value = Spectrum::constant(std::clamp(std::get<std::vector<double>>(pending.alpha->values).front(), 0., 1.));
-    }
+    if (pending.alpha) shape.alpha = alphaOf(*pending.alpha);
     if (shape.areaLight != none && shape.material != none && reading_.scene.materials[shape.material].kind == &interface_material) {
         reading_.diagnostics.warnOnce("emitting interface", shape.where,
                                       "a shape of material \"interface\" cannot emit; its area light is ignored");

@@ -53,6 +53,7 @@ public:
     void finish();
 
 private:
+    Input alphaOf(const Parameter& given);
     void place(PendingShape pending);
     int objectNamed(const std::string& name);
 
