@@ -66,7 +66,7 @@ double upwardIlluminance(const ImageData&);
 /// A point of an element of a mesh: the cross product of its tangents, and the weights of the element's vertex normals.
 struct MeshPoint { glm::dvec3 across; std::array<double, 4> weights{}; };
 /// The side on which an element of a mesh emits: 1 that of the cross product, -1 the other, in all of the points; 0: not in all the same,
-/// since vertex normals decide (as in pbrt-v4).
+/// since vertex normals decide (as in pbrt-v4); light::two_sided of such an element is 1.
 int emittingSide(const AreaElement&, const uint* corners, const std::vector<MeshPoint>& points);
 /// The fraction of the circle that phiMax (degrees) covers.
 double shareOfCircle(double phiMax);

@@ -38,14 +38,18 @@ void LightPacker::addShape(const Shape& s, shape& packed, const GeometryTables& 
     const uint group = groupNumber(description.group);
     const LightKind& kind = kindOf(s.kind->traits.lightKindOf(s, m));
     if (kind.traits.isAimedByDirection) packed.flags |= shape_is_aimed_by_direction;
+    bool anyTurns = false;
     for (size_t e = 0; e < elements; ++e) {
         light l = kind.traits.packElement({geometry, s, packed, e, m}, L);
-        l.two_sided = description.twoSided ? 1 : 0;
+        /* Where vertex normals choose the side, light samples do not know it, and the pattern does */
+        const bool turns = l.two_sided && !description.twoSided;
+        anyTurns = anyTurns || turns;
+        if (description.twoSided) l.two_sided = 1;
         /* With an alpha of 0 it emits but is invisible (as in pbrt-v4) */
         l.invisible = isUnseen;
         l.group = group;
         l.element = packed.first_element + static_cast<uint>(e);
-        l.has_pattern = hasPattern;
+        l.has_pattern = hasPattern || turns;
         l.rounding = roundingOf(l);
         /* As in pbrt-v4, "power" is that of each element, ignoring alpha */
         double factor = scale;
@@ -61,7 +65,7 @@ void LightPacker::addShape(const Shape& s, shape& packed, const GeometryTables& 
     }
     const std::string why = description.where.toString() + ": area light";
     context_.require(Feature::EMITTERS, why);
-    if (hasPattern) context_.require(Feature::LIGHT_PATTERN, why);
+    if (hasPattern || anyTurns) context_.require(Feature::LIGHT_PATTERN, why);
     context_.require(kind.feature, why);
 }
 

@@ -17,7 +17,7 @@ FN ray_item leave_light(geometry g, texture_tables tables, sampled_wavelengths c
     float height = max1(0.5f / sqrt(max1(e.from.density, 1e-20f)), 1e-6f);
     surface at = aimed_surface(g, tables, e.l.element, mul_add(n, height, e.from.p), negate(n), height);
     r.o = offset_origin(e.from.p, surface_offset(at), at.ng, e.d);
-    if (HAS_LIGHT_PATTERN && e.l.has_pattern) r.beta = mul(r.beta, pattern_at(g, tables, colors, e.l.element, at));
+    if (HAS_LIGHT_PATTERN && e.l.has_pattern) r.beta = mul(r.beta, pattern_at(g, tables, colors, e.l.element, at, negate(e.d)));
     return r;
 }
 

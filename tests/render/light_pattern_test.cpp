@@ -41,6 +41,21 @@ TEST(LightPattern, WhatIsCutOutIsDark) {
     expectRadiance(onTheFloor(leftHalf + emitter(wallAround + half)), rho * Le * wallBand / 2);
 }
 
+// Vertex normals choose the side that shines, as in pbrt-v4: of those that turn over, half of the rectangle shines down. Light samples know
+// it, too: an alpha of 0 hides the lamp from all other rays.
+TEST(LightPattern, NormalsThatTurnChooseTheSide) {
+    const std::string turning = "\"normal N\" [0 -1 0  0 1 0  0 {0} 0  0 {1} 0] ";
+    for (const char* alpha : {"", "\"float alpha\" 0"}) {
+        SCOPED_TRACE(alpha);
+        const double half = rho / pi * irradianceOfRectangle(.6, .7), both = rho / pi * irradianceOfRectangle(1.2, .7);
+        const std::string patch = rectanglePatch + fmt::format(fmt::runtime(turning), -1, 1) + alpha,
+                          triangles = rectangleTriangles + fmt::format(fmt::runtime(turning), 1, -1) + alpha;
+        expectRadiance(onTheFloor(emitter(patch)), half);
+        expectRadiance(onTheFloor(emitter(triangles)), half);
+        expectRadiance(onTheFloor(emitter(triangles, "\"bool twosided\" true")), both);
+    }
+}
+
 // Without its lower half (u < 1/2 is y > 0), a sphere that shines inside as well looks like a disk of its radius at its centre.
 TEST(LightPattern, TheFarSideOfASphereIsSeenThroughItsHole) {
     expectRadiance(onTheFloor(leftHalf + emitter("Translate 0 2 0 Shape \"sphere\" \"float radius\" .8 \"texture alpha\" \"half\"",

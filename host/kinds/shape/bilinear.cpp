@@ -54,8 +54,7 @@ static light packLight(const AreaElement& e, const color& L) {
         l.extent = side < 0 ? -1.0f : 1.0f;
         l.n = toVec3(glm::length(n) > 0 ? glm::normalize(n) * static_cast<double>(l.extent) : glm::dvec3(0, 0, 1));
         l.inverse_area = static_cast<float>(1 / area);
-        /* As with a triangle whose vertex normals turn from one side to the other */
-        if (side == 0 && !(e.packed.flags & shape_is_two_sided)) l.pmf = 0;
+        l.two_sided = side == 0;
     } else l.pmf = 0;
     return l;
 }

@@ -55,8 +55,7 @@ static light packLight(const AreaElement& e, const color& L) {
         const int side = emittingSide(e, corner, {{across, {1, 0, 0}}, {across, {0, 1, 0}}, {across, {0, 0, 1}}});
         l.n = toVec3(across / (2 * area) * (side < 0 ? -1.0 : 1.0));
         l.inverse_area = static_cast<float>(1 / area);
-        /* Samples have one normal; where vertex normals turn from one side to the other, only paths that hit the light know the side */
-        if (side == 0 && !(e.packed.flags & shape_is_two_sided)) l.pmf = 0;
+        l.two_sided = side == 0;
     } else l.pmf = 0;
     return l;
 }
