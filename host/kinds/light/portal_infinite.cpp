@@ -20,9 +20,20 @@ static glm::dvec3 lookUp(const ImageData& image, glm::dvec2 square) {
     return glm::mix(glm::mix(texel(x, y), texel(x + 1, y), s - x), glm::mix(texel(x, y + 1), texel(x + 1, y + 1), s - x), t - y);
 }
 
+/// A portal lights what lies behind it, where its normal n does not point. Warns if the camera and the middle of the scene lie before it.
+static void warnOfWrongSide(const PackContext& context, const Light& d, glm::dvec3 n) {
+    const auto liesBefore = [&](glm::dvec3 p) { return glm::dot(n, p - d.portal[0]) > 0; };
+    if (context.bounds.empty() || !liesBefore(context.bounds.center())) return;
+    if (!liesBefore(transformPoint(context.scene.camera.worldFromCamera, glm::dvec3(0)))) return;
+    context.diagnostics.warn(d.where,
+                             "the portal lets light through to the side where the camera and the middle of the scene are not; with its "
+                             "corners in the reverse order it would let it through to theirs");
+}
+
 static PackedLight pack(const LightPacking& in, const Light& d) {
     const ImageData* image = d.image == none ? nullptr : &sphereImage(in.context, d);
     const glm::dvec3 x = glm::normalize(d.portal[3] - d.portal[0]), y = glm::normalize(d.portal[1] - d.portal[0]), n = glm::cross(x, y);
+    warnOfWrongSide(in.context, d, n);
     const glm::dmat3 lightFromPortal = glm::transpose(rotationOf(d)) * glm::dmat3(x, y, n);
     const auto radianceFrom = [&](glm::dvec3 w) {
         return image ? lookUp(*image, squareFromDirection(lightFromPortal * w)) : glm::dvec3(1);
