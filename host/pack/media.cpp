@@ -3,6 +3,8 @@
 #include "kinds/light_kind.h"
 #include "kinds/medium_packing.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
 
@@ -24,6 +26,10 @@ uint MediumPacker::interior(const std::shared_ptr<const Medium>& interior, const
     if (isNew) {
         for (Feature feature : {Feature::SUBSURFACE, Feature::MEDIA, interior->kind->feature}) context_.require(feature, why);
         media.push_back(interior->kind->traits.pack({context_, tables_, colors_}, *interior));
+        if (media.size() > NO_BODY_MEDIUM)
+            throw SceneError(interior->where, fmt::format("the scene has more than {} media and bodies of material \"subsurface\" that "
+                                                          "random walks enter; \"string method\" \"diffusion\" has no such limit",
+                                                          NO_BODY_MEDIUM));
     }
     return place->second;
 }

@@ -7,6 +7,7 @@
 #include "pack/integrator.h"
 #include "pack/light_paths.h"
 #include "pack/missed_light.h"
+#include "pack/nested_bodies.h"
 #include "pack/sampler.h"
 #include "pack/scene_bounds.h"
 #include "read/formats/image.h"
@@ -61,6 +62,7 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     media.pack();
     Hierarchies hierarchies = packGeometry({context, tables, packed.counts, textures, materials, lights});
     packed.materialSources = materials.sources();
+    if (context.has(Feature::SUBSURFACE)) warnOfNestedBodies(context);
     lights.pack();
     chooseLightPaths(context, packed);
     packPathGuide(context, packed);

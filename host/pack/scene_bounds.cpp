@@ -101,6 +101,21 @@ SceneBounds boundsOf(const Scene& scene) {
     return bounds;
 }
 
+std::vector<Box> boxesOf(const Scene& scene, const std::function<bool(const Shape&)>& counts) {
+    const TimeSpan seen = timesSeen(scene);
+    std::vector<Box> boxes;
+    for (const Shape& s : scene.shapes)
+        if (counts(s)) boxes.push_back(reachOf(s, seen));
+    std::vector<std::vector<Box>> objects(scene.objects.size());
+    for (size_t o = 0; o < objects.size(); ++o)
+        for (const Shape& s : scene.objects[o].shapes)
+            if (counts(s)) objects[o].push_back(reachOf(s, seen));
+    for (const Instance& i : scene.instances)
+        for (const Box& box : objects[static_cast<size_t>(i.object)])
+            boxes.push_back(reachOf(box, i.worldFromObject, i.worldFromObjectAtEnd, seen));
+    return boxes;
+}
+
 SceneSpace spaceOf(const SceneBounds& bounds) {
     SceneSpace space = spaceOf(bounds.near);
     if (bounds.all.empty()) return space;

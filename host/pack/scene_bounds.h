@@ -5,6 +5,7 @@
 #include "pack/space.h"
 #include "scene/scene.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,9 @@ struct PlacedBox {
 Box nearBox(std::span<const PlacedBox> boxes, glm::dvec3 eye);
 
 SceneBounds boundsOf(const Scene& scene);
+
+/// The bounds of the shapes that `counts` in world space, at each place of their object.
+std::vector<Box> boxesOf(const Scene& scene, const std::function<bool(const Shape&)>& counts);
 
 /// The space of a scene: that of `near`, but with all coordinates below 2^40.
 SceneSpace spaceOf(const SceneBounds& bounds);

@@ -75,9 +75,9 @@
 #define SUBSURFACE_TRAVEL_FIELDS(F, q) \
     F(q, uint,     within,     SUBSURFACE)   /* number of subsurface bodies around; in a hit: on the side of ng, and << 16 on the other */ \
     F(q, uint,     uncounted,  SUBSURFACE)   /* scattering events inside the body; not counted against maxdepth */ \
-    F(q, uint,     around,     SUBSURFACE)   /* medium around the outermost of them, or NONE (shade/bodies.clh) */ \
-    F(q, uint,     around_second, SUBSURFACE) /* around the body in that body */ \
-    F(q, uint,     around_third,  SUBSURFACE) /* around the body in both */
+    F(q, uint,     around,     SUBSURFACE)   /* media around the two outermost of them, 16 bits each (shade/bodies.clh) */ \
+    F(q, uint,     around_second, SUBSURFACE) /* around the next two */ \
+    F(q, uint,     around_third,  SUBSURFACE) /* around the two in those */
 
 /* A line along which to look for points where a path may leave a subsurface body with a diffusion profile. Filled by route_intersections
    for each hit on such a body, drained by trace_probes if the path enters the body there. Slot i belongs to slot i of hit. */

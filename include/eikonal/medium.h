@@ -33,6 +33,10 @@ typedef struct {
 } point_light_position;
 #define MOST_EQUIANGULAR_LIGHTS 8
 
+/* Subsurface bodies in one another: a path remembers the media around this many, by 16 bits each (kernels/shade/bodies.clh). */
+#define MOST_NESTED_BODIES 6u
+#define NO_BODY_MEDIUM 0xffffu   /* NONE in 16 bits; media have smaller numbers */
+
 typedef struct {
     uint kind;                 /* enum medium_kind */
     color sigma_a, sigma_s;    /* per unit of scene space; grids and noise multiply them */

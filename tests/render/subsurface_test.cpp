@@ -58,6 +58,23 @@ TEST(Subsurface, ASlabHasTheReflectanceThatItIsGiven) {
     }
 }
 
+// Six bodies in one another, as many as a path remembers the surroundings of (MOST_NESTED_BODIES), that refract nothing and absorb, each in
+// its own way: along the axis of all, exp(-sum of sigma_a times the way in each) is left.
+TEST(Subsurface, BodiesInOneAnotherAreLeftInTurn) {
+    const double radii[] = {1, .85, .7, .55, .4, .25, 0}, sigma[] = {.2, 3, .1, 2, .4, 1};
+    std::string world = whiteSky;
+    double depth = 0;
+    for (int k = 0; k < 6; ++k) {
+        world += ball(fmt::format("{}\"rgb sigma_a\" [{} .5 1] \"rgb sigma_s\" [0 0 0] \"float eta\" 1", walk, sigma[k]), radii[k]);
+        depth += sigma[k] * 2 * (radii[k] - radii[k + 1]);
+    }
+    View view;
+    view.fov = .02;
+    view.maxDepth = 20;
+    view.samples = 1024;
+    expectRadiance(render(sceneText(view, world), media()), glm::exp(-glm::dvec3(depth, .5 * 2, 1 * 2)), 0.02);
+}
+
 // Of a sphere of radius R, pi r^2 lie within the distance r of any of its points, as of a plane, as long as r < 2 R: a profile that ends
 // before spreads over all of itself. So a ball is as bright as a slab, and a white one cannot be seen; whichever axes its probes have, each
 // of which meets it twice.
