@@ -25,8 +25,8 @@ glm::dvec2 depthSlope(const PackedScene& scene, glm::dvec3 p, glm::dvec3 n);
 /// The transform from world space to camera space, in the description's units, when the shutter opens.
 glm::dmat4 cameraFromWorld(const PackedScene& scene);
 
-/// Transforms positions and normals from world space to camera space (x to the right, y up, looking along +z) in the middle of the
-/// shutter interval.
+/// Transforms positions and normals from world space to camera space (x to the right, y up, looking along +z): that of the middle of the
+/// shutter interval, or, with CAMERA_SPACE, that of each sample's time.
 void toCameraSpace(FilmImage& image, const PackedScene& scene);
 
 }  // namespace eikonal

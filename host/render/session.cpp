@@ -152,7 +152,10 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     scene_.images.clear();
     if (aovs.lightGroups) keepLightGroups(packed_);
     if (aovs.has(AovSource::passes)) packed_.require(Feature::RENDER_PASSES, "--aov");
-    if (aovs.motion && packed_.features.has(Feature::MOTION)) packed_.require(Feature::MOTION_VECTORS, "--aov, or a film \"gbuffer\"");
+    const bool inMovingSpace = scene_.film.gbuffer == GBuffer::cameraSpace && packed_.features.has(Feature::CAMERA_MOTION);
+    if (inMovingSpace) packed_.require(Feature::CAMERA_SPACE, "a film \"gbuffer\" in the space of a camera that moves");
+    if (aovs.motion && (inMovingSpace || packed_.features.has(Feature::MOTION)))
+        packed_.require(Feature::MOTION_VECTORS, "--aov, or a film \"gbuffer\"");
     times_.pack = time.seconds();
     /* What the scene requires is known: kernels get ready while its hierarchies are built */
     auto built = inBackground([&] { packing.hierarchies.build(packed_.tables, packed_.counts, diagnostics_); });

@@ -53,6 +53,7 @@
     F(LIGHT_GROUPS,     "the channels of light groups") \
     F(CRYPTO_OBJECT,    "the channels \"CryptoObject\"") \
     F(CRYPTO_MATERIAL,  "the channels \"CryptoMaterial\"") \
-    F(MOTION_VECTORS,   "the channel \"motion\", and a shape that moves")
+    F(MOTION_VECTORS,   "the channel \"motion\", and a shape that moves") \
+    F(CAMERA_SPACE,     "channels in the space of a camera that moves")
 
 #endif

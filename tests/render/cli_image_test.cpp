@@ -180,6 +180,32 @@ TEST_F(Cli, AFilmMayAskForAovs) {
     EXPECT_THAT(run.error, HasSubstr("cannot hold them; add `-o FILE.exr`"));
 }
 
+// In the space of a camera that turns, what is seen at any time is where it is then: of a sphere around the camera, on which light falls,
+// each pixel sees one point of that space. Each has its distance and its normal, and motion is as without the film.
+TEST_F(Cli, AFilmMayHaveTheSpaceOfACameraThatMoves) {
+    const auto scene = [](const char* film) {
+        return std::string("ActiveTransform EndTime Rotate 90 0 1 0 ActiveTransform All Camera \"perspective\" \"float fov\" 60 "
+                           "Film \"") + film + "\" \"integer xresolution\" 8 \"integer yresolution\" 8 Sampler \"zsobol\" "
+                           "\"integer pixelsamples\" 256 WorldBegin LightSource \"point\" Shape \"sphere\" \"float radius\" 2";
+    };
+    write("turning.pbrt", scene("gbuffer"));
+    ASSERT_EQ(run({"render", "turning.pbrt", "-o", "a.exr"}).status, 0);
+    const FilmImage seen = image("a.exr");
+    const glm::vec3 p = seen.position[seen.index(6, 2)], n = seen.normal[seen.index(6, 2)];
+    const float x = 2.5f / 4 * std::tan(float(M_PI) / 6), y = 1.5f / 4 * std::tan(float(M_PI) / 6);
+    const glm::vec3 expected = 2.f * glm::normalize(glm::vec3(x, y, 1));
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(p[c], expected[c], 5e-3) << c;
+        EXPECT_NEAR(std::abs(n[c]), expected[c] / 2, 5e-3) << c;
+    }
+    write("world.pbrt", scene("rgb"));
+    ASSERT_EQ(run({"render", "world.pbrt", "-o", "b.exr", "--aov", "motion,position"}).status, 0);
+    const FilmImage inWorld = image("b.exr");
+    EXPECT_LT(glm::length(inWorld.position[seen.index(6, 2)]), 1.9f) << "a mean over an arc";
+    EXPECT_EQ(seen.color, inWorld.color);
+    EXPECT_EQ(seen.motion, inWorld.motion);
+}
+
 // pbrt-v4's film "spectral": an EXR has the spectra, beside the channels that are asked for; another file has the colours, and that is
 // said.
 TEST_F(Cli, AFilmMayKeepSpectra) {

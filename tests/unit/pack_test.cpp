@@ -281,6 +281,36 @@ TEST_F(Pack, MergingIsLeftOutWhereShapesMove) {
     EXPECT_THAT(moves.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1"), HasSubstr("shapes move"), HasSubstr("\"bdpt\""))));
 }
 
+// Light comes in through the side of a portal from which its corners run clockwise; where camera and scene are on that side, it is said.
+TEST_F(Pack, APortalThatFacesAwayIsSaid) {
+    const auto warningsOf = [&](const std::string& camera, const std::string& corners) {
+        Diagnostics diagnostics(LogLevel::silent);
+        packScene(read(camera + "Camera \"perspective\" WorldBegin Shape \"sphere\"\nLightSource \"infinite\" \"point3 portal\" [" +
+                       corners + "]"),
+                  diagnostics);
+        return diagnostics.warnings();
+    };
+    const std::string right = "-1 -1 2  -1 1 2  1 1 2  1 -1 2", wrong = "-1 -1 2  1 -1 2  1 1 2  -1 1 2";
+    EXPECT_THAT(warningsOf("", right), IsEmpty());
+    EXPECT_THAT(warningsOf("", wrong), ElementsAre(AllOf(HasSubstr("test.pbrt:2:1: warning: the portal"), HasSubstr("reverse order"))));
+    EXPECT_THAT(warningsOf("LookAt 0 0 9  0 0 0  0 1 0\n", wrong), IsEmpty()) << "the camera sees what is lit";
+}
+
+// Six bodies in one another are what a path can remember.
+TEST_F(Pack, BodiesTooDeepInOneAnotherAreSaid) {
+    const auto warningsOf = [&](int count, double apart) {
+        std::string text = "LightSource \"infinite\" Material \"subsurface\" \"string method\" \"randomwalk\"\n";
+        for (int k = 0; k < count; ++k)
+            text += fmt::format("AttributeBegin Translate {} 0 0 Shape \"sphere\" \"float radius\" {} AttributeEnd\n", k * apart, 10 - k);
+        Diagnostics diagnostics(LogLevel::silent);
+        packScene(world(text), diagnostics);
+        return diagnostics.warnings();
+    };
+    EXPECT_THAT(warningsOf(6, 0), IsEmpty());
+    EXPECT_THAT(warningsOf(7, 0), ElementsAre(HasSubstr("7 bodies of material \"subsurface\" lie in one another")));
+    EXPECT_THAT(warningsOf(9, 21), IsEmpty()) << "side by side";
+}
+
 // A scene without light is black, and says so; not where nothing needs a light, and not where a medium shines by itself.
 TEST_F(Pack, DarknessIsSaid) {
     const auto warningsOf = [&](const std::string& text) {
