@@ -186,7 +186,8 @@ TEST_F(Cli, AFilmMayHaveTheSpaceOfACameraThatMoves) {
     const auto scene = [](const char* film) {
         return std::string("ActiveTransform EndTime Rotate 90 0 1 0 ActiveTransform All Camera \"perspective\" \"float fov\" 60 "
                            "Film \"") + film + "\" \"integer xresolution\" 8 \"integer yresolution\" 8 Sampler \"zsobol\" "
-                           "\"integer pixelsamples\" 256 WorldBegin LightSource \"point\" Shape \"sphere\" \"float radius\" 2";
+                           "\"integer pixelsamples\" 256 PixelFilter \"box\" WorldBegin LightSource \"point\" Shape \"sphere\" "
+                           "\"float radius\" 2";
     };
     write("turning.pbrt", scene("gbuffer"));
     ASSERT_EQ(run({"render", "turning.pbrt", "-o", "a.exr"}).status, 0);

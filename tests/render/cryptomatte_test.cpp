@@ -152,7 +152,7 @@ TEST_F(Cryptomatte, HasTheSameBitsHoweverItIsRendered) {
 /// 0.1, each its own object, 19 of them in a pixel of a square of 1.5.
 TEST_F(Cryptomatte, HasTheSameBitsWhenItGoesOn) {
     std::string scene = "Film \"rgb\" \"integer xresolution\" 4 \"integer yresolution\" 4 Sampler \"independent\"\n"
-                        "PixelFilter \"gaussian\" LookAt 0 0 -9 0 0 0 0 1 0 Camera \"perspective\" \"float fov\" 37 WorldBegin LightSource \"point\"\n";
+                        "PixelFilter \"gaussian\" LookAt 0 0 -9 0 0 0 0 1 0 Camera \"perspective\" \"float fov\" 37 WorldBegin\n";
     for (int i = 0; i < 300; ++i)
         scene += fmt::format("Material \"diffuse\"\nAttributeBegin Translate {} {} 0 Shape \"disk\" \"float radius\" .1 AttributeEnd\n",
                              i * 37 % 300 * .02 - 3, i * 101 % 300 * .02 - 3);
