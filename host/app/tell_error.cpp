@@ -16,7 +16,10 @@ int tellError(const std::string& scene) {
     try {
         throw;
     } catch (const Error& error) {
-        return fail(error.code(), (error.code() == ExitCode::scene ? "" : "error: ") + std::string(error.what()), scene);
+        /* Those of a scene or a file begin with its name, if they are not of an image that cannot be read or written */
+        const std::string what = error.what();
+        const bool beginsWithPlace = error.code() == ExitCode::scene && !what.starts_with("cannot ");
+        return fail(error.code(), (beginsWithPlace ? "" : "error: ") + what, scene);
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::scene,
                     "error: not enough memory; `eikonal info` tells how much a render takes. A mesh that ObjectInstance places several "

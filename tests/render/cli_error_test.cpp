@@ -84,7 +84,7 @@ TEST_F(Cli, WhatCannotBePrintedIsAnError) {
     program_ = "/bin/sh";
     const Outcome full = run({"-c", EIKONAL_BINARY " info tiny.pbrt > /dev/full"});
     EXPECT_EQ(full.status, 1);
-    EXPECT_EQ(full.error, "cannot write to standard output: No space left on device\n");
+    EXPECT_EQ(full.error, "error: cannot write to standard output: No space left on device\n");
 }
 
 TEST_F(Cli, ASceneThatIsNoTextDoesNotReachTheTerminal) {

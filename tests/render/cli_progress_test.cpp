@@ -228,7 +228,7 @@ TEST_F(Progresses, ALogReplacesNoOtherFile) {
     EXPECT_EQ(read(path("tiny.pbrt")), scene);
     const Outcome absent = this->run({"render", "tiny.pbrt", "--log-file", "absent/a.log"});
     EXPECT_EQ(absent.status, 1);
-    EXPECT_EQ(absent.error, "cannot write \"absent/a.log\": No such file or directory\n");
+    EXPECT_EQ(absent.error, "error: cannot write \"absent/a.log\": No such file or directory\n");
 }
 
 TEST_F(Progresses, AReaderThatHasGoneEndsNothing) {

@@ -72,7 +72,7 @@ TEST_F(KernelFolder, MayBeReadAsTheCompilerGetsIt) {
     EXPECT_GE(files, 5);
     const Outcome refused = run({"render", "tiny.pbrt", "--dump-kernels", "/proc/no/such/place"});
     EXPECT_EQ(refused.status, 1);
-    EXPECT_THAT(refused.error, AllOf(testing::StartsWith("cannot write /proc/no/such/place/"), HasSubstr("--dump-kernels")));
+    EXPECT_THAT(refused.error, AllOf(testing::StartsWith("error: cannot write /proc/no/such/place/"), HasSubstr("--dump-kernels")));
 }
 
 /// What a package would hold is enough.
