@@ -36,6 +36,7 @@ struct OutputOptions {
     bool hasImage = true;                             ///< false: only the film is kept
     std::optional<SampleSelection> samples;           ///< of each pixel, within those of --spp
     std::optional<Tile> tile;
+    TilesBy tilesBy = TilesBy::rows;
     bool partialImages = false;                       ///< write the image each time that a checkpoint is due
     bool skipExisting = false;                        ///< what has its whole image is not rendered
 };

@@ -184,7 +184,7 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     warnOfStillness(o, packed, diagnostics);
     if (o.output.tile) session.select(*o.output.tile);
     const SampleRange samples = samplesToTake(o.output, wanted);
-    const MemoryPlan plan = planOf(o, session);
+    MemoryPlan plan = planOf(o, session);
     checkMemory(session.scene().film, packed, plan);
     for (const std::string& file : files) {
         checkIsNew(file, written);
@@ -192,12 +192,20 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
         checkHolds(file, packed.pixels.width(), packed.pixels.height(), o.output.encoding);
         checkWritable(file, plan.film / 2, o.output.encoding);
     }
+    const bool isByCost = o.output.tile && o.output.tilesBy == TilesBy::cost;
+    if (isByCost) {
+        session.prepare();
+        session.selectByCost(*o.output.tile);
+        diagnostics.info(fmt::format("by cost, the part has the rows {} to {}", packed.pixels.y0, packed.pixels.y1 - 1));
+        plan = planOf(o, session);
+        checkMemory(session.scene().film, packed, plan);
+    }
     diagnostics.info("planned memory: " + describe(plan));
     RenderOutput output(o, session, files, aovs);
     ErrorLog errors(session.scene().film);
     std::optional<Film> film(std::in_place, packed, packed.features, samples.first);
     checkpoints.resume(session, *film, output);
-    session.prepare();
+    if (!isByCost) session.prepare();
 
     const Interrupt interrupt;
     diagnostics.info(

@@ -4,6 +4,7 @@
 #include "pack/pack.h"
 #include "render/kernel_workers.h"
 #include "render/roulette_pilot.h"
+#include "render/row_costs.h"
 #include "render/survey.h"
 
 namespace eikonal {
@@ -37,6 +38,13 @@ Learned SceneOnDevice::survey(const PackedScene& scene, const std::function<bool
     profile_.collect();
     profile_.reset();
     return learned;
+}
+
+std::vector<std::uint64_t> SceneOnDevice::rowCosts(const PackedScene& scene, const PixelRect& rows) {
+    std::vector<std::uint64_t> costs = estimateRowCosts(context(), *tables_, scene, rows, *wave_);
+    profile_.collect();
+    profile_.reset();
+    return costs;
 }
 
 void SceneOnDevice::survey(const PackedScene& scene, const Learned& learned, const std::function<bool()>& abandon) {

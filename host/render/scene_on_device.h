@@ -7,8 +7,10 @@
 #include "render/path_guide_pilot.h"
 #include "render/wave.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace eikonal {
 
@@ -38,6 +40,8 @@ public:
     Learned survey(const PackedScene& scene, const std::function<bool()>& abandon);
     /// The same beside another device, which has learned that.
     void survey(const PackedScene& scene, const Learned& learned, const std::function<bool()>& abandon);
+    /// What each of these rows of the image costs (estimateRowCosts). After survey().
+    std::vector<std::uint64_t> rowCosts(const PackedScene& scene, const PixelRect& rows);
     /// Rendering from now on has the scene's present seed.
     void setSeed(const PackedScene& scene);
 

@@ -229,6 +229,10 @@ void Session::select(const Tile& tile) {
     packed_.pixels = rowsOf(wholePixels_, tile);
 }
 
+void Session::selectByCost(const Tile& tile) {
+    packed_.pixels = rowsOf(wholePixels_, tile, first().rowCosts(packed_, wholePixels_));
+}
+
 MemoryPlan Session::plan() const {
     const size_t pixels = static_cast<size_t>(packed_.pixels.width()) * static_cast<size_t>(packed_.pixels.height());
     MemoryPlan plan{.tables = packed_.tables.bytes()};

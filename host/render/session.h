@@ -68,6 +68,8 @@ public:
     void pack(const Aovs& aovs, bool keepsSpectrum = true);
     /// Renders only a part of the pixels. After pack(), before prepare(). Throws a UsageError if there are more parts than rows.
     void select(const Tile& tile);
+    /// The same by cost (render/row_costs.h). After prepare().
+    void selectByCost(const Tile& tile);
     /// The pixels to render, without select().
     const PixelRect& wholePixels() const { return wholePixels_; }
     /// What prepare() is going to allocate.

@@ -79,6 +79,23 @@ TEST_F(Merge, TilesAndRangesOfSamplesAreOneRunInAnyOrder) {
     EXPECT_FALSE(exists("d.exr"));
 }
 
+TEST_F(Merge, TilesByCostAreOneRun) {
+    ASSERT_EQ(render({"--spp", "64", "-o", "whole.exr"}).status, 0);
+    Words names;
+    for (const std::string tile : {"1/3", "2/3", "3/3"}) {
+        names.push_back("cost" + std::to_string(names.size()) + ".film");
+        /* Neither threads nor waves change the division */
+        Words words{"--spp", "64", "--tile", tile, "--tiles-by", "cost", "-o", names.back()};
+        if (tile == "2/3") words.insert(words.end(), {"--nthreads", "1", "--wave-paths", "1024"});
+        const Outcome part = render(words);
+        ASSERT_EQ(part.status, 0) << part.error;
+    }
+    const Outcome merged = merge(names, "merged.exr");
+    ASSERT_EQ(merged.status, 0) << merged.error;
+    expectSameFiles(path("whole.exr"), path("merged.exr"));
+    EXPECT_THAT(render({"--tiles-by", "cost", "-o", "a.exr"}).error, HasSubstr("say how many: --tile 1/8"));
+}
+
 /// A part is a checkpoint, too: it is resumed like one.
 TEST_F(Merge, APartGoesOn) {
     ASSERT_EQ(render({"--spp", "6000", "-o", "whole.exr"}).status, 0);

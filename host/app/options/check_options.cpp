@@ -38,6 +38,8 @@ static void checkParts(const Options& o) {
     if (o.command == Command::merge && o.parts.empty()) throw UsageError("merge needs parts: eikonal merge a.film b.film -o image.exr");
     if (o.command == Command::merge && !out.hasImage && out.checkpoint.empty())
         throw UsageError("merge needs a file to write: -o image.exr, or -o all.film for a larger part");
+    if (out.tilesBy == TilesBy::cost && (o.command == Command::submit ? o.submit.tiles == 1 : !out.tile))
+        throw UsageError("--tiles-by is of parts of the image; say how many: --tile 1/8, or --tiles 8 with submit");
     if (!out.samples && !out.tile) return;
     if (out.checkpoint.empty()) throw UsageError("--samples and --tile render a part, which merge joins to others; keep it: -o part.film");
     if (out.targetError)

@@ -73,6 +73,13 @@ CLI::Option* addAov(CLI::App* app, OutputOptions& out) {
     return offer(aov, channels);
 }
 
+void addTilesBy(CLI::App* app, OutputOptions& out) {
+    value(app, "--tiles-by", out.tilesBy, "NAME",
+          "What parts of the image have alike: rows (default), or cost, estimated by rays, so that they take about the same time",
+          oneOf<TilesBy>({std::begin(tilesByNames), std::end(tilesByNames)}))
+        ->group(partsGroup);
+}
+
 CLI::Option* addCheckpointInterval(CLI::App* app, OutputOptions& out) {
     return value(app, "--checkpoint-every", out.checkpointEvery, "TIME", "How often to write the checkpoint and the image (default: 5m)",
                  parseDuration)

@@ -44,6 +44,7 @@ void addCheckpoints(CLI::App* app, OutputOptions& out) {
           "Render only samples A <= i < B of each pixel, or part K of M parts of them; merge joins them", parseSamples)
         ->group(group);
     value(app, "--tile", out.tile, "I/N", "Render only part I of N parts of the image; merge joins them", parseTile)->group(group);
+    addTilesBy(app, out);
     addCheckpointInterval(app, out);
     app->add_flag("--resume", out.resume, "Go on from the checkpoint, if it is there")->group(group);
     app->add_flag("--write-partial-images", out.partialImages, "Write the image at the same intervals, also without a checkpoint")

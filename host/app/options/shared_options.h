@@ -20,6 +20,7 @@ void addEncoding(CLI::App* app, OutputOptions& out);
 /// -o, and that.
 void addImageFiles(CLI::App* app, OutputOptions& out);
 CLI::Option* addAov(CLI::App* app, OutputOptions& out);
+void addTilesBy(CLI::App* app, OutputOptions& out);
 CLI::Option* addCheckpointInterval(CLI::App* app, OutputOptions& out);
 
 }  // namespace eikonal

@@ -30,6 +30,7 @@ void declareSubmit(Parser& parser) {
     addImageFiles(submit, options.output);
     addFrames(submit, options);
     addAov(submit, options.output)->group(partsGroup);
+    addTilesBy(submit, options.output);
     addCheckpointInterval(submit, options.output);
     addDevice(submit, options);
     addLogging(submit, options);
