@@ -74,9 +74,10 @@ def balance(o, report, folder):
     columns = {"scene": None, "by rows": ".2f", "by cost": ".2f", "mean by rows, s": ".1f", "mean by cost, s": ".1f"}
     add = report.table("balance", columns)
     for scene in o.balance:
-        settings = [scene, "--quiet", "--resolution", o.resolution, "--spp", o.spp, "-o", folder / "part.film"]
-        run(o.program, "render", *settings, "--samples", "0:16")  # compiles the kernels
-        times = {by: [run(o.program, "render", *settings, "--tile", f"{i}/8", "--tiles-by", by)[0] for i in range(1, 9)] for by in ("rows", "cost")}
+        settings = [scene, "--quiet", "--resolution", o.resolution, "--spp", o.spp]
+        run(o.program, "render", *settings, "--samples", "0:16", "-o", folder / f"{scene.stem}.film")  # compiles the kernels
+        times = {by: [run(o.program, "render", *settings, "--tile", f"{i}/8", "--tiles-by", by, "-o", folder / f"{scene.stem}-{by}-{i}.film")[0]
+                      for i in range(1, 9)] for by in ("rows", "cost")}
         means = {by: sum(spent) / 8 for by, spent in times.items()}
         add(scene.stem, *(max(times[by]) / means[by] for by in times), *means.values())
 
