@@ -195,6 +195,7 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     const bool isByCost = o.output.tile && o.output.tilesBy == TilesBy::cost;
     if (isByCost) {
         session.prepare();
+        session.survey();
         session.selectByCost(*o.output.tile);
         diagnostics.info(fmt::format("by cost, the part has the rows {} to {}", packed.pixels.y0, packed.pixels.y1 - 1));
         plan = planOf(o, session);
@@ -213,7 +214,7 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     const Stopwatch renderTime;
     Deadline deadline(o.output, plan);
     warnOfDeadline(deadline, session, diagnostics);
-    if (std::ranges::min(film->taken()) < samples.end) session.survey([&] { return deadline.isFinal(); });
+    if (!isByCost && std::ranges::min(film->taken()) < samples.end) session.survey([&] { return deadline.isFinal(); });
     watching.begin(session, samples.end);
     const RenderResult result =
         renderFilm(o, session, *film, samples, deadline, checkpoints, output, errors, watching);

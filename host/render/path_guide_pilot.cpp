@@ -32,7 +32,8 @@ public:
         nextPath_ += paths;
     }
 
-    bool bounced(const QueueItems& rays, const QueueItems& paths) override {
+    bool bounced(const Bounced& bounce) override {
+        const QueueItems &rays = bounce.rays, &paths = bounce.paths;
         /* What the paths have found since the last bounce arrived at all their vertices so far */
         const std::vector<float> light = readMeans(context_, paths, "L");
         for (size_t p = 0; p < paths.count; ++p) {

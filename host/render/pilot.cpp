@@ -31,7 +31,7 @@ void tracePilot(const settings& frame, std::vector<Block> blocks, Wave& wave, Pi
         recorder.begin(batch->paths());
         wave.trace({[&] { return std::exchange(batch, std::nullopt); }, [](const Batch&) {}, static_cast<int>(frame.width),
                     static_cast<int>(frame.height),
-                    [&](const QueueItems& rays, const QueueItems& paths) { return recorder.bounced(rays, paths); }});
+                    [&](const Bounced& bounce) { return recorder.bounced(bounce); }});
     }
 }
 

@@ -26,7 +26,7 @@ public:
     /// The next batch has so many paths.
     virtual void begin(unsigned paths) = 0;
     /// After each bounce, as BatchStream::watch.
-    virtual bool bounced(const QueueItems& rays, const QueueItems& paths) = 0;
+    virtual bool bounced(const Bounced& bounce) = 0;
 };
 
 /// Traces blocks of single pixels, in batches that fit the wave.

@@ -70,7 +70,8 @@ public:
     }
 
     /// Records the light of a bounce and the rays that continue. Returns false after the last bounce to record.
-    bool bounced(const QueueItems& rays, const QueueItems& paths) override {
+    bool bounced(const Bounced& bounce) override {
+        const QueueItems &rays = bounce.rays, &paths = bounce.paths;
         std::vector<PathSegment>* recorded = &recorded_[recorded_.size() - paths.count];
         const std::vector<float> light = readMeans(context_, paths, "L");
         for (size_t p = 0; p < paths.count; ++p) {

@@ -1,15 +1,23 @@
 #include "render/row_costs.h"
 
+#include "pack/material_slots.h"
+#include "pack/pack.h"
+#include "render/pilot.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
 
 namespace eikonal {
 namespace {
 
+/// Not a seed that a user is likely to choose.
 constexpr uint pilotSeed = 0x726f7773;
 /// Paths of all rows together, about; of one row at most; and bounces, after which they are dropped.
-constexpr int mostPaths = 1 << 16, mostPathsOfRow = 64, mostBounces = 64;
+constexpr int mostPaths = 1 << 17, mostPathsOfRow = 512, mostBounces = 64;
+
+/// What a ray costs besides the steps of its traversal and the parameters of the BSDF that it meets, in such steps (docs/farm.md).
+constexpr std::uint64_t costOfRay = 10;
 
 /// One sample of some pixels of each row, spread by Roberts' low-discrepancy sequence (2018).
 std::vector<Block> pilotPixels(const PixelRect& rows) {
@@ -23,42 +31,98 @@ std::vector<Block> pilotPixels(const PixelRect& rows) {
     return pixels;
 }
 
-std::vector<uint> readWords(const Context& context, const QueueItems& items, const char* name) {
-    std::vector<uint> values(items.count);
-    const size_t first = static_cast<size_t>(items.layout.field(name).slot) * items.capacity + items.first;
-    if (items.count) items.words.read(context, values.data(), values.size() * sizeof(uint), first * sizeof(uint));
-    return values;
+/// By next_queue: the words of the parameters of the BSDF that shades what goes there; 0: none does. The more parameters, the more work.
+std::array<uint, next_values> parameterWords(bool spectral) {
+    std::array<uint, next_values> words{};
+#define WORDS_OF(bsdf, FEATURE, PARAMETERS) words[next_##bsdf] = wordOf(slot_##bsdf::words, spectral);
+    BSDFS(WORDS_OF)
+#undef WORDS_OF
+    return words;
 }
+
+/// Adds up the costs of the paths of one batch after another.
+class CostCounter : public PilotRecorder {
+public:
+    /// pixels: those of the paths, in their order; rows: of which they are. Both must outlive this object.
+    CostCounter(const Context& context, const TraversalSteps& steps, const std::vector<Block>& pixels, const PixelRect& rows, bool spectral)
+        : context_(context),
+          steps_(steps),
+          pixels_(pixels),
+          rows_(rows),
+          words_(parameterWords(spectral)),
+          costs_(static_cast<size_t>(rows.height()), 1) {}
+
+    void begin(unsigned paths) override {
+        first_ += paths_;
+        paths_ = paths;
+        bounces_ = 0;
+    }
+
+    bool bounced(const Bounced& bounce) override {
+        /* Where rays split, a path has several states */
+        firstState_ = bounce.paths.first;
+        states_ = std::max<size_t>(bounce.paths.count / paths_, 1);
+        const std::vector<float> t = readField<float>(context_, bounce.intersections, "t");
+        const std::vector<uint> path = addSteps(bounce.traced, t, false),
+                                next = readField<uint>(context_, bounce.intersections, "next_queue");
+        for (size_t i = 0; i < path.size(); ++i)
+            if (t[i] >= 0) costOf(path[i]) += costOfRay + words_[next[i]];
+        addSteps(bounce.shadows, readField<float>(context_, bounce.shadows, "t_max"), true);
+        return ++bounces_ < mostBounces;
+    }
+
+    std::vector<std::uint64_t> take() { return std::move(costs_); }
+
+private:
+    std::uint64_t& costOf(uint state) {
+        const size_t path = std::min<size_t>((state - firstState_) / states_, paths_ - 1);
+        return costs_[static_cast<size_t>(pixels_[first_ + path].y - rows_.y0)];
+    }
+
+    /// Adds the steps of rays that are alive: those of which `end` is not below 0. Returns the state of each slot's path.
+    std::vector<uint> addSteps(const QueueItems& rays, const std::vector<float>& end, bool areShadowRays) {
+        std::vector<uint> state = readField<uint>(context_, rays, "path");
+        const std::vector<vec3> o = readVectors(context_, rays, "o"), d = readVectors(context_, rays, "d");
+        const std::vector<float> farthest = readField<float>(context_, rays, "t_max");
+        std::vector<size_t> alive;
+        TracedRays traced;
+        for (size_t i = 0; i < rays.count; ++i) {
+            if (!(end[i] >= 0)) continue;
+            alive.push_back(i);
+            traced.origins.push_back(o[i]);
+            traced.directions.push_back(d[i]);
+            traced.ends.push_back(farthest[i]);
+        }
+        const std::vector<uint> steps = steps_.count(traced, areShadowRays);
+        for (size_t i = 0; i < alive.size(); ++i) costOf(state[alive[i]]) += steps[i];
+        return state;
+    }
+
+    const Context& context_;
+    const TraversalSteps& steps_;
+    const std::vector<Block>& pixels_;
+    const PixelRect& rows_;
+    const std::array<uint, next_values> words_;
+    std::vector<std::uint64_t> costs_;
+    size_t first_ = 0, paths_ = 0;   ///< of the batch, among all
+    size_t states_ = 1;              ///< of a path
+    uint firstState_ = 0;
+    int bounces_ = 0;
+};
 
 }  // namespace
 
-std::vector<std::uint64_t> estimateRowCosts(const Context& context, DeviceScene& tables, const PackedScene& scene, const PixelRect& rows,
-                                            Wave& wave) {
-    settings frame = scene.frame();
-    frame.seed = pilotSeed;
-    frame.sequence_tile_bits = frame.sequence_sample_bits = 0;
+std::vector<std::uint64_t> estimateRowCosts(const Context& context, DeviceScene& tables, const PackedScene& scene, const settings& frame,
+                                            const PixelRect& rows, const TraversalSteps& steps, Wave& wave) {
+    settings pilot = frame;
+    pilot.seed = pilotSeed;
+    pilot.sequence_tile_bits = pilot.sequence_sample_bits = 0;
+    tables.setFrame(context, pilot);
+    const std::vector<Block> pixels = pilotPixels(rows);
+    CostCounter counter(context, steps, pixels, rows, scene.features.has(Feature::SPECTRAL));
+    tracePilot(pilot, pixels, wave, counter);
     tables.setFrame(context, frame);
-    std::vector<std::uint64_t> costs(static_cast<size_t>(rows.height()), 1);
-    Batches batches(BlockSize{}, pilotPixels(rows), wave.mostPaths());
-    while (!batches.empty() && !wave.stopFlag().isRaised()) {
-        std::optional<Batch> batch = batches.next();
-        std::vector<size_t> rowOfPath;
-        for (const Block& block : batch->blocks) rowOfPath.insert(rowOfPath.end(), block.samples, static_cast<size_t>(block.y - rows.y0));
-        for (const size_t row : rowOfPath) ++costs[row];
-        int bounces = 0;
-        const auto count = [&](const QueueItems& rays, const QueueItems& paths) {
-            /* With ray splitting a path has several states */
-            const size_t states = std::max<size_t>(paths.count / rowOfPath.size(), 1);
-            const std::vector<uint> path = readWords(context, rays, "path"), end = readWords(context, rays, "t_max");
-            for (size_t i = 0; i < path.size(); ++i)
-                if (!(end[i] >> 31)) ++costs[rowOfPath[std::min((path[i] - paths.first) / states, rowOfPath.size() - 1)]];
-            return ++bounces < mostBounces;
-        };
-        wave.trace({[&] { return std::exchange(batch, std::nullopt); }, [](const Batch&) {}, static_cast<int>(frame.width),
-                    static_cast<int>(frame.height), count});
-    }
-    tables.setFrame(context, scene.frame());
-    return costs;
+    return counter.take();
 }
 
 }  // namespace eikonal

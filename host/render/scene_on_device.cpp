@@ -40,8 +40,12 @@ Learned SceneOnDevice::survey(const PackedScene& scene, const std::function<bool
     return learned;
 }
 
-std::vector<std::uint64_t> SceneOnDevice::rowCosts(const PackedScene& scene, const PixelRect& rows) {
-    std::vector<std::uint64_t> costs = estimateRowCosts(context(), *tables_, scene, rows, *wave_);
+std::vector<std::uint64_t> SceneOnDevice::rowCosts(const PackedScene& scene, const Learned& learned, const PixelRect& rows) {
+    const TraversalSteps steps(context(), device_->compiler, *tables_, scene, device_->shape, buildSettingsFor(device_->options));
+    settings frame = scene.frame();
+    if (learned.roulette) setRoulette(frame, *learned.roulette);
+    std::vector<std::uint64_t> costs = estimateRowCosts(context(), *tables_, scene, frame, rows, steps, *wave_);
+    steps.keep();
     profile_.collect();
     profile_.reset();
     return costs;

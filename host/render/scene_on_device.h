@@ -41,7 +41,7 @@ public:
     /// The same beside another device, which has learned that.
     void survey(const PackedScene& scene, const Learned& learned, const std::function<bool()>& abandon);
     /// What each of these rows of the image costs (estimateRowCosts). After survey().
-    std::vector<std::uint64_t> rowCosts(const PackedScene& scene, const PixelRect& rows);
+    std::vector<std::uint64_t> rowCosts(const PackedScene& scene, const Learned& learned, const PixelRect& rows);
     /// Rendering from now on has the scene's present seed.
     void setSeed(const PackedScene& scene);
 

@@ -230,7 +230,7 @@ void Session::select(const Tile& tile) {
 }
 
 void Session::selectByCost(const Tile& tile) {
-    packed_.pixels = rowsOf(wholePixels_, tile, first().rowCosts(packed_, wholePixels_));
+    packed_.pixels = rowsOf(wholePixels_, tile, first().rowCosts(packed_, learned_, wholePixels_));
 }
 
 MemoryPlan Session::plan() const {

@@ -17,15 +17,23 @@ struct QueueItems {
     unsigned capacity = 0, first = 0, count = 0;
 };
 
+/// What a bounce leaves.
+struct Bounced {
+    QueueItems traced;          ///< rays that were traced
+    QueueItems intersections;   ///< of these, slot by slot; dead slots (t < 0) among them
+    QueueItems shadows;         ///< rays to lights that were tested; dead slots among them. Where hits split rays, those of the last pass
+    QueueItems rays;            ///< that leave; dead slots (t_max < 0) among them
+    QueueItems paths;           ///< the states of all paths of the batch
+};
+
 /// Where a tracer's work comes from, and who is told when it is done.
 struct BatchStream {
     std::function<std::optional<Batch>()> next;   ///< the next batch, of Tracer::mostPaths() paths at most; none: there are no more
     std::function<void(const Batch&)>
         traced;  ///< called for each in the order in which they came, when its paths are at their ends; may resolve it
     int endX = 0, endY = 0;                       ///< no pixel from there on
-    /// If set, a wave calls it after every bounce of a stream of one batch, with the rays that leave and the states of all paths. False:
-    /// the rays are dropped.
-    std::function<bool(const QueueItems& rays, const QueueItems& paths)> watch = {};
+    /// If set, a wave calls it after every bounce of a stream of one batch. False: the rays are dropped.
+    std::function<bool(const Bounced&)> watch = {};
 };
 
 class Tracer {

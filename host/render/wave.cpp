@@ -80,6 +80,7 @@ unsigned Wave::generate(uint over, unsigned slots, const BatchStream& stream) {
 /// Intersects all rays and routes them to the next queues, by the stage over `routed`: each_intersection or each_light_intersection.
 /// Returns the number of items in each queue.
 WaveCounts Wave::intersect(unsigned slots, uint routed) {
+    traced_ = slots;
     if (!slots) return {};
     counter_.clear();
     for (const Stage& stage : stages_.over(each_ray)) launcher_.launch(stage, {0, slots});
@@ -111,7 +112,12 @@ unsigned Wave::shadeLights(const WaveCounts& counts, const Bindings& splat) {
 
 /// Whether to trace the next bounce. Always, unless the stream watches the rays and declines (BatchStream::watch; in roulette_pilot.cpp).
 bool Wave::goesOn(const WaveCounts& counts, unsigned rays, const BatchStream& stream) const {
-    return !stream.watch || !raysOf(counts) || stream.watch(queues_.items(Queue::ray, 0, rays), batches_.oldestPaths());
+    if (!stream.watch || !raysOf(counts)) return true;
+    return stream.watch({.traced = queues_.tracedRays(traced_),
+                         .intersections = queues_.items(Queue::intersection, 0, traced_),
+                         .shadows = queues_.items(Queue::shadow, 0, rays / splitting_.raysPerHit),
+                         .rays = queues_.items(Queue::ray, 0, rays),
+                         .paths = batches_.oldestPaths()});
 }
 
 /// Adds the paths of the finished batch, which is the oldest in flight, to its pixels: path -> film.

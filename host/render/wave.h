@@ -53,6 +53,7 @@ private:
     WaveCounter counter_;
     BatchesInFlight batches_;
     StageLauncher launcher_;
+    unsigned traced_ = 0;   ///< slots that the last intersect() had
 };
 
 }  // namespace eikonal

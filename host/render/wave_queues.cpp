@@ -70,6 +70,11 @@ void WaveQueues::swapRays() {
     bind(plan_[static_cast<size_t>(Queue::ray)]);
 }
 
+QueueItems WaveQueues::tracedRays(unsigned count) const {
+    QueueItems rays = items(Queue::ray, 0, count);
+    return {words_[static_cast<size_t>(Queue::ray)][1], rays.layout, rays.capacity, 0, count};
+}
+
 QueueItems WaveQueues::items(Queue queue, unsigned first, unsigned count) const {
     const auto index = static_cast<size_t>(queue);
     return {words_[index][0], plan_[index].layout, static_cast<unsigned>(plan_[index].items), first, count};

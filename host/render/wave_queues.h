@@ -59,6 +59,8 @@ public:
     const Buffer& rays() const { return words_[static_cast<size_t>(Queue::ray)][0]; }
     Buffer& paths() { return words_[static_cast<size_t>(Queue::path)][0]; }
     QueueItems items(Queue queue, unsigned first, unsigned count) const;
+    /// The rays that were swapped away: those that the intersections belong to.
+    QueueItems tracedRays(unsigned count) const;
     size_t bytes() const { return bytes_; }
 
 private:

@@ -3,7 +3,6 @@
 
     tests/bench/parts.py [SCENE]                     # processor time of 1, 2, 4, 8 parts and their merge, one after the other
     tests/bench/parts.py --merge 1 10 100 1000       # memory and time of a merge of so many parts of a 4K image
-    tests/bench/parts.py --balance SCENE...          # the dearest of 8 parts over their mean, by rows and by cost
 
 Of each N, N processes render a tile each. Efficiency is the processor time of one run over that of all parts and the merge: processor time, since
 parts on other machines do not share it, and since it hardly depends on what else this machine does. For --merge, one film is rendered and cut
@@ -69,19 +68,6 @@ def cut(film, count, folder):
     return names
 
 
-def balance(o, report, folder):
-    """Processor time of the dearest of 8 parts over the mean of all, with parts of equal rows and of equal cost; starting included."""
-    columns = {"scene": None, "by rows": ".2f", "by cost": ".2f", "mean by rows, s": ".1f", "mean by cost, s": ".1f"}
-    add = report.table("balance", columns)
-    for scene in o.balance:
-        settings = [scene, "--quiet", "--resolution", o.resolution, "--spp", o.spp]
-        run(o.program, "render", *settings, "--samples", "0:16", "-o", folder / f"{scene.stem}.film")  # compiles the kernels
-        times = {by: [run(o.program, "render", *settings, "--tile", f"{i}/8", "--tiles-by", by, "-o", folder / f"{scene.stem}-{by}-{i}.film")[0]
-                      for i in range(1, 9)] for by in ("rows", "cost")}
-        means = {by: sum(spent) / 8 for by, spent in times.items()}
-        add(scene.stem, *(max(times[by]) / means[by] for by in times), *means.values())
-
-
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("scene", type=pathlib.Path, nargs="?", default=ROOT / "scenes" / "cornell-box.pbrt")
@@ -90,16 +76,12 @@ def main():
     options.add_argument("--spp", type=int, default=512)
     options.add_argument("--resolution", default="128x128")
     options.add_argument("--merge", type=int, nargs="+", help="merge so many parts of an image")
-    options.add_argument("--balance", type=pathlib.Path, nargs="+", help="compare parts of these scenes by rows and by cost")
     options.add_argument("--files", type=int, help="files that the merge may open (ulimit -n)")
     Report.add_to(options)
     o = options.parse_args()
     report = Report(o.json)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        if o.balance:
-            balance(o, report, folder)
-            return
         if o.merge:
             size = "3840x2160" if o.resolution == "128x128" else o.resolution
             run(o.program, "render", o.scene, "--quiet", "--resolution", size, "--spp", 1, "-o", folder / "whole.film")
