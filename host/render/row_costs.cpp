@@ -1,7 +1,6 @@
 #include "render/row_costs.h"
 
 #include "pack/material_slots.h"
-#include "pack/pack.h"
 #include "render/pilot.h"
 
 #include <algorithm>

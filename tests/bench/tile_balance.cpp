@@ -3,8 +3,8 @@
 //
 //     tile_balance --resolution 320x192 --spp 64 scenes/hero.pbrt ../shared/scenes/coffee/scene-v4.pbrt
 //
-// On one thread of PoCL's processor device; each part is rendered some times, in turns, and the fastest time counts, since other work on the
-// machine only ever adds to it.
+// On one thread of PoCL's processor device; each part is rendered some times, in turns, and the fastest time counts, since other work on
+// the machine only ever adds to it.
 
 #include "film/film.h"
 #include "render/render.h"
