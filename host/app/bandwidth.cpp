@@ -15,7 +15,7 @@ namespace {
 /// Words of the parameters of the BSDF that `stage` shades; of the largest BSDF for other stages.
 int parameterWords(const StageProgram& stage, const Features& features) {
     const bool spectral = features.has(Feature::SPECTRAL);
-    const uint next = stage.over >= light_hits ? stage.over - light_hits : stage.over;
+    const uint next = stage.over >= light_hits ? (stage.over - light_hits) % next_values : stage.over;
 #define WORDS_OF(bsdf, FEATURE, PARAMETERS) if (next == next_##bsdf) return static_cast<int>(wordOf(slot_##bsdf::words, spectral));
     BSDFS(WORDS_OF)
 #undef WORDS_OF
@@ -34,7 +34,7 @@ bool walksBetweenLayers(const StageProgram& stage) {
 }
 
 int wordsOf(Queue queue, const StageProgram& stage, const Features& features) {
-    const QueueList blocks{Queue::pixels, Queue::film, Queue::splat, Queue::vertex, Queue::grid, Queue::counts};
+    const QueueList blocks{Queue::pixels, Queue::film, Queue::splat, Queue::cached, Queue::vertex, Queue::grid, Queue::counts};
     if (blocks.has(queue)) return 0;
     const QueueLayout layout = itemLayout(queue, features);
     switch (queue) {

@@ -3,6 +3,7 @@
 #include "eikonal/portable.h"
 #include "eikonal/scene.h"
 #include "eikonal/stages.h"
+#include "pack/cached_hits.h"
 #include "pack/integrator.h"
 #include "pack/light_paths.h"
 #include "pack/light_vertices.h"
@@ -125,6 +126,11 @@ static void packLightPaths(const IntegratorPacking& in, const IntegratorDescript
             d.where, fmt::format("integrator \"{}\" traces no paths from lights here, since {}: the image is that of \"volpath\"",
                                  d.kind->name, obstacle));
 }
+/// Where light paths are traced, their hits are connected with those of paths from the camera.
+static void packConnections(const IntegratorPacking& in, const IntegratorDescription& d, const std::string& why) {
+    packLightPaths(in, d, why);
+    if (in.context.has(Feature::LIGHT_PATHS)) requireConnections(in.context, in.frame, why);
+}
 const IntegratorKind bdpt_integrator{
     .name = "bdpt",
     .parameters = "bool visualizestrategies = false; bool visualizeweights = false; string lightsampler in {bvh, power, uniform, "
@@ -132,7 +138,7 @@ const IntegratorKind bdpt_integrator{
     .countsMedia = true,
     .followsBsdfs = always,
     .read = readRegularize,
-    .pack = packLightPaths};
+    .pack = packConnections};
 
 static void readMerging(const Arguments& arguments, IntegratorDescription& d) {
     if (arguments.has("radius")) d.mergeRadius = arguments.number("radius");
@@ -146,6 +152,10 @@ static void packMerging(const IntegratorPacking& in, const IntegratorDescription
         in.context.diagnostics.warn(
             d.where,
             fmt::format("integrator \"{}\" merges no vertices here, since {}: the image is that of \"bdpt\"", d.kind->name, obstacle));
+}
+static void packConnectionsAndMerging(const IntegratorPacking& in, const IntegratorDescription& d, const std::string& why) {
+    packMerging(in, d, why);
+    if (in.context.has(Feature::LIGHT_PATHS)) requireConnections(in.context, in.frame, why);
 }
 const IntegratorKind sppm_integrator{
     .name = "sppm",
@@ -162,7 +172,7 @@ const IntegratorKind vcm_integrator{
     .countsMedia = true,
     .followsBsdfs = always,
     .read = readMerging,
-    .pack = packMerging};
+    .pack = packConnectionsAndMerging};
 
 const IntegratorKind auto_integrator{.name = "auto",
                                      .parameters = pathParameters,

@@ -11,8 +11,7 @@ constexpr double mostVertices = 1 << 23;
 /// Light paths at a time, if passes are so small: a few waves.
 constexpr double pathsAtATime = 1 << 19;
 
-/// The vertices that a path stores, at most, in the mean of many (stored_share).
-static double verticesOfPath(const settings& frame) { return std::min(frame.max_depth, 12u); }
+double mostVerticesOfPath(const settings& frame) { return std::min(frame.max_depth, 12u); }
 static double pixelsOf(const settings& frame) { return static_cast<double>(frame.width) * frame.height; }
 /// The light paths of a pass that store vertices.
 static double pathsOfPass(const settings& frame) { return std::ldexp(pixelsOf(frame), -static_cast<int>(frame.stored_share)); }
@@ -30,7 +29,7 @@ std::string mergingObstacle(const PackContext& context) {
 void requireMerging(const PackContext& context, settings& frame, const std::string& why) {
     context.require(Feature::MERGING, why);
     frame.stored_share = 0;
-    while (pathsOfPass(frame) * verticesOfPath(frame) > mostVertices) ++frame.stored_share;
+    while (pathsOfPass(frame) * mostVerticesOfPath(frame) > mostVertices) ++frame.stored_share;
     /* As if all paths ended on a disk of the scene's size: four to each radius. That is also about the size of a pixel */
     const double paths = std::max(pathsOfPass(frame), 1.0), scale = context.space.scale,
                  chosen = (context.bounds.empty() ? 1.0 : context.bounds.radius() * scale) * 2 / std::sqrt(paths),
@@ -39,16 +38,22 @@ void requireMerging(const PackContext& context, settings& frame, const std::stri
     frame.merge_density = static_cast<float>(paths * M_PI * std::pow(double{frame.merge_radius}, 2));
 }
 
+unsigned passesAtATime(const PackedScene& scene, double most) {
+    const double passes = std::min({pathsAtATime / pixelsOf(scene.frame()), most, static_cast<double>(scene.samples)});
+    return std::bit_floor(static_cast<unsigned>(std::max(passes, 1.0)));
+}
+
+size_t roomForVertices(const settings& frame, double paths) {
+    /* Fewer paths than pixels: how many store vertices, and of long ones how many vertices, varies a little */
+    return static_cast<size_t>(paths * mostVerticesOfPath(frame) * 1.01) + 4096;
+}
+
 VertexPlan planVertices(const PackedScene& scene) {
     if (!scene.features.has(Feature::MERGING)) return {};
     const settings& frame = scene.frame();
-    const double ofPass = pathsOfPass(frame) * verticesOfPath(frame),
-                 passes =
-                     std::min({pathsAtATime / pixelsOf(frame), mostVertices / std::max(ofPass, 1.0), static_cast<double>(scene.samples)});
     VertexPlan plan;
-    plan.passes = std::bit_floor(static_cast<unsigned>(std::max(passes, 1.0)));
-    /* Fewer paths than pixels: how many store vertices, and of long ones how many vertices, varies a little */
-    plan.vertices = static_cast<size_t>(plan.passes * ofPass * 1.01) + 4096;
+    plan.passes = passesAtATime(scene, mostVertices / std::max(pathsOfPass(frame) * mostVerticesOfPath(frame), 1.0));
+    plan.vertices = roomForVertices(frame, plan.passes * pathsOfPass(frame));
     plan.buckets = std::bit_floor(plan.vertices);
     return plan;
 }

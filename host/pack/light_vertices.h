@@ -13,6 +13,14 @@ std::string mergingObstacle(const PackContext& context);
 /// Has vertices merged, because of `why`: sets their radius, the scene's or one chosen for it, and how many light paths store them.
 void requireMerging(const PackContext& context, settings& frame, const std::string& why);
 
+/// The vertices that a light path keeps, at most, in the mean of many (kernels/shade/kept_share.clh).
+double mostVerticesOfPath(const settings& frame);
+/// Room for the vertices of so many light paths.
+size_t roomForVertices(const settings& frame, double paths);
+/// Whole passes whose light paths are traced at a time, a power of two: `most` at most, if that is one or more, and as many as fill a few
+/// waves.
+unsigned passesAtATime(const PackedScene& scene, double most);
+
 /// Of the light vertices that are stored at a time.
 struct VertexPlan {
     unsigned passes = 0;  ///< of whole passes, a power of two; 0: the scene merges none

@@ -1,6 +1,7 @@
 #include "pack/pack.h"
 
 #include "kinds/integrator_kind.h"
+#include "pack/cached_hits.h"
 #include "pack/camera.h"
 #include "pack/color_mode.h"
 #include "pack/geometry.h"
@@ -66,7 +67,7 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
     lights.pack();
     chooseLightPaths(context, packed);
     packPathGuide(context, packed);
-    if (context.spectral && context.has(Feature::MERGING)) colors.packPassWavelengths(frame);
+    if (context.spectral && sharesWavelengths(context.required.features)) colors.packPassWavelengths(frame);
     lights.packEmission();
     media.packEquiangularLights(tables.lights);
     return hierarchies;

@@ -21,7 +21,7 @@ public:
     Rendering(std::span<const RenderDevice> devices, Film& film, const RenderControl& control)
         : team_(devices, [this](const RenderDevice& device, const DeviceError& error) { drop(device, error); }),
           mostPaths_(team_.mostPaths()),
-          mergedPasses_(film.splats() ? team_.first().tracer->mostMergedPasses() : 0),
+          storedPasses_(film.splats() ? team_.first().tracer->mostStoredPasses() : 0),
           film_(film),
           control_(control) {
         const std::span<const unsigned> taken = film.taken();
@@ -100,7 +100,7 @@ private:
         /* So few at a time that not much is lost if the render ends meanwhile, and that their vertices have room */
         const double pixels = static_cast<double>(film_.width()) * film_.height();
         auto atATime = static_cast<unsigned>(std::clamp(8.0 * mostPaths_ / pixels, 1.0, 1e6));
-        if (mergedPasses_) atATime = std::min(atATime, mergedPasses_);
+        if (storedPasses_) atATime = std::min(atATime, storedPasses_);
         for (unsigned begun = missingLights(); begun < end && !stopped_; begun = missingLights())
             traceLights(SampleRange{begun, std::min(end, begun + atATime)}, true);
     }
@@ -117,21 +117,21 @@ private:
         };
         if (stopped_) return;
         if (!lights_) lights_.emplace(PixelRect{0, 0, film_.width(), film_.height()}, film_.pixels(), *film_.splats());
-        const auto words = lights_->trace(team_, {samples, mostPaths_, mergedPasses_ > 0}, isToStopNow, control_.abandon);
+        const auto words = lights_->trace(team_, {samples, mostPaths_, storedPasses_ > 0}, isToStopNow, control_.abandon);
         stopped_ |= !words;
         if (!stopped_ && add) film_.splats()->add(samples, *words);
     }
 
-    /// Traces passes until `nextPass` returns nothing. `vertices`: if paths merge, the samples of the light paths that they merge with.
+    /// Traces passes until `nextPass` returns nothing. `vertices`: if light paths are stored, the samples of those that they meet.
     void trace(const std::function<std::optional<Pass>()>& nextPass, SampleRange vertices = {}) {
         BatchDealer dealer(film_, nextPass, mostPaths_);
         const auto work = [&](const RenderDevice& device) { traceOn(device, dealer); };
         while (!stopped_) {
             const size_t devices = team_.size();
-            stopped_ |= mergedPasses_ ? team_.runFirst(control_.abandon, work) : team_.run(control_.abandon, work);
+            stopped_ |= storedPasses_ ? team_.runFirst(control_.abandon, work) : team_.run(control_.abandon, work);
             if (!dealer.hasLost()) return;
             /* The next device has no vertices yet */
-            if (mergedPasses_ && team_.size() < devices) traceLights(vertices, false);
+            if (storedPasses_ && team_.size() < devices) traceLights(vertices, false);
         }
     }
 
@@ -165,13 +165,13 @@ private:
 
     /// Traces the light paths of all samples up to `lights` that the film lacks, and a pass of paths from the camera.
     void tracePass(Pass pass, unsigned lights) {
-        if (mergedPasses_) traceMerging(pass, lights);
+        if (storedPasses_) traceMerging(pass, lights);
         traceLights(lights);
         std::optional<Pass> left = std::move(pass);
-        if (!mergedPasses_) trace([&] { return std::exchange(left, std::nullopt); });
+        if (!storedPasses_) trace([&] { return std::exchange(left, std::nullopt); });
     }
 
-    /// Traces a pass some samples at a time, each time after the light paths of the same samples, whose vertices its paths merge with.
+    /// Traces a pass some samples at a time, each time after the light paths of the same samples, whose vertices its paths meet.
     void traceMerging(const Pass& pass, unsigned lights) {
         const auto endOf = [](const Block& b) { return b.firstSample + b.samples; };
         for (unsigned begun = 0; !stopped_;) {
@@ -180,7 +180,7 @@ private:
             for (const Block& b : pass.blocks)
                 if (endOf(b) > begun) now = {std::min(now.first, std::max(b.firstSample, begun)), std::max(now.end, endOf(b))};
             if (!now.end) return;
-            now.end = std::min(now.end, now.first + mergedPasses_);
+            now.end = std::min(now.end, now.first + storedPasses_);
             const unsigned missing = missingLights();
             for (const unsigned border : {missing, lights})
                 if (now.first < border) now.end = std::min(now.end, border);
@@ -236,7 +236,7 @@ private:
 
     DeviceTeam team_;
     const unsigned mostPaths_;              ///< of a batch
-    const unsigned mergedPasses_;           ///< passes whose paths merge at a time; 0: none merge
+    const unsigned storedPasses_;           ///< passes whose light paths are stored at a time; 0: none are
     Film& film_;
     const RenderControl& control_;
     std::mutex mutex_;                      ///< of all that several devices change, the film above all

@@ -1,6 +1,7 @@
 #include "render/scene_on_device.h"
 
 #include "clock.h"
+#include "pack/cached_hits.h"
 #include "pack/pack.h"
 #include "render/kernel_workers.h"
 #include "render/roulette_pilot.h"
@@ -62,7 +63,7 @@ void SceneOnDevice::survey(const PackedScene& scene, const Learned& learned, con
 
 void SceneOnDevice::setSeed(const PackedScene& scene) {
     tables_->setFrame(context(), scene.frame());
-    if (scene.features.has(Feature::MERGING)) tables_->replace(context(), "wavelengths", scene.tables.wavelengths);
+    if (sharesWavelengths(scene.features)) tables_->replace(context(), "wavelengths", scene.tables.wavelengths);
 }
 
 }  // namespace eikonal

@@ -11,7 +11,9 @@
 #include "read/formats/input_files.h"
 #include "kinds/integrator_kind.h"
 #include "kinds/medium_kind.h"
+#include "pack/cached_hits.h"
 #include "render/displacement.h"
+#include "render/hit_cache.h"
 #include "render/path_loop.h"
 #include "render/table_hash.h"
 #include "render/thread_limit.h"
@@ -242,7 +244,7 @@ MemoryPlan Session::plan() const {
     if (shapes.empty()) shapes.emplace_back();
     for (const StageShape& shape : shapes) {
         plan.queues += plannedWaveBytes(packed_, shape);
-        plan.vertices += plannedVertexBytes(packed_);
+        plan.vertices += plannedVertexBytes(packed_) + plannedHitCacheBytes(packed_);
         onDevices += std::min<size_t>(pixels, shape.wavePaths);
     }
     plan.film = pixels * Film::bytes(packed_, static_cast<unsigned>(packed_.samples)) + onDevices * Film::bytes(packed_, 0);
@@ -278,7 +280,7 @@ void Session::survey(const std::function<bool()>& abandon) {
 
 void Session::setSeed(int seed) {
     packed_.frame().seed = static_cast<uint>(seed);
-    if (packed_.features.has(Feature::MERGING))
+    if (sharesWavelengths(packed_.features))
         for (wavelength_range& range : packed_.tables.wavelengths) range.pass_seed = packed_.frame().seed;
     forEachDevice([this](SceneOnDevice& device) { device.setSeed(packed_); });
 }

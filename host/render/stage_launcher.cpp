@@ -9,7 +9,9 @@ void StageLauncher::enqueue(const Stage& stage, SlotRange slots, const Bindings&
     range.set("first", slots.first);
     range.set("count", slots.count);
     profile_.add(stage.name, slots.count,
-                 stage.kernel.launch(context_, {&scene_, &queues_, &counts_, &vertices_, &own, &range}, width, group_));
+                 stage.kernel.launch(context_,
+                                     {&shared_.scene, &shared_.queues, &shared_.counts, &shared_.cache, &shared_.vertices, &own, &range},
+                                     width, group_));
 }
 
 void StageLauncher::warmUp(Stages& stages, const Bindings& nothing, unsigned width) const {

@@ -9,11 +9,13 @@ namespace eikonal {
 /// The arguments that all launches of a wave share.
 class StageLauncher {
 public:
-    /// scene, queues, counts, vertices: bindings for every stage, read at each launch. group: slots per work-group. All must outlive this
-    /// object.
-    StageLauncher(const Context& context, const Bindings& scene, const Bindings& queues, const Bindings& counts, const Bindings& vertices,
-                  unsigned group, Profile& profile)
-        : context_(context), scene_(scene), queues_(queues), counts_(counts), vertices_(vertices), group_(group), profile_(profile) {}
+    /// Bindings for every stage, read at each launch.
+    struct Shared {
+        const Bindings &scene, &queues, &counts, &cache, &vertices;
+    };
+    /// group: slots per work-group. All must outlive this object.
+    StageLauncher(const Context& context, const Shared& shared, unsigned group, Profile& profile)
+        : context_(context), shared_(shared), group_(group), profile_(profile) {}
 
     /// Enqueues the stage over these slots; does nothing if there are none. `own`: further arguments.
     void launch(const Stage& stage, SlotRange slots, const Bindings& own = {}) const {
@@ -27,7 +29,7 @@ private:
     void enqueue(const Stage& stage, SlotRange slots, const Bindings& own, unsigned width) const;
 
     const Context& context_;
-    const Bindings &scene_, &queues_, &counts_, &vertices_;
+    Shared shared_;
     unsigned group_;
     Profile& profile_;
 };

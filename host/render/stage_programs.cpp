@@ -3,19 +3,31 @@
 #include "kind_features.h"
 #include <fmt/format.h>
 
+#include <optional>
 #include <stdexcept>
 
 namespace eikonal {
 namespace {
 
+/// What a stage over the hits of each BSDF adds to next_x; nothing for other stages.
+std::optional<uint> firstOfBsdfs(uint over) {
+    switch (over) {
+        case each_bsdf: return 0;
+        case each_light_bsdf: return light_hits;
+        case each_connecting_bsdf: return connecting_hits;
+        case each_connected_bsdf: return connected_hits;
+        default: return {};
+    }
+}
+
 void addPrograms(std::vector<StageProgram>& programs, const StageRow& row) {
-    if (row.over != each_bsdf && row.over != each_light_bsdf) {
+    const std::optional<uint> first = firstOfBsdfs(row.over);
+    if (!first) {
         programs.push_back({&row, row.over, {}, row.name, fmt::format("#include \"stages/{}.cl\"\n", row.name)});
         return;
     }
-    const uint first = row.over == each_light_bsdf ? light_hits : 0;
     const auto add = [&](const char* bsdf, uint next_queue, Feature feature) {
-        programs.push_back({&row, first + next_queue, feature, fmt::format("{} {}", row.name, bsdf),
+        programs.push_back({&row, *first + next_queue, feature, fmt::format("{} {}", row.name, bsdf),
                             fmt::format("#define BSDF {0}\n#include \"bsdf/{0}.clh\"\n#include \"stages/{1}.cl\"\n", bsdf, row.name)});
     };
 #define ADD_BSDF(bsdf, FEATURE, PARAMETERS) add(#bsdf, next_##bsdf, KindFeature::FEATURE);

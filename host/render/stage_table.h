@@ -17,7 +17,7 @@ enum class Queue : unsigned char {
 #define QUEUE_ID(q, FIELDS, ITEMS, FEATURE) q,
     QUEUES(QUEUE_ID)
 #undef QUEUE_ID
-    next_ray, pixels, film, splat, vertex, grid, counts
+    next_ray, pixels, film, splat, cached, vertex, grid, counts
 };
 constexpr size_t queueCount = static_cast<size_t>(Queue::next_ray);
 
@@ -114,6 +114,7 @@ constexpr const char* nameOf(Queue queue) {
     if (queue == Queue::pixels) return "pixels";
     if (queue == Queue::film) return "film";
     if (queue == Queue::splat) return "splat";
+    if (queue == Queue::cached) return "cached";
     if (queue == Queue::vertex) return "vertex";
     if (queue == Queue::grid) return "grid";
     return queue == Queue::counts ? "counts" : rowOf(queue).name;

@@ -45,11 +45,12 @@ public:
     virtual const StopFlag& stopFlag() const = 0;
     /// Follows every path of every batch of the stream from the camera to its end. Paths of several batches may be in flight at once.
     virtual void trace(const BatchStream& stream) = 0;
-    /// The most passes (samples of all pixels) whose paths from both ends can merge at a time; 0: no paths of this scene merge.
-    virtual unsigned mostMergedPasses() const { return 0; }
+    /// The most passes (samples of all pixels) whose light paths can be stored at a time, for paths from the camera to connect or merge
+    /// with; 0: those of this scene do neither.
+    virtual unsigned mostStoredPasses() const { return 0; }
     /// Follows the light path of every sample of every batch, to its end; batches may be of pixels that are not rendered. `splat` sums what
-    /// the paths add to the pixels of `part` (include/eikonal/film.h). If paths merge, those that trace() follows next merge with these:
-    /// they are the paths of mostMergedPasses() whole passes at most.
+    /// the paths add to the pixels of `part` (include/eikonal/film.h). If light paths are stored, those that trace() follows next connect
+    /// or merge with these: they are the paths of mostStoredPasses() whole passes at most.
     virtual void traceLights(const BatchStream& stream, const Buffer& splat, const PixelRect& part) = 0;
     /// Within BatchStream::traced: adds the paths of that batch to their pixels. `film` holds those of the batch, block after block.
     /// Enqueues.

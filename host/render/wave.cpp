@@ -6,9 +6,15 @@ Wave::Wave(const Context& context, const DeviceScene& tables, const PackedScene&
            Profile& profile, PageSize queuePages)
     : context_(context), stopFlag_(tables.stopFlag()), stages_(stages), shape_(shape), splitting_(RaySplitting::of(scene)),
       size_(shape, splitting_),
-      queues_(context, stages.features(), scene.constants, size_, queuePages), vertices_(context, scene), counter_(context, profile),
+      queues_(context, stages.features(), scene.constants, size_, queuePages), cache_(context, scene),
+      vertices_(context, scene), counter_(context, profile),
       batches_(context, queues_, size_, splitting_),
-      launcher_(context, tables.bindings(), queues_.bindings(), counter_.bindings(), vertices_.bindings(), shape.group(), profile) {}
+      launcher_(context, {tables.bindings(), queues_.bindings(), counter_.bindings(), cache_.bindings(), vertices_.bindings()},
+                shape.group(), profile) {}
+
+unsigned Wave::mostStoredPasses() const {
+    return std::min(cache_.mostPasses() - 1u, vertices_.mostPasses() - 1u) + 1u;   // 0, no limit, is the largest less 1
+}
 
 void Wave::warmUp(bool isShared) {
     counter_.clear();
@@ -34,24 +40,27 @@ void Wave::trace(const BatchStream& stream) {
     counter_.end();
 }
 
-/// The same for light paths, which have no path states: what they find goes to the splats, and their vertices to a grid, if paths merge.
+/// The same for light paths, which have no path states: what they find goes to the splats, their hits to the cache if paths connect, and
+/// their vertices to a grid if paths merge.
 void Wave::traceLights(const BatchStream& stream, const Buffer& splat, const PixelRect& part) {
     Bindings splats;
     splats.set("splat", splat);
     const std::pair<const char*, int> numbers[] = {
         {"splat_x", part.x0}, {"splat_y", part.y0}, {"splat_width", part.width()}, {"splat_height", part.height()}};
     for (const auto& [name, number] : numbers) splats.set(name, static_cast<unsigned>(number));
+    cache_.clear();
     vertices_.clear();
     counter_.begin();
     unsigned rays = generate(each_light_sample, 0, stream);           // pixels -> ray
     while (!batches_.empty()) {
         const WaveCounts counts = intersect(rays, each_light_intersection);   // ray -> intersection -> hit
-        rays = shadeLights(counts, splats);                           // hit -> next ray, shadow, vertex;  shadow -> splat
+        rays = shadeLights(counts, splats);                           // hit -> next ray, shadow, cached, vertex;  shadow -> splat
         queues_.swapRays();
         if (isInterrupted()) break;
         batches_.finish(counts, stream);
         rays = generate(each_light_sample, rays, stream);
     }
+    if (cache_.mostPasses() && !stopFlag_.isRaised()) cache_.check();
     if (vertices_.mostPasses() && !stopFlag_.isRaised()) vertices_.build(stages_, launcher_);   // vertex -> grid
     counter_.end();
 }
@@ -98,7 +107,18 @@ unsigned Wave::shade(const WaveCounts& counts) {
         for (const Stage& stage : stages_.over(Segments::first, Segments::last)) launcher_.launch(stage, segments[stage.over], pass);
         for (const Stage& stage : stages_.over(each_shadow)) launcher_.launch(stage, {0, segments.slots()});
     }
+    connect(segments);
     return segments.slots() * splitting_.raysPerHit;
+}
+
+/// Connects hits with those of light paths, and traces the shadow rays in between: hit, cached -> connection, shadow;  shadow -> path.
+void Wave::connect(const Segments& segments) {
+    if (!cache_.mostPasses()) return;
+    for (const Stage& stage : stages_.over(connecting_hits + Segments::first, connecting_hits + Segments::last))
+        launcher_.launch(stage, segments[stage.over - connecting_hits]);
+    for (const Stage& stage : stages_.over(connected_hits + Segments::first, connected_hits + Segments::last))
+        launcher_.launch(stage, {0, segments.slots()});
+    for (const Stage& stage : stages_.over(each_shadow)) launcher_.launch(stage, {0, segments.slots()});
 }
 
 /// Scatters light paths, and splats what they send to the camera. Returns the slots of the next ray queue that may hold a ray.

@@ -4,6 +4,7 @@
 
 #include "render/batches_in_flight.h"
 #include "render/device_scene.h"
+#include "render/hit_cache.h"
 #include "render/stage_launcher.h"
 #include "render/tracer.h"
 #include "render/vertex_grid.h"
@@ -28,7 +29,7 @@ public:
     const StopFlag& stopFlag() const override { return stopFlag_; }
     /// Waits for the device only once per bounce, for the counts.
     void trace(const BatchStream& stream) override;
-    unsigned mostMergedPasses() const override { return vertices_.mostPasses(); }
+    unsigned mostStoredPasses() const override;
     void traceLights(const BatchStream& stream, const Buffer& splat, const PixelRect& part) override;
     void resolve(const Batch& batch, const Buffer& film) override;
 
@@ -38,6 +39,7 @@ private:
     unsigned generate(uint over, unsigned slots, const BatchStream& stream);
     WaveCounts intersect(unsigned slots, uint routed);
     unsigned shade(const WaveCounts& counts);
+    void connect(const Segments& segments);
     unsigned shadeLights(const WaveCounts& counts, const Bindings& splat);
     bool isInterrupted();
     bool goesOn(const WaveCounts& counts, unsigned rays, const BatchStream& stream) const;
@@ -49,6 +51,7 @@ private:
     RaySplitting splitting_;
     WaveSize size_;
     WaveQueues queues_;
+    HitCache cache_;
     VertexGrid vertices_;
     WaveCounter counter_;
     BatchesInFlight batches_;

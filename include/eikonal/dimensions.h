@@ -36,6 +36,7 @@ enum bounce_dimension {
     dimension_exit,            /* seed: choice among the exit points of a probe ray */
     dimension_splat,           /* seed: of a light path: the pixel that a connection to the camera counts for */
     dimension_vertex,          /* 1D: of a light path: whether the vertex is stored */
+    dimension_connection,      /* seed of a random stream: choice of the hit of a light path to connect with */
     bounce_dimensions = 16
 };
 

@@ -7,6 +7,7 @@
 #define HAS_PORTALS_OR_ENVIRONMENT_GUIDE_OR_LIGHT_PATHS (HAS_PORTALS || HAS_ENVIRONMENT_GUIDE || HAS_LIGHT_PATHS)
 #define HAS_MEDIA_OR_LIGHT_PATTERN_OR_LIGHT_PATHS (HAS_MEDIA || HAS_LIGHT_PATTERN || HAS_LIGHT_PATHS)
 #define HAS_MEDIA_OR_LIGHT_PATHS (HAS_MEDIA || HAS_LIGHT_PATHS)
+#define HAS_MERGING_OR_CONNECTIONS (HAS_MERGING || HAS_CONNECTIONS)
 #define HAS_LIGHT_TREE_OR_PATH_GUIDE (HAS_LIGHT_TREE || HAS_PATH_GUIDE)
 
 /* The element of an area light that a shadow ray is aimed at. */
@@ -35,10 +36,11 @@
 /* What multiple importance sampling must know of the vertices behind a path, from the camera or from a light (Georgiev 2012, "Implementing
    Vertex Connection and Merging"). In a ray: without what depends on where the ray ends. */
 #define LIGHT_PATH_TRAVEL_FIELDS(F, q) \
-    F(q, float,    d_vcm,      LIGHT_PATHS)  /* 1 / density of the last vertex, if a path from the other side may end there; else 0 */ \
+    F(q, float,    d_vcm,      LIGHT_PATHS)  /* 1 / density of the last vertex, if a path from the other side may begin or end at the \
+                                                one before (for CONNECTIONS: times CONNECTING_SHARE); else 0 */ \
     F(q, float,    d_vc,       LIGHT_PATHS)  /* the same of all earlier vertices together, per density of the way back to them */ \
-    F(q, uint,     number,     MERGING)      /* of the pixel that it began for: y * width + x */ \
-    F(q, uint,     pass,       MERGING)      /* which sample of that pixel it is */
+    F(q, uint,     number,     MERGING_OR_CONNECTIONS) /* of the pixel that it began for: y * width + x */ \
+    F(q, uint,     pass,       MERGING_OR_CONNECTIONS) /* which sample of that pixel it is */
 #define LIGHT_PATH_HIT_FIELDS(F, q) \
     F(q, float,    merging,    MERGING)      /* density of merging here, per density of arriving from either side; 0: none merge */
 #define LIGHT_PATH_MISS_FIELDS(F, q) \
@@ -70,6 +72,28 @@
     F(q, uint,     pass,       ALWAYS)       /* of the vertex, like the next two */ \
     F(q, uint,     number,     ALWAYS) \
     F(q, uint,     depth,      ALWAYS)
+
+/* A hit of a light path, which camera paths of the same pass connect with: filled by cache_hits. These fields are what is looked at to
+   choose one of many: a record of CACHED_STRIDE words for each, one after the other. The item of hit and the parameters of its
+   BSDF are apart. */
+#define CACHED_FIELDS(F, q) \
+    F(q, vec3,     p,          ALWAYS) \
+    F(q, vec3,     ng,         ALWAYS)       /* on the side of wo */ \
+    F(q, float,    offset,     ALWAYS)       /* as in hit */ \
+    F(q, float,    power,      ALWAYS)       /* largest component of beta */ \
+    F(q, float,    by_camera_paths, ALWAYS)  /* found_from_other_side (light_paths.clh), if the hit scatters equally in all directions */ \
+    F(q, uint,     secondary_terminated, DISPERSION) \
+    F(q, uint,     depth,      ALWAYS) \
+    F(q, uint,     bsdf,       ALWAYS)       /* enum next_queue */ \
+    F(q, uint,     before,     ALWAYS)       /* the record of the hit before it on its path, from 1; 0: there is none */
+#define CACHED_STRIDE 16                     /* a line of a processor's cache */
+
+/* A connection of a hit with a hit of a light path, as far as the first of them knows it: the shadow ray between both has the light. Filled
+   by connect_hits, drained by shade_connections. Slot i belongs to slot i of hit and shadow; only where the shadow ray is not dead. */
+#define CONNECTION_FIELDS(F, q) \
+    F(q, uint,     cached,     ALWAYS)       /* the record of the other hit */ \
+    F(q, float,    by_light_paths, ALWAYS)   /* density of paths that arrive here from the light, per density of leaving the other hit */ \
+    F(q, float,    arrival,    ALWAYS)       /* density, over area, with which this path goes on to the other hit by itself */
 
 /* Where a path is in a subsurface body. */
 #define SUBSURFACE_TRAVEL_FIELDS(F, q) \

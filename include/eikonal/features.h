@@ -47,6 +47,7 @@
     F(RAY_SPLITTING,    "an integrator that splits rays") \
     F(UNIFORM_DIRECTIONS, "an integrator that samples directions uniformly") \
     F(LIGHT_PATHS,      "an integrator that traces paths from lights") \
+    F(CONNECTIONS,      "an integrator that connects vertices of paths from both ends") \
     F(MERGING,          "an integrator that merges vertices of paths from both ends") \
     F(AOVS,             "auxiliary image channels") \
     F(RENDER_PASSES,    "the channels \"emission\", \"direct\", \"indirect\" and \"volume\"") \

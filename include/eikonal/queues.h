@@ -1,6 +1,6 @@
 /* Every queue, field by field: what a path carries from the stage that fills the queue to the stage that drains it.
-   This list is the only declaration. Both languages derive structs, offsets, loads and stores from it. The queues walk, probe and
-   exit_point and some more lists of fields, which single features need, are in feature_fields.h.
+   This list is the only declaration. Both languages derive structs, offsets, loads and stores from it. The queues walk, probe,
+   exit_point and connection and some more lists of fields, which single features need, are in feature_fields.h.
 
    F(queue, type, name, FEATURE that makes it exist): FEATURE is one of features.h, HAS_FEATURE in kernels. Without it, an item's struct has
    the field, but it is not stored or loaded. A queue is one SoA buffer of 32-bit words: word w of slot i is word[w * capacity + i].
@@ -144,7 +144,7 @@
     Q(shadow,       SHADOW_FIELDS,       sparse,  ALWAYS) \
     Q(walk,         WALK_FIELDS,         sparse,  LAYERS) \
     Q(probe,        PROBE_FIELDS,        sparse,  DIFFUSION) \
+    Q(connection,   CONNECTION_FIELDS,   sparse,  CONNECTIONS) \
     Q(exit_point,   EXIT_POINT_FIELDS,   sparse,  DIFFUSION) \
     Q(path,         PATH_FIELDS,         by_path, ALWAYS)
-
 #endif

@@ -149,7 +149,7 @@ typedef struct {
     float share;                  /* in (0, 1]; 1 if the range covers everything visible */
     float inverse_pdf;            /* 1 / density of a sampled wavelength: inside the range */
     float inverse_pdf_beside;     /* and outside it */
-    /* MERGING: paths of one pass have the same wavelengths, which follow from these bits of their sample index, and this seed */
+    /* MERGING, CONNECTIONS: paths of a pass have the same wavelengths, which follow from these bits of their sample index, and this seed */
     uint pass_mask, pass_seed;
 } wavelength_range;
 
@@ -157,7 +157,7 @@ typedef struct {
 #define COLOR_TABLES(T) \
     T(float,          curves)                /* CURVE_WORDS values each, at 360, 361 ... 830 nm; the first curve is 1 everywhere */ \
     T(float,          uplift)                /* coefficients of smooth spectra by colour: UPLIFT_CELLS */ \
-    T(wavelength_range, wavelengths)         /* SPECTRAL_FILM or MERGING: one element */
+    T(wavelength_range, wavelengths)         /* SPECTRAL_FILM, MERGING or CONNECTIONS: one element */
 
 /* The tables of colours are empty without SPECTRAL. */
 #define SHORTEST_WAVELENGTH 360
@@ -227,6 +227,7 @@ typedef struct {
     float merge_radius;      /* MERGING: within which vertices merge, in the first pass; scene units */
     float merge_density;     /* MERGING: area of that radius, times the light paths of a pass whose vertices are stored */
     uint stored_share;       /* MERGING: vertices of one light path in 2^stored_share are stored */
+    uint cached_share;       /* CONNECTIONS: hits of one light path in 2^cached_share are cached */
     float max_component_value; /* samples of the image brighter than this are scaled down to it; 0: no limit */
 } settings;
 

@@ -7,6 +7,7 @@
      pixels     blocks of the image
      film       the sums of their samples
      splat      sums of what light paths add to pixels
+     cached     hits of light paths that are kept, path by path
      vertex     stored vertices of light paths
      grid       the hash grid that finds them
      counts     how many items go to each next_queue, and how many rays each batch has (enum wave_count)
@@ -52,6 +53,10 @@ CONTRACT_BEGIN /* namespace eikonal, in C++ */
     S(route_light_paths, (intersection, ray, counts), (hit, next_ray, shadow), each_light_intersection, LIGHT_PATHS) \
     S(shade_light_hits, (hit), (next_ray, shadow), each_light_bsdf, LIGHT_PATHS) \
     S(splat_shadows, (shadow), (splat), each_splat, LIGHT_PATHS) \
+    /* Keep their hits; then paths from the camera connect with them: first what the hit of such a path knows, then what the other does */ \
+    S(cache_hits, (hit), (cached), each_light_bsdf, CONNECTIONS) \
+    S(connect_hits, (hit, cached), (connection, shadow), each_connecting_bsdf, CONNECTIONS) \
+    S(shade_connections, (connection, hit, cached, shadow), (shadow), each_connected_bsdf, CONNECTIONS) \
     /* Keep their vertices, and sort them into a hash grid; then paths from the camera merge with them */ \
     S(store_vertices, (hit), (vertex), each_light_bsdf, MERGING) \
     S(count_vertices, (vertex), (grid), each_vertex, MERGING) \
@@ -94,11 +99,15 @@ enum stage_items {
     each_light_sample,         /* samples of a batch of light paths: those that begin */
     each_light_intersection,   /* as each_intersection, for light paths */
     each_light_bsdf,           /* as each_bsdf, for light paths: the stage for BSDF x runs over light_hits + next_x */
+    each_connecting_bsdf,      /* as each_bsdf, once the shadow rays of those hits are tested: over connecting_hits + next_x */
+    each_connected_bsdf,       /* every slot of the shadow queue, once for each BSDF x at its other end: over connected_hits + next_x */
     each_splat,                /* every slot of the shadow queue, where it holds connections of light paths to the camera */
     each_vertex,               /* stored vertices */
     each_bucket,               /* buckets of the grid */
     no_queue,                  /* of a kernel of SURVEYS */
-    light_hits
+    light_hits,
+    connecting_hits = light_hits + next_values,
+    connected_hits = connecting_hits + next_values
 };
 
 /* Indices of `counts`. At each next_queue: how many items go there. At count_of_batches + b: how many rays of batch b were live. */

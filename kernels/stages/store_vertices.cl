@@ -3,12 +3,10 @@
 #include "bsdf/bsdf_names.clh"
 #include "shade/light_vertices.clh"
 #include "bsdf/bsdf.clh"
-#include "math/dimension.clh"
 #include "stages/stage.clh"
 
 FN int stores_hit(__global const settings *frame, hit_item h) {
-    float u = sample_1d(h.seed, h.sample, bounce_dimension_of(h.depth, dimension_vertex));
-    return h.merging > 0.0f && max_component(h.beta) > 0.0f && stores_vertices(frame, h.number, h.pass) && u < stored_share(h.depth);
+    return h.merging > 0.0f && max_component(h.beta) > 0.0f && keeps_path(frame->stored_share, h.number, h.pass) && keeps_vertex(h);
 }
 
 #define STORE_VERTICES(TABLE, ARGUMENT) \
@@ -25,7 +23,7 @@ TRACING_STAGE(store_vertices, STORE_VERTICES) {
         if (!stores_hit(frame, h)) continue;
         vertex_item v = new_vertex();
         v.p = h.p; v.ng = h.ng; v.wo = h.wo;
-        v.beta = mul(h.beta, 1.0f / stored_share(h.depth));
+        v.beta = mul(h.beta, 1.0f / kept_share(h.depth));
         v.d_vcm = h.d_vcm; v.d_vc = h.d_vc;
         v.secondary_terminated = h.secondary_terminated;
         v.render_pass = h.render_pass;

@@ -114,7 +114,9 @@ TEST_P(ColorOfWavelengths, ComesBack) {
                                          .inputs = {"color c", "uint sample", "uint from"},
                                          .tables = "COLOR_TABLES(TABLE)",
                                          .features = GetParam() ? Features::allSpectral()
-                                                                : Features::allSpectral().without(Feature::MERGING)});
+                                                                : Features::allSpectral()
+                                                                      .without(Feature::MERGING)
+                                                                      .without(Feature::CONNECTIONS)});
     const uint light = tables.packed.frame().sensor_curves, surface = tables.packed.frame().albedo_curves;
     struct Case { color c; uint from; glm::dvec3 expected; };
     const Case cases[] = {{tables.packer.emission(Spectrum::rgb({1, 1, 1})), light, {1, 1, 1}},

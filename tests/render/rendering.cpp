@@ -87,6 +87,7 @@ Features surfaceFeatures() {
                                 .require(RAY_SPLITTING)
                                 .require(UNIFORM_DIRECTIONS)
                                 .require(LIGHT_PATHS)
+                                .require(CONNECTIONS)
                                 .require(MERGING)
                                 .require(LENS)
                                 .require(FILTER)

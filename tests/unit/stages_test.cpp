@@ -35,7 +35,8 @@ Names wordsOf(const std::string& text) {
 /// What a stage can read or write.
 Names queuesAmong(const Names& words) {
     static const Names all = [] {
-        Names names = namesOf({Queue::next_ray, Queue::pixels, Queue::film, Queue::splat, Queue::vertex, Queue::grid, Queue::counts});
+        Names names = namesOf({Queue::next_ray, Queue::pixels, Queue::film, Queue::splat, Queue::cached, Queue::vertex, Queue::grid,
+                                 Queue::counts});
         for (const QueueRow& queue : queueTable) names.insert(queue.name);
         return names;
     }();
