@@ -165,14 +165,14 @@ private:
 
     /// Traces the light paths of all samples up to `lights` that the film lacks, and a pass of paths from the camera.
     void tracePass(Pass pass, unsigned lights) {
-        if (storedPasses_) traceMerging(pass, lights);
+        if (storedPasses_) traceBothEnds(pass, lights);
         traceLights(lights);
         std::optional<Pass> left = std::move(pass);
         if (!storedPasses_) trace([&] { return std::exchange(left, std::nullopt); });
     }
 
     /// Traces a pass some samples at a time, each time after the light paths of the same samples, whose vertices its paths meet.
-    void traceMerging(const Pass& pass, unsigned lights) {
+    void traceBothEnds(const Pass& pass, unsigned lights) {
         const auto endOf = [](const Block& b) { return b.firstSample + b.samples; };
         for (unsigned begun = 0; !stopped_;) {
             /* The next samples of any block. Light paths whose splats the film has are traced again for their vertices alone */

@@ -78,7 +78,8 @@
    BSDF are apart. */
 #define CACHED_FIELDS(F, q) \
     F(q, vec3,     p,          ALWAYS) \
-    F(q, vec3,     ng,         ALWAYS)       /* on the side of wo */ \
+    F(q, vec3,     ng,         ALWAYS)       /* this and the next on the side of wo */ \
+    F(q, vec3,     ns,         ALWAYS) \
     F(q, float,    offset,     ALWAYS)       /* as in hit */ \
     F(q, float,    power,      ALWAYS)       /* largest component of beta */ \
     F(q, float,    by_camera_paths, ALWAYS)  /* found_from_other_side (light_paths.clh), if the hit scatters equally in all directions */ \

@@ -29,6 +29,7 @@ TRACING_STAGE(cache_hits, CACHE_HITS) {
         cached_item c = new_cached();
         c.p = h.p; c.offset = h.offset; c.depth = h.depth;
         c.ng = face_forward(h.ng, h.wo);
+        c.ns = face_forward(h.ns, h.wo);
         c.secondary_terminated = h.secondary_terminated;
         c.bsdf = JOIN(next_, BSDF);
         h.beta = mul(h.beta, 1.0f / kept_share(h.depth));
