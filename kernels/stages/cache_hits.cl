@@ -8,8 +8,7 @@
 #include "stages/stage.clh"
 
 FN int caches_hit(__global const settings *frame, hit_item h) {
-    return max_component(h.beta) > 0.0f && keeps_path(frame->cached_share, h.number, h.pass) && keeps_vertex(h)
-           && h.number >> frame->cached_share < cached_paths(frame);
+    return keeps_hit(frame->cached_share, h) && h.number >> frame->cached_share < cached_paths(frame);
 }
 
 #define CACHE_HITS(TABLE, ARGUMENT) \

@@ -6,7 +6,7 @@
 #include "stages/stage.clh"
 
 FN int stores_hit(__global const settings *frame, hit_item h) {
-    return h.merging > 0.0f && max_component(h.beta) > 0.0f && keeps_path(frame->stored_share, h.number, h.pass) && keeps_vertex(h);
+    return h.merging > 0.0f && keeps_hit(frame->stored_share, h);
 }
 
 #define STORE_VERTICES(TABLE, ARGUMENT) \
