@@ -3,7 +3,6 @@
 #include "pack/light_vertices.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace eikonal {
@@ -12,7 +11,7 @@ namespace eikonal {
 constexpr double mostHits = 1 << 21;
 
 static double pathsOfPass(const settings& frame) {
-    return std::max(std::floor(std::ldexp(static_cast<double>(frame.width) * frame.height, -static_cast<int>(frame.cached_share))), 1.0);
+    return std::max(std::floor(pathsThatKeep(frame, frame.cached_share)), 1.0);   // of full groups of pixels, as cached_paths
 }
 
 void requireConnections(const PackContext& context, settings& frame, const std::string& why) {
@@ -26,7 +25,7 @@ HitCachePlan planHitCache(const PackedScene& scene) {
     if (!scene.features.has(Feature::CONNECTIONS)) return {};
     const settings& frame = scene.frame();
     HitCachePlan plan;
-    plan.passes = passesAtATime(scene, mostHits / std::max(pathsOfPass(frame) * mostVerticesOfPath(frame), 1.0));
+    plan.passes = passesAtATime(scene, pathsOfPass(frame), mostHits);
     plan.paths = plan.passes * static_cast<size_t>(pathsOfPass(frame));
     plan.hits = roomForVertices(frame, static_cast<double>(plan.paths));
     return plan;

@@ -13,8 +13,8 @@ constexpr double pathsAtATime = 1 << 19;
 
 double mostVerticesOfPath(const settings& frame) { return std::min(frame.max_depth, 12u); }
 static double pixelsOf(const settings& frame) { return static_cast<double>(frame.width) * frame.height; }
-/// The light paths of a pass that store vertices.
-static double pathsOfPass(const settings& frame) { return std::ldexp(pixelsOf(frame), -static_cast<int>(frame.stored_share)); }
+double pathsThatKeep(const settings& frame, uint log2Share) { return std::ldexp(pixelsOf(frame), -static_cast<int>(log2Share)); }
+static double pathsOfPass(const settings& frame) { return pathsThatKeep(frame, frame.stored_share); }
 
 std::string mergingObstacle(const PackContext& context) {
     const Scene& scene = context.scene;
@@ -38,8 +38,9 @@ void requireMerging(const PackContext& context, settings& frame, const std::stri
     frame.merge_density = static_cast<float>(paths * M_PI * std::pow(double{frame.merge_radius}, 2));
 }
 
-unsigned passesAtATime(const PackedScene& scene, double most) {
-    const double passes = std::min({pathsAtATime / pixelsOf(scene.frame()), most, static_cast<double>(scene.samples)});
+unsigned passesAtATime(const PackedScene& scene, double pathsOfPass, double mostVertices) {
+    const double most = mostVertices / std::max(pathsOfPass * mostVerticesOfPath(scene.frame()), 1.0),
+                 passes = std::min({pathsAtATime / pixelsOf(scene.frame()), most, static_cast<double>(scene.samples)});
     return std::bit_floor(static_cast<unsigned>(std::max(passes, 1.0)));
 }
 
@@ -52,7 +53,7 @@ VertexPlan planVertices(const PackedScene& scene) {
     if (!scene.features.has(Feature::MERGING)) return {};
     const settings& frame = scene.frame();
     VertexPlan plan;
-    plan.passes = passesAtATime(scene, mostVertices / std::max(pathsOfPass(frame) * mostVerticesOfPath(frame), 1.0));
+    plan.passes = passesAtATime(scene, pathsOfPass(frame), mostVertices);
     plan.vertices = roomForVertices(frame, plan.passes * pathsOfPass(frame));
     plan.buckets = std::bit_floor(plan.vertices);
     return plan;

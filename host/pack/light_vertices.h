@@ -17,9 +17,11 @@ void requireMerging(const PackContext& context, settings& frame, const std::stri
 double mostVerticesOfPath(const settings& frame);
 /// Room for the vertices of so many light paths.
 size_t roomForVertices(const settings& frame, double paths);
-/// Whole passes whose light paths are traced at a time, a power of two: `most` at most, if that is one or more, and as many as fill a few
-/// waves.
-unsigned passesAtATime(const PackedScene& scene, double most);
+/// The light paths of a pass of which one in 2^log2Share keeps its vertices.
+double pathsThatKeep(const settings& frame, uint log2Share);
+/// Whole passes whose light paths are traced at a time, a power of two: as many as fill a few waves, and keep `mostVertices` at most, if
+/// one pass does. pathsOfPass: those that keep theirs.
+unsigned passesAtATime(const PackedScene& scene, double pathsOfPass, double mostVertices);
 
 /// Of the light vertices that are stored at a time.
 struct VertexPlan {
