@@ -14,12 +14,9 @@ namespace {
 
 /// Words of the parameters of the BSDF that `stage` shades; of the largest BSDF for other stages.
 int parameterWords(const StageProgram& stage, const Features& features) {
-    const bool spectral = features.has(Feature::SPECTRAL);
     const uint next = stage.over >= light_hits ? (stage.over - light_hits) % next_values : stage.over;
-#define WORDS_OF(bsdf, FEATURE, PARAMETERS) if (next == next_##bsdf) return static_cast<int>(wordOf(slot_##bsdf::words, spectral));
-    BSDFS(WORDS_OF)
-#undef WORDS_OF
-    return bsdfWords(features);
+    const uint words = bsdfParameterWords(next, features.has(Feature::SPECTRAL));
+    return words ? static_cast<int>(words) : bsdfWords(features);
 }
 
 /// Whether the BSDF that `stage` shades uses random walks between layers; such BSDFs have a parameter max_depth.

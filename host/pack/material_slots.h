@@ -2,6 +2,7 @@
 // The slots of the parameters of BSDFs.
 
 #include "eikonal/bsdfs.h"
+#include "eikonal/stages.h"
 
 namespace eikonal {
 
@@ -18,5 +19,13 @@ constexpr uint wordOf(uint slot, bool spectral) {
 #define PARAMETER_SLOTS(bsdf, FEATURE, PARAMETERS) \
     namespace slot_##bsdf { enum : uint { PARAMETERS(PARAMETER_SLOT, bsdf) words }; }
 BSDFS(PARAMETER_SLOTS)
+
+/// The words of the parameters of the BSDF that shades what goes to `next`, a next_queue; 0: none does.
+constexpr uint bsdfParameterWords(uint next, bool spectral) {
+#define WORDS_OF(bsdf, FEATURE, PARAMETERS) if (next == next_##bsdf) return wordOf(slot_##bsdf::words, spectral);
+    BSDFS(WORDS_OF)
+#undef WORDS_OF
+    return 0;
+}
 
 }  // namespace eikonal

@@ -4,7 +4,6 @@
 #include "render/pilot.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace eikonal {
@@ -30,15 +29,6 @@ std::vector<Block> pilotPixels(const PixelRect& rows) {
     return pixels;
 }
 
-/// By next_queue: the words of the parameters of the BSDF that shades what goes there; 0: none does. The more parameters, the more work.
-std::array<uint, next_values> parameterWords(bool spectral) {
-    std::array<uint, next_values> words{};
-#define WORDS_OF(bsdf, FEATURE, PARAMETERS) words[next_##bsdf] = wordOf(slot_##bsdf::words, spectral);
-    BSDFS(WORDS_OF)
-#undef WORDS_OF
-    return words;
-}
-
 /// Adds up the costs of the paths of one batch after another.
 class CostCounter : public PilotRecorder {
 public:
@@ -48,7 +38,7 @@ public:
           steps_(steps),
           pixels_(pixels),
           rows_(rows),
-          words_(parameterWords(spectral)),
+          spectral_(spectral),
           costs_(static_cast<size_t>(rows.height()), 1) {}
 
     void begin(unsigned paths) override {
@@ -65,7 +55,7 @@ public:
         const std::vector<uint> path = addSteps(bounce.traced, t, false),
                                 next = readField<uint>(context_, bounce.intersections, "next_queue");
         for (size_t i = 0; i < path.size(); ++i)
-            if (t[i] >= 0) costOf(path[i]) += costOfRay + words_[next[i]];
+            if (t[i] >= 0) costOf(path[i]) += costOfRay + bsdfParameterWords(next[i], spectral_);   // the more parameters, the more work
         addSteps(bounce.shadows, readField<float>(context_, bounce.shadows, "t_max"), true);
         return ++bounces_ < mostBounces;
     }
@@ -101,7 +91,7 @@ private:
     const TraversalSteps& steps_;
     const std::vector<Block>& pixels_;
     const PixelRect& rows_;
-    const std::array<uint, next_values> words_;
+    const bool spectral_;
     std::vector<std::uint64_t> costs_;
     size_t first_ = 0, paths_ = 0;   ///< of the batch, among all
     size_t states_ = 1;              ///< of a path

@@ -41,11 +41,17 @@ Learned SceneOnDevice::survey(const PackedScene& scene, const std::function<bool
     return learned;
 }
 
-std::vector<std::uint64_t> SceneOnDevice::rowCosts(const PackedScene& scene, const Learned& learned, const PixelRect& rows) {
-    const TraversalSteps steps(context(), device_->compiler, *tables_, scene, device_->shape, buildSettingsFor(device_->options));
+/// The settings of a render that knows what was learned.
+static settings settingsWith(const PackedScene& scene, const Learned& learned) {
     settings frame = scene.frame();
     if (learned.roulette) setRoulette(frame, *learned.roulette);
-    std::vector<std::uint64_t> costs = estimateRowCosts(context(), *tables_, scene, frame, rows, steps, *wave_);
+    return frame;
+}
+
+std::vector<std::uint64_t> SceneOnDevice::rowCosts(const PackedScene& scene, const Learned& learned, const PixelRect& rows) {
+    const TraversalSteps steps(context(), device_->compiler, *tables_, scene, device_->shape, buildSettingsFor(device_->options));
+    std::vector<std::uint64_t> costs =
+        estimateRowCosts(context(), *tables_, scene, settingsWith(scene, learned), rows, steps, *wave_);
     steps.keep();
     profile_.collect();
     profile_.reset();
@@ -56,9 +62,7 @@ void SceneOnDevice::survey(const PackedScene& scene, const Learned& learned, con
     const StopWatcher watcher(tables_->stopFlag(), abandon);
     surveyEnvironment(context(), *tables_, scene, *stages_, device_->shape);
     usePathGuide(context(), *tables_, learned.guide);
-    settings frame = scene.frame();
-    if (learned.roulette) setRoulette(frame, *learned.roulette);
-    tables_->setFrame(context(), frame);
+    tables_->setFrame(context(), settingsWith(scene, learned));
 }
 
 void SceneOnDevice::setSeed(const PackedScene& scene) {

@@ -33,7 +33,7 @@ void Wave::trace(const BatchStream& stream) {
         rays = shade(counts);                           // miss, emission -> path;  hit, scatter -> next ray, shadow;  shadow -> path
         queues_.swapRays();                             // next ray -> ray
         if (isInterrupted()) break;
-        if (!goesOn(counts, rays, stream)) rays = 0;    // only the short test paths of roulette_pilot.cpp stop here
+        if (!goesOn(counts, rays, stream)) rays = 0;    // only pilot paths (pilot.cpp) stop here
         batches_.finish(counts, stream);                // batches without rays: stream.traced, which calls resolve (path -> film)
         rays = generate(each_sample, rays, stream);     // pixels -> ray, path
     }
@@ -130,7 +130,7 @@ unsigned Wave::shadeLights(const WaveCounts& counts, const Bindings& splat) {
     return segments.slots();
 }
 
-/// Whether to trace the next bounce. Always, unless the stream watches the rays and declines (BatchStream::watch; in roulette_pilot.cpp).
+/// Whether to trace the next bounce. Always, unless the stream watches the rays and declines (BatchStream::watch; in pilot.cpp).
 bool Wave::goesOn(const WaveCounts& counts, unsigned rays, const BatchStream& stream) const {
     if (!stream.watch || !raysOf(counts)) return true;
     return stream.watch({.traced = queues_.tracedRays(traced_),
