@@ -15,13 +15,12 @@ import os
 import pathlib
 import statistics
 import subprocess
-import sys
 import tempfile
-import time
 
 import instances
 from paths import ROOT
 from report import Report
+from starts import measured
 
 FEW, MANY = 4, 64
 SCENES = {
@@ -31,16 +30,6 @@ SCENES = {
     "deep": ("sponge of 5 levels, 8,000 x 400 cubes", lambda f: instances.write_sponge(f, 5, 2)),
     "balls": ("10,000 balls of 100,000 triangles", lambda f: instances.write_copies(f, 100000, 10000)),
 }
-
-
-def cost(command):
-    """Seconds on the clock, and of all processors."""
-    begin = time.monotonic()
-    child = subprocess.Popen([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    _, status, used = os.wait4(child.pid, 0)
-    if status:
-        sys.exit(f"{command[0]} failed")
-    return time.monotonic() - begin, used.ru_utime + used.ru_stime
 
 
 def main():
@@ -68,7 +57,7 @@ def main():
             took = {renderer: [] for renderer in programs}
             for turn in range(o.rounds + 1):
                 for renderer, command in programs.items():
-                    few, many = (cost([*command, images[renderer], "--spp", n]) for n in (FEW, MANY))
+                    few, many = (measured([*command, images[renderer], "--spp", n], os.environ) for n in (FEW, MANY))
                     if turn:
                         took[renderer].append((many[0] - few[0], many[1] - few[1], *many))
             for renderer, ours in took.items():

@@ -1,5 +1,6 @@
 // What the path guide learns of recorded paths: from where light comes, and where it comes from elsewhere.
 
+#include "pack/guide_place.h"
 #include "pack/path_guide.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ double totalOf(const LightTables& tables, uint map) {
 uint mapAt(const LightTables& tables, const vec3& p) {
     path_guide_node node = tables.path_guide_nodes[4];   // the face +z
     while (node.axis != PATH_GUIDE_LEAF)
-        node = tables.path_guide_nodes[node.next + ((node.axis == 0 ? p.x : node.axis == 1 ? p.y : p.z) < node.at ? 0 : 1)];
+        node = tables.path_guide_nodes[node.next + (coordinate(p, node.axis) < node.at ? 0 : 1)];
     return node.next;
 }
 
