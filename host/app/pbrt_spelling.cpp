@@ -43,6 +43,7 @@ std::string insteadOf(const std::string& name) {
         {"recordpixelstatistics", "try --aov sampleCount,variance"},
         {"pixelstats", "try --aov sampleCount,variance"},
         {"disablepixeljitter", "write Option \"disablepixeljitter\" true into the scene"},
+        {"forcediffuse", "write Option \"forcediffuse\" true into the scene"},
         {"msereferenceimage", "write Option \"msereferenceimage\" \"image.exr\" into the scene"},
         {"msereferenceout", "write Option \"msereferenceout\" \"errors.txt\" into the scene"},
         {"logutilization", "try `eikonal bench`, which measures each stage"},

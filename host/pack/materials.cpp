@@ -18,20 +18,22 @@ void MaterialPacker::requireBsdf(next_queue h, const std::string& why) const {
 /// Packs everything but the materials of a mix and the regularized variant.
 void MaterialPacker::pack(const Material& description, PackedMaterial& m, bool regularize) {
     const IntegratorKind& integrator = *in_.context.scene.integrator.kind;
-    const bool isSurface = description.kind->isSurface;
+    const bool isSurface = description.kind->isSurface, isForced = isSurface && in_.context.scene.forcesDiffuse;
     if (isSurface && !integrator.countsMaterials()) { m.next_queue = *integrator.surfaceQueue; return; }
-    if (description.kind == &subsurface_material && integrator.splitsRays) return pack(coatOver(description), m, regularize);
+    const bool isBody = description.kind == &subsurface_material && !isForced;
+    if (isBody && integrator.splitsRays) return pack(coatOver(description), m, regularize);
     InputWriter inputs(in_, description, regularize);
     m.first_input = static_cast<uint>(in_.tables.material_inputs.size());
     const next_queue h = description.kind->pack(inputs);
+    if (isForced) inputs.require(Feature::FORCE_DIFFUSE);
     m.next_queue = h;
-    m.transmits = inputs.transmits() ? 1 : 0;
-    m.is_clear = inputs.isClear() ? 1 : 0;
+    m.transmits = inputs.transmits() && !isForced ? 1 : 0;
+    m.is_clear = inputs.isClear() && !isForced ? 1 : 0;
     m.disperses = inputs.disperses() ? 1 : 0;
     m.input_count = static_cast<uint>(in_.tables.material_inputs.size()) - m.first_input;
     requireBsdf(h, inputs.why());
-    if (inputs.transmits()) inputs.require(Feature::TRANSMISSION);
-    if (description.kind == &subsurface_material) packInside(inputs, description, m);
+    if (m.transmits) inputs.require(Feature::TRANSMISSION);
+    if (isBody) packInside(inputs, description, m);
     if (description.displacement != none) {
         inputs.require(Feature::BUMP);
         m.displacement = in_.textures.texture(description.displacement, TextureUse::displacement);
@@ -77,7 +79,8 @@ uint MaterialPacker::material(int index) {
     }
     m.regular = here;
     const IntegratorDescription& integrator = in_.context.scene.integrator;
-    if (integrator.regularize && m.next_queue != integrator.kind->surfaceQueue && description.inputs.count("uroughness")) {
+    const bool isRegularized = integrator.regularize && !in_.context.scene.forcesDiffuse;
+    if (isRegularized && m.next_queue != integrator.kind->surfaceQueue && description.inputs.count("uroughness")) {
         in_.context.require(Feature::REGULARIZE, integrator.where.toString());
         m.regular = static_cast<uint>(materials.size());
         PackedMaterial rougher = blankMaterial;

@@ -21,6 +21,7 @@ static std::string firstUse(const PackedScene& packed, Feature feature) {
 
 /// The first surface that only reflects and transmits in single directions, with its place in the scene; empty if there is none.
 static std::string firstSmooth(const PackedScene& packed) {
+    if (packed.features.has(Feature::FORCE_DIFFUSE)) return {};
     for (const auto& [feature, what] : {std::pair{KindFeature::BSDF_SPECULAR_DIELECTRIC, "clear glass"},
                                         {KindFeature::BSDF_SPECULAR_CONDUCTOR, "a mirror"},
                                         {KindFeature::BSDF_THIN_DIELECTRIC, "a pane"}})

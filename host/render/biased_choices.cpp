@@ -32,6 +32,7 @@ std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& p
         choices.push_back({"RGB colour" + (isPredicted ? ", " + packed.color.why : ""), "--color=spectral"});
     }
     if (scene.integrator.regularize) choices.push_back({"regularised microfacets", "--regularize=off"});
+    if (scene.forcesDiffuse) choices.push_back({"every surface diffuse", "no Option \"forcediffuse\""});
     if (scene.film.maxComponentValue > 0)
         choices.push_back({fmt::format("samples clamped at {:g}", scene.film.maxComponentValue), "--max-component-value=0"});
     if (packed.features.has(Feature::DIFFUSION)) choices.push_back({"subsurface scattering by diffusion", "--subsurface=randomwalk"});

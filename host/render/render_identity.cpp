@@ -96,6 +96,7 @@ Values settingsOf(const Session& session, const SessionOptions& options, const F
             {"environment guide", nameIn(environmentGuideNames, scene.integrator.environmentGuide)},
             {"path guiding", scene.integrator.guidesPaths ? "on" : "off"},
             {"regularize", scene.integrator.regularize ? "on" : "off"},
+            {"surfaces", scene.forcesDiffuse ? "all diffuse" : "as described"},
             {"maximum component value", fmt::format("{}", frame.max_component_value)},
             {"colour", packed.features.has(Feature::SPECTRAL) ? "spectral" : "rgb"},
             {"filter", nameOf(scene.filter)},

@@ -29,6 +29,7 @@ struct Scene {
     SamplerDescription sampler;
     IntegratorDescription integrator;
     ColorMode colorMode = ColorMode::automatic;
+    bool forcesDiffuse = false;          ///< every surface scatters as a diffuse one that reflects as much does (option "forcediffuse")
     std::vector<Shape> shapes;
     std::vector<Object> objects;
     std::vector<Instance> instances;

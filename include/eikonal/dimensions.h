@@ -32,7 +32,7 @@ enum bounce_dimension {
     dimension_transmittance,   /* seed of a random stream: transmittance of a shadow ray through media */
     dimension_alpha,           /* seed: alpha tests */
     dimension_probe_axis,      /* 1D: axis of the probe ray and channel of the diffusion profile */
-    dimension_probe,           /* 2D: distance and azimuth of the probe ray */
+    dimension_probe,           /* 2D: distance and azimuth of the probe ray; both, with FORCE_DIFFUSE: samples of a reflectance */
     dimension_exit,            /* seed: choice among the exit points of a probe ray */
     dimension_splat,           /* seed: of a light path: the pixel that a connection to the camera counts for */
     dimension_vertex,          /* 1D: of a light path: whether the vertex is stored */

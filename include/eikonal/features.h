@@ -43,6 +43,7 @@
     F(SOBOL,            "a low-discrepancy sampler") \
     F(JOINT_PAIRS,      "a sampler that spreads pairs of numbers together") \
     F(REGULARIZE,       "an integrator that regularizes") \
+    F(FORCE_DIFFUSE,    "option \"forcediffuse\"") \
     F(AMBIENT_OCCLUSION, "integrator \"ambientocclusion\"") \
     F(RAY_SPLITTING,    "an integrator that splits rays") \
     F(UNIFORM_DIRECTIONS, "an integrator that samples directions uniformly") \

@@ -20,7 +20,7 @@ TRACING_STAGE(connect_hits, CONNECT_HITS) {
         if (h.depth + 2u > frame->max_depth || !(max_component(h.beta) > 0.0f)) continue;
         chosen_hit other = choose_cached_hit(frame, h, cached, cached_last, cached_pass_mask);
         if (other.record == NONE) continue;
-        BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
+        BSDF_BOUND b = BIND_BSDF(h, LOAD_BSDF(hit, capacity, i), bsdf_set, color_set);
         aimed_connection c = AIM_AT_HIT_BSDF(h, b, other);
         store_connection(connection, capacity, i, c.connection);
         store_shadow(shadow, capacity, i, c.shadow);

@@ -13,8 +13,7 @@
 
 #define SHADE_CASE(name) \
     if (next_queue == next_##name) \
-        return shade_##name(lights, colors, frame, h, \
-                            bind_tables(load_##name(hit, capacity, slot), tables, path_wavelengths(colors, h.seed, h.sample)), pass, 1);
+        return shade_##name(lights, colors, frame, h, bind_##name(h, load_##name(hit, capacity, slot), tables, colors), pass, 1);
 FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables colors, __global const settings *frame,
                         __global const uint *hit, uint capacity, uint slot, uint next_queue, hit_item h, uint pass) {
     SCENE_BSDFS(SHADE_CASE)
@@ -26,13 +25,20 @@ FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables co
 
 /* The albedo to store for denoisers, if the BSDF has one. */
 typedef struct { spectrum albedo; int found; } kept_albedo;
+#if HAS_FORCE_DIFFUSE
+#define SHADED_ALBEDO(name) albedo_diffuse
+#define SHADED_IS_DELTA(name) 0
+#else
+#define SHADED_ALBEDO(name) albedo_##name
+#define SHADED_IS_DELTA(name) name##_is_delta
+#endif
 #define ALBEDO_CASE(name) \
-    if (next_queue == next_##name && !name##_is_delta) { \
-        k.albedo = albedo_##name(bind_tables(load_##name(hit, capacity, slot), tables, colors)); \
+    if (next_queue == next_##name && !SHADED_IS_DELTA(name)) { \
+        k.albedo = SHADED_ALBEDO(name)(bind_##name(h, load_##name(hit, capacity, slot), tables, colors)); \
         k.found = 1; \
     }
-FN kept_albedo albedo_any(bsdf_tables tables, sampled_wavelengths colors, __global const uint *hit, uint capacity, uint slot,
-                          uint next_queue) {
+FN kept_albedo albedo_any(bsdf_tables tables, color_tables colors, __global const uint *hit, uint capacity, uint slot, uint next_queue,
+                          hit_item h) {
     kept_albedo k = {uniform_spectrum(0.0f), 0};
     SCENE_BSDFS(ALBEDO_CASE)
     return k;
@@ -84,7 +90,7 @@ FN void send_hit(scene_tables scene, destinations *to, uint next_queue, uint slo
     else {
         to->out = shade_pass(scene, to, next_queue, h, 0u);
         if (HAS_AOVS) {
-            k = albedo_any(to->bsdfs, path_wavelengths(scene.colors, h.seed, h.sample), to->hit, to->capacity, slot, next_queue);
+            k = albedo_any(to->bsdfs, scene.colors, to->hit, to->capacity, slot, next_queue, h);
             k.found &= !h.has_nonspecular_vertex;
         }
     }

@@ -18,7 +18,7 @@ TRACING_STAGE(merge_vertices, MERGE_VERTICES) {
         size_t i = first + at;
         hit_item h = load_hit(hit, capacity, i);
         if (h.merging == 0.0f || h.depth >= frame->max_depth) continue;
-        BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
+        BSDF_BOUND b = BIND_BSDF(h, LOAD_BSDF(hit, capacity, i), bsdf_set, color_set);
         merged_light L = merge_hit(frame, vertex, grid, grid_buckets, h, b);
         if (is_black(L.all)) continue;
         add_to_spectrum(path, path_L_slot, path_capacity, h.path, L.all);

@@ -19,7 +19,7 @@ TRACING_STAGE(shade_connections, SHADE_CONNECTIONS) {
         if (LOAD_FIELD(cached, uint, bsdf, cached, 1, (size_t)c.cached * CACHED_STRIDE) != JOIN(next_, BSDF)) continue;
         size_t of_light = cached_hit_at(cached_hit_size, c.cached);
         hit_item h = load_hit(cached_hit, 1, of_light);
-        BSDF_BOUND b = bind_tables(LOAD_BSDF(cached_hit, 1, of_light), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
+        BSDF_BOUND b = BIND_BSDF(h, LOAD_BSDF(cached_hit, 1, of_light), bsdf_set, color_set);
         spectrum sent = SEND_ALONG_BSDF(h, b, LOAD_FIELD(hit, vec3, p, hit, capacity, i), c);
         spectrum L = mul(LOAD_FIELD(shadow, spectrum, Ld, shadow, capacity, i), sent);
         STORE_FIELD(shadow, spectrum, Ld, shadow, capacity, i, L);

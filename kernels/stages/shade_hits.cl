@@ -23,7 +23,7 @@ STAGE(shade_hits, SHADE_HITS) {
             continue;
         }
         hit_item h = load_hit(hit, capacity, i);
-        BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
+        BSDF_BOUND b = BIND_BSDF(h, LOAD_BSDF(hit, capacity, i), bsdf_set, color_set);
         /* Store the rays of SHADE_BSDF; for layered BSDFs, those with which the walks ended */
         shade_slot(light_set, color_set, frame, h, b, shading_pass, alive, next_ray, to, shadow, walk, capacity, i);
         /* At max_depth a hit comes here for its albedo alone (within, uncounted: feature_fields.h) */

@@ -19,7 +19,7 @@ STAGE(shade_light_hits, SHADE_LIGHT_HITS) {
             continue;
         }
         hit_item h = load_hit(hit, capacity, i);
-        BSDF_BOUND b = bind_tables(LOAD_BSDF(hit, capacity, i), bsdf_set, path_wavelengths(color_set, h.seed, h.sample));
+        BSDF_BOUND b = BIND_BSDF(h, LOAD_BSDF(hit, capacity, i), bsdf_set, color_set);
         frame3 shading = shading_frame(h);
         vec3 wo = to_local(shading, h.wo);
         if (!BSDF_IS_DELTA) store_shadow(shadow, capacity, i, CONNECT_BSDF(frame, h, b, shading, wo, alive));

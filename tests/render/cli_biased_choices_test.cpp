@@ -40,6 +40,11 @@ TEST_F(BiasedChoices, OfASceneFileCountToo) {
     EXPECT_EQ(of({"--color", "spectral", "--subsurface", "randomwalk", "--max-component-value", "0"}, "body.pbrt"), "");
 }
 
+TEST_F(BiasedChoices, SurfacesForcedToBeDiffuseAreOne) {
+    write("diffuse.pbrt", tinyScene("Option \"forcediffuse\" true\n", ""));
+    EXPECT_EQ(of({"--color", "spectral"}, "diffuse.pbrt"), "every surface diffuse (without it: no Option \"forcediffuse\")");
+}
+
 TEST_F(BiasedChoices, ArePrintedWithTheStatistics) {
     const Outcome run = this->run({"render", "tiny.pbrt", "-o", "a.exr", "--stats", "--json", "--color", "rgb"});
     EXPECT_THAT(run.out, testing::HasSubstr("Biased choices:\n  RGB colour"));

@@ -85,6 +85,16 @@ TEST(SlowLoop, GivesTheSameBitsOfRarerThings) {
     for (size_t i : {1, 4, 5}) expectSameBitsIn(worlds[i]);
 }
 
+TEST(SlowLoop, GivesTheSameBitsOfSurfacesThatAreForcedToBeDiffuse) {
+    for (size_t i : {0, 1}) {
+        PackedScene scene = packScene("Option \"forcediffuse\" true " + textOf(worlds[i]));
+        scene.require(Feature::AOVS, "the test");
+        RenderSetup setup;
+        setup.contraction = false;
+        expectSameBits(render(scene, setup).image, renderInLoop(scene, setup), worlds[i]);
+    }
+}
+
 TEST(SlowLoop, GivesTheSameBitsAtWavelengths) {
     /* The second scene has glass that disperses */
     std::string dispersive = worlds[1];

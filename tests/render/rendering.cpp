@@ -86,6 +86,7 @@ Features surfaceFeatures() {
                                 .require(AMBIENT_OCCLUSION)
                                 .require(RAY_SPLITTING)
                                 .require(UNIFORM_DIRECTIONS)
+                                .require(FORCE_DIFFUSE)
                                 .require(LIGHT_PATHS)
                                 .require(CONNECTIONS)
                                 .require(MERGING)

@@ -163,9 +163,12 @@ TEST_F(PbrtDirectives, options) {
         read("Option \"rendercoordsys\" \"world\" Option \"disable-texture-filtering\" true TransformTimes 0 1 WorldBegin").sampler.seed,
         0);
     EXPECT_THAT(warnings_, IsEmpty());
-    read("Option \"forcediffuse\" true WorldBegin");
-    EXPECT_THAT(warnings_, ElementsAre("test.pbrt:1:8: warning: option \"forcediffuse\": \"bool forcediffuse\" has no effect: "
-                                       "materials are rendered as they are"));
+    EXPECT_TRUE(read("Option \"forcediffuse\" true WorldBegin").forcesDiffuse);
+    EXPECT_FALSE(read("Option \"forcediffuse\" false WorldBegin").forcesDiffuse);
+    EXPECT_THAT(warnings_, IsEmpty());
+    read("Option \"disablewavelengthjitter\" true WorldBegin");
+    EXPECT_THAT(warnings_, ElementsAre("test.pbrt:1:8: warning: option \"disablewavelengthjitter\": \"bool disablewavelengthjitter\" "
+                                       "has no effect: spectral rendering always samples wavelengths"));
     EXPECT_THAT(errorOf("Option \"sead\" 1 WorldBegin"), HasSubstr("did you mean \"seed\"?"));
 }
 

@@ -83,6 +83,7 @@ void Settings::setOption(const std::string& name, const std::string& value, bool
     if (option.name == "seed") seed_ = arguments.integer("seed");
     else if (option.name == "disablepixeljitter")
         withoutJitter_ = arguments.flag("disablepixeljitter") ? std::optional(where) : std::nullopt;
+    else if (option.name == "forcediffuse") reading_.scene.forcesDiffuse = arguments.flag("forcediffuse");
     else if (option.name == "displacementedgescale") reading_.displacementEdgeScale = arguments.number("displacementedgescale");
     else if (option.name == "msereferenceimage") {
         errorReference_ = where;

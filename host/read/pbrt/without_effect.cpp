@@ -41,7 +41,6 @@ constexpr WithoutEffect lines[] = {
     {"option", "rendercoordsys", nullptr, nullptr, silence, "Eikonal renders in a space of its own, fitted to the scene"},
     {"option", "wavefront", nullptr, nullptr, silence, "Eikonal is always a wavefront renderer"},
     {"option", "disablewavelengthjitter", nullptr, nullptr, warning, "spectral rendering always samples wavelengths"},
-    {"option", "forcediffuse", nullptr, nullptr, warning, "materials are rendered as they are"},
     {"option", "pixelstats", nullptr, nullptr, warning,
      "no such images are written; `--aov sampleCount,variance` shows where samples went"},
 };
