@@ -45,11 +45,11 @@ static std::vector<std::string> argumentNames(cl_program program, const std::str
 }
 
 Compiler::Compiler(const Context& context, KernelFolders folders, std::string cacheFolder)
-    : context_(context), folders_(std::move(folders)), cache_(std::move(cacheFolder)) {}
+    : context_(context), files_(std::move(folders)), cache_(std::move(cacheFolder)) {}
 
 const KernelSource& Compiler::sourceOf(const std::string& text) const {
     const auto known = sources_.find(text);
-    return known != sources_.end() ? known->second : sources_.emplace(text, KernelSource(folders_, text)).first->second;
+    return known != sources_.end() ? known->second : sources_.emplace(text, KernelSource(files_, text)).first->second;
 }
 
 std::string Compiler::keyOf(const KernelSource& source, const std::string& options, const std::string& kernel) const {
@@ -130,7 +130,7 @@ std::shared_ptr<Program> Compiler::build(const std::string& text, const std::str
         const cl_device_id device = context_.device().id;
         status = clBuildProgram(program->handle, 1, &device, options.c_str(), nullptr, nullptr);
         if (status != CL_SUCCESS)
-            throw DeviceError(fmt::format("the kernel {} of {} does not build for \"{}\": {}\n{}\noptions: {}", kernel, folders_.kernels,
+            throw DeviceError(fmt::format("the kernel {} of {} does not build for \"{}\": {}\n{}\noptions: {}", kernel, folders().kernels,
                                           context_.device().name, statusName(status), buildLog(program->handle, device), options));
         program->kernel = kernel;
         program->arguments = argumentNames(program->handle, kernel);

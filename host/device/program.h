@@ -52,7 +52,7 @@ public:
     /// then, and while the device is idle: PoCL 3.1 aborts if a binary is queried during a launch.
     void keep(const Program& program, double firstLaunchSeconds = 0) const;
 
-    const KernelFolders& folders() const { return folders_; }
+    const KernelFolders& folders() const { return files_.folders(); }
     const ProgramCache& cache() const { return cache_; }
 
 private:
@@ -62,7 +62,7 @@ private:
     std::shared_ptr<Program> loadCached(const std::string& key, const std::string& kernel) const;
 
     const Context& context_;
-    KernelFolders folders_;
+    mutable KernelFiles files_;
     ProgramCache cache_;
     mutable std::map<std::string, KernelSource> sources_;
     std::map<std::string, std::shared_ptr<Program>> built_;  ///< by key

@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
 #include <sstream>
-#include <unordered_set>
 
 namespace fs = std::filesystem;
 
@@ -79,60 +79,60 @@ std::uint64_t hashBytes(std::string_view bytes, std::uint64_t hash) {
     return hash;
 }
 
-KernelSource::KernelSource(const KernelFolders& folders, const std::string& text) : folders_(folders) {
-    append(text, "program");
+const std::string& KernelFiles::text(const std::string& name) {
+    if (const auto known = texts_.find(name); known != texts_.end()) return known->second;
+    std::optional<std::string> text = kindFiles(name);
+    for (const std::string& folder : {folders_.kernels, folders_.include})
+        if (!text) text = contentOf(fs::path(folder) / name);
+    if (!text)
+        throw DeviceError(fmt::format("a kernel includes \"{}\", which is in neither {} nor {}", name, folders_.kernels, folders_.include));
+    return texts_.emplace(name, std::move(*text)).first->second;
+}
+
+KernelSource::KernelSource(KernelFiles& files, const std::string& text) {
+    append(files, text, "program");
     noteWords();
 }
 
 /// The file that a line includes; empty if it includes none.
-static std::string includedBy(const std::string& line) {
+static std::string includedBy(std::string_view line) {
     const size_t hash = line.find_first_not_of(" \t");
-    if (hash == std::string::npos || line.compare(hash, 8, "#include") != 0) return {};
-    const size_t open = line.find('"'), close = open == std::string::npos ? open : line.find('"', open + 1);
-    return close == std::string::npos ? std::string() : line.substr(open + 1, close - open - 1);
+    if (hash == std::string_view::npos || !line.substr(hash).starts_with("#include")) return {};
+    const size_t open = line.find('"'), close = open == std::string_view::npos ? open : line.find('"', open + 1);
+    return close == std::string_view::npos ? std::string() : std::string(line.substr(open + 1, close - open - 1));
 }
 
-void KernelSource::append(const std::string& text, const std::string& name) {
+void KernelSource::append(KernelFiles& files, std::string_view text, const std::string& name) {
     text_ += fmt::format("#line 1 \"{}\"\n", name);
-    std::istringstream lines(text);
     int number = 0;
-    for (std::string line; std::getline(lines, line);) {
+    for (size_t begin = 0; begin < text.size();) {
+        const std::string_view line = text.substr(begin, text.find('\n', begin) - begin);
+        begin += line.size() + 1;
         ++number;
         const std::string included = includedBy(line);
-        if (included.empty()) text_ += line + "\n";
-        else if (files_.contains(included)) text_ += "\n";
+        if (included.empty()) text_.append(line) += '\n';
+        else if (files_.contains(included)) text_ += '\n';
         else {
-            include(included);
+            include(files, included);
             text_ += fmt::format("#line {} \"{}\"\n", number + 1, name);
         }
     }
 }
 
-void KernelSource::include(const std::string& name) {
-    if (const std::optional<std::string> kinds = kindFiles(name)) {
-        files_.insert(name);
-        return append(*kinds, name);
-    }
-    for (const std::string& folder : {folders_.kernels, folders_.include}) {
-        const auto content = contentOf(fs::path(folder) / name);
-        if (!content) continue;
-        /* A file without an include guard comes each time that it is included, such as once for each BSDF */
-        if (content->find("\n#ifndef ") != std::string::npos) files_.insert(name);
-        return append(*content, name);
-    }
-    throw DeviceError(fmt::format("a kernel includes \"{}\", which is in neither {} nor {}", name, folders_.kernels, folders_.include));
+void KernelSource::include(KernelFiles& files, const std::string& name) {
+    const std::string& text = files.text(name);
+    /* A file without an include guard comes each time that it is included, such as once for each BSDF */
+    if (text.find("\n#ifndef ") != std::string::npos || name.ends_with("/kinds.clh")) files_.insert(name);
+    append(files, text, name);
 }
 
 void KernelSource::noteWords() {
-    std::unordered_set<std::string_view> words;
-    for (size_t i = 0; i < text_.size();) {
-        if (!std::isalpha(static_cast<unsigned char>(text_[i])) && text_[i] != '_') { ++i; continue; }
-        size_t end = i;
-        while (end < text_.size() && (std::isalnum(static_cast<unsigned char>(text_[end])) || text_[end] == '_')) ++end;
-        words.insert(std::string_view(text_).substr(i, end - i));
-        i = end;
+    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_'; };
+    for (auto at = text_.begin(); at != text_.end();) {
+        const auto begin = std::find_if(at, text_.end(), isLetter);
+        at = std::find_if_not(begin, text_.end(), isLetter);
+        if (begin != at && *begin >= 'A' && *begin <= 'Z') words_.emplace(begin, at);
     }
-    words_.insert(words.begin(), words.end());
 }
 
 std::string KernelSource::options(const Features& features, const Constants& constants) const {
@@ -141,11 +141,11 @@ std::string KernelSource::options(const Features& features, const Constants& con
         const Feature feature = static_cast<Feature>(i);
         const std::string& name = featureName(feature);
         /* Queue fields name their feature without HAS_ */
-        if (words_.count("HAS_" + name) || (isGeneral(feature) && words_.count(name)))
+        if (words_.contains("HAS_" + name) || (isGeneral(feature) && words_.contains(name)))
             options += fmt::format(" -DHAS_{}={}", name, features.has(feature) ? 1 : 0);
     }
     for (const auto& [name, value] : constants)
-        if (words_.count(name)) options += fmt::format(" -D{}={}", name, value);
+        if (words_.contains(name)) options += fmt::format(" -D{}={}", name, value);
     return options;
 }
 

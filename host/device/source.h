@@ -8,6 +8,9 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace eikonal {
@@ -21,6 +24,20 @@ struct KernelFolders {
 };
 KernelFolders findKernelFolders();
 
+/// The kernel files' texts, each of which is read once: all kernels of a scene include much the same files.
+class KernelFiles {
+public:
+    explicit KernelFiles(KernelFolders folders) : folders_(std::move(folders)) {}
+
+    const KernelFolders& folders() const { return folders_; }
+    /// By its name in a line #include. Valid as long as this is. Throws a DeviceError if there is none.
+    const std::string& text(const std::string& name);
+
+private:
+    KernelFolders folders_;
+    std::map<std::string, std::string> texts_;
+};
+
 /// Compile-time constants of a program, by macro name: LOCAL_SIZE, ITEMS_PER_WORK_ITEM, ENVIRONMENTS ...
 using Constants = std::map<std::string, int>;
 
@@ -30,7 +47,7 @@ class KernelSource {
 public:
     /// `text` may define macros before its #include lines. Each file is inserted where it is first included. Throws a DeviceError if one is
     /// missing.
-    KernelSource(const KernelFolders& folders, const std::string& text);
+    KernelSource(KernelFiles& files, const std::string& text);
 
     /// The expanded source; compile errors name the original files, relative to their folder, and lines.
     const std::string& text() const { return text_; }
@@ -38,12 +55,12 @@ public:
     std::string options(const Features& features, const Constants& constants) const;
 
 private:
-    void append(const std::string& text, const std::string& name);
-    void include(const std::string& name);
+    void append(KernelFiles& files, std::string_view text, const std::string& name);
+    void include(KernelFiles& files, const std::string& name);
     void noteWords();
-    KernelFolders folders_;
     std::string text_;
-    std::set<std::string> files_, words_;
+    std::set<std::string> files_;
+    std::unordered_set<std::string> words_;   ///< those that begin with a capital, as features and constants do
 };
 
 /// A variant of 64-bit FNV-1a that takes eight bytes at a time, fast enough for scene tables. Continues from `hash`.

@@ -19,7 +19,10 @@ protected:
         std::filesystem::create_directories(folder_ / "kernels");
         std::filesystem::create_directories(folder_ / "include" / "eikonal");
     }
-    KernelSource source(const std::string& text) const { return {{path("kernels"), path("include")}, text}; }
+    KernelSource source(const std::string& text) const {
+        KernelFiles files({path("kernels"), path("include")});
+        return {files, text};
+    }
 };
 
 // A file without an include guard comes each time.
