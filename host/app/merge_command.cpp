@@ -151,6 +151,7 @@ int mergeCommand(const Options& o) {
     metadata.commandLine = o.commandLine;
     tell(LogLevel::warning, describe(error, stored.metric), o.log);
     const FilmImage image = developImage(totals, scene.packed, scene.film, stored.aovs, o.output.encoding);
+    tellFireflies(metadata, image, o.log);
     warnOfClamping(image, o.output.encoding, {}, diagnostics);
     for (const std::string& file : images) writeImage(file, image, metadata, o.output.encoding);
     tell(LogLevel::warning,

@@ -2,6 +2,7 @@
 
 #include "app/output.h"
 #include "background.h"
+#include "film/fireflies.h"
 #include "film/projection.h"
 #include "image/half_floats.h"
 #include "image/image_file.h"
@@ -40,6 +41,14 @@ void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const 
     metadata.errorHigh = error.high;
     metadata.errorMetric = nameIn(errorMetricNames, metric);
     metadata.errorDoubt = error.doubt;
+}
+
+void tellFireflies(Metadata& metadata, const FilmImage& image, LogLevel log) {
+    if (image.fireflies.empty()) return;
+    metadata.firefliesShare = firefliesShare(image.fireflies, image.color);
+    tell(LogLevel::warning,
+         fmt::format("fireflies: {:.2g} % of the light was taken from the image, into the layer fireflies", 100 * *metadata.firefliesShare),
+         log);
 }
 
 FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs,

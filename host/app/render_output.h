@@ -17,6 +17,9 @@ namespace eikonal {
 
 /// The part of metadata that follows from a film.
 void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const ErrorEstimate& error, ErrorMetric metric);
+/// Stores how much of the image's light re-weighting has taken, and prints it. Nothing, unless fireflies were to be re-weighted.
+void tellFireflies(Metadata& metadata, const FilmImage& image, LogLevel log);
+
 /// The image to write, with the channels that are asked for.
 FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs,
                        const ImageEncoding& encoding);

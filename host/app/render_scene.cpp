@@ -237,6 +237,7 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     reportUnresolvedRays(session.unresolvedRays(), diagnostics);
 
     FilmImage image = output.develop(*totals);
+    tellFireflies(report.metadata, image, o.log);
     watching.showLast(image, report.error, checkpoints.secondsBefore() + renderSeconds);
     warnOfClamping(image, o.output.encoding, session.scene().film.where, diagnostics);
     RunSummary summary;

@@ -35,6 +35,7 @@ std::string describeAsJson(const Session& session, const RunSummary& run) {
             {"metric", metadata.errorMetric}, {"value", *metadata.error}, {"low", *metadata.errorLow}, {"high", *metadata.errorHigh}};
         if (!metadata.errorDoubt.empty()) json["error"]["doubt"] = metadata.errorDoubt;
     }
+    if (metadata.firefliesShare) json["firefliesShare"] = *metadata.firefliesShare;
     json["seconds"] = {{"read", t.load},
                        {"pack", t.pack},
                        {"build", t.build},

@@ -52,6 +52,7 @@ QueueLayout filmLayout(const Features& features, uint buckets, int lightGroups) 
     FILM_FIELDS(ADD_FIELD, film)
     if (buckets > 0) builder.add("buckets", "bucket", static_cast<int>(buckets) * BUCKET_WORDS, true);
     if (lightGroups > 0) builder.add("groups", "group", lightGroups * GROUP_WORDS, true);
+    if (features.has(Feature::FIREFLIES)) builder.add("bands", "band", BRIGHTNESS_BANDS * GROUP_WORDS, true);
     for (const auto& [name, feature] : {std::pair{"object_mattes", Feature::CRYPTO_OBJECT}, {"material_mattes", Feature::CRYPTO_MATERIAL}})
         if (features.has(feature)) builder.add(name, "matte", MATTE_SLOTS * MATTE_WORDS, true);
     return builder.take();

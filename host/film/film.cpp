@@ -146,13 +146,14 @@ size_t Film::bytes(const PackedScene& scene, unsigned end) {
 size_t Film::developedBytes(const PackedScene& scene) {
     const size_t always = sizeof(glm::vec3) + 2 * sizeof(float),
                  ofSurfaces = 4 * sizeof(glm::vec3) + 3 * sizeof(glm::vec2) + 3 * sizeof(float);
+    const size_t ofFireflies = scene.features.has(Feature::FIREFLIES) ? sizeof(glm::vec3) + BRIGHTNESS_BANDS * sizeof(double) : 0;
     const size_t ofPasses = scene.features.has(Feature::RENDER_PASSES) ? render_passes * sizeof(glm::vec3) : 0,
                  ofGroups = static_cast<size_t>(scene.constants.lightGroups) * sizeof(glm::vec3);
     size_t ofMattes = 0;
     for (const Feature layer : {Feature::CRYPTO_OBJECT, Feature::CRYPTO_MATERIAL})
         if (scene.features.has(layer)) ofMattes += CryptomatteLayer::perPixel * sizeof(float);
     const size_t ofChannels = scene.features.has(Feature::AOVS) ? ofSurfaces : 0, ofSpectrum = scene.frame().bucket_count * sizeof(float);
-    return always + ofPasses + ofGroups + ofMattes + ofChannels + ofSpectrum;
+    return always + ofFireflies + ofPasses + ofGroups + ofMattes + ofChannels + ofSpectrum;
 }
 
 }  // namespace eikonal

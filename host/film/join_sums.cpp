@@ -61,7 +61,7 @@ JoinedSums::JoinedSums(const QueueLayout& layout) : words_(static_cast<std::size
         if (field.name == "buckets") {
             known.insert(field.name);
             for (int word = 0; word < field.words; word += BUCKET_WORDS) compensated_.push_back({field.slot + word, field.slot + word + 1});
-        } else if (field.name == "groups") {
+        } else if (field.name == "groups" || field.name == "bands") {
             known.insert(field.name);
             for (int group = 0; group < field.words; group += GROUP_WORDS)
                 for (int c = 0; c < WORDS_rgb; ++c)

@@ -1,5 +1,6 @@
 #include "film/totals.h"
 
+#include "film/fireflies.h"
 #include "film/planes.h"
 #include "film/projection.h"
 
@@ -120,6 +121,12 @@ void FilmTotals::developAovs(FilmImage& image, const PackedScene& scene) const {
     });
 }
 
+void FilmTotals::reweightFireflies(FilmImage& image) const {
+    const auto rows = static_cast<size_t>(pixels_.height());
+    image.fireflies = firefliesIn({plane() / rows, rows, floats("bands"), floats("weight")});
+    for (size_t i = 0; i < plane(); ++i) image.color[i] -= image.fireflies[i];
+}
+
 FilmImage FilmTotals::develop(const PackedScene& scene) const {
     FilmImage image(width_, height_, {pixels_.x0, pixels_.x1, pixels_.y0, pixels_.y1});
     const size_t n = plane();
@@ -131,6 +138,7 @@ FilmImage FilmTotals::develop(const PackedScene& scene) const {
         image.sampleCount[i] = static_cast<float>(planes.count[i]);
         image.variance[i] = planes.variance(i, image.color[i]);
     }
+    if (scene.features.has(Feature::FIREFLIES)) reweightFireflies(image);
     if (layout_.field("emission").words > 0) developPasses(image);
     if (scene.constants.lightGroups > 0) developLightGroups(image, scene.lightGroups);
     const auto& [objects, materials] = cryptomatteLayerNames;

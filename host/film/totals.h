@@ -37,6 +37,7 @@ public:
 private:
     /// Of each pixel, by words of a colour that begin at `sum`: its mean over the samples.
     std::vector<glm::vec3> meanColors(const float* sum) const;
+    void reweightFireflies(FilmImage& image) const;
     void developPasses(FilmImage& image) const;
     void developLightGroups(FilmImage& image, const std::vector<std::string>& names) const;
     /// field: the film's. name, manifest: of the layer.

@@ -49,6 +49,7 @@ void forChannels(Image& image, ChannelNames spelling, Visit visit) {
     const ChannelUse few{}, exact{.needsFloats = true};
     visit(image.color, ComponentNames{"R", "G", "B"}, few);
     visit(image.noisy, ComponentNames{"noisy.R", "noisy.G", "noisy.B"}, few);
+    visit(image.fireflies, ComponentNames{"fireflies.R", "fireflies.G", "fireflies.B"}, few);
     visit(image.emission, ComponentNames{"emission.R", "emission.G", "emission.B"}, few);
     visit(image.direct, ComponentNames{"direct.R", "direct.G", "direct.B"}, few);
     visit(image.indirect, ComponentNames{"indirect.R", "indirect.G", "indirect.B"}, few);

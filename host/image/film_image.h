@@ -35,7 +35,9 @@ struct FilmImage {
     std::vector<glm::vec3> color;  ///< radiance as the film received it
 
     std::vector<glm::vec3> noisy;      ///< of a denoised image: color before (image/denoise.h)
-    std::vector<glm::vec3> emission, direct, indirect, volume;   ///< render passes (enum render_pass), which sum to color, or to `noisy`
+    std::vector<glm::vec3> fireflies;  ///< what color, or `noisy`, lacks of the mean of the samples (film/fireflies.h); empty: nothing
+    std::vector<glm::vec3> emission, direct, indirect, volume;   ///< render passes (enum render_pass), which sum to color, or to `noisy`,
+                                                                ///< with fireflies
     std::vector<glm::vec3> albedo;     ///< in [0, 1], of the first surface that is not a mirror or clear glass, as seen through those
     std::vector<glm::vec3> normal;     ///< shading normal of the first surface, world space, unit length or zero
     std::vector<glm::vec3> geometricNormal;  ///< geometric normal of the first surface, on the same side
@@ -79,6 +81,7 @@ struct Metadata {
     std::optional<double> errorHigh;         ///< and below this [errorHigh]
     std::string errorMetric;                 ///< what the error is, and the target [errorMetric]
     std::string errorDoubt;                  ///< why the estimate is not reliable; empty: it is [errorDoubt]
+    std::optional<double> firefliesShare;    ///< of the light of the whole image that is in `fireflies` [firefliesShare]
     std::string partial;                     ///< which samples that were asked for are missing; empty: none [partial]
     std::optional<double> renderSeconds;     ///< wall-clock time [renderTimeSeconds]
     std::optional<int> seed;                 ///< [seed]

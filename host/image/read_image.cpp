@@ -28,6 +28,7 @@ Metadata metadataOf(const ImageReader& file) {
             .errorHigh = file.number("errorHigh"),
             .errorMetric = file.text("errorMetric"),
             .errorDoubt = file.text("errorDoubt"),
+            .firefliesShare = file.number("firefliesShare"),
             .partial = file.text("partial"),
             .renderSeconds = file.number("renderTimeSeconds"),
             .seed = file.integer("seed"),
@@ -114,7 +115,8 @@ FilmFile readImage(const std::string& path) {
 
     if (const std::optional<Primaries> primaries = input->chromaticities())
         if (const auto matrix = srgbFromPrimaries(*primaries)) {
-            for (auto* colors : {&image.color, &image.noisy, &image.emission, &image.direct, &image.indirect, &image.volume, &image.albedo})
+            for (auto* colors : {&image.color, &image.noisy, &image.fireflies, &image.emission, &image.direct, &image.indirect,
+                                 &image.volume, &image.albedo})
                 convert(*colors, *matrix);
             for (LightGroup& group : image.lightGroups) convert(group.color, *matrix);
         }

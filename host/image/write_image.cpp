@@ -62,6 +62,7 @@ void addAttributes(EncodedImage& file, const Metadata& metadata, const ImageEnco
     if (metadata.errorHigh) add("errorHigh", static_cast<float>(*metadata.errorHigh));
     addText("errorMetric", metadata.errorMetric);
     addText("errorDoubt", metadata.errorDoubt);
+    if (metadata.firefliesShare) add("firefliesShare", static_cast<float>(*metadata.firefliesShare));
     addText("partial", metadata.partial);
     if (metadata.renderSeconds && encoding.recordsTime) add("renderTimeSeconds", static_cast<float>(*metadata.renderSeconds));
     if (metadata.seed) add("seed", *metadata.seed);

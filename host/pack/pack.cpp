@@ -119,6 +119,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     frame.light_count = static_cast<uint>(packed.tables.light_aliases.size());
     frame.world_scale = static_cast<float>(packed.worldScale);
     packExposure(scene.film, frame);
+    if (scene.film.reweightsFireflies) context.require(Feature::FIREFLIES, "--fireflies");
     packed.constants.environments = static_cast<int>(packed.tables.environments.size());
 
     SceneCounts& counts = packed.counts;

@@ -31,6 +31,7 @@ struct SceneOptions {
     std::optional<bool> guiding;
     std::optional<bool> regularize;
     std::optional<double> maxComponentValue;          ///< of the film, >= 0; 0: no clamping
+    std::optional<bool> reweightsFireflies;           ///< of the film
     std::optional<double> treeThreshold;              ///< of the integrator whitted, in [0, 1)
     std::optional<int> treeBundle;                    ///< of the integrator whitted: 0 or a power of two, at most mostTreeRays
     std::optional<std::array<int, 2>> resolution;     ///< width and height in pixels

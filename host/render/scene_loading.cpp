@@ -87,6 +87,7 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.guiding) scene.integrator.guidesPaths = *o.guiding;
     if (o.regularize) scene.integrator.regularize = *o.regularize;
     if (o.maxComponentValue) scene.film.maxComponentValue = *o.maxComponentValue;
+    if (o.reweightsFireflies) scene.film.reweightsFireflies = *o.reweightsFireflies;
     if (o.treeThreshold) scene.integrator.threshold = *o.treeThreshold;
     if (o.treeBundle) scene.integrator.bundle = *o.treeBundle;
     if (o.cropWindow) { scene.film.cropWindow = o.cropWindow; scene.film.pixelBounds.reset(); }

@@ -33,6 +33,7 @@ struct FilmDescription {
     std::string sensor = "cie1931";                      ///< with iso, exposureTime and whiteBalance: see color/sensor.h
     ColorSpace colorSpace = ColorSpace::srgb;            ///< of the image
     double maxComponentValue = 0;                        ///< > 0: brighter samples are scaled down to this
+    bool reweightsFireflies = false;                     ///< see film/fireflies.h
     GBuffer gbuffer = GBuffer::none;
     std::optional<SpectrumKept> spectrum;                ///< for pbrt-v4's film "spectral"
     bool halfFloats = false;                             ///< store colours and normals in 16 bits where the file can

@@ -53,6 +53,7 @@
     F(AOVS,             "auxiliary image channels") \
     F(RENDER_PASSES,    "the channels \"emission\", \"direct\", \"indirect\" and \"volume\"") \
     F(LIGHT_GROUPS,     "the channels of light groups") \
+    F(FIREFLIES,        "a film that keeps light by the brightness of samples") \
     F(CRYPTO_OBJECT,    "the channels \"CryptoObject\"") \
     F(CRYPTO_MATERIAL,  "the channels \"CryptoMaterial\"") \
     F(MOTION_VECTORS,   "the channel \"motion\", and a shape that moves") \

@@ -65,6 +65,12 @@ CONTRACT_BEGIN
    rounding error. */
 #define GROUP_WORDS (2 * WORDS_rgb)
 
+/* With FIREFLIES, BRIGHTNESS_BANDS bands follow, of GROUP_WORDS words each: the sum of weight * film response to L of samples whose luminance
+   is about LEAST_BRIGHTNESS times the k-th power of BAND_RATIO, and its rounding error (kernels/film/bands.clh). */
+#define BRIGHTNESS_BANDS 8
+#define LEAST_BRIGHTNESS 0.125f
+#define BAND_RATIO 8.0f
+
 /* With CRYPTO_OBJECT, MATTE_SLOTS slots for objects follow; then, with CRYPTO_MATERIAL, as many for materials. A slot has MATTE_WORDS
    words: a Cryptomatte ID (host/image/cryptomatte.h), or NO_SURFACE_ID, or 0 if the slot is free; and the sum of the weights of the samples
    whose first surface has that ID. A leaf has as many samples (host/film/sample_nodes.h), so no ID of it lacks a slot; where leaves join,

@@ -3,6 +3,7 @@
 #include "shade/ray_tree.clh"
 #include "stages/queue.clh"
 #include "stages/stage.clh"
+#include "film/bands.clh"
 #include "film/buckets.clh"
 #include "film/compensated.clh"
 #include "film/exposure.clh"
@@ -107,7 +108,9 @@ TRACING_STAGE(resolve_film, RESOLVE_FILM) {
             if (HAS_RENDER_PASSES) f = add_passes(f, p, exposed, colors, frame);
             add_groups(film, film_words + BUCKET_WORDS * frame->bucket_count, count, pixel, path, path_capacity,
                        state_of_path(frame, index), states_per_path(frame), is_valid ? exposed : 0.0f, p.weight, colors, frame);
-            size_t mattes = film_words + BUCKET_WORDS * frame->bucket_count + GROUP_WORDS * LIGHT_GROUP_COUNT;
+            size_t bands = film_words + BUCKET_WORDS * frame->bucket_count + GROUP_WORDS * LIGHT_GROUP_COUNT;
+            if (HAS_FIREFLIES) add_to_bands(film, bands, count, pixel, luminance(e.color), mul(e.color, p.weight));
+            size_t mattes = bands + (HAS_FIREFLIES ? GROUP_WORDS * BRIGHTNESS_BANDS : 0);
             if (HAS_CRYPTO_OBJECT) add_to_mattes(film, mattes, count, pixel, object_matte_ids[p.object], p.weight);
             if (HAS_CRYPTO_OBJECT) mattes += MATTE_WORDS * MATTE_SLOTS;
             if (HAS_CRYPTO_MATERIAL) add_to_mattes(film, mattes, count, pixel, material_matte_ids[p.material], p.weight);

@@ -19,7 +19,7 @@ using Words = std::vector<std::string>;
 class Merge : public Cli {
 protected:
     Outcome render(Words words) const {
-        const Words more{"render", "tiny.pbrt", "--aov", "all,lightgroups"};
+        const Words more{"render", "tiny.pbrt", "--aov", "all,lightgroups", "--fireflies", "reweight"};
         words.insert(words.begin(), more.begin(), more.end());
         return run(words);
     }
