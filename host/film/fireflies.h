@@ -17,8 +17,8 @@ struct BrightnessBands {
 
 /// What re-weighting takes from the mean of each pixel (Zirr, Hanika and Dachsbacher 2018, "Re-Weighting Firefly Samples for Improved
 /// Finite-Sample Monte Carlo Estimates"): the light of a band counts as far as several samples of its brightness are found in the 3 x 3
-/// pixels around, or as far as a single one would not show. Consistent: with more samples, every brightness that has a share of the light is
-/// found often enough.
+/// pixels around, or as far as a single one would not show. Consistent: with more samples, every brightness that has a share of the light
+/// is found often enough.
 std::vector<glm::vec3> firefliesIn(const BrightnessBands& bands);
 
 /// The share of an image's light that `fireflies` holds, in [0, 1], by luminance. Both have one entry per pixel; color lacks that light.

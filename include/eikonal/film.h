@@ -65,8 +65,8 @@ CONTRACT_BEGIN
    rounding error. */
 #define GROUP_WORDS (2 * WORDS_rgb)
 
-/* With FIREFLIES, BRIGHTNESS_BANDS bands follow, of GROUP_WORDS words each: the sum of weight * film response to L of samples whose luminance
-   is about LEAST_BRIGHTNESS times the k-th power of BAND_RATIO, and its rounding error (kernels/film/bands.clh). */
+/* With FIREFLIES, BRIGHTNESS_BANDS bands follow, of GROUP_WORDS words each: the sum of weight * film response to L of samples whose
+   luminance is about LEAST_BRIGHTNESS times the k-th power of BAND_RATIO, and its rounding error (kernels/film/bands.clh). */
 #define BRIGHTNESS_BANDS 8
 #define LEAST_BRIGHTNESS 0.125f
 #define BAND_RATIO 8.0f
