@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
 """Error after the same time of rendering on scenes whose light is hard to find: our integrators, and those of other renderers.
 
-    tests/bench/hard_light.py [--pbrt PBRT] [--shared ../shared/scenes] [--venv VENV] [--only ring,coffee] [--seconds 6] [--rounds 2] [--json FILE]
+    tests/bench/hard_light.py [--pbrt PBRT] [--shared ../shared/scenes] [--only ring,coffee] [--json FILE]
+    VENV/bin/python tests/bench/hard_light.py --venv VENV --only glass-cornell ...
 
-PBRT is pbrt-v4's program. --shared: the folder of public scenes, which adds five. --venv: a virtual environment with numpy, and with pyluxcore and bpy or one of
-them, for LuxCore and Cycles (hard_light_peers.py), which adds a Cornell box with a ball of glass. The samples that fill the time are found by short renders; then all
-methods take turns, with other seeds in each round. Medians over the rounds; efficiency is 1 / (relMSE x seconds).
+PBRT is pbrt-v4's program. --shared: the folder of public scenes, five of which take part. --venv: a virtual environment with numpy, and with pyluxcore, bpy or
+both, for LuxCore and Cycles, which render the scene glass-cornell (hard_light_peers.py). Short renders tell how many samples fill the time; then all methods take
+turns, with other seeds in each round. Medians over the rounds; efficiency is 1 / (relMSE x seconds). --add keeps what FILE
+has of other scenes. hard_light_page.py writes the tables of docs/hard-light.md from it.
 
-Two methods make the reference, one of ours and one of pbrt-v4's, each in two halves with other seeds. Both are unbiased, or nearly, and share no code: their means
-tell whether both programs compute the same image. The halves tell the noise of each, and the reference is the mean of both, weighted by the other's noise.
-Table "references": how far the mean of pbrt-v4's is from ours and its standard error; the relMSE of the one against the other; that of the reference, by the halves.
-A method's relMSE includes it. Prints a row for each scene, and for each method.
+Two methods make the reference, one of ours and one of pbrt-v4's, each in two halves with other seeds. They share no code, so their means tell whether both
+programs compute the same image. The halves tell the noise of each, and the reference is the mean of both, weighted by the noise of the other one.
+The table "references" has how far the mean of theirs is from ours, with its standard error by the halves; the relMSE of theirs against ours; and that of the
+reference, by the halves, which the relMSE of each method includes.
 """
 
 import argparse
@@ -28,12 +30,15 @@ from paths import ROOT
 from report import Report
 
 SHARED = ["veach-bidir", "volumetric-caustic", "staircase2", "classroom", "coffee"]
-SCENES = ["glass-ball", "water-pool", "lamp-in-glass", "ring", "door-ajar", *SHARED]
-REFERENCES = {"glass-ball": ("vcm", "pbrt-v4 sppm"), "water-pool": ("vcm", "pbrt-v4 sppm")}   # what is seen in glass is for merging
-REFERENCE, WITH_MEDIA = ("vcm", "pbrt-v4 bdpt"), ("volpath", "pbrt-v4 bdpt")
+PEERS = "glass-cornell"
+SCENES = ["glass-ball", "water-pool", "lamp-in-glass", "ring", "door-ajar", *SHARED, PEERS]
+MERGED, CONNECTED, FROM_CAMERA = ("vcm", "pbrt-v4 sppm"), ("bdpt", "pbrt-v4 bdpt"), ("volpath", "pbrt-v4 volpath")
+REFERENCES = {   # by what finds all of the light with the least noise
+    "glass-ball": MERGED, "water-pool": MERGED, "lamp-in-glass": ("vcm", "pbrt-v4 bdpt"), "ring": ("vcm", "pbrt-v4 bdpt"), "door-ajar": CONNECTED,
+    "veach-bidir": CONNECTED, "volumetric-caustic": ("volpath", "pbrt-v4 bdpt"), "staircase2": FROM_CAMERA, "classroom": ("bdpt", "pbrt-v4 volpath"),
+    "coffee": ("bdpt", "pbrt-v4 volpath"), PEERS: CONNECTED}
 OURS = {"volpath": ["volpath"], "guided": ["volpath", "--guiding", "on"], "bdpt": ["bdpt"], "sppm": ["sppm"], "vcm": ["vcm"]}
 WITHOUT_LIGHT_PATHS = ["volpath", "guided"]   # what differs in a scene with media
-PBRT_RADIUS = 2   # of sppm, over our first radius: what was best for it
 COLUMNS = {"scene": None, "method": None, "samples": "d", "seconds": ".2f", "relMSE": ".3g", "FLIP": ".3f", "efficiency": ".3g", "mean off, %": "+.2f"}
 REFERENCE_COLUMNS = {"scene": None, "ours": None, "theirs": None, "theirs off, %": "+.2f", "+-": ".2f", "relMSE of theirs against ours": ".3g", "relMSE of the reference": ".2g"}
 
@@ -100,30 +105,40 @@ class References:
         return file
 
 
+def path_of(o, name, folder):
+    if name == PEERS:
+        import hard_light_peers
+        return hard_light_peers.write(folder / name, o.width)
+    return o.shared / name / "scene-v4.pbrt" if name in SHARED else ROOT / "scenes" / f"{name}.pbrt"
+
+
 def methods_of(o, scene, folder):
     """What renders the scene, by name."""
     found = {name: Eikonal(o.program, o.threads, "--integrator", *options) for name, options in OURS.items() if not scene.media or name in WITHOUT_LIGHT_PATHS}
     if o.pbrt:
         radius = None if scene.media else first_radius(o.program, scene, folder / "radius.pfm")
-        found |= {f"pbrt-v4 {name}": Pbrt(o.pbrt, o.threads, name, folder / scene.name) for name in ("volpath", "bdpt", "mlt")}
+        found |= {f"pbrt-v4 {name}": Pbrt(o.pbrt, o.threads, name, folder / f"pbrt-{scene.name}") for name in ("volpath", "bdpt", "mlt")}
         if radius:
-            found["pbrt-v4 sppm"] = Pbrt(o.pbrt, o.threads, "sppm", folder / scene.name, PBRT_RADIUS * radius)
+            found["pbrt-v4 sppm"] = Pbrt(o.pbrt, o.threads, "sppm", folder / f"pbrt-{scene.name}", radius)
+    if scene.name == PEERS:
+        import hard_light_peers
+        found |= hard_light_peers.renderers(o.venv, o.threads, folder / PEERS)
     return found
 
 
 def measure(o, scene, methods, folder, references, add):
-    image = folder / "image.pfm"
-    for renderer in methods.values():   # kernels are compiled, files are in memory
-        renderer.render(scene, 1, 1, image)
-    samples = {name: samples_for(renderer, scene, o.seconds, image) for name, renderer in methods.items()}
-    names = [name for name in REFERENCES.get(scene.name, WITH_MEDIA if scene.media else REFERENCE) if name in methods]
+    images = {name: folder / f"image.{getattr(renderer, 'suffix', 'pfm')}" for name, renderer in methods.items()}
+    for name, renderer in methods.items():   # kernels are compiled, files are in memory
+        renderer.render(scene, 1, 1, images[name])
+    samples = {name: samples_for(renderer, scene, o.seconds, images[name]) for name, renderer in methods.items()}
+    names = [name for name in REFERENCES[scene.name] if name in methods]
     reference, figures = References(o.reference_seconds, folder).make(scene, methods, {name: samples[name] / o.seconds for name in names}, names)
     references.append((scene.name, names[0], names[1] if len(names) > 1 else None, *figures))
     rounds = {name: [] for name in methods}
     for turn in range(o.rounds):
         for name, renderer in methods.items():
-            seconds = renderer.render(scene, samples[name], 2 + turn, image)
-            found = json.loads(run(o.program, "compare", image, reference, "--json"))
+            seconds = renderer.render(scene, samples[name], 2 + turn, images[name])
+            found = json.loads(run(o.program, "compare", images[name], reference, "--json"))
             rounds[name].append((seconds, found["relativeMse"], found["flip"], 100 * (sum(found["mean"]) / sum(found["referenceMean"]) - 1)))
     for name, found in rounds.items():
         seconds, error, flip, off = (statistics.median(values) for values in zip(*found))
@@ -134,7 +149,8 @@ def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--pbrt", type=pathlib.Path)
     options.add_argument("--shared", type=pathlib.Path)
-    options.add_argument("--only", type=lambda text: text.split(","), default=SCENES, help=f"of {', '.join(SCENES)}")
+    options.add_argument("--venv", type=pathlib.Path)
+    options.add_argument("--only", type=lambda text: text.split(","), help=f"of {', '.join(SCENES)}")
     options.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "eikonal")
     options.add_argument("--seconds", type=float, default=6)
     options.add_argument("--reference-seconds", type=float, default=60, help="of each of two renders")
@@ -142,16 +158,23 @@ def main():
     options.add_argument("--width", type=int, default=128, help="pixels")
     options.add_argument("--threads", type=int, default=os.cpu_count())
     Report.add_to(options)
+    options.add_argument("--add", action="store_true", help="keep the figures of other scenes in the file of --json")
     o = options.parse_args()
+    here = [name for name in SCENES if (o.shared if name in SHARED else o.venv if name == PEERS else True)]
+    o.only = o.only or here
+    for name in set(o.only) - set(here):
+        options.error(f"scene {name} needs --venv" if name == PEERS else f"scene {name} needs --shared" if name in SHARED else f"no scene {name}; there are {', '.join(SCENES)}")
+    kept = json.loads(o.json.read_text())["tables"] if o.add and o.json.exists() else {}
+    kept = {table: [row for row in rows if row["scene"] not in o.only] for table, rows in kept.items()}
     report = Report(o.json)
-    add, references = report.table("efficiency", COLUMNS), []
+    report.kept["settings"] = {key: getattr(o, key) for key in ("seconds", "reference_seconds", "rounds", "width", "threads")}
+    add, references = report.table("efficiency", COLUMNS), [row.values() for row in kept.get("references", [])]
+    for row in kept.get("efficiency", []):
+        add(*row.values())
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for scene in o.only:
-            if scene not in SHARED or o.shared:
-                path = o.shared / scene / "scene-v4.pbrt" if scene in SHARED else ROOT / "scenes" / f"{scene}.pbrt"
-                scene = Scene(scene, path, o.width, o.program)
-                measure(o, scene, methods_of(o, scene, folder), folder, references, add)
+        for scene in (Scene(name, path_of(o, name, folder), o.width, o.program) for name in o.only):
+            measure(o, scene, methods_of(o, scene, folder), folder, references, add)
     add_reference = report.table("references", REFERENCE_COLUMNS)
     for row in references:
         add_reference(*row)

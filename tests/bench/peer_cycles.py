@@ -1,4 +1,4 @@
-"""Builds a scene of peer_formats.write_cycles in Blender's Python module and renders it with Cycles on the processor.
+"""Builds a scene of peer_formats.write_cycles in Blender's Python module and renders it with Cycles on the processor, with path guiding if it says "guiding".
 
     VENV/bin/python peer_cycles.py SCENE.json SAMPLES SEED IMAGE.exr THREADS
 
@@ -105,6 +105,7 @@ def main():
     cycles.use_adaptive_sampling = cycles.use_denoising = cycles.use_fast_gi = False
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.light_sampling_threshold = cycles.blur_glossy = 0
     cycles.pixel_filter_type, cycles.filter_width = "BOX", 1
+    cycles.use_guiding = about.get("guiding", False)
     for bounces in ("max_bounces", "diffuse_bounces", "glossy_bounces", "transmission_bounces", "min_light_bounces"):
         setattr(cycles, bounces, about["scatters"] - 1)   # the first surface does not count
     world = scene.world = bpy.data.worlds.new("world")
