@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws the plots of docs/performance.md and docs/accuracy.md from the figures that are kept: docs/pictures/NAME.svg.
+"""Draws the plots of docs/performance.md, docs/accuracy.md and docs/hard-light.md from the figures that are kept: docs/pictures/NAME.svg.
 
     docs/plots.py            draws them
     docs/plots.py --check    status 1 if one is not what the figures give now
@@ -125,7 +125,29 @@ def error_asked():
     return svg(680, 294, "True error of renders beside the error that was asked for", elements)
 
 
-PLOTS = {"efficiency": efficiency, "accuracy-gallery": gallery, "accuracy-error-asked": error_asked}
+def hard_light():
+    """The efficiency of each of our methods over that of the best of the peers': a row for each scene."""
+    ours = {"volpath": "hollow circle", "guided": "hollow diamond", "bdpt": "full square", "sppm": "hollow triangle", "vcm": "full circle"}
+    scenes = {}
+    for row in json.loads((RESULTS / "hard-light.json").read_text())["tables"]["efficiency"]:
+        scenes.setdefault(row["scene"], {})[row["method"]] = row["efficiency"]
+    ratios = {scene: {name: found[name] / max(v for k, v in found.items() if k not in ours) for name in ours if name in found} for scene, found in scenes.items()}
+    top, step = 48, 24
+    low, high = 1e-3, 1e3
+    axis, bottom = LogAxis(low, high, 150, 640), top + step * len(ratios)
+    elements = legend([(shape, name) for name, shape in ours.items()], 150, 18, 98)
+    for tick in (1e-3, 1e-2, 0.1, 1, 10, 100, 1000):
+        style = (1.6, "") if tick == 1 else (0.5, ' stroke-opacity="0.4"')
+        elements += [line(axis(tick), top - 8, axis(tick), bottom - 8, *style), text(axis(tick), bottom + 8, f"{tick:g} x" if tick != 1 else "equal", "middle")]
+    for i, (scene, row) in enumerate(ratios.items()):
+        y = top + step * i + 4
+        elements += [text(142, y + 4, scene, "end"), line(axis(min(row.values())), y, axis(max(row.values())), y, 0.8, ' stroke-opacity="0.5"')]
+        elements += [mark(ours[name], axis(min(ratio, high)), y) for name, ratio in row.items()]
+    elements.append(text(395, bottom + 28, "efficiency over that of the best method of the others", "middle"))
+    return svg(680, bottom + 36, "Efficiency of each of Eikonal's methods over the best of the other renderers', on scenes of hard light", elements)
+
+
+PLOTS = {"hard-light": hard_light, "efficiency": efficiency, "accuracy-gallery": gallery, "accuracy-error-asked": error_asked}
 
 
 def main():

@@ -88,8 +88,8 @@ class References:
             noises.append(noise)
         if len(names) == 1:
             return self.write(means[0], header), (None, None, None, mean_square(noises[0], means[0]))
-        both = blend(*means, 0.5)
-        errors = [max(mean_square(noise, both), 1e-30) for noise in noises]
+        lower = [min(a, b) for a, b in zip(*means)]   # which has no fireflies, beside which they would look small
+        errors = [max(mean_square(noise, lower), 1e-30) for noise in noises]
         share = errors[1] / (errors[0] + errors[1])
         reference = blend(*means, share)
         sums = [math.fsum(mean) for mean in means]
@@ -153,7 +153,7 @@ def main():
     options.add_argument("--only", type=lambda text: text.split(","), help=f"of {', '.join(SCENES)}")
     options.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "eikonal")
     options.add_argument("--seconds", type=float, default=6)
-    options.add_argument("--reference-seconds", type=float, default=60, help="of each of two renders")
+    options.add_argument("--reference-seconds", type=float, default=45, help="of each of two renders")
     options.add_argument("--rounds", type=int, default=2)
     options.add_argument("--width", type=int, default=128, help="pixels")
     options.add_argument("--threads", type=int, default=os.cpu_count())
@@ -167,7 +167,7 @@ def main():
     kept = json.loads(o.json.read_text())["tables"] if o.add and o.json.exists() else {}
     kept = {table: [row for row in rows if row["scene"] not in o.only] for table, rows in kept.items()}
     report = Report(o.json)
-    report.kept["settings"] = {key: getattr(o, key) for key in ("seconds", "reference_seconds", "rounds", "width", "threads")}
+    report.kept["settings"] = {key: getattr(o, key) for key in ("seconds", "reference_seconds", "rounds", "width", "threads")} | {"load": os.getloadavg()[0]}
     add, references = report.table("efficiency", COLUMNS), [row.values() for row in kept.get("references", [])]
     for row in kept.get("efficiency", []):
         add(*row.values())

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes the tables of docs/hard-light.md from the figures that hard_light.py has kept in results/hard-light.json."""
+"""Writes the tables of docs/hard-light.md, and the sentence that sums them up there and in docs/integrators.md, from results/hard-light.json, where hard_light.py
+has kept the figures."""
 
 import json
 import sys
@@ -10,7 +11,7 @@ from paths import ROOT
 sys.path.insert(0, str(ROOT / "tests" / "accuracy"))
 from page import put  # noqa: E402
 
-PAGE, FIGURES = ROOT / "docs" / "hard-light.md", ROOT / "tests" / "bench" / "results" / "hard-light.json"
+PAGE, INTEGRATORS, FIGURES = ROOT / "docs" / "hard-light.md", ROOT / "docs" / "integrators.md", ROOT / "tests" / "bench" / "results" / "hard-light.json"
 
 
 def begin(name):
@@ -19,8 +20,8 @@ def begin(name):
 
 def significant(value):
     """Two digits, without an exponent."""
-    digits = f"{value:.2g}"
-    return digits if "e" not in digits else f"{float(digits):,.0f}" if value >= 1 else f"{value:.1g}"
+    rounded = float(f"{value:.2g}")
+    return f"{rounded:,.0f}" if rounded >= 10 else f"{rounded:.6f}".rstrip("0").rstrip(".")
 
 
 def by_scene(rows):
@@ -64,16 +65,35 @@ def others(tables):
     return "\n".join(lines) + "\n"
 
 
+def listed(ratios):
+    return ", ".join(f"{scene} ({significant(ratio)} x)" for scene, ratio in ratios.items())
+
+
+def summary(tables):
+    """What a reader should remember."""
+    over_peers, over_volpath = {}, {}
+    for scene, methods in by_scene(tables["efficiency"]).items():
+        ours, theirs = (best(side)["efficiency"] for side in split(methods))
+        over_peers[scene], over_volpath[scene] = ours / theirs, ours / methods["volpath"]["efficiency"]
+    less = {scene: ratio for scene, ratio in over_peers.items() if ratio < 1}
+    twice, much = sum(ratio >= 2 for ratio in over_peers.values()), {scene: ratio for scene, ratio in over_volpath.items() if ratio >= 10}
+    return (f"The best of our methods has at least twice the efficiency of the best method of the others on {twice} of {len(over_peers)} scenes"
+            + (f", and less than theirs on {listed(less)}" if less else "") + ".\n"
+            + (f"It has at least ten times the efficiency of our own `volpath` on {listed(much)}.\n" if much else ""))
+
+
 def settings(kept):
     s = kept["settings"]
     return (f"{s['width']} pixels wide, {s['seconds']:g} s for each method, {s['reference_seconds']:g} s for each of the two references, median of {s['rounds']}, "
-            f"{s['threads']} threads, {kept['processor']}, {kept['date']}.\n")
+            f"{s['threads']} threads, {kept['processor']}, load average {s['load']:.1f} when the last of them began, {kept['date']}.\n")
 
 
 def main():
     kept = json.loads(FIGURES.read_text())
-    for name, make in (("settings", lambda: settings(kept)), ("scenes", lambda: scenes(kept["tables"])), ("others", lambda: others(kept["tables"]))):
-        put(PAGE, begin(name), make(), f"<!-- end of {name} -->\n")
+    tables = kept["tables"]
+    for page, name, text in ((PAGE, "summary", summary(tables)), (INTEGRATORS, "summary", summary(tables)), (PAGE, "settings", settings(kept)),
+                             (PAGE, "scenes", scenes(tables)), (PAGE, "others", others(tables))):
+        put(page, begin(name), text, f"<!-- end of {name} -->\n")
 
 
 if __name__ == "__main__":
