@@ -133,13 +133,13 @@ def hard_light():
         scenes.setdefault(row["scene"], {})[row["method"]] = row["efficiency"]
     ratios = {scene: {name: found[name] / max(v for k, v in found.items() if k not in ours) for name in ours if name in found} for scene, found in scenes.items()}
     top, step = 48, 24
-    low, high = 1e-3, 1e3
+    low, high = 1e-3, 100
     axis, bottom = LogAxis(low, high, 150, 640), top + step * len(ratios)
     elements = legend([(shape, name) for name, shape in ours.items()], 150, 18, 98)
-    for tick in (1e-3, 1e-2, 0.1, 1, 10, 100, 1000):
+    for tick in (1e-3, 1e-2, 0.1, 1, 10, 100):
         style = (1.6, "") if tick == 1 else (0.5, ' stroke-opacity="0.4"')
         elements += [line(axis(tick), top - 8, axis(tick), bottom - 8, *style), text(axis(tick), bottom + 8, f"{tick:g} x" if tick != 1 else "equal", "middle")]
-    for i, (scene, row) in enumerate(ratios.items()):
+    for i, (scene, row) in enumerate(sorted(ratios.items(), key=lambda found: -max(found[1].values()))):
         y = top + step * i + 4
         elements += [text(142, y + 4, scene, "end"), line(axis(min(row.values())), y, axis(max(row.values())), y, 0.8, ' stroke-opacity="0.5"')]
         elements += [mark(ours[name], axis(min(ratio, high)), y) for name, ratio in row.items()]
