@@ -1,5 +1,7 @@
 #include "kinds/medium_packing.h"
 
+#include "pack/motion.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,15 +29,22 @@ medium newMedium(const MediumPacking& in, const Medium& description) {
     check(m.Le, "Le");
     m.scatters = in.colors.greatestSum(&m.sigma_s, nullptr) > 0;
     m.g = static_cast<float>(std::clamp(description.g, -mostForward, mostForward));
-    m.density = m.temperature = m.Le_scale = m.first_sigma_a = m.first_sigma_s = m.first_Le = m.first_majorant = NONE;
+    m.density = m.temperature = m.Le_scale = m.first_sigma_a = m.first_sigma_s = m.first_Le = m.first_majorant = m.motion = NONE;
     return m;
 }
 
-glm::dmat4 packBox(const PackContext& context, const Medium& description, glm::dvec3 p0, glm::dvec3 p1, medium& m) {
+glm::dmat4 packBox(const MediumPacking& in, const Medium& description, glm::dvec3 p0, glm::dvec3 p1, medium& m) {
     glm::dmat4 mediumFromBox(1);
     for (int axis = 0; axis < 3; ++axis) mediumFromBox[axis][axis] = p1[axis] - p0[axis];
     mediumFromBox[3] = glm::dvec4(p0, 1);
-    m.box_from_scene = toAffine(glm::inverse(description.worldFromMedium * mediumFromBox) * context.space.worldFromScene());
+    if (description.worldFromMediumAtEnd) {
+        for (Feature feature : {Feature::MOTION, Feature::MEDIUM_MOTION}) in.context.require(feature, description.where.toString());
+        m.motion = static_cast<uint>(in.tables.medium_motions.size());
+        const Motion motion(description.worldFromMedium, *description.worldFromMediumAtEnd);
+        in.tables.medium_motions.push_back(motion.pack(in.context.space, {}));
+        m.box_from_scene = toAffine(glm::inverse(mediumFromBox));
+    } else
+        m.box_from_scene = toAffine(glm::inverse(description.worldFromMedium * mediumFromBox) * in.context.space.worldFromScene());
     return mediumFromBox;
 }
 

@@ -18,7 +18,7 @@ struct MediumPacking {
 medium newMedium(const MediumPacking&, const Medium&);
 
 /// Heterogeneous media: sets the box with corners p0 and p1 in medium space. Returns the transform from the unit cube to medium space.
-glm::dmat4 packBox(const PackContext&, const Medium&, glm::dvec3 p0, glm::dvec3 p1, medium& m);
+glm::dmat4 packBox(const MediumPacking&, const Medium&, glm::dvec3 p0, glm::dvec3 p1, medium& m);
 
 /// Packs majorants on a grid of `cells`. bound(low, high) bounds the extinction in a box of the unit cube, before the factor that the
 /// kernel applies to the medium's majorants (bounded_x_medium).

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,7 @@ struct Medium {
     double g = 0;
     glm::dvec3 p0{0}, p1{1};       ///< heterogeneous media: their box in medium space
     Transform worldFromMedium{1};
+    std::optional<Transform> worldFromMediumAtEnd;   ///< set: the medium moves, and has this transform at Scene::motionEnd
 
     Grid density;                  ///< uniformgrid
     Grid temperature, LeScale;     ///< uniformgrid: empty if not given

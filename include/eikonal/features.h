@@ -38,6 +38,7 @@
     F(APERTURE,         "an aperture that is not round") \
     F(IMPORTANCE,       "a film that receives more light through some rays than through others") \
     F(MOTION,           "a shape that moves") \
+    F(MEDIUM_MOTION,    "a medium that moves") \
     F(CAMERA_MOTION,    "a camera that moves") \
     F(FILTER,           "a pixel filter other than a box of one pixel") \
     F(SOBOL,            "a low-discrepancy sampler") \

@@ -46,7 +46,8 @@ typedef struct {
     uint equiangular_lights;   /* homogeneous ones that scatter: how many of `point_lights` there are; 0: none, or none that matters */
 
     /* HETEROGENEOUS: the medium fills its unit cube */
-    affine box_from_scene;
+    affine box_from_scene;     /* of one that moves: from the medium's space instead */
+    uint motion;               /* in `medium_motions`; NONE: it does not move */
     uint majorants_x, majorants_y, majorants_z;
     uint first_majorant;       /* in `majorants`, x fastest: bounds, over the cells of a coarse grid, on what multiplies sigma_t */
 

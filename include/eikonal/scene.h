@@ -129,6 +129,7 @@ typedef struct {
 
 #define MEDIUM_TABLES(T) \
     T(medium,         media) \
+    T(motion,         medium_motions)        /* from the space of a medium to that of the scene */ \
     T(grid,           grids) \
     T(uint,           bricks)                /* of grids: index in brick_values, in units of BRICK_VALUES */ \
     T(float,          brick_values) \

@@ -109,13 +109,13 @@ static FunctionText walkText(const std::string& body) {
 const DeviceFunction<Walked>& track() {
     static const DeviceFunction<Walked> function(
         walkText("tracked_path path = {hero, one, one, one, zero, 0.5f}; float u = next_random(&more); "
-                 "end = sample_medium(medium_set, colors, 0u, o, d, t, u, &more, &path);"));
+                 "end = sample_medium(medium_set, colors, 0u, 0.0f, o, d, t, u, &more, &path);"));
     return function;
 }
 const DeviceFunction<Walked>& attenuate() {
     static const DeviceFunction<Walked> function(
         walkText("tracked_path path = {hero, one, zero, one, zero, 1.0f}; "
-                 "attenuate_medium(medium_set, colors, 0u, o, d, t, &more, &path);"));
+                 "attenuate_medium(medium_set, colors, 0u, 0.0f, o, d, t, &more, &path);"));
     return function;
 }
 

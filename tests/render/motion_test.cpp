@@ -2,6 +2,8 @@
 
 #include "rendering.h"
 
+#include <cmath>
+
 namespace eikonal {
 namespace {
 
@@ -52,6 +54,35 @@ Material "diffuse" "rgb reflectance" [.8 .8 .8] Shape "bilinearmesh" "point3 P" 
 AttributeBegin ActiveTransform EndTime Translate 4 0 0 ActiveTransform All Translate -2 4 0 Rotate 90 1 0 0
 Shape "disk" "float radius" 1 AttributeEnd)";
     expectRadiance(render(sceneText(v, world)), 10.0 / 25 / 2 * 0.8 / M_PI);
+}
+
+/// Black smoke, in front of a white sky, passes the point that is seen during a fourth of the time. From the middle of the grid's only cell
+/// its density falls from 1 to 1/2 at the borders along each axis, so along the ray it is 2 thick, with a mean of 3/4.
+TEST(Motion, SmokeIsSeenWhileItPasses) {
+    const std::string world = R"(LightSource "infinite" "rgb L" [1 1 1]
+AttributeBegin ActiveTransform EndTime Translate 8 0 0 ActiveTransform All Translate -4 0 0 Translate -1 -1 -1 Scale 2 2 2
+MakeNamedMedium "smoke" "string type" "rgbgrid" "integer nx" 1 "integer ny" 1 "integer nz" 1 "rgb sigma_a" [1 1 1] "rgb sigma_s" [0 0 0]
+AttributeEnd
+MediumInterface "smoke" "" Material "interface" Shape "sphere" "float radius" 20)";
+    View v = view();
+    v.lookAt = "0 0 -30  0 0 0  0 1 0";
+    const double passed = 2 * std::exp(-0.75) * (1 - std::exp(-0.75)) / 1.5;   // the mean of exp(-3/2 w), w from 1/2 to 1
+    expectRadiance(render(sceneText(v, world)), 0.75 + 0.25 * passed);
+}
+
+/// In the middle of its motion a cloud that turns and moves is where a still one was put there.
+TEST(Motion, AMediumInTheMiddleIsAStillOneThere) {
+    const auto seen = [](const std::string& place) {
+        View v = view("Camera \"perspective\" \"float fov\" 0.02 \"float shutteropen\" 0.495 \"float shutterclose\" 0.505\n");
+        v.lookAt = "1 1 -5  .5 .2 .5  0 1 0";
+        return render(sceneText(v, "LightSource \"point\" \"rgb I\" [20 10 9] \"point3 from\" [2 3 -3] AttributeBegin " + place + R"(
+MakeNamedMedium "smoke" "string type" "uniformgrid" "integer nx" 2 "integer ny" 2 "integer nz" 2 "float density" [1 0 3 2 5 1 0 4]
+    "rgb sigma_a" [.1 .2 .3] "rgb sigma_s" [2 1 3] AttributeEnd
+MediumInterface "smoke" "" Material "interface" Shape "sphere" "float radius" 3)"));
+    };
+    expectEqualMeans(seen("ActiveTransform EndTime Translate 1 -.5 .5 Rotate 80 1 2 3 Scale 3 1 1"),
+                     seen("Translate .5 -.25 .25 Rotate 40 1 2 3 Scale 2 1 1"), 0.05);
+    expectEqualMeans(seen("ActiveTransform EndTime Translate 1 -.5 .5"), seen("Translate .5 -.25 .25"), 0.05);
 }
 
 /// A white ball that moves, turns and grows in a white world cannot be seen: no ray meets the surface that it leaves.

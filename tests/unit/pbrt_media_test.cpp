@@ -194,14 +194,20 @@ TEST_F(PbrtMedia, damagedNanoVdbFiles) {
     EXPECT_THAT(read(), HasSubstr("is a level set"));
 }
 
-// As in pbrt-v4. A homogeneous medium has no place, and so nothing that moves.
-TEST_F(PbrtMedia, whatMovesStaysWhereItsMotionStarts) {
-    const auto warningsOf = [&](const std::string& kind) {
-        return warningsOfWorld("ActiveTransform EndTime Translate 1 0 0\nMakeNamedMedium \"m\" \"string type\" \"" + kind + "\"");
+// A homogeneous medium has no place, and so nothing that moves.
+TEST_F(PbrtMedia, whatMovesHasASecondPlace) {
+    const auto read = [&](const std::string& transforms, const std::string& kind) {
+        return world(transforms + "\nMakeNamedMedium \"m\" \"string type\" \"" + kind + "\"").media[0];
     };
-    EXPECT_THAT(warningsOf("cloud"),
-                ElementsAre("test.pbrt:3:1: warning: a moving medium is not rendered yet; it stays where its motion starts"));
-    EXPECT_THAT(warningsOf("homogeneous"), IsEmpty());
+    const Medium moving = read("ActiveTransform EndTime Translate 1 0 0", "cloud");
+    ASSERT_TRUE(moving.worldFromMediumAtEnd);
+    expectNear(apply(moving.worldFromMedium, {0, 0, 0}), {0, 0, 0});
+    expectNear(apply(*moving.worldFromMediumAtEnd, {0, 0, 0}), {1, 0, 0});
+    EXPECT_FALSE(read("Translate 1 0 0", "cloud").worldFromMediumAtEnd);
+    EXPECT_FALSE(read("ActiveTransform EndTime Translate 1 0 0", "homogeneous").worldFromMediumAtEnd);
+    EXPECT_THAT(warnings_, IsEmpty());
+    EXPECT_THAT(errorOfWorld("ActiveTransform EndTime Scale 0 1 1 MakeNamedMedium \"m\" \"string type\" \"cloud\""),
+                HasSubstr("the medium's transform cannot be inverted"));
 }
 
 TEST_F(PbrtMedia, aPresetReplacesCoefficients) {

@@ -19,7 +19,7 @@ static bool read(const pbrt::MediumReading& in, Medium& medium) {
 
 static medium pack(const MediumPacking& in, const Medium& d) {
     medium m = newMedium(in, d);
-    packBox(in.context, d, d.p0, d.p1, m);
+    packBox(in, d, d.p0, d.p1, m);
     m.low = toVec3(d.p0);
     m.extent = toVec3(d.p1 - d.p0);
     m.noise_density = static_cast<float>(d.noiseDensity);

@@ -54,7 +54,7 @@ static medium pack(const MediumPacking& in, const Medium& d) {
     medium m = newMedium(in, d);
     Box box = boxOf(density);
     if (temperature) box.grow(boxOf(*temperature));
-    const glm::dmat4 mediumFromBox = packBox(in.context, d, box.low, box.high, m), voxelFromBox = density.voxelFromMedium * mediumFromBox;
+    const glm::dmat4 mediumFromBox = packBox(in, d, box.low, box.high, m), voxelFromBox = density.voxelFromMedium * mediumFromBox;
 
     m.density = packGrid(tables, density, voxelFromBox);
     if (temperature) {

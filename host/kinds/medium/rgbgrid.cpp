@@ -54,7 +54,7 @@ static void packColorMajorants(const MediumPacking& in, const ColorGrid& grid, m
 static medium pack(const MediumPacking& in, const Medium& d) {
     const ColorGrid& grid = d.colors;
     medium m = newMedium(in, d);
-    packBox(in.context, d, d.p0, d.p1, m);
+    packBox(in, d, d.p0, d.p1, m);
     m.nx = static_cast<uint>(grid.nx);
     m.ny = static_cast<uint>(grid.ny);
     m.nz = static_cast<uint>(grid.nz);

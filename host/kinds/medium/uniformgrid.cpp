@@ -26,7 +26,7 @@ static bool read(const pbrt::MediumReading& in, Medium& medium) {
 static medium pack(const MediumPacking& in, const Medium& d) {
     MediumTables& tables = in.tables;
     medium m = newMedium(in, d);
-    packBox(in.context, d, d.p0, d.p1, m);
+    packBox(in, d, d.p0, d.p1, m);
     const glm::dmat4 voxelsFromBox = voxelFromBox(d.density.nx, d.density.ny, d.density.nz);
     m.density = packGrid(tables, d.density, voxelsFromBox);
     if (!d.LeScale.values.empty()) m.Le_scale = packGrid(tables, d.LeScale, voxelFromBox(d.LeScale.nx, d.LeScale.ny, d.LeScale.nz));

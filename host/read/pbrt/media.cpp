@@ -46,11 +46,11 @@ void MediumRegistry::define(const std::string& name, const GraphicsState& state,
     medium.g = arguments.number("g");
     medium.kind = &kindOf(static_cast<medium_kind>(kind.value));
     const bool isComplete = medium.kind->traits.read({reading_, arguments}, medium);
-    if (glm::determinant(glm::dmat3(medium.worldFromMedium)) == 0 && medium.kind->variation == MediumVariation::HETEROGENEOUS)
+    const bool hasPlace = medium.kind->variation == MediumVariation::HETEROGENEOUS;
+    if (state.moves() && hasPlace) medium.worldFromMediumAtEnd = state.transform[1];
+    if (hasPlace && !isInvertible(state.transform))
         throw SceneError(where, "the medium's transform cannot be inverted; is there a Scale of 0?");
     if (!isComplete) return;
-    if (state.moves() && medium.kind->variation == MediumVariation::HETEROGENEOUS)
-        reading_.unsupported("moving medium", where, "a moving medium is not rendered yet; it stays where its motion starts");
     arguments.reportUnused();
     entries_[number].index = static_cast<int>(reading_.scene.media.size());
     reading_.scene.media.push_back(std::move(medium));
