@@ -85,7 +85,7 @@ Features allButMethods() {
     Features methods;
     for (Feature f : {SPECTRAL, SPECTRAL_FILM, DISPERSION, ANISOTROPY, STRIPS, KindFeature::SHAPE_CURVE, KindFeature::SHAPE_IMPLICIT,
                       FILTER, SOBOL, JOINT_PAIRS, LENS, CAMERA_MOTION, MEDIA, EQUIANGULAR, AMBIENT_OCCLUSION, RAY_SPLITTING,
-                      UNIFORM_DIRECTIONS, LIGHT_PATHS, CONNECTIONS, MERGING})
+                      UNIFORM_DIRECTIONS, FORCE_DIFFUSE, FIREFLIES, LIGHT_PATHS, CONNECTIONS, MERGING})
         methods.require(f);
 #define REQUIRE(name, FEATURE) methods.require(KindFeature::FEATURE);
 #define REQUIRE_CAMERA(name, FEATURE, CODE, RAYS) REQUIRE(name, FEATURE)
