@@ -24,7 +24,7 @@ LARGEST_FLIP = 0.05
 COLUMNS, WIDTH = 3, ' width="280"'  # of all pictures but those whose pixels are to be told apart
 # What may stay of the README's text when all names are taken out of it.
 CONNECTING = {"and", "or", "with", "of", "a", "by", "for", "the", "in", "them", "meshes", "noise", "environments", "filters", "files",
-              "integrators"}
+              "integrators", "compared"}
 
 
 def show(names, scene, options="", sentence="", name=""):

@@ -82,7 +82,7 @@ Report hostReport(const Features& features) {
     for (const QueueLayout& l : queueLayouts(features)) addLayout(l);
     /* Of the film the kernels' list has those fields whose number of words no option changes */
     QueueLayout film = filmLayout(features);
-    std::erase_if(film.fields, [](const FieldLayout& f) { return f.type == "matte"; });
+    std::erase_if(film.fields, [](const FieldLayout& f) { return f.type == "matte" || f.type == "band"; });
     film.words = film.fields.back().slot + film.fields.back().words;
     addLayout(film);
 #define ADD_SIZE(type, name) r.add("sizeof " #type, sizeof(type));
