@@ -148,7 +148,8 @@ void addScene(CLI::App* app, Options& o, bool takesOne) {
           "Scale samples down to this value (biased; pbrt's maxcomponentvalue); 0: do not", numberFrom(0))
         ->group(group);
     value(app, "--fireflies", s.reweightsFireflies, "NAME",
-          "Samples far brighter than all around them: keep (default), or reweight, by how many there are (biased; layer fireflies has what is taken)",
+          "Samples far brighter than all around them: keep (default), or reweight, by how many there are (biased; what is taken is "
+          "in the layer fireflies)",
           oneOf<bool>({{"keep", false}, {"reweight", true}}))
         ->group(group);
     value(app, "--threshold", s.treeThreshold, "X", "Integrator whitted: rays of a smaller weight are not traced (biased)",
