@@ -25,16 +25,9 @@ FN scattering shade_any(light_tables lights, bsdf_tables tables, color_tables co
 
 /* The albedo to store for denoisers, if the BSDF has one. */
 typedef struct { spectrum albedo; int found; } kept_albedo;
-#if HAS_FORCE_DIFFUSE
-#define SHADED_ALBEDO(name) albedo_diffuse
-#define SHADED_IS_DELTA(name) 0
-#else
-#define SHADED_ALBEDO(name) albedo_##name
-#define SHADED_IS_DELTA(name) name##_is_delta
-#endif
 #define ALBEDO_CASE(name) \
-    if (next_queue == next_##name && !SHADED_IS_DELTA(name)) { \
-        k.albedo = SHADED_ALBEDO(name)(bind_##name(h, load_##name(hit, capacity, slot), tables, colors)); \
+    if (next_queue == next_##name && !JOIN(SHADED(name), _is_delta)) { \
+        k.albedo = JOIN(albedo_, SHADED(name))(bind_##name(h, load_##name(hit, capacity, slot), tables, colors)); \
         k.found = 1; \
     }
 FN kept_albedo albedo_any(bsdf_tables tables, color_tables colors, __global const uint *hit, uint capacity, uint slot, uint next_queue,
