@@ -15,7 +15,7 @@ light newLight(light_kind kind, const color& L) {
     l.L = L;
     l.pmf = 1;
     l.extent = 1;
-    l.element = l.leaf = NONE;
+    l.element = l.leaf = l.medium = NONE;
     l.resolution = l.rows = 1;
     return l;
 }

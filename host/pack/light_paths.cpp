@@ -1,7 +1,9 @@
 #include "pack/light_paths.h"
 
+#include "kind_features.h"
 #include "kinds/camera_kind.h"
 #include "kinds/integrator_kind.h"
+#include "pack/light_media.h"
 #include "pack/light_vertices.h"
 #include "pack/missed_light.h"
 
@@ -11,11 +13,25 @@
 
 namespace eikonal {
 
+/// Where a scene contradicts itself about its media, as a clause; empty: nowhere that was looked at.
+static std::string contradictionOf(const Scene& scene) {
+    const auto found = LightMedia(scene).contradiction();
+    if (!found) return {};
+    const auto name = [&](int medium) {
+        return medium == none ? "vacuum" : fmt::format("medium \"{}\"", scene.media[static_cast<size_t>(medium)].name);
+    };
+    return fmt::format("by its MediumInterface, the shape at {} has {} on its side towards the camera, and rays from the camera come "
+                       "through {}",
+                       found->boundary->where.toString(), name(found->said), name(found->found));
+}
+
 std::string lightPathObstacle(const PackContext& context) {
     const Scene& scene = context.scene;
     const CameraKind& camera = kindOf(scene.camera);
     if (camera.rays == CameraRays::ANY) return fmt::format("they cannot be connected to a \"{}\" camera yet", camera.name);
-    if (context.hasMedia) return "it has participating media, which light paths do not cross yet";
+    if (context.hasMedia && scene.forcesDiffuse) return "it has participating media and \"forcediffuse\"";
+    if (context.hasMedia)
+        if (const std::string contradiction = contradictionOf(scene); !contradiction.empty()) return contradiction;
     if (!scene.forcesDiffuse && std::ranges::any_of(scene.materials, [](const Material& m) { return m.interior || m.diffusion; }))
         return "it has subsurface scattering, which light paths do not enter yet";
     if (scene.film.spectrum) return "its film keeps spectra, which light paths do not add to yet";
@@ -25,6 +41,7 @@ std::string lightPathObstacle(const PackContext& context) {
 
 void requireLightPaths(const PackContext& context, const std::string& why) {
     context.require(Feature::LIGHT_PATHS, why);
+    if (context.hasMedia) context.require(KindFeature::BSDF_HENYEY_GREENSTEIN, why);
     /* Paths that are to find a moving camera know their time */
     if (context.scene.camera.worldFromCameraAtEnd) context.require(Feature::MOTION, why);
 }

@@ -5,6 +5,7 @@
 #include "kinds/integrator_kind.h"
 #include "pack/alias_table.h"
 #include "pack/environment_guide.h"
+#include "pack/light_media.h"
 #include "pack/light_sampler.h"
 
 #include <fmt/format.h>
@@ -65,17 +66,44 @@ void LightPacker::add(const LightPacking& in, const Light& description) {
     if (kind.place == LightPlace::INFINITE) tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
     tables_.lights.push_back(packed.l);
     powers_.push_back(isLeftToBsdfs(kind) ? 0 : packed.power);
-    emitted_.push_back(kind.traits.startsPaths ? packed.power : 0);
+    emitted_.push_back({kind.traits.startsPaths ? packed.power : 0, emitted_.size(), false});
+}
+
+/// Which medium is around each light. Where that cannot be told, no light paths begin.
+void LightPacker::placeInMedia() {
+    if (!context_.hasMedia) return;
+    const LightMedia media(context_.scene);
+    /* From far away, nothing gets through a medium without an end */
+    const bool isLitFromFar = media.outside() == none;
+    for (size_t i = 0; i < emitted_.size(); ++i) {
+        Emission& e = emitted_[i];
+        light& l = tables_.lights[i];
+        const LightPlace place = kindOf(l).place;
+        const bool isFar = place == LightPlace::DISTANT || place == LightPlace::INFINITE;
+        if (e.knowsMedium || (isFar && isLitFromFar)) continue;
+        if (isFar) e.power = 0;
+        else if (e.first == i) {
+            const glm::dvec3 p = place == LightPlace::AREA ? boundsOfLight(l, 0).box.center() : toGlm(l.p);
+            const std::optional<int> found = media.at(transformPoint(context_.space.worldFromScene(), p));
+            if (!found) e.power = 0;
+            l.medium = static_cast<uint>(found.value_or(none));   // none is NONE
+        } else {
+            l.medium = tables_.lights[e.first].medium;
+            if (emitted_[e.first].power == 0) e.power = 0;
+        }
+    }
 }
 
 /// By power; and how splats are scaled.
 void LightPacker::packEmission() {
     if (!context_.has(Feature::LIGHT_PATHS) || emitted_.empty()) return;
-    for (double& power : emitted_) power = std::max(power, 0.0);
-    const double total = std::accumulate(emitted_.begin(), emitted_.end(), 0.0);
-    raiseToLeastPower(emitted_);
-    tables_.emission_aliases = makeAliasTable(emitted_);
-    frame_.emission_count = total > 0 ? static_cast<uint>(emitted_.size()) : 0;
+    placeInMedia();
+    std::vector<double> powers;
+    for (const Emission& e : emitted_) powers.push_back(std::max(e.power, 0.0));
+    const double total = std::accumulate(powers.begin(), powers.end(), 0.0);
+    raiseToLeastPower(powers);
+    tables_.emission_aliases = makeAliasTable(powers);
+    frame_.emission_count = total > 0 ? static_cast<uint>(powers.size()) : 0;
     const double radius = context_.whole.empty() ? 1 : 1.001 * context_.whole.radius() * context_.space.scale;
     const glm::dvec3 center = context_.whole.empty()
                                   ? glm::dvec3(0)

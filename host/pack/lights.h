@@ -28,6 +28,7 @@ private:
     bool isInfinite(const LightKind&) const;
     void add(const LightPacking& in, const Light& description);
     void packGuide();
+    void placeInMedia();
     uint groupNumber(const std::string& name);
 
     const PackContext& context_;
@@ -37,7 +38,13 @@ private:
     TexturePacker& textures_;
     std::vector<std::string>& groups_;
     std::vector<double> powers_;  ///< powers of `lights`, for the light sampler
-    std::vector<double> emitted_; ///< and of light paths
+    /// A light where light paths may begin.
+    struct Emission {
+        double power;        ///< 0: none do
+        size_t first;        ///< the first light of the same shape
+        bool knowsMedium;    ///< it has a shape with an interface, which says what is around it
+    };
+    std::vector<Emission> emitted_;   ///< of `lights`
 };
 
 }  // namespace eikonal

@@ -35,6 +35,8 @@ uint MediumPacker::interior(const std::shared_ptr<const Medium>& interior, const
 }
 
 void MediumPacker::packEquiangularLights(const Table<light>& lights) {
+    /* Light paths arrive near lights by themselves */
+    if (context_.has(Feature::LIGHT_PATHS)) return;
     std::vector<std::pair<float, vec3>> points;
     for (const light& l : lights)
         if (kindOf(l).place == LightPlace::POINT) points.emplace_back(colors_.greatestSum(&l.L, nullptr), l.p);

@@ -109,6 +109,10 @@
     F(q, float,    eta,           ALWAYS)    /* index inside over index outside */ \
     F(q, float,    passing,       ALWAYS)    /* transmittance of the interface for diffuse light, in (0, 1] */
 
+/* A point in a medium, where light paths are traced: there a hit whose BSDF is the phase function of Henyey and Greenstein (1941). */
+#define HENYEY_GREENSTEIN_PARAMETERS(F, q) \
+    F(q, float,    g,             ALWAYS)    /* mean cosine of the scattering angle, in (-1, 1) */
+
 #define BSDFS(B) \
     B(diffuse,              BSDF_DIFFUSE,              DIFFUSE_PARAMETERS) \
     B(diffuse_transmission, BSDF_DIFFUSE_TRANSMISSION, DIFFUSE_TRANSMISSION_PARAMETERS) \
@@ -124,7 +128,8 @@
     B(measured,             BSDF_MEASURED,             MEASURED_PARAMETERS) \
     B(subsurface_exit,            BSDF_SUBSURFACE_EXIT,            SUBSURFACE_EXIT_PARAMETERS) \
     B(compensated_conductor,      BSDF_COMPENSATED_CONDUCTOR,      COMPENSATED_CONDUCTOR_PARAMETERS) \
-    B(compensated_dielectric,     BSDF_COMPENSATED_DIELECTRIC,     COMPENSATED_DIELECTRIC_PARAMETERS)
+    B(compensated_dielectric,     BSDF_COMPENSATED_DIELECTRIC,     COMPENSATED_DIELECTRIC_PARAMETERS) \
+    B(henyey_greenstein,          BSDF_HENYEY_GREENSTEIN,          HENYEY_GREENSTEIN_PARAMETERS)
 
 /* Narrower microfacets are treated as a mirror (pbrt-v4's limit for "effectively smooth"). */
 #define MIN_ALPHA 1e-3f

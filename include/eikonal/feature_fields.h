@@ -57,6 +57,7 @@
     F(q, vec3,     ng,         ALWAYS)       /* this and what follows as in hit */ \
     F(q, vec3,     wo,         ALWAYS) \
     F(q, spectrum, beta,       ALWAYS)       /* power, of one light path */ \
+    F(q, spectrum, r_u,        MEDIA) \
     F(q, float,    d_vcm,      ALWAYS) \
     F(q, float,    d_vc,       ALWAYS) \
     F(q, uint,     secondary_terminated, DISPERSION) \

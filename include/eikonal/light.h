@@ -33,6 +33,7 @@ CONTRACT_BEGIN
     F(uint,     has_pattern)  /* 1: an area of varying radiance (an image, alpha). L is the mean, without alpha */ \
     F(uint,     invisible)    /* 1: an area that no ray hits, since its alpha is 0: only light sampling finds it */ \
     F(uint,     group)        /* its light group: 0 is "default" */ \
+    F(uint,     medium)       /* LIGHT_PATHS: the medium around it, or NONE; of areas whose shape has an interface, that counts */ \
     F(float,    emission_pmf) /* LIGHT_PATHS: probability that a light path begins here */ \
     F(float,    pmf)          /* probability of being sampled, or that of the tree that it is in; 0: only BSDF sampling finds it */ \
     F(float,    inverse_area) \

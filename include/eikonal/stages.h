@@ -76,7 +76,7 @@ CONTRACT_BEGIN /* namespace eikonal, in C++ */
 #define NEXT_OF_BSDF(name, FEATURE, PARAMETERS) next_##name,
 enum next_queue {
     next_crossing,            /* straight on: an interface between media. Has no shadow ray */
-    next_scatter,             /* shade_scatters */
+    next_scatter,             /* shade_scatters; with light paths, none: NEXT_IN_MEDIUM */
     next_occlusion,           /* shade_occlusions */
     BSDFS(NEXT_OF_BSDF)       /* next_diffuse, ..., next_subsurface_exit (where a path leaves a body): shade_hits, built for that BSDF */
     next_miss,                /* shade_misses */
@@ -87,6 +87,9 @@ enum next_queue {
     next_none,                /* before classify_intersections: not decided yet; after it: the path ends, at max_depth or in nothing */
     next_values               /* how many values there are */
 };
+
+/* Where paths go on that scatter in a medium. With light paths that is a hit like others, whose BSDF is the phase function. */
+#define NEXT_IN_MEDIUM (HAS_LIGHT_PATHS ? (uint)next_henyey_greenstein : (uint)next_scatter)
 
 /* What a stage runs over, unless it is the items of one next_queue; no value is one of next_queue. */
 enum stage_items {

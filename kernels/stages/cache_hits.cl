@@ -32,8 +32,8 @@ TRACING_STAGE(cache_hits, CACHE_HITS) {
         c.secondary_terminated = h.secondary_terminated;
         c.bsdf = JOIN(next_, BSDF);
         h.beta = mul(h.beta, 1.0f / kept_share(h.depth));
-        c.power = max_component(h.beta);
-        c.by_camera_paths = found_from_other_side(h, area_cosine(h.ng, h.wo) * INV_PI);
+        c.power = max_component(h.beta) / (HAS_MEDIA ? max1(mean_component(h.r_u), 1e-30f) : 1.0f);
+        c.by_camera_paths = found_from_other_side(h, even_pdf(h.ng, h.wo));
         __global uint *last = cached_last + cached_path(frame, cached_pass_mask, h.number >> frame->cached_share, h.pass);
         c.before = *last;
         size_t record = cached_hit_at(cached_hit_size, to);

@@ -11,12 +11,15 @@ FN ray_item leave_light(geometry g, texture_tables tables, sampled_wavelengths c
     r.beta = e.beta;
     r.o = e.from.p;
     r.d = e.d;
+    r.medium = e.l.medium;
     if (e.place != place_AREA || e.l.element == NONE) return r;
     /* Look at the point from above, as a shadow ray would */
     vec3 n = face_forward(e.from.n, e.d);
     float height = max1(0.5f / sqrt(max1(e.from.density, 1e-20f)), 1e-6f);
     surface at = aimed_surface(g, tables, e.l.element, mul_add(n, height, e.from.p), negate(n), height);
     r.o = offset_origin(e.from.p, surface_offset(at), at.ng, e.d);
+    shape lamp = g.shapes[g.element_shapes[e.l.element]];
+    if (lamp.flags & shape_has_interface) r.medium = dot3(at.ng, e.d) > 0.0f ? lamp.outside : lamp.inside;
     if (HAS_LIGHT_PATTERN && e.l.has_pattern) r.beta = mul(r.beta, pattern_at(g, tables, colors, e.l.element, at, negate(e.d)));
     return r;
 }
@@ -37,7 +40,6 @@ TRACING_STAGE(generate_light_rays, GENERATE_LIGHT_RAYS) {
         ray_item r = generate_ray(camera_set, frame, at.x, at.y, at.sample, first_path + of_batch).ray;
         r.seed = hash_uint(r.seed, LIGHT_PATH_SEED);
         r.has_nonspecular_vertex = 1u;  /* the auxiliary channels show nothing of it */
-        r.medium = NONE;
         sampled_wavelengths colors = path_wavelengths(color_set, r.seed, r.sample);
         emission e = sample_emission(light_set, emission_aliases, colors, frame->emission_count, r.seed, r.sample);
         r = leave_light(g, tables, colors, r, e);

@@ -22,6 +22,15 @@ FN hit_item arrive_from_light(scene_tables scene, __global const alias_entry *em
     return h;
 }
 
+/* Light paths aim at no lights, and enter no bodies. */
+FN hit_item aim_nowhere(hit_item h) {
+    h.light = h.guide = h.light_texel = 0u;
+    h.light_pmf = h.light_density = 0.0f;
+    h.light_wi = h.ns;
+    h.probe = NONE;
+    return h;
+}
+
 #define ROUTE_LIGHT_PATHS(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) LIGHT_TABLES(TABLE) EMISSION_TABLES(TABLE) MEDIUM_TABLES(TABLE) \
     COLOR_TABLES(TABLE) \
@@ -46,6 +55,13 @@ TRACING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
         if (f.next_queue >= next_miss) continue;
         ray_item r = load_ray(ray, capacity, i);
         uint slot = at[f.next_queue]++;
+        float distance = f.t + (HAS_INTERFACE ? r.traveled : 0.0f);
+        if (HAS_MEDIA && f.next_queue == NEXT_IN_MEDIUM) {
+            hit_item h = arrive_in_volume(scene.frame, aim_nowhere(make_volume_hit(r, f)), r, f);
+            if (r.depth == 0u) h = arrive_from_light(scene, emission_aliases, h, r, distance);
+            store_volume_hit(hit, capacity, slot, scene.media, h);
+            continue;
+        }
         surface s = intersection_surface(scene.geometry, scene.tables, r, f);
         if (HAS_INTERFACE && f.next_queue == next_crossing) {
             store_crossing(next_ray, shadow, capacity, slot, make_crossing(scene.geometry, r, f, s));
@@ -53,17 +69,11 @@ TRACING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
         }
         material m = scene.materials.materials[f.material];
         s = perturb_normal(scene.tables, m, s);
-        hit_item h = make_hit(scene.geometry, r, f, s, m);
-        /* Light paths aim at no lights */
-        h.light = h.guide = h.light_texel = 0u;
-        h.light_pmf = h.light_density = 0.0f;
-        h.light_wi = h.ns;
-        h.probe = NONE;
+        hit_item h = aim_nowhere(make_hit(scene.geometry, r, f, s, m));
         /* Where nothing from the camera is comparable, the path ends: its hit has no throughput */
         h = arrive(frame, scene.geometry, h, r, f);
         if (faces_rays(scene.geometry, f)) h.beta = uniform_spectrum(0.0f);
-        else if (r.depth == 0u)
-            h = arrive_from_light(scene, emission_aliases, h, r, f.t + (HAS_INTERFACE ? r.traveled : 0.0f));
+        else if (r.depth == 0u) h = arrive_from_light(scene, emission_aliases, h, r, distance);
         store_hit_and_bsdf(hit, capacity, slot, scene.tables, scene.colors, scene.materials, m, h, s);
     }
 }

@@ -22,6 +22,12 @@ TRACING_STAGE(shade_connections, SHADE_CONNECTIONS) {
         BSDF_BOUND b = BIND_BSDF(h, LOAD_BSDF(cached_hit, 1, of_light), bsdf_set, color_set);
         spectrum sent = SEND_ALONG_BSDF(h, b, LOAD_FIELD(hit, vec3, p, hit, capacity, i), c);
         spectrum L = mul(LOAD_FIELD(shadow, spectrum, Ld, shadow, capacity, i), sent);
+        if (HAS_MEDIA) {
+            /* As joined_density: test_shadows divides by the mean of r_l */
+            spectrum r_l = LOAD_FIELD(shadow, spectrum, r_l, shadow, capacity, i);
+            STORE_FIELD(shadow, spectrum, r_l, shadow, capacity, i,
+                        HAS_SPECTRAL ? mul(r_l, h.r_u) : mul(r_l, max1(mean_component(h.r_u), 1e-30f)));
+        }
         STORE_FIELD(shadow, spectrum, Ld, shadow, capacity, i, L);
         if (!(max_component(L) > 0.0f)) STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
     }

@@ -24,6 +24,7 @@ TRACING_STAGE(store_vertices, STORE_VERTICES) {
         vertex_item v = new_vertex();
         v.p = h.p; v.ng = h.ng; v.wo = h.wo;
         v.beta = mul(h.beta, 1.0f / kept_share(h.depth));
+        v.r_u = h.r_u;
         v.d_vcm = h.d_vcm; v.d_vc = h.d_vc;
         v.secondary_terminated = h.secondary_terminated;
         v.render_pass = h.render_pass;

@@ -35,10 +35,9 @@ SCENES = ["glass-ball", "water-pool", "lamp-in-glass", "ring", "door-ajar", *SHA
 MERGED, CONNECTED, FROM_CAMERA = ("vcm", "pbrt-v4 sppm"), ("bdpt", "pbrt-v4 bdpt"), ("volpath", "pbrt-v4 volpath")
 REFERENCES = {   # by what finds all of the light with the least noise
     "glass-ball": MERGED, "water-pool": MERGED, "lamp-in-glass": ("vcm", "pbrt-v4 bdpt"), "ring": ("vcm", "pbrt-v4 bdpt"), "door-ajar": CONNECTED,
-    "veach-bidir": CONNECTED, "volumetric-caustic": ("volpath", "pbrt-v4 bdpt"), "staircase2": FROM_CAMERA, "classroom": ("bdpt", "pbrt-v4 volpath"),
+    "veach-bidir": CONNECTED, "volumetric-caustic": CONNECTED, "staircase2": FROM_CAMERA, "classroom": ("bdpt", "pbrt-v4 volpath"),
     "coffee": ("bdpt", "pbrt-v4 volpath"), PEERS: CONNECTED}
 OURS = {"volpath": ["volpath"], "guided": ["volpath", "--guiding", "on"], "bdpt": ["bdpt"], "sppm": ["sppm"], "vcm": ["vcm"]}
-WITHOUT_LIGHT_PATHS = ["volpath", "guided"]   # what differs in a scene with media
 COLUMNS = {"scene": None, "method": None, "samples": "d", "seconds": ".2f", "relMSE": ".3g", "FLIP": ".3f", "efficiency": ".3g", "mean off, %": "+.2f"}
 REFERENCE_COLUMNS = {"scene": None, "ours": None, "theirs": None, "theirs off, %": "+.2f", "+-": ".2f", "relMSE of theirs against ours": ".3g", "relMSE of the reference": ".2g"}
 
@@ -114,7 +113,7 @@ def path_of(o, name, folder):
 
 def methods_of(o, scene, folder):
     """What renders the scene, by name."""
-    found = {name: Eikonal(o.program, o.threads, "--integrator", *options) for name, options in OURS.items() if not scene.media or name in WITHOUT_LIGHT_PATHS}
+    found = {name: Eikonal(o.program, o.threads, "--integrator", *options) for name, options in OURS.items()}
     if o.pbrt:
         radius = None if scene.media else first_radius(o.program, scene, folder / "radius.pfm")
         found |= {f"pbrt-v4 {name}": Pbrt(o.pbrt, o.threads, name, folder / f"pbrt-{scene.name}") for name in ("volpath", "bdpt", "mlt")}

@@ -83,6 +83,9 @@ std::vector<VectorCase> cases() {
         {"shade_hits_coated_diffuse", "shade_hits coated_diffuse", sphereOf("\"coateddiffuse\"")},
         {"shade_hits_coated_conductor", "shade_hits coated_conductor", sphereOf("\"coatedconductor\"")},
         {"shade_hits_with_a_layer_medium", "shade_hits coated_diffuse", sphereOf("\"coateddiffuse\" \"rgb albedo\" [.8 .4 .2]")},
+        {"shade_hits_henyey_greenstein", "shade_hits henyey_greenstein",
+         "MakeNamedMedium \"m\" \"string type\" \"homogeneous\"\nMediumInterface \"m\" \"\"\n" + sphereOf("\"interface\""),
+         "Integrator \"bdpt\"\n"},
         {"shade_hits_hair", "shade_hits hair", sphereOf("\"hair\"")},
         {"shade_hits_measured", "shade_hits measured", measuredSphere(true)},
         {"shade_hits_measured_with_a_grain", "shade_hits measured", measuredSphere(false)}};

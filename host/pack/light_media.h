@@ -1,0 +1,40 @@
+#pragma once
+// Which medium is around a light, where light paths begin.
+
+#include "pack/space.h"
+#include "scene/scene.h"
+
+#include <optional>
+#include <vector>
+
+namespace eikonal {
+
+/// A scene says which medium the camera is in, and which are on both sides of a boundary: paths from the camera learn their medium on the
+/// way. Light paths must agree with them, so the medium at a point is that of the nearest boundary on the way to the camera, on the side of
+/// the point; with none, that of the camera.
+class LightMedia {
+public:
+    explicit LightMedia(const Scene&);
+    /// At a point in world space: a medium in Scene::media, or `none` for vacuum. Nothing if it cannot be told: there may be a boundary in
+    /// between that is a part of a sphere, a curved shape, in an object, or moving.
+    std::optional<int> at(glm::dvec3 p) const;
+    /// Around the scene.
+    std::optional<int> outside() const;
+
+    /// A boundary that says, of its side towards the camera, that another medium is there than paths from the camera come through.
+    struct Contradiction { const Shape* boundary; int said, found; };
+    /// The first of them, if some points of each mesh and sphere show one. There paths from both ends cannot agree.
+    std::optional<Contradiction> contradiction() const;
+
+private:
+    std::optional<Contradiction> contradictionAt(const Shape& s, glm::dvec3 p) const;
+
+    std::vector<const Shape*> boundaries_;
+    std::vector<Box> boxes_;      ///< of boundaries_
+    std::vector<Box> untold_;     ///< of the other boundaries
+    glm::dvec3 eye_;
+    int aroundCamera_;
+    mutable double testsLeft_ = 1e9;   ///< of a triangle or sphere; a few seconds. Then nothing can be told
+};
+
+}  // namespace eikonal
