@@ -45,6 +45,7 @@ int compareCommand(const Options& o) {
         json["referenceMean"] = asJson(c.referenceMean);
         json["worstMean"] = c.worstMean();
         json["relativeMse"] = c.relativeMse;
+        json["trimmedRelativeMse"] = c.trimmedRelativeMse;
         json["flip"] = difference.mean;
         json["invalidPixels"] = c.invalid;
         json["blocks"] = c.blocks.size();
@@ -57,11 +58,12 @@ int compareCommand(const Options& o) {
         std::fputs((jsonText(json, 2) + "\n").c_str(), stdout);
     } else {
         std::fputs(fmt::format("mean            {:.6g} {:.6g} {:.6g}\nreference mean  {:.6g} {:.6g} {:.6g}\nworst channel   {:.3f} % "
-                               "off\nrelative MSE    {:.4g}\nFLIP            {:.4f}\n"
+                               "off\nrelative MSE    {:.4g} ({:.4g} without the worst thousandth of the pixels)\n"
+                               "FLIP            {:.4f}\n"
                                "blocks off      {} of {}, by more than {:.0f} % and {:.0f} standard errors; the worst, at pixel ({}, {}), "
                                "by {:.3g} times that\npixels skipped  {} that are not finite\n",
                                c.mean.x, c.mean.y, c.mean.z, c.referenceMean.x, c.referenceMean.y, c.referenceMean.z, c.worstMean() * 100,
-                               c.relativeMse, difference.mean, off, c.blocks.size(), relative * 100, sigmas, worst.x, worst.y,
+                               c.relativeMse, c.trimmedRelativeMse, difference.mean, off, c.blocks.size(), relative * 100, sigmas, worst.x, worst.y,
                                worst.distance(relative, sigmas), c.invalid)
                        .c_str(),
                    stdout);

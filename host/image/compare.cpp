@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <numeric>
 
 namespace eikonal {
 namespace {
@@ -49,17 +51,29 @@ struct Sums {
     }
 };
 
-/// relMSE over the pixels of `part` that are finite in both images; `mean` is the reference's mean.
-double relativeMse(const FilmImage& image, const FilmImage& reference, const PixelBounds& part, const glm::dvec3& mean) {
-    double sum = 0, count = 0;
+/// relMSE of each pixel of `part` that is finite in both images; `mean` is the reference's mean.
+std::vector<double> relativeMses(const FilmImage& image, const FilmImage& reference, const PixelBounds& part, const glm::dvec3& mean) {
+    std::vector<double> errors;
     for (int y = part.y0; y < part.y1; ++y)
         for (int x = part.x0; x < part.x1; ++x) {
             const glm::vec3 &p = image.color[image.index(x, y)], &q = reference.color[reference.index(x, y)];
             if (!isFinite(p) || !isFinite(q)) continue;
+            double sum = 0;
             for (int c = 0; c < 3; ++c) sum += relativeSquare(std::pow(double(p[c]) - q[c], 2), q[c], (mean.x + mean.y + mean.z) / 3);
-            ++count;
+            errors.push_back(sum / 3);
         }
-    return sum / (3 * std::max(count, 1.));
+    return errors;
+}
+
+double meanOf(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.) / std::max(static_cast<double>(values.size()), 1.);
+}
+
+std::vector<double> withoutTheWorst(std::vector<double> errors) {
+    const size_t worst = errors.size() > 1 ? (errors.size() + 999) / 1000 : 0;
+    std::ranges::nth_element(errors, errors.end() - static_cast<std::ptrdiff_t>(worst));
+    errors.resize(errors.size() - worst);
+    return errors;
 }
 
 }  // namespace
@@ -122,7 +136,9 @@ Comparison compare(const FilmImage& image, const FilmImage& reference, int block
     const double count = whole.count;
     result.mean = whole.image / count;
     result.referenceMean = whole.reference / count;
-    result.relativeMse = relativeMse(image, reference, both, whole.reference / count);
+    const std::vector<double> errors = relativeMses(image, reference, both, whole.reference / count);
+    result.relativeMse = meanOf(errors);
+    result.trimmedRelativeMse = meanOf(withoutTheWorst(errors));
     for (BlockDifference& block : result.blocks) block.negligible = 1e-4 * glm::abs(result.referenceMean);
     return result;
 }

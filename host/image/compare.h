@@ -24,6 +24,7 @@ struct BlockDifference {
 struct Comparison {
     glm::dvec3 mean{0}, referenceMean{0};   ///< of each channel, over the pixels that both images have
     double relativeMse = 0;  ///< relMSE: mean of relativeSquare (image/relative_error.h) over pixels and channels
+    double trimmedRelativeMse = 0;   ///< the same without the worst thousandth of the pixels (at least one, if there are several)
     std::vector<BlockDifference> blocks;    ///< row by row; those at the right and the bottom may be smaller
     long long invalid = 0;                  ///< pixels that are not finite in the image or the reference; skipped everywhere
 

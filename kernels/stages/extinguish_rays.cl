@@ -1,6 +1,6 @@
 /* ray, intersection -> ray, intersection, path, slot i to slot i.  Applies media along each ray: absorption, scattering before the ray's
-   end, transmittance and emission. A tracing stage; slots in vacuum are skipped. Light paths have no path states: those that they write to are
-   set when paths from the camera begin. */
+   end, transmittance and emission. A tracing stage; slots in vacuum are skipped. Light paths have no path states: those
+   that they write to are set when paths from the camera begin. */
 #include "medium/extinguish_ray.clh"
 #include "shade/render_pass.clh"
 #include "stages/stage.clh"

@@ -6,7 +6,8 @@
 
 PBRT is pbrt-v4's program. --shared: the folder of public scenes, five of which take part. --venv: a virtual environment with numpy, and with pyluxcore, bpy or
 both, for LuxCore and Cycles, which render the scene glass-cornell (hard_light_peers.py). Short renders tell how many samples fill the time; then all methods take
-turns, with other seeds in each round. Medians over the rounds; efficiency is 1 / (relMSE x seconds). --add keeps what FILE
+turns, with other seeds in each round. Medians over the rounds; efficiency is 1 / (relMSE x seconds), and "trimmed" the
+relMSE without the worst thousandth of the pixels. --add keeps what FILE
 has of other scenes. hard_light_page.py writes the tables of docs/hard-light.md from it.
 
 Two methods make the reference, one of ours and one of pbrt-v4's, each in two halves with other seeds. They share no code, so their means tell whether both
@@ -38,7 +39,8 @@ REFERENCES = {   # by what finds all of the light with the least noise
     "veach-bidir": CONNECTED, "volumetric-caustic": CONNECTED, "staircase2": FROM_CAMERA, "classroom": ("bdpt", "pbrt-v4 volpath"),
     "coffee": ("bdpt", "pbrt-v4 volpath"), PEERS: CONNECTED}
 OURS = {"volpath": ["volpath"], "guided": ["volpath", "--guiding", "on"], "bdpt": ["bdpt"], "sppm": ["sppm"], "vcm": ["vcm"]}
-COLUMNS = {"scene": None, "method": None, "samples": "d", "seconds": ".2f", "relMSE": ".3g", "FLIP": ".3f", "efficiency": ".3g", "mean off, %": "+.2f"}
+COLUMNS = {"scene": None, "method": None, "samples": "d", "seconds": ".2f", "relMSE": ".3g", "trimmed": ".3g", "FLIP": ".3f", "efficiency": ".3g",
+           "mean off, %": "+.2f"}
 REFERENCE_COLUMNS = {"scene": None, "ours": None, "theirs": None, "theirs off, %": "+.2f", "+-": ".2f", "relMSE of theirs against ours": ".3g", "relMSE of the reference": ".2g"}
 
 
@@ -138,10 +140,10 @@ def measure(o, scene, methods, folder, references, add):
         for name, renderer in methods.items():
             seconds = renderer.render(scene, samples[name], 2 + turn, images[name])
             found = json.loads(run(o.program, "compare", images[name], reference, "--json"))
-            rounds[name].append((seconds, found["relativeMse"], found["flip"], 100 * (sum(found["mean"]) / sum(found["referenceMean"]) - 1)))
+            rounds[name].append((seconds, found["relativeMse"], found["trimmedRelativeMse"], found["flip"], 100 * (sum(found["mean"]) / sum(found["referenceMean"]) - 1)))
     for name, found in rounds.items():
-        seconds, error, flip, off = (statistics.median(values) for values in zip(*found))
-        add(scene.name, name, samples[name], seconds, error, flip, 1 / (error * seconds), off)
+        seconds, error, trimmed, flip, off = (statistics.median(values) for values in zip(*found))
+        add(scene.name, name, samples[name], seconds, error, trimmed, flip, 1 / (error * seconds), off)
 
 
 def main():

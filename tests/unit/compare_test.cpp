@@ -32,6 +32,17 @@ TEST(Compare, equalImagesAgree) {
     EXPECT_EQ(result.worstBlock(0, 0).distance(0, 0), 0);
 }
 
+// A firefly, in 60 x 50 pixels, of which 3 count as the worst
+TEST(Compare, theTrimmedErrorIsThatOfMostPixels) {
+    const FilmImage reference = flat(60, 50, {1, 1, 1});
+    FilmImage image = flat(60, 50, {1.1f, 1.1f, 1.1f});
+    image.color[77] = {1001, 1001, 1001};
+    const Comparison result = compare(image, reference);
+    EXPECT_NEAR(result.relativeMse, (1e6 + 2999 * .01) / 1.01 / 3000, 1e-4);
+    EXPECT_NEAR(result.trimmedRelativeMse, .01 / 1.01, 1e-8);
+    EXPECT_GT(compare(flat(1, 1, {2, 1, 1}), flat(1, 1, {1, 1, 1})).trimmedRelativeMse, 0);
+}
+
 TEST(Compare, meansAndRelativeMse) {
     const Comparison result = compare(flat(8, 8, {1.02f, .5f, .5f}), flat(8, 8, {1, .5f, .5f}));
     EXPECT_NEAR(result.mean.x, 1.02, 1e-6);
