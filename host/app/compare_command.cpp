@@ -63,8 +63,8 @@ int compareCommand(const Options& o) {
                                "blocks off      {} of {}, by more than {:.0f} % and {:.0f} standard errors; the worst, at pixel ({}, {}), "
                                "by {:.3g} times that\npixels skipped  {} that are not finite\n",
                                c.mean.x, c.mean.y, c.mean.z, c.referenceMean.x, c.referenceMean.y, c.referenceMean.z, c.worstMean() * 100,
-                               c.relativeMse, c.trimmedRelativeMse, difference.mean, off, c.blocks.size(), relative * 100, sigmas, worst.x, worst.y,
-                               worst.distance(relative, sigmas), c.invalid)
+                               c.relativeMse, c.trimmedRelativeMse, difference.mean, off, c.blocks.size(), relative * 100, sigmas,
+                               worst.x, worst.y, worst.distance(relative, sigmas), c.invalid)
                        .c_str(),
                    stdout);
     }

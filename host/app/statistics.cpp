@@ -71,6 +71,9 @@ std::string describeRun(const Session& session, const Profile& profile, const Fi
         paths / seconds * 1e-6, rays, rays / seconds * 1e-6, shadowRays, shadowRays / seconds * 1e-6, rays / std::max(paths, 1.0));
     text += fmt::format("Russian roulette{}:\n  {}\n", session.isRouletteChosen() ? ", chosen for this scene" : "",
                         asOptions(session.roulette()));
+    if (const auto guide = session.triedGuide())
+        text += fmt::format("Path guide:\n  {}: by a pilot, the variance without it is {:.2g} times that with it\n",
+                            guide->isUsed ? "used" : "not used", guide->gain);
     const ColorChoice& color = session.packed().color;
     text += fmt::format("Colour:\n  {}: {}\n", nameOf(color), color.why);
     const auto [fewest, most, mean] = samples;

@@ -26,16 +26,20 @@ void packIntegrator(const IntegratorPacking& in, bool hasUnusedMedia) {
 
 /// Half of the directions: as good as either alone within a factor of two.
 constexpr float guidedShare = 0.5f;
-/// Scattering events before Russian roulette begins.
-constexpr int guidedRouletteDepth = 8;
+/// Paths of a render for which it pays to find out whether a guide does: pilot paths are less than a hundredth of them.
+constexpr double leastPathsToTry = 0x1p25;
 
 void packPathGuide(const PackContext& context, PackedScene& packed) {
     const IntegratorDescription& integrator = context.scene.integrator;
-    if (!integrator.guidesPaths) return;
+    if (integrator.guiding == PathGuiding::off) return;
+    packed.isGuideOptional = integrator.guiding == PathGuiding::automatic;
+    const double paths = static_cast<double>(packed.frame().width) * packed.frame().height * packed.samples;
+    if (packed.isGuideOptional && paths < leastPathsToTry) return;
     const char* obstacle = !followsBsdfs(integrator)                ? "this integrator does not sample BSDFs along paths"
                            : context.has(Feature::LIGHT_PATHS)      ? "paths from the lights must know how all others are sampled"
                            : packed.frame().max_depth <= 1          ? "paths have one vertex"
                                                                     : nullptr;
+    if (obstacle && packed.isGuideOptional) return;
     if (obstacle) {
         context.diagnostics.warn({}, fmt::format("--guiding has no effect here: {}", obstacle));
         return;
@@ -43,9 +47,13 @@ void packPathGuide(const PackContext& context, PackedScene& packed) {
     context.require(Feature::PATH_GUIDE, "--guiding");
     packUnlearnedPathGuide(packed.tables);
     packed.frame().guided_share = guidedShare;
-    /* Throughput says less of what a guided path is worth, so the rules that pilot paths choose from lose more than they gain */
-    if (!packed.roulette) packed.roulette = Roulette{.depth = guidedRouletteDepth};
-    setRoulette(packed.frame(), *packed.roulette);
+}
+
+void dropPathGuide(PackedScene& packed) {
+    packed.features = packed.features.without(Feature::PATH_GUIDE);
+    packed.tables.path_guide_nodes.clear();
+    packed.tables.path_guide_aliases.clear();
+    packed.frame().guided_share = 0;
 }
 
 void setRoulette(settings& frame, const Roulette& roulette) {

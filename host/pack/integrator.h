@@ -17,5 +17,7 @@ void packIntegrator(const IntegratorPacking&, bool hasUnusedMedia);
 
 /// Prepares a path guide, if the scene asks for one and its paths can use it. Call once it is known whether light paths are traced.
 void packPathGuide(const PackContext& context, PackedScene& packed);
+/// Does without it.
+void dropPathGuide(PackedScene& packed);
 
 }  // namespace eikonal

@@ -104,6 +104,15 @@ void packUnlearnedPathGuide(LightTables& tables) {
     tables.path_guide_aliases = makeAliasSquare(std::vector<double>(texels, 1.0), side);
 }
 
+double pdfOfGuide(const LightTables& tables, uint map, const vec3& d) {
+    const glm::dvec2 at = squareFromDirection({d.x, d.y, d.z});
+    const auto texelOf = [](double u) { return static_cast<size_t>(std::clamp(static_cast<int>(u * side), 0, PATH_GUIDE_SIDE - 1)); };
+    const alias_entry* const square = &tables.path_guide_aliases[map * entries];
+    const size_t row = texelOf(at.y);
+    const double pmf = double{square[row].pmf} * double{square[side + row * side + texelOf(at.x)].pmf};
+    return pmf * texels / (4 * M_PI);
+}
+
 size_t learnPathGuide(LightTables& tables, std::span<const GuideRecord> records, bool hasAllDirections) {
     packUnlearnedPathGuide(tables);
     std::array<std::vector<uint>, GUIDE_FACES> members;

@@ -24,4 +24,7 @@ void packUnlearnedPathGuide(LightTables& tables);
 /// Returns the number of maps.
 size_t learnPathGuide(LightTables& tables, std::span<const GuideRecord> records, bool hasAllDirections);
 
+/// Density over solid angle with which map `map` of the guide samples d (kernels/light/path_guide.clh). map > 0.
+double pdfOfGuide(const LightTables& tables, uint map, const vec3& d);
+
 }  // namespace eikonal

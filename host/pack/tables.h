@@ -82,6 +82,7 @@ struct PackedScene : RequiredFeatures {
     std::string objectManifest, materialManifest;   ///< of the layers of Cryptomatte; empty: not required
     PixelRect pixels;                        ///< the pixels to render, of width x height (settings)
     int samples = 16;                        ///< per pixel
+    bool isGuideOptional = false;            ///< with PATH_GUIDE: do without it where it does not pay
     bool isAlwaysGuided = false;             ///< with ENVIRONMENT_GUIDE: use the guide even in open scenes
     ColorChoice color;                       ///< RGB or wavelengths, and why
     std::optional<Roulette> roulette;        ///< unset: chosen by pilot paths; until then the settings have the default

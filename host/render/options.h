@@ -28,7 +28,7 @@ struct SceneOptions {
     std::optional<int> rouletteDepth;                 ///< bounces before Russian roulette, >= 0
     std::optional<LightSampler> lightSampler;
     std::optional<EnvironmentGuide> environmentGuide;
-    std::optional<bool> guiding;
+    std::optional<PathGuiding> guiding;
     std::optional<bool> regularize;
     std::optional<double> maxComponentValue;          ///< of the film, >= 0; 0: no clamping
     std::optional<bool> reweightsFireflies;           ///< of the film

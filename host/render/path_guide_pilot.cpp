@@ -1,6 +1,7 @@
 #include "render/path_guide_pilot.h"
 
 #include "pack/path_guide.h"
+#include "render/guide_gain.h"
 #include "render/pilot.h"
 
 #include <algorithm>
@@ -23,6 +24,13 @@ class VertexRecorder : public PilotRecorder {
 public:
     explicit VertexRecorder(const Context& context) : context_(context) {}
 
+    /// From now on, paths are guided by `guide` with probability `share`, and are asked what they gain by it.
+    void measure(GuideGain& gain, const LightTables& guide, float share) {
+        gain_ = &gain;
+        guide_ = &guide;
+        share_ = double{share};
+    }
+
     void begin(unsigned paths) override {
         light_.assign(paths, 0);
         last_.assign(paths, none);
@@ -30,6 +38,7 @@ public:
         bounces_ = 0;
         firstPath_ = nextPath_;
         nextPath_ += paths;
+        if (gain_) gain_->begin(paths);
     }
 
     bool bounced(const Bounced& bounce) override {
@@ -40,6 +49,7 @@ public:
             if (!std::isfinite(light[p])) continue;
             const float more = light[p] - light_[p];
             light_[p] = light[p];
+            if (more > 0 && gain_) gain_->found(p, double{more});
             if (more > 0)
                 for (uint v = last_[p]; v != none; v = vertices_[v].before) vertices_[v].record.light += more * vertices_[v].inverseBeta;
         }
@@ -52,12 +62,17 @@ public:
         }
         const std::vector<vec3> o = readVectors(context_, rays, "o"), d = readVectors(context_, rays, "d"),
                                 n = readVectors(context_, rays, "n");
+        const std::vector<uint> map = gain_ ? readField<uint>(context_, bounce.hits, "path_map") : std::vector<uint>();
         for (size_t i = 0; i < rays.count; ++i) {
             const size_t p = path[i] - paths.first;
             if (end[i] < 0 || depth[i] <= depths_[p]) continue;
             depths_[p] = depth[i];
             const bool isOnSurface = n[i].x != 0 || n[i].y != 0 || n[i].z != 0;
             if (!isOnSurface || !(pdf[i] > 0) || !(beta[i] > 0)) continue;
+            if (gain_ && map[i]) {
+                const double q = double{pdf[i]}, p0 = (q - share_ * pdfOfGuide(*guide_, map[i], d[i])) / (1 - share_);
+                if (p0 > 0) gain_->sampled(p, q, p0);
+            }
             vertices_.push_back({{o[i], n[i], d[i], 0, pdf[i]}, 1 / beta[i], last_[p], firstPath_ + p});
             last_[p] = static_cast<uint>(vertices_.size() - 1);
         }
@@ -82,6 +97,9 @@ private:
         size_t path;         ///< its number among all pilot paths
     };
     const Context& context_;
+    GuideGain* gain_ = nullptr;
+    const LightTables* guide_ = nullptr;
+    double share_ = 0;
     std::vector<Vertex> vertices_;
     std::vector<float> light_;     ///< by path, as the next ones
     std::vector<uint> last_, depths_;
@@ -114,11 +132,15 @@ LearnedPathGuide pilotPathGuide(const Context& context, DeviceScene& scene, cons
     const settings frame = pilotFrame(packed.frame(), guideSeed);
     scene.setFrame(context, frame);
     VertexRecorder recorder(context);
+    GuideGain gain;
     for (int round = 0; round < rounds && !wave.stopFlag().isRaised(); ++round) {
+        /* The paths of the last round are guided by those before, and are not among them */
+        if (packed.isGuideOptional && round + 1 == rounds) recorder.measure(gain, guide.tables, frame.guided_share);
         const double part = std::exp2(round) / (std::exp2(rounds) - 1);
         const auto pixels = static_cast<size_t>(part * static_cast<double>(paths / samplesOfPixel));
         tracePilot(frame, scatterPixels(frame, pixels, samplesOfPixel, static_cast<size_t>(round) * samplesOfPixel), wave, recorder);
         if (wave.stopFlag().isRaised()) break;
+        if (packed.isGuideOptional && round + 1 == rounds) guide.gain = gain.varianceRatio(samplesOfPixel);
         learnPathGuide(guide.tables, recorder.take(), packed.features.has(Feature::TRANSMISSION));
         usePathGuide(context, scene, guide);
     }

@@ -9,8 +9,15 @@ namespace eikonal {
 /// What is learned for one device serves the others.
 struct LearnedPathGuide {
     LightTables tables;   ///< path_guide_nodes and path_guide_aliases; empty: nothing was learned
+    /// The variance of paths without the guide over that of paths with it, as far as a few thousand paths tell. Of an optional guide
+    /// (PackedScene::isGuideOptional); otherwise 1.
+    double gain = 1;
     bool isEmpty() const { return tables.path_guide_nodes.empty(); }
 };
+
+/// How guided paths end, unless the scene has a rule. Throughput says less of what they are worth, so the rules that pilot paths choose
+/// from lose more than they gain.
+inline constexpr Roulette guidedRoulette{.depth = 8};
 
 /// Learns the guide of a scene that has one (Feature::PATH_GUIDE), and uses it from then on: from a few percent of the paths of the whole
 /// image, in rounds of which each is guided by those before. Does nothing for short renders. The result depends on the scene, its

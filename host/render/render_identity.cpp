@@ -94,7 +94,7 @@ Values settingsOf(const Session& session, const SessionOptions& options, const F
                                   ? "auto"
                                   : nameIn(lightSamplerNames, scene.integrator.lightSampler)},
             {"environment guide", nameIn(environmentGuideNames, scene.integrator.environmentGuide)},
-            {"path guiding", scene.integrator.guidesPaths ? "on" : "off"},
+            {"path guiding", nameIn(pathGuidingNames, scene.integrator.guiding)},
             {"regularize", scene.integrator.regularize ? "on" : "off"},
             {"surfaces", scene.forcesDiffuse ? "all diffuse" : "as described"},
             {"maximum component value", fmt::format("{}", frame.max_component_value)},

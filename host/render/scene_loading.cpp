@@ -84,7 +84,7 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.colorMode) scene.colorMode = *o.colorMode;
     if (o.lightSampler) scene.integrator.lightSampler = *o.lightSampler;
     if (o.environmentGuide) scene.integrator.environmentGuide = *o.environmentGuide;
-    if (o.guiding) scene.integrator.guidesPaths = *o.guiding;
+    if (o.guiding) scene.integrator.guiding = *o.guiding;
     if (o.regularize) scene.integrator.regularize = *o.regularize;
     if (o.maxComponentValue) scene.film.maxComponentValue = *o.maxComponentValue;
     if (o.reweightsFireflies) scene.film.reweightsFireflies = *o.reweightsFireflies;

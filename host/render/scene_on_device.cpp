@@ -30,22 +30,28 @@ void SceneOnDevice::launch(const PackedScene& scene, bool isShared) {
     wave_->warmUp(isShared);
 }
 
-Learned SceneOnDevice::survey(const PackedScene& scene, const std::function<bool()>& abandon) {
-    const StopWatcher watcher(tables_->stopFlag(), abandon);
-    surveyEnvironment(context(), *tables_, scene, *stages_, device_->shape);
-    Learned learned;
-    learned.guide = pilotPathGuide(context(), *tables_, scene, *wave_);
-    learned.roulette = pilotRoulette(context(), *tables_, scene, *wave_);
-    profile_.collect();
-    profile_.reset();
-    return learned;
-}
-
 /// The settings of a render that knows what was learned.
 static settings settingsWith(const PackedScene& scene, const Learned& learned) {
     settings frame = scene.frame();
     if (learned.roulette) setRoulette(frame, *learned.roulette);
     return frame;
+}
+
+/// A guided path takes up to 1.6 times as long: it is longer, and each vertex looks up a place.
+constexpr double leastGuideGain = 1.8;
+
+Learned SceneOnDevice::survey(const PackedScene& scene, const std::function<bool()>& abandon) {
+    const StopWatcher watcher(tables_->stopFlag(), abandon);
+    surveyEnvironment(context(), *tables_, scene, *stages_, device_->shape);
+    Learned learned;
+    learned.guide = pilotPathGuide(context(), *tables_, scene, *wave_);
+    learned.dropsGuide = scene.isGuideOptional && scene.features.has(Feature::PATH_GUIDE) && learned.guide.gain < leastGuideGain;
+    if (!learned.guide.isEmpty() && !scene.roulette) learned.roulette = guidedRoulette;
+    else if (!learned.dropsGuide) learned.roulette = pilotRoulette(context(), *tables_, scene, *wave_);
+    tables_->setFrame(context(), settingsWith(scene, learned));
+    profile_.collect();
+    profile_.reset();
+    return learned;
 }
 
 std::vector<std::uint64_t> SceneOnDevice::rowCosts(const PackedScene& scene, const Learned& learned, const PixelRect& rows) {

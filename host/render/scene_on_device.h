@@ -18,6 +18,7 @@ namespace eikonal {
 struct Learned {
     std::optional<Roulette> roulette;   ///< how paths are to end, if that was chosen for the scene
     LearnedPathGuide guide;
+    bool dropsGuide = false;            ///< the scene is better rendered without it, by other kernels; the rest was not learned
 };
 
 /// Made ready step by step: build, upload, launch, keep.
@@ -31,7 +32,7 @@ public:
     /// stepDone: called twice for each that is missing. Returns the seconds that the processes took.
     double build(const PackedScene& scene, int missing, const std::function<void()>& stepDone);
     /// Copies the scene's tables, which it may share from then on.
-    void upload(const PackedScene& scene) { tables_ = std::make_unique<DeviceScene>(device_->context, scene); }
+    void upload(const PackedScene& scene) { wave_.reset(); tables_ = std::make_unique<DeviceScene>(device_->context, scene); }
     /// Makes the queues, and launches every kernel once. isShared: as for Wave::warmUp.
     void launch(const PackedScene& scene, bool isShared);
     /// Stores the kernels in the cache.

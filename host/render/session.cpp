@@ -12,6 +12,7 @@
 #include "kinds/integrator_kind.h"
 #include "kinds/medium_kind.h"
 #include "pack/cached_hits.h"
+#include "pack/integrator.h"
 #include "render/displacement.h"
 #include "render/hit_cache.h"
 #include "render/path_loop.h"
@@ -274,8 +275,14 @@ uint Session::unresolvedRays() const {
 void Session::survey(const std::function<bool()>& abandon) {
     forEachDevice([&](SceneOnDevice& device) {
         if (&device == &first()) learned_ = device.survey(packed_, abandon);
-        else device.survey(packed_, learned_, abandon);
+        else if (!learned_.dropsGuide) device.survey(packed_, learned_, abandon);
     });
+    if (packed_.isGuideOptional && packed_.features.has(Feature::PATH_GUIDE)) guideGain_ = learned_.guide.gain;
+    if (!learned_.dropsGuide || (abandon && abandon())) return;
+    dropPathGuide(packed_);
+    forEachDevice([this](SceneOnDevice& device) { buildKernels(device); });
+    prepare();
+    survey(abandon);
 }
 
 void Session::setSeed(int seed) {

@@ -82,6 +82,13 @@ public:
     /// By which paths end, once survey() has been called, and whether it has chosen that for the scene.
     Roulette roulette() const { return learned_.roulette.value_or(packed_.roulette.value_or(Roulette())); }
     bool isRouletteChosen() const { return learned_.roulette.has_value(); }
+    /// What an optional path guide was found to gain (LearnedPathGuide::gain), and whether the scene is rendered with it. Nothing if none
+    /// was tried.
+    struct TriedGuide { double gain; bool isUsed; };
+    std::optional<TriedGuide> triedGuide() const {
+        if (!guideGain_) return {};
+        return TriedGuide{*guideGain_, packed_.features.has(Feature::PATH_GUIDE)};
+    }
 
     /// How many rays at implicit surfaces have run out of splits so far. After prepare(). Blocks.
     uint unresolvedRays() const;
@@ -143,6 +150,7 @@ private:
     PixelRect wholePixels_;
     SessionTimes times_;
     Learned learned_;
+    std::optional<double> guideGain_;
     int missing_ = 0;
     int compileSteps_ = 0;              ///< two steps compile a kernel
     std::atomic<int> compiled_ = 0;     ///< read by the notice

@@ -22,6 +22,7 @@ struct Bounced {
     QueueItems traced;          ///< rays that were traced
     QueueItems intersections;   ///< of these, slot by slot; dead slots (t < 0) among them
     QueueItems shadows;         ///< rays to lights that were tested; dead slots among them. Where hits split rays, those of the last pass
+    QueueItems hits;            ///< slot by slot of `shadows`; those of other items hold garbage
     QueueItems rays;            ///< that leave; dead slots (t_max < 0) among them
     QueueItems paths;           ///< the states of all paths of the batch
 };

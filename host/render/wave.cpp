@@ -133,11 +133,10 @@ unsigned Wave::shadeLights(const WaveCounts& counts, const Bindings& splat) {
 /// Whether to trace the next bounce. Always, unless the stream watches the rays and declines (BatchStream::watch; in pilot.cpp).
 bool Wave::goesOn(const WaveCounts& counts, unsigned rays, const BatchStream& stream) const {
     if (!stream.watch || !raysOf(counts)) return true;
-    return stream.watch({.traced = queues_.tracedRays(traced_),
-                         .intersections = queues_.items(Queue::intersection, 0, traced_),
-                         .shadows = queues_.items(Queue::shadow, 0, rays / splitting_.raysPerHit),
-                         .rays = queues_.items(Queue::ray, 0, rays),
-                         .paths = batches_.oldestPaths()});
+    const unsigned hits = rays / splitting_.raysPerHit;
+    return stream.watch({queues_.tracedRays(traced_), queues_.items(Queue::intersection, 0, traced_),
+                         queues_.items(Queue::shadow, 0, hits), queues_.items(Queue::hit, 0, hits), queues_.items(Queue::ray, 0, rays),
+                         batches_.oldestPaths()});
 }
 
 /// Adds the paths of the finished batch, which is the oldest in flight, to its pixels: path -> film.

@@ -21,6 +21,11 @@ inline constexpr std::pair<const char*, LightSampler> lightSamplerNames[] = {
 
 /// Whether light samples of an infinite light without an image are guided by its visibility. automatic: if a survey finds the scene closed
 /// enough.
+/// Whether directions are sampled by what pilot paths have learned, too. automatic: where that is measured to pay.
+enum class PathGuiding { off, on, automatic };
+inline constexpr std::pair<const char*, PathGuiding> pathGuidingNames[] = {
+    {"off", PathGuiding::off}, {"on", PathGuiding::on}, {"auto", PathGuiding::automatic}};
+
 enum class EnvironmentGuide { automatic, always, never };
 /// The names for --environment-guide.
 inline constexpr std::pair<const char*, EnvironmentGuide> environmentGuideNames[] = {
@@ -52,7 +57,7 @@ struct IntegratorDescription {
     bool regularize = false;
     LightSampler lightSampler = LightSampler::automatic;
     EnvironmentGuide environmentGuide = EnvironmentGuide::automatic;
-    bool guidesPaths = false;              ///< directions are sampled by what pilot paths have learned, too
+    PathGuiding guiding = PathGuiding::off;
     bool sampleLights = true;              ///< simplepath: sample lights; otherwise only paths that hit a light find it
     bool sampleBsdf = true;                ///< simplepath: sample directions by the BSDF, otherwise uniformly
     double mergeRadius = 0;                ///< sppm, vcm: within which vertices merge at first, world units; 0: chosen for the scene

@@ -1,8 +1,11 @@
 // A path guide learns from where light comes; then paths that follow it change the noise, and nothing else.
 
 #include "pack/pack.h"
+#include "pack/path_guide.h"
 #include "read/pbrt/read_pbrt.h"
 #include "rendering.h"
+
+#include <cmath>
 
 namespace eikonal {
 namespace {
@@ -28,7 +31,7 @@ PackedScene guided(const std::string& inside) {
     Diagnostics diagnostics(LogLevel::silent);
     Scene scene = readPbrtText(box(inside), "test.pbrt", ".", diagnostics);
     scene.colorMode = ColorMode::rgb;
-    scene.integrator.guidesPaths = true;
+    scene.integrator.guiding = PathGuiding::on;
     PackedScene packed = packScene(scene, diagnostics);
     EXPECT_TRUE(packed.features.has(Feature::PATH_GUIDE));
     return packed;
@@ -54,6 +57,31 @@ TEST(PathGuide, HasLessNoise) {
 
 TEST(PathGuide, WavesAndPartsOfTheImageHaveTheSameBits) {
     expectSameBitsInWavesAndParts(guided(""), {10, 10, 31, 23});
+}
+
+/// What an optional guide gains is what it is found to gain, within a factor of two.
+TEST(PathGuide, TellsWhatItGains) {
+    PackedScene scene = guided("");
+    scene.isGuideOptional = true;
+    scene.samples = 512;
+    const Rendered with = render(scene), without = render(packScene(box("")));
+    const double measured = std::pow(without.error.error / with.error.error, 2) * 128 / scene.samples;
+    EXPECT_GT(with.guideGain, measured / 2);
+    EXPECT_LT(with.guideGain, measured * 2);
+}
+
+/// Without light that is hard to find, there is nothing to gain.
+TEST(PathGuide, GainsNothingUnderTheSky) {
+    View view;
+    view.width = view.height = 48;
+    view.samples = 256;
+    PackedScene scene = packScene(sceneText(view, "LightSource \"infinite\" \"rgb L\" [1 1 1]\nShape \"sphere\"\n"
+                                                  "Shape \"disk\" \"float radius\" 9 \"float height\" 1\n"));
+    scene.require(Feature::PATH_GUIDE, "the test");
+    scene.isGuideOptional = true;
+    packUnlearnedPathGuide(scene.tables);
+    scene.frame().guided_share = .5f;
+    EXPECT_LT(render(scene).guideGain, 1.5);
 }
 
 }  // namespace

@@ -148,7 +148,12 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
     wave.warmUp();
     stages.keep(compiler());
     surveyEnvironment(device(), onDevice, scene, stages, setup.shape);
-    pilotPathGuide(device(), onDevice, scene, wave);
+    const LearnedPathGuide guide = pilotPathGuide(device(), onDevice, scene, wave);
+    if (!guide.isEmpty() && !scene.roulette) {
+        scene.roulette = guidedRoulette;
+        setRoulette(scene.frame(), guidedRoulette);
+        onDevice.setFrame(device(), scene.frame());
+    }
     const Roulette roulette = pilotRoulette(device(), onDevice, scene, wave).value_or(scene.roulette.value_or(Roulette()));
 
     Film film(scene, built);
@@ -163,7 +168,7 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
         result = render(std::vector{RenderDevice{&device(), &wave, &profile}}, film, control);
     }
     const FilmTotals totals = film.totals();
-    return {totals.develop(scene), totals.invalid(), result, roulette, totals.error(ErrorMetric::mseRoot)};
+    return {totals.develop(scene), totals.invalid(), result, roulette, totals.error(ErrorMetric::mseRoot), guide.gain};
 }
 
 FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {

@@ -52,6 +52,7 @@ struct Rendered {
     RenderResult result;
     Roulette roulette;
     ErrorEstimate error;   ///< absolute: ErrorMetric::mseRoot
+    double guideGain = 1;  ///< of an optional path guide (LearnedPathGuide::gain)
 };
 
 enum class Warnings { refused, allowed };

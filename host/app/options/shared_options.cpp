@@ -136,9 +136,10 @@ void addScene(CLI::App* app, Options& o, bool takesOne) {
           "Whether to guide light samples of an infinite light without an image: auto (default): in closed scenes; always; never",
           oneOf<EnvironmentGuide>({std::begin(environmentGuideNames), std::end(environmentGuideNames)}))
         ->group(group);
-    value(app, "--guiding", s.guiding, "on|off",
-          "Whether to sample directions also by what pilot paths have learned of where light comes from (default: off)",
-          oneOf<bool>({{"on", true}, {"off", false}}))
+    value(app, "--guiding", s.guiding, "NAME",
+          "Whether to sample directions also by what pilot paths have learned of where light comes from: off (default); on; auto: in long "
+          "renders, where it is measured to pay",
+          oneOf<PathGuiding>({std::begin(pathGuidingNames), std::end(pathGuidingNames)}))
         ->group(group);
     value(app, "--regularize", s.regularize, "on|off",
           "Whether to widen narrow microfacets behind rough reflections (biased; pbrt's regularize)",
