@@ -39,7 +39,8 @@ typedef struct {
     float film_radius;             /* realistic: half the film's diagonal, camera space */
     uint aperture_width, aperture_height; /* realistic: size of the image in `aperture_texels`; 0: a round stop */
     uint is_parallel;              /* 1: rays through one point of the lens are parallel (PARALLEL in cameras.h) */
-    uint has_importance;           /* 1: light paths can be connected to it (PARALLEL or CENTRAL) */
+    uint is_around;                /* 1: they go in all directions (AROUND) */
+    uint has_importance;           /* 1: light paths can be connected to it (all but ANY) */
     uint medium;                   /* medium around the camera, or NONE */
 } camera;
 

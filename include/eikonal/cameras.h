@@ -5,6 +5,7 @@
    RAYS says how the rays through one point of the lens lie, which decides whether a light path can be connected to the camera:
      CENTRAL    they go through a point: the kind defines sample_importance_x (kernels/camera/importance.clh)
      PARALLEL   they are parallel: so it does
+     AROUND     they go through a point, in all directions: so it does, with image_area_x and wrap_screen_x
      ANY        unknown: light paths cannot be connected */
 #ifndef EIKONAL_CAMERAS_H
 #define EIKONAL_CAMERAS_H
@@ -14,7 +15,7 @@ CONTRACT_BEGIN
 #define CAMERAS(C) \
     C(perspective,  CAMERA_PERSPECTIVE,  STRAIGHT, CENTRAL) \
     C(orthographic, CAMERA_ORTHOGRAPHIC, STRAIGHT, PARALLEL) \
-    C(spherical,    CAMERA_SPHERICAL,    STRAIGHT, ANY) \
+    C(spherical,    CAMERA_SPHERICAL,    STRAIGHT, AROUND) \
     C(realistic,    CAMERA_REALISTIC,    LOOPS,    ANY)
 
 #define CAMERA_KIND(name, FEATURE, CODE, RAYS) camera_##name,

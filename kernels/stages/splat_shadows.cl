@@ -49,7 +49,9 @@ TRACING_STAGE(splat_shadows, SPLAT_SHADOWS) {
         if (!(fabs(s.raster.x) < 1e6f && fabs(s.raster.y) < 1e6f)) continue;
         splat_pixel x = pixel_of_splat(camera_set, 0u, f.cells, f.radius_x, s.raster.x, next_random(&numbers));
         splat_pixel y = pixel_of_splat(camera_set, 1u, f.cells, f.radius_y, s.raster.y, next_random(&numbers));
-        int column = x.at - (int)splat_x, row = y.at - (int)splat_y;
+        pixel_place at = {x.at, y.at};
+        if (frame->view.is_around) at = wrap_pixel(frame, x.at, y.at);
+        int column = at.x - (int)splat_x, row = at.y - (int)splat_y;
         float weight = x.weight * y.weight;
         if (column < 0 || row < 0 || column >= (int)splat_width || row >= (int)splat_height || weight == 0.0f) continue;
         ++tested;

@@ -29,6 +29,9 @@ std::string manyLamps() {
 }
 const std::string leaf = "\"diffusetransmission\" \"rgb reflectance\" [.3 .3 .3] \"rgb transmittance\" [.5 .4 .3]";
 
+/// Filters reach over the edges of what a camera sees around it.
+const std::string inTheRoom = "PixelFilter \"gaussian\" Identity LookAt -.3 1.1 -.8  .3 .8 .4  0 1 0 ";
+
 INSTANTIATE_TEST_SUITE_P(
     Of, LightPaths,
     testing::Values(
@@ -42,6 +45,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"a_lens", panel + ball("\"diffuse\""),
              "Camera \"perspective\" \"float fov\" 40 \"float lensradius\" .2 \"float focaldistance\" 3"},
         Case{"parallel_rays", panel + ball("\"dielectric\""), "Camera \"orthographic\" \"float screenwindow\" [-1.3 1.3 -1.3 1.3]"},
+        Case{"an_equal_area_sphere", panel + ball("\"dielectric\" \"float roughness\" .3"), inTheRoom + "Camera \"spherical\""},
+        Case{"a_globe", panel + ball("\"diffuse\""), inTheRoom + "Camera \"spherical\" \"string mapping\" \"equirectangular\""},
         Case{"a_tree_of_lights", manyLamps() + ball(leaf), "Integrator \"volpath\" \"integer maxdepth\" 6 \"string lightsampler\" \"bvh\""},
         Case{"a_cut_out_lamp", lamp("Translate 0 1.5 0 Shape \"sphere\" \"float radius\" .3 \"float alpha\" .5") + ball("\"diffuse\""), ""},
         Case{"a_lamp_whose_normals_turn",
@@ -83,8 +88,8 @@ TEST(LightPathsBehindGlass, LightTheFloorAsRefractionAllows) {
 
 /// Scenes that light paths cannot serve yet are rendered by paths from the camera, bit for bit.
 TEST(LightPathsElsewhere, AreLeftOutWithAWarning) {
-    const std::string text = sceneText(view(), room + panel), spherical = sceneWith(view(), "Camera \"spherical\"", room + panel);
-    EXPECT_THROW(packScene(withLightPaths(spherical)), std::invalid_argument);  // tests have no warnings
+    const std::string text = sceneText(view(), room + panel), body = sceneText(view(), room + panel + ball("\"subsurface\""));
+    EXPECT_THROW(packScene(withLightPaths(body)), std::invalid_argument);  // tests have no warnings
     EXPECT_TRUE(packScene(withLightPaths(text)).features.has(Feature::LIGHT_PATHS));
     EXPECT_FALSE(packScene(text).features.has(Feature::LIGHT_PATHS));
 }
