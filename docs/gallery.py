@@ -119,6 +119,7 @@ GALLERY = {
              "--resolution 240x240 --spp 256", "Paths from the camera: at each of their points a light is sampled, too"),
         show("paths from the lights for caustics", "water-pool.pbrt", "--spp 128 --exposure 1.3",
              "Waves focus the light of a lamp on the bottom of a pool; paths from both ends merge there"),
+        show("beams in fog", "fog-caustic", "--spp 512 --exposure .7"),
         show("adaptive sampling", "environment.pbrt", "--resolution 320x240 --max-error 3% --spp 1024",
              "Samples where they lower the error most, until it is 3 %"),
         show("Whitted ray tracing; ray splitting", "whitted"),

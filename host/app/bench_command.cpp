@@ -204,6 +204,7 @@ int benchCommand(const Options& o) {
     if (o.loop && session.packed().features.has(Feature::LIGHT_PATHS))
         throw UsageError("--loop: the loop follows no paths from lights; use another --integrator, like volpath");
     session.prepare();
+    session.survey();   // a path guide that does not pay is dropped here, and with it the kernels and the wave
     std::vector<Repeat> repeats, loops;
     Profile loopProfile;
     const std::unique_ptr<Tracer> loop = o.loop ? session.makeLoop(loopProfile) : nullptr;

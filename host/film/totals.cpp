@@ -27,7 +27,7 @@ void FilmTotals::developSplats(const SplatSums& splats, double scale) {
     splatVariances_.resize(plane());
     lostSplats_.resize(plane());
     const bool hasPasses = splats.words() > splat_words;
-    for (auto* v : {&directSplats_, &indirectSplats_}) v->resize(hasPasses ? plane() : 0);
+    for (auto* v : {&directSplats_, &indirectSplats_, &volumeSplats_}) v->resize(hasPasses ? plane() : 0);
     const size_t width = static_cast<size_t>(pixels_.width());
     for (const SplatRow& row : splats.rows()) {
         double samples = 0;
@@ -40,9 +40,11 @@ void FilmTotals::developSplats(const SplatSums& splats, double scale) {
             const glm::dvec3 all(word(splat_red), word(splat_green), word(splat_blue));
             splatColors_[first + x] = glm::vec3(all * unit);
             if (hasPasses) {
-                const glm::dvec3 direct(word(splat_direct_red), word(splat_direct_green), word(splat_direct_blue));
+                const glm::dvec3 direct(word(splat_direct_red), word(splat_direct_green), word(splat_direct_blue)),
+                    volume(word(splat_volume_red), word(splat_volume_green), word(splat_volume_blue));
                 directSplats_[first + x] = glm::vec3(direct * unit);
-                indirectSplats_[first + x] = glm::vec3((all - direct) * unit);
+                indirectSplats_[first + x] = glm::vec3((all - direct - volume) * unit);
+                volumeSplats_[first + x] = glm::vec3(volume * unit);
             }
             /* Of a sum of many rare events; the mean of n samples has 1 / n^2 of it */
             const double variance = word(splat_square) / (double{SPLAT_SQUARE_UNITS} * scale * scale * samples * samples);
@@ -80,7 +82,7 @@ void FilmTotals::developPasses(FilmImage& image) const {
     develop(image.emission, "emission", {});
     develop(image.direct, "direct", directSplats_);
     develop(image.indirect, "indirect", indirectSplats_);
-    develop(image.volume, "volume", {});
+    develop(image.volume, "volume", volumeSplats_);
 }
 
 void FilmTotals::developLightGroups(FilmImage& image, const std::vector<std::string>& names) const {

@@ -58,7 +58,7 @@ private:
     QueueLayout layout_;
     std::shared_ptr<uint[]> data_;
     std::vector<glm::vec3> splatColors_;      ///< what light paths add to each pixel; empty: nothing
-    std::vector<glm::vec3> directSplats_, indirectSplats_;   ///< the same by render pass, if the film has them
+    std::vector<glm::vec3> directSplats_, indirectSplats_, volumeSplats_;   ///< the same by render pass, if the film has them
     std::vector<float> splatVariances_;       ///< of its luminance
     std::vector<unsigned> lostSplats_;        ///< how many were too bright
 };

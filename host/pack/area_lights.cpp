@@ -60,7 +60,7 @@ void LightPacker::addShape(const Shape& s, shape& packed, const GeometryTables& 
         }
         colors_.checkRange(l.L, description.where, "\"L\" of an area light");
         powers_.push_back(areaPower(l, luminanceOf(description.L, factor)));
-        emitted_.push_back({kind.traits.startsPaths ? powers_.back() : 0, packed.first_light, s.interface.has_value()});
+        emitted_.push_back({kind.traits.startsPaths ? powers_.back() : 0, &s});
         tables_.lights.push_back(l);
     }
     const std::string why = description.where.toString() + ": area light";

@@ -34,7 +34,8 @@ void packPathGuide(const PackContext& context, PackedScene& packed) {
     if (integrator.guiding == PathGuiding::off) return;
     packed.isGuideOptional = integrator.guiding == PathGuiding::automatic;
     const double paths = static_cast<double>(packed.frame().width) * packed.frame().height * packed.samples;
-    if (packed.isGuideOptional && paths < leastPathsToTry) return;
+    /* Layered BSDFs are not guided, so the pilot cannot tell what their directions gain */
+    if (packed.isGuideOptional && (paths < leastPathsToTry || context.has(Feature::LAYERS))) return;
     const char* obstacle = !followsBsdfs(integrator)                ? "this integrator does not sample BSDFs along paths"
                            : context.has(Feature::LIGHT_PATHS)      ? "paths from the lights must know how all others are sampled"
                            : packed.frame().max_depth <= 1          ? "paths have one vertex"
@@ -50,10 +51,8 @@ void packPathGuide(const PackContext& context, PackedScene& packed) {
 }
 
 void dropPathGuide(PackedScene& packed) {
+    /* Its tables and settings stay, which make the identity of a render */
     packed.features = packed.features.without(Feature::PATH_GUIDE);
-    packed.tables.path_guide_nodes.clear();
-    packed.tables.path_guide_aliases.clear();
-    packed.frame().guided_share = 0;
 }
 
 void setRoulette(settings& frame, const Roulette& roulette) {

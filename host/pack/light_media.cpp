@@ -1,5 +1,6 @@
 #include "pack/light_media.h"
 
+#include "kinds/material_kind.h"
 #include "kinds/shape_kind.h"
 #include "pack/scene_bounds.h"
 
@@ -114,7 +115,7 @@ std::vector<glm::dvec3> pointsOf(const Shape& s, glm::dvec3 eye) {
 }  // namespace
 
 LightMedia::LightMedia(const Scene& scene)
-    : eye_(transformPoint(scene.camera.worldFromCamera, glm::dvec3(0))), aroundCamera_(scene.camera.medium) {
+    : eye_(transformPoint(scene.camera.worldFromCamera, glm::dvec3(0))), aroundCamera_(scene.camera.medium), scene_(scene) {
     for (const Shape& s : scene.shapes)
         if (s.interface && isTold(s)) {
             boundaries_.push_back(&s);
@@ -126,20 +127,25 @@ LightMedia::LightMedia(const Scene& scene)
 
 static size_t elementsOf(const Shape& s) { return isMesh(s) ? s.mesh->indices.size() / 3 : 1; }
 
-std::optional<int> LightMedia::at(glm::dvec3 p) const {
+std::optional<int> LightMedia::at(glm::dvec3 p, const Shape* except) const {
+    const std::optional<Told> told = tell(p, except);
+    return told ? std::optional(told->medium) : std::nullopt;
+}
+
+std::optional<LightMedia::Told> LightMedia::tell(glm::dvec3 p, const Shape* except) const {
     const Segment segment{p, eye_ - p};
     if (testsLeft_ <= 0 || std::ranges::any_of(untold_, [&](const Box& box) { return mayMeet(segment, box); })) return {};
     Crossing nearest;
     const Shape* met = nullptr;
     for (size_t i = 0; i < boundaries_.size(); ++i) {
-        if (!mayMeet(segment, boxes_[i])) continue;
+        if (boundaries_[i] == except || !mayMeet(segment, boxes_[i])) continue;
         const double before = nearest.t;
         cross(*boundaries_[i], segment, nearest);
         testsLeft_ -= static_cast<double>(elementsOf(*boundaries_[i]));
         if (nearest.t < before) met = boundaries_[i];
     }
-    if (!met) return aroundCamera_;
-    return nearest.fromOutside ? met->interface->outside : met->interface->inside;
+    if (!met) return Told{aroundCamera_, nullptr};
+    return Told{nearest.fromOutside ? met->interface->outside : met->interface->inside, met};
 }
 
 std::optional<int> LightMedia::outside() const {
@@ -150,15 +156,24 @@ std::optional<int> LightMedia::outside() const {
     return at(all.center() + glm::dvec3(.36, .48, .8) * (4 * all.radius() + 1));
 }
 
+bool LightMedia::isSeeThrough(const Shape& s) const {
+    if (s.material == none) return false;
+    const MaterialKind* kind = scene_.materials[static_cast<size_t>(s.material)].kind;
+    return kind == &interface_material || kind == &dielectric_material || kind == &thin_dielectric_material;
+}
+
 std::optional<LightMedia::Contradiction> LightMedia::contradictionAt(const Shape& s, glm::dvec3 p) const {
     const glm::dvec3 before = p + 1e-5 * (eye_ - p);
-    const std::optional<int> found = at(before);
+    const std::optional<Told> found = tell(before, nullptr);
+    /* What is behind an opaque boundary is not seen, and may be part of what it bounds */
+    if (!found || (found->by && !isSeeThrough(*found->by))) return {};
     Crossing there;
     cross(s, {before, 2. * (p - before)}, there);
-    if (!found || there.t == 1) return {};
+    testsLeft_ -= static_cast<double>(elementsOf(s));
+    if (there.t == 1) return {};
     const int said = there.fromOutside ? s.interface->outside : s.interface->inside;
-    if (said == *found) return {};
-    return Contradiction{&s, said, *found};
+    if (said == found->medium) return {};
+    return Contradiction{&s, said, found->medium};
 }
 
 std::optional<LightMedia::Contradiction> LightMedia::contradiction() const {

@@ -14,10 +14,12 @@ namespace eikonal {
 /// the point; with none, that of the camera.
 class LightMedia {
 public:
+    /// Keeps the scene.
     explicit LightMedia(const Scene&);
     /// At a point in world space: a medium in Scene::media, or `none` for vacuum. Nothing if it cannot be told: there may be a boundary in
     /// between that is a part of a sphere, a curved shape, in an object, or moving.
-    std::optional<int> at(glm::dvec3 p) const;
+    /// except: a shape of the scene that does not count.
+    std::optional<int> at(glm::dvec3 p, const Shape* except = nullptr) const;
     /// Around the scene.
     std::optional<int> outside() const;
 
@@ -27,14 +29,19 @@ public:
     std::optional<Contradiction> contradiction() const;
 
 private:
+    /// The same, with the boundary that tells; null: the camera's medium.
+    struct Told { int medium; const Shape* by; };
+    std::optional<Told> tell(glm::dvec3 p, const Shape* except) const;
     std::optional<Contradiction> contradictionAt(const Shape& s, glm::dvec3 p) const;
+    bool isSeeThrough(const Shape& s) const;
 
     std::vector<const Shape*> boundaries_;
     std::vector<Box> boxes_;      ///< of boundaries_
     std::vector<Box> untold_;     ///< of the other boundaries
     glm::dvec3 eye_;
     int aroundCamera_;
-    mutable double testsLeft_ = 1e9;   ///< of a triangle or sphere; a few seconds. Then nothing can be told
+    const Scene& scene_;
+    mutable double testsLeft_ = 5e7;   ///< of a triangle or sphere; a few seconds. Then nothing can be told
 };
 
 }  // namespace eikonal

@@ -23,6 +23,8 @@ std::string mergingObstacle(const PackContext& context) {
         std::ranges::any_of(scene.objects, [&](const Object& o) { return std::ranges::any_of(o.shapes, moves); }) ||
         std::ranges::any_of(scene.instances, [](const Instance& i) { return i.worldFromObjectAtEnd.has_value(); }))
         return "shapes move, and paths have different times";
+    if (context.hasMedia && std::ranges::any_of(scene.media, [](const Medium& m) { return m.worldFromMediumAtEnd.has_value(); }))
+        return "media move, and paths have different times";
     return {};
 }
 

@@ -5,13 +5,13 @@
 #include "kinds/integrator_kind.h"
 #include "pack/alias_table.h"
 #include "pack/environment_guide.h"
-#include "pack/light_media.h"
 #include "pack/light_sampler.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <string_view>
 
@@ -66,7 +66,30 @@ void LightPacker::add(const LightPacking& in, const Light& description) {
     if (kind.place == LightPlace::INFINITE) tables_.environments.push_back(static_cast<uint>(tables_.lights.size()));
     tables_.lights.push_back(packed.l);
     powers_.push_back(isLeftToBsdfs(kind) ? 0 : packed.power);
-    emitted_.push_back({kind.traits.startsPaths ? packed.power : 0, emitted_.size(), false});
+    emitted_.push_back({kind.traits.startsPaths ? packed.power : 0, nullptr});
+}
+
+/// Points of a light, or around it, that have to be in one medium: scene space.
+static std::vector<glm::dvec3> pointsAround(const light& l, bool isArea) {
+    if (!isArea) return {toGlm(l.p)};
+    const LightBounds bounds = boundsOfLight(l, 0);
+    std::vector<glm::dvec3> points;
+    for (unsigned i = 0; i < 8; ++i) points.push_back(bounds.box.corner(i));
+    if (bounds.normals < std::numbers::pi) points.push_back(bounds.box.center());   // of a ball it is far from the surface
+    return points;
+}
+
+/// The medium around a light: in Scene::media, or `none`. Nothing if it cannot be told, or is not what the light's own shape says.
+std::optional<int> LightPacker::mediumAround(const LightMedia& media, const light& l, const Shape* shape) const {
+    std::optional<int> found;
+    for (const glm::dvec3& p : pointsAround(l, shape)) {
+        const std::optional<int> here = media.at(transformPoint(context_.space.worldFromScene(), p), shape);
+        if (!here || (found && *found != *here)) return {};
+        found = here;
+    }
+    /* It shines on the side of its normal, or on both */
+    const bool disagrees = shape && shape->interface && (l.two_sided || shape->interface->outside != *found);
+    return disagrees ? std::nullopt : found;
 }
 
 /// Which medium is around each light. Where that cannot be told, no light paths begin.
@@ -79,19 +102,17 @@ void LightPacker::placeInMedia() {
         Emission& e = emitted_[i];
         light& l = tables_.lights[i];
         const LightPlace place = kindOf(l).place;
-        const bool isFar = place == LightPlace::DISTANT || place == LightPlace::INFINITE;
-        if (e.knowsMedium || (isFar && isLitFromFar)) continue;
-        if (isFar) e.power = 0;
-        else if (e.first == i) {
-            const glm::dvec3 p = place == LightPlace::AREA ? boundsOfLight(l, 0).box.center() : toGlm(l.p);
-            const std::optional<int> found = media.at(transformPoint(context_.space.worldFromScene(), p));
-            if (!found) e.power = 0;
-            l.medium = static_cast<uint>(found.value_or(none));   // none is NONE
-        } else {
-            l.medium = tables_.lights[e.first].medium;
-            if (emitted_[e.first].power == 0) e.power = 0;
+        if (place == LightPlace::DISTANT || place == LightPlace::INFINITE) {
+            if (!isLitFromFar) e.power = 0;
+            continue;
         }
+        const std::optional<int> found = mediumAround(media, l, e.shape);
+        if (!found) e.power = 0;
+        l.medium = static_cast<uint>(found.value_or(none));   // none is NONE
     }
+    if (std::ranges::all_of(emitted_, [](const Emission& e) { return e.power <= 0; }))
+        context_.diagnostics.warn({}, "no paths begin at the lights of this scene, since it cannot be told which media they are in, or "
+                                      "they shine through one without an end; add --integrator volpath");
 }
 
 /// By power; and how splats are scaled.

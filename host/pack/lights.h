@@ -2,8 +2,10 @@
 // Lights, and how one is chosen to be sampled.
 
 #include "kinds/light_packing.h"
+#include "pack/light_media.h"
 #include "pack/textures.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,7 @@ private:
     void add(const LightPacking& in, const Light& description);
     void packGuide();
     void placeInMedia();
+    std::optional<int> mediumAround(const LightMedia& media, const light& l, const Shape* shape) const;
     uint groupNumber(const std::string& name);
 
     const PackContext& context_;
@@ -41,8 +44,7 @@ private:
     /// A light where light paths may begin.
     struct Emission {
         double power;        ///< 0: none do
-        size_t first;        ///< the first light of the same shape
-        bool knowsMedium;    ///< it has a shape with an interface, which says what is around it
+        const Shape* shape;  ///< of an area; null: none
     };
     std::vector<Emission> emitted_;   ///< of `lights`
 };

@@ -4,14 +4,16 @@
 #include "pack/tables.h"
 #include "render/wave.h"
 
+#include <optional>
+
 namespace eikonal {
 
 /// What is learned for one device serves the others.
 struct LearnedPathGuide {
     LightTables tables;   ///< path_guide_nodes and path_guide_aliases; empty: nothing was learned
     /// The variance of paths without the guide over that of paths with it, as far as a few thousand paths tell. Of an optional guide
-    /// (PackedScene::isGuideOptional); otherwise 1.
-    double gain = 1;
+    /// (PackedScene::isGuideOptional), if the pilot came to its end.
+    std::optional<double> gain{};
     bool isEmpty() const { return tables.path_guide_nodes.empty(); }
 };
 

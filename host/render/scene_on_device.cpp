@@ -45,7 +45,7 @@ Learned SceneOnDevice::survey(const PackedScene& scene, const std::function<bool
     surveyEnvironment(context(), *tables_, scene, *stages_, device_->shape);
     Learned learned;
     learned.guide = pilotPathGuide(context(), *tables_, scene, *wave_);
-    learned.dropsGuide = scene.isGuideOptional && scene.features.has(Feature::PATH_GUIDE) && learned.guide.gain < leastGuideGain;
+    learned.dropsGuide = learned.guide.gain && *learned.guide.gain < leastGuideGain;
     if (!learned.guide.isEmpty() && !scene.roulette) learned.roulette = guidedRoulette;
     else if (!learned.dropsGuide) learned.roulette = pilotRoulette(context(), *tables_, scene, *wave_);
     tables_->setFrame(context(), settingsWith(scene, learned));

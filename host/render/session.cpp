@@ -277,7 +277,7 @@ void Session::survey(const std::function<bool()>& abandon) {
         if (&device == &first()) learned_ = device.survey(packed_, abandon);
         else if (!learned_.dropsGuide) device.survey(packed_, learned_, abandon);
     });
-    if (packed_.isGuideOptional && packed_.features.has(Feature::PATH_GUIDE)) guideGain_ = learned_.guide.gain;
+    if (learned_.guide.gain) guideGain_ = learned_.guide.gain;
     if (!learned_.dropsGuide || (abandon && abandon())) return;
     dropPathGuide(packed_);
     forEachDevice([this](SceneOnDevice& device) { buildKernels(device); });

@@ -19,13 +19,13 @@ enum class LightSampler { automatic, bvh, power, uniform };
 inline constexpr std::pair<const char*, LightSampler> lightSamplerNames[] = {
     {"bvh", LightSampler::bvh}, {"power", LightSampler::power}, {"uniform", LightSampler::uniform}};
 
-/// Whether light samples of an infinite light without an image are guided by its visibility. automatic: if a survey finds the scene closed
-/// enough.
 /// Whether directions are sampled by what pilot paths have learned, too. automatic: where that is measured to pay.
 enum class PathGuiding { off, on, automatic };
 inline constexpr std::pair<const char*, PathGuiding> pathGuidingNames[] = {
     {"off", PathGuiding::off}, {"on", PathGuiding::on}, {"auto", PathGuiding::automatic}};
 
+/// Whether light samples of an infinite light without an image are guided by its visibility. automatic: if a survey finds the scene closed
+/// enough.
 enum class EnvironmentGuide { automatic, always, never };
 /// The names for --environment-guide.
 inline constexpr std::pair<const char*, EnvironmentGuide> environmentGuideNames[] = {

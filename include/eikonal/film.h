@@ -84,11 +84,12 @@ CONTRACT_BEGIN
    each path adds, times splat_scale (settings): colours in steps of 1 / SPLAT_UNITS, and squared luminances in steps of 1 /
    SPLAT_SQUARE_UNITS, whose sum is the variance of a sum of rare events. The image is the sum of colours over the number of light paths for
    each pixel of the whole image. A splat of MOST_SPLAT or more is not added but counted; thousands of the largest that are fit into a sum.
-   With RENDER_PASSES, what the colours have of the pass "direct" follows; the rest of them is of the pass "indirect". */
+   With RENDER_PASSES, what the colours have of the passes "direct" and "volume" follows; the rest of them is of the pass "indirect". */
 enum splat_word {
     splat_red, splat_green, splat_blue, splat_square, splat_lost,
     splat_words,
     splat_direct_red = splat_words, splat_direct_green, splat_direct_blue,
+    splat_volume_red, splat_volume_green, splat_volume_blue,
     splat_words_with_passes
 };
 #define SPLAT_UNITS 0x1p40f

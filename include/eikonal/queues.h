@@ -56,13 +56,13 @@
     F(q, uint,     material,   ALWAYS)       /* of a hit, mixes resolved */ \
     F(q, uint,     emits,      EMITTERS)     /* 1: the surface emits; the intersection also goes to shade_emitters */
 
-/* A surface point to shade: filled by route_intersections, drained by shade_hits or shade_occlusions. Dense, one segment for each BSDF,
-   which appends its own parameters (bsdfs.h). */
+/* A surface point to shade, or with LIGHT_PATHS a point in a medium: filled by route_intersections, drained by shade_hits or
+   shade_occlusions. Dense, one segment for each BSDF, which appends its own parameters (bsdfs.h). */
 #define HIT_FIELDS(F, q) \
     TRAVEL_FIELDS(F, q) \
     F(q, vec3,     p,          ALWAYS) \
     F(q, float,    offset,     ALWAYS)       /* distance along ng by which new rays are offset to avoid self-intersection */ \
-    F(q, vec3,     ng,         ALWAYS)       /* geometric normal, on the side of ns */ \
+    F(q, vec3,     ng,         ALWAYS)       /* geometric normal, on the side of ns; 0: in a medium */ \
     F(q, vec3,     ns,         ALWAYS) \
     F(q, vec3,     tangent,    ANISOTROPY)   /* along dp/du, perpendicular to ns */ \
     F(q, vec3,     wo,         ALWAYS)       /* towards the previous vertex */ \

@@ -1,4 +1,4 @@
-/* hit -> cached.  Keeps the hits of light paths that paths from the camera can connect with: those on surfaces that are not smooth, of some
+/* hit -> cached.  Keeps the hits of light paths that paths from the camera can connect with: those in media and on rough surfaces, of some
    of the paths (shade/cached_hits.clh). Appends records in any order, and puts each at the end of its path's list. A tracing stage, built
    once per BSDF. */
 #include "bsdf/bsdf_names.clh"

@@ -58,6 +58,7 @@ TRACING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
         float distance = f.t + (HAS_INTERFACE ? r.traveled : 0.0f);
         if (HAS_MEDIA && f.next_queue == NEXT_IN_MEDIUM) {
             hit_item h = arrive_in_volume(scene.frame, aim_nowhere(make_volume_hit(r, f)), r, f);
+            h.render_pass = pass_volume;
             if (r.depth == 0u) h = arrive_from_light(scene, emission_aliases, h, r, distance);
             store_volume_hit(hit, capacity, slot, scene.media, h);
             continue;
@@ -70,6 +71,7 @@ TRACING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
         material m = scene.materials.materials[f.material];
         s = perturb_normal(scene.tables, m, s);
         hit_item h = aim_nowhere(make_hit(scene.geometry, r, f, s, m));
+        h.render_pass = pass_of_light_path(r.depth);
         /* Where nothing from the camera is comparable, the path ends: its hit has no throughput */
         h = arrive(frame, scene.geometry, h, r, f);
         if (faces_rays(scene.geometry, f)) h.beta = uniform_spectrum(0.0f);

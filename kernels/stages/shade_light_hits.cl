@@ -1,5 +1,5 @@
-/* hit -> next_ray, shadow, slot i to slot i.  Takes each light path one step on at a surface: a ray to the camera, and one scattered ray
-   (shade/shade_light_hit.clh). Built once per BSDF (the macro BSDF), over that BSDF's segment of the hit queue. */
+/* hit -> next_ray, shadow, slot i to slot i.  Takes each light path one step on where it is scattered: a ray to the camera, and one
+   scattered ray (shade/shade_light_hit.clh). Built once per BSDF (the macro BSDF), over that BSDF's segment of the hit queue. */
 #include "shade/shade_light_hit.clh"
 #include "stages/stage.clh"
 

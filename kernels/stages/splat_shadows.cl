@@ -18,10 +18,11 @@ FN void add_splat(__global uint *splat, size_t pixels, size_t pixel, __global co
     add_to_splat(splat, pixels, splat_red, pixel, red);
     add_to_splat(splat, pixels, splat_green, pixel, green);
     add_to_splat(splat, pixels, splat_blue, pixel, blue);
-    if (HAS_RENDER_PASSES && render_pass == pass_direct) {
-        add_to_splat(splat, pixels, splat_direct_red, pixel, red);
-        add_to_splat(splat, pixels, splat_direct_green, pixel, green);
-        add_to_splat(splat, pixels, splat_direct_blue, pixel, blue);
+    if (HAS_RENDER_PASSES && render_pass != pass_indirect) {
+        uint first = render_pass == pass_direct ? splat_direct_red : splat_volume_red;
+        add_to_splat(splat, pixels, first, pixel, red);
+        add_to_splat(splat, pixels, first + 1u, pixel, green);
+        add_to_splat(splat, pixels, first + 2u, pixel, blue);
     }
     float square_luminance = min1(square(luminance(color)), MOST_SPLAT_SQUARE);
     add_to_splat(splat, pixels, splat_square, pixel, splat_units(square_luminance * SPLAT_SQUARE_UNITS, next_random(numbers)));

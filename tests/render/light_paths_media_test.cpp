@@ -100,6 +100,32 @@ TEST(LightPathsInMediaBehindGlass, LightTheFloorThroughWhatAbsorbs) {
     EXPECT_LT(e.error.g, 0.02 * expected) << "too few samples to tell";
 }
 
+/// What light paths bring counts for the layer of what the camera meets first.
+TEST(LightPathsInMediaPasses, AreThoseOfPathsFromTheCamera) {
+    View v = view();
+    v.samples = 512;
+    const std::string text = sceneText(v, room + panel + body(smoke + " \"float scale\" .2", cube) + ball("\"diffuse\""));
+    const auto passesOf = [](const std::string& scene) {
+        PackedScene packed = packScene(scene);
+        packed.require(Feature::RENDER_PASSES, "the test");
+        return render(packed).image;
+    };
+    const FilmImage camera = passesOf(text), both = passesOf(withIntegrator("\"bdpt\"", text));
+    const double error = std::hypot(meanOf(camera).error.g, meanOf(both).error.g);
+    const auto meanOfLayer = [](const std::vector<glm::vec3>& layer) {
+        double sum = 0;
+        for (const glm::vec3& c : layer) sum += static_cast<double>(c.g);
+        return sum / static_cast<double>(layer.size());
+    };
+    double sum = 0;
+    for (const auto layer : {&FilmImage::emission, &FilmImage::direct, &FilmImage::indirect, &FilmImage::volume}) {
+        EXPECT_NEAR(meanOfLayer(camera.*layer), meanOfLayer(both.*layer), standardErrors * error);
+        EXPECT_GT(meanOfLayer(camera.*layer), layer == &FilmImage::emission ? -1. : 5 * error);
+        sum += meanOfLayer(both.*layer);
+    }
+    EXPECT_NEAR(sum, meanOf(both).mean.g, 1e-5 * sum);
+}
+
 class LightPathsInMediaEquality : public testing::TestWithParam<const char*> {
 protected:
     static std::string text() {

@@ -61,6 +61,23 @@ TEST_F(LightMediaTest, KnowsTheSidesOfMeshes) {
     EXPECT_EQ(LightMedia(sceneOf(wall + normals)).at({0, 0, 1}), 0);
 }
 
+/// What is sunk into an opaque boundary is in what that bounds, where no path goes.
+TEST_F(LightMediaTest, LooksForContradictionsWhereTheCameraSees) {
+    const std::string head = "MediumInterface \"\" \"a\" ",
+                      ground = "Shape \"bilinearmesh\" \"point3 P\" [-9 -1 -9  -9 -1 9  9 -1 -9  9 -1 9]\n",
+                      sunk = "Shape \"bilinearmesh\" \"point3 P\" [-1 -4 2  -1 .5 2  1 -4 2  1 .5 2]\n";
+    EXPECT_FALSE(LightMedia(sceneOf(head + ground + sunk, "a")).contradiction());
+    EXPECT_TRUE(LightMedia(sceneOf(head + ground + sunk)).contradiction()) << "the camera is not in it";
+    const std::string water = "Material \"interface\" MediumInterface \"a\" \"b\" " + ground + "Material \"diffuse\" " + head + sunk;
+    EXPECT_TRUE(LightMedia(sceneOf(water)).contradiction());
+}
+
+TEST_F(LightMediaTest, MayLeaveOutALampsOwnShape) {
+    const Scene scene = sceneOf(ball + inner);
+    EXPECT_EQ(LightMedia(scene).at({.1, .1, .2}, &scene.shapes[1]), 0);
+    EXPECT_EQ(LightMedia(scene).at({.1, .1, .2}, &scene.shapes[0]), 1);
+}
+
 TEST_F(LightMediaTest, SaysWhatItCannotTell) {
     const std::string part = "AttributeBegin MediumInterface \"a\" \"\" Shape \"sphere\" \"float zmax\" .5 AttributeEnd\n",
                       moving = "AttributeBegin ActiveTransform EndTime Translate 0 1 0 ActiveTransform All " + ball + "AttributeEnd\n",

@@ -284,6 +284,26 @@ TEST_F(Pack, MergingIsLeftOutWhereShapesMove) {
     EXPECT_THAT(moves.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1"), HasSubstr("shapes move"), HasSubstr("\"bdpt\""))));
 }
 
+// Light paths begin at a lamp in a medium where all of it is in the same one.
+TEST_F(Pack, LightPathsBeginWhereTheMediumIsKnown) {
+    const std::string head = "Integrator \"bdpt\"\nLookAt 0 0 -5  0 0 0  0 1 0 Camera \"perspective\"\nWorldBegin\n"
+                             "MakeNamedMedium \"m\" \"string type\" \"homogeneous\"\nAttributeBegin MediumInterface \"m\" \"\" "
+                             "Material \"interface\" Shape \"sphere\" AttributeEnd\n";
+    const auto packed = [&](const std::string& lamp) {
+        Diagnostics diagnostics(LogLevel::silent);
+        const PackedScene scene = packScene(read(head + "AreaLightSource \"diffuse\" " + lamp), diagnostics);
+        EXPECT_TRUE(scene.features.has(Feature::LIGHT_PATHS));
+        const bool begin = scene.frame().emission_count > 0;
+        EXPECT_EQ(begin, diagnostics.warnings().empty());
+        return begin ? std::optional(scene.tables.lights.front().medium) : std::nullopt;
+    };
+    EXPECT_EQ(packed("Shape \"sphere\" \"float radius\" .1"), 0u);
+    EXPECT_EQ(packed("Translate 3 0 0 Shape \"sphere\" \"float radius\" .1"), NONE);
+    EXPECT_EQ(packed("ReverseOrientation Shape \"sphere\" \"float radius\" 20"), NONE) << "around all";
+    EXPECT_EQ(packed("Translate .9 0 0 Shape \"disk\" \"float radius\" .5"), std::nullopt) << "half in it";
+    EXPECT_EQ(packed("Translate 3 0 0 MediumInterface \"\" \"m\" Shape \"disk\""), std::nullopt) << "its shape says what is not so";
+}
+
 // Light comes in through the side of a portal from which its corners run clockwise; where camera and scene are on that side, it is said.
 TEST_F(Pack, APortalThatFacesAwayIsSaid) {
     const auto warningsOf = [&](const std::string& camera, const std::string& corners) {
