@@ -69,14 +69,8 @@ void crossTriangle(const Shape& s, const glm::dmat4& placed, std::array<std::uin
     nearest = {t, (along < 0) != flips};
 }
 
-glm::dmat4 placedMesh(const Shape& s) {
-    glm::dmat4 placed = s.worldFromObject;
-    placed[3] = placed * glm::dvec4(s.mesh->origin, 1);
-    return placed;
-}
-
 void crossMesh(const Shape& s, const Segment& segment, Crossing& nearest) {
-    const glm::dmat4 placed = placedMesh(s);
+    const glm::dmat4 placed = fromPositions(s.worldFromObject, s.mesh->origin);
     const std::vector<std::uint32_t>& at = s.mesh->indices;
     const bool patches = s.kind == &kindOf(shape_bilinear);
     for (size_t i = 0; i + (patches ? 3 : 2) < at.size(); i += patches ? 4 : 3) {
@@ -102,7 +96,7 @@ std::vector<glm::dvec3> pointsOf(const Shape& s, glm::dvec3 eye) {
     constexpr size_t most = 8;
     const size_t corners = s.kind == &kindOf(shape_bilinear) ? 4 : 3, faces = s.mesh->indices.size() / corners;
     const size_t step = std::max(faces / most, size_t{1});
-    const glm::dmat4 placed = placedMesh(s);
+    const glm::dmat4 placed = fromPositions(s.worldFromObject, s.mesh->origin);
     std::vector<glm::dvec3> points;
     for (size_t f = 0; f < faces && points.size() < most; f += step) {
         glm::dvec3 sum(0);

@@ -51,6 +51,12 @@ Estimate meanOf(const FilmImage& image) {
     return e;
 }
 
+double meanGreen(const std::vector<glm::vec3>& layer) {
+    double sum = 0;
+    for (const glm::vec3& c : layer) sum += static_cast<double>(c.g);
+    return sum / static_cast<double>(layer.size());
+}
+
 void expectSameLight(const std::string& text, const std::string& other, double bias) {
     const Rendered camera = render(text), both = render(other);
     EXPECT_EQ(both.invalid.count, 0u);

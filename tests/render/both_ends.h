@@ -4,6 +4,7 @@
 #include "rendering.h"
 
 #include <string>
+#include <vector>
 
 namespace eikonal {
 
@@ -22,6 +23,9 @@ extern const std::string panel;
 
 /// The mean of an image, and its standard error by what the film says of the variance of each pixel.
 Estimate meanOf(const FilmImage& image);
+
+/// The mean of the green of a layer of an image.
+double meanGreen(const std::vector<glm::vec3>& layer);
 
 /// The scene `other` has the light of `text`: the means of the images, and of each of 16 parts of them, are within 4 standard errors. bias:
 /// by how much of the mean it may be off besides.

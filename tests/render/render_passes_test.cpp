@@ -32,11 +32,6 @@ void expectSum(const FilmImage& image) {
     EXPECT_EQ(wrong, 0u) << "values that are not the sum of their passes";
 }
 
-double meanGreen(const std::vector<glm::vec3>& layer) {
-    double sum = 0;
-    for (const glm::vec3& c : layer) sum += static_cast<double>(c.g);
-    return sum / static_cast<double>(layer.size());
-}
 void expectGreen(const Rendered& r, double emission, double direct, double indirect, double volume, double tolerance) {
     EXPECT_NEAR(meanGreen(r.image.emission), emission, tolerance);
     EXPECT_NEAR(meanGreen(r.image.direct), direct, tolerance);
