@@ -43,15 +43,36 @@ void addVertices(const ShapePacking& in) {
     }
 }
 
-size_t addInObjectSpace(const ShapePacking& in, object_space q, bool flips, double unit) {
+/// addInObjectSpace with the map from object space to the space of the group.
+static size_t addWithMap(const ShapePacking& in, object_space q, bool flips, const glm::dmat4& sceneFromObject) {
     if (in.description.reverseOrientation != flips) in.packed.flags |= shape_reversed;
     in.packed.object_space = static_cast<uint>(in.tables.object_spaces.size());
-    const glm::dmat4 sceneFromObject = in.m * scaling(unit);
     q.scene_from_object = toAffine(sceneFromObject);
     q.object_from_scene = toAffine(glm::inverse(sceneFromObject));
     in.tables.object_spaces.push_back(q);
     addBox(in.group, in.description.kind->traits.bound(in.description, in.m), in.packed.first_element);
     return 1;
+}
+
+size_t addInObjectSpace(const ShapePacking& in, object_space q, bool flips) { return addWithMap(in, q, flips, in.m); }
+
+size_t addRound(const ShapePacking& in, object_space q, int curved) {
+    const double unit = unitOfRound(in);
+    glm::dmat4 linear = in.m * scaling(unit);
+    const glm::dvec3 placed = linear[3];
+    linear[3] = {0, 0, 0, 1};
+    glm::dvec3 center = transformVector(glm::inverse(linear), placed);
+    const double radius = in.description.radius / unit;
+    if (curved == 0) {
+        q.z_min = q.z_max = static_cast<float>(center.z + in.description.height / unit);
+    } else {
+        double square = 0;
+        for (int axis = 0; axis < curved; ++axis) square += center[axis] * center[axis];
+        /* No power above this is of a surface near the origin, where alone it is used */
+        q.power = static_cast<float>(std::min(square - radius * radius, 1e30));
+    }
+    q.center = toVec3(center);
+    return addWithMap(in, q, isMirrored(in), linear);
 }
 
 double unitOfRound(const ShapePacking& in) { return std::ldexp(1.0, std::ilogb(in.description.radius)); }

@@ -23,9 +23,8 @@ struct ShapePacking {
 /// Adds the vertices and indices of the shape's mesh to the tables.
 void addVertices(const ShapePacking&);
 
-/// Adds the shape's only element, and q with the transforms from and to object space, whose unit is `unit` on the device. `flips`: whether
-/// m flips the normal. Returns 1.
-size_t addInObjectSpace(const ShapePacking&, object_space q, bool flips, double unit = 1);
+/// Adds the shape's only element, and q with the transforms from and to object space. `flips`: whether m flips the normal. Returns 1.
+size_t addInObjectSpace(const ShapePacking&, object_space q, bool flips);
 /// Whether m flips normals that are computed in object space. As in pbrt-v4, the shape's own transform does so if it mirrors, an
 /// instance's transform does not.
 inline bool isMirrored(const ShapePacking& in) { return swapsHandedness(in.m) != in.instanceSwaps; }
@@ -35,6 +34,10 @@ inline bool isMirrored(const ShapePacking& in) { return swapsHandedness(in.m) !=
 double unitOfRound(const ShapePacking&);
 /// An object space with the radius and phiMax of a sphere, disk or cylinder.
 object_space newRound(const ShapePacking&);
+/// Adds the only element of a sphere, disk or cylinder, like addInObjectSpace, with the origin of the space around it and its centre.
+/// `curved`: the axes of object space along which it curves, from x on: 3 of a sphere, 2 of a cylinder, 0 of a disk, whose heights are then
+/// counted from the origin.
+size_t addRound(const ShapePacking&, object_space q, int curved);
 
 /// Bounds of the mesh's vertices.
 Box meshBounds(const Shape&, const glm::dmat4& m);

@@ -37,14 +37,17 @@ typedef struct {
     uint inside, outside; /* in `media`, NONE for vacuum; only with shape_has_interface */
 } shape;
 
-/* The maps of a shape's object space, and the numbers of a sphere, disk or cylinder in it. */
+/* The maps of a shape's object space, and the numbers of a sphere, disk or cylinder in it. These three have the origin of the space
+   around them: near that origin, floats are precise also on a surface that is much larger than its distance from it. */
 typedef struct {
     affine object_from_scene;
     affine scene_from_object;
     float radius;
     float inner_radius;  /* disk */
-    float z_min, z_max;  /* sphere, cylinder; disk: z_min is its height */
+    float z_min, z_max;  /* sphere, cylinder: relative to the centre; disk: z_min is its height */
     float phi_max;       /* in (0, 2 pi] */
+    vec3 center;         /* of a sphere or disk; of a cylinder: x and y are its axis, z is where its z_min and z_max count from */
+    float power;         /* of the origin: its squared distance from a sphere's centre or a cylinder's axis, minus radius^2 */
 } object_space;
 
 enum curve_type { curve_flat, curve_cylinder, curve_ribbon };

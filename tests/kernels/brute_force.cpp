@@ -41,6 +41,11 @@ void BruteForce::collect(uint node, Group& group, std::vector<uint>* instances) 
     }
 }
 
+vec3 placedCenter(const object_space& q) {
+    const glm::dvec3 p = mapPoint(q.scene_from_object, toGlm(q.center));
+    return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+}
+
 /// Cramer's rule; margin is the least barycentric coordinate.
 static void meetTriangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c, glm::dvec3 o, glm::dvec3 d, uint element, uint instance,
                          std::vector<Candidate>& found) {
@@ -79,7 +84,7 @@ static void meetSphere(const object_space& q, glm::dvec3 o, glm::dvec3 d, uint e
 
 static void meetDisk(const object_space& q, glm::dvec3 o, glm::dvec3 d, uint element, uint instance, std::vector<Candidate>& found) {
     if (d.z == 0) return;
-    const double t = (q.z_min - o.z) / d.z;
+    const double t = (q.z_min - q.center.z - o.z) / d.z;
     const glm::dvec3 p = o + t * d;
     const double r = std::hypot(p.x, p.y), cosine = std::abs(d.z) / glm::length(d);
     double margin = (q.radius - r) / q.radius;
@@ -231,7 +236,7 @@ void BruteForce::meetElement(uint element, uint instance, glm::dvec3 o, glm::dve
         return;
     }
     const object_space& q = tables.object_spaces[s.object_space];
-    const glm::dvec3 oo = mapPoint(q.object_from_scene, o), od = mapVector(q.object_from_scene, d);
+    const glm::dvec3 oo = mapPoint(q.object_from_scene, o) - toGlm(q.center), od = mapVector(q.object_from_scene, d);
     if (s.kind == shape_sphere) meetSphere(q, oo, od, element, instance, found);
     else if (s.kind == shape_cylinder) meetCylinder(q, oo, od, element, instance, found);
     else meetDisk(q, oo, od, element, instance, found);

@@ -9,6 +9,9 @@
 
 namespace eikonal {
 
+/// The centre of a sphere, disk or cylinder, in the space of its BVH.
+vec3 placedCenter(const object_space& q);
+
 /// One element that a ray meets, or passes closely.
 struct Candidate {
     double t;

@@ -1,5 +1,6 @@
 // Shapes that an alpha cuts holes into: nearest hits and shadow rays find the same holes.
 
+#include "brute_force.h"
 #include "stage.h"
 #include "traversal.h"
 
@@ -23,13 +24,14 @@ TEST(AlphaCutOut, OnlyWhatIsThereIsHit) {
     ASSERT_TRUE(scene.features.has(Feature::ALPHA));
     const object_space& sphere = scene.tables.object_spaces[0];
     const affine& m = sphere.scene_from_object;
+    const vec3 center = placedCenter(sphere);
     const float scale = m.xx * sphere.radius / 0.5f;
     Random random(74);
     std::vector<Ray> rays;
     std::vector<int> want;
     for (int i = 0; i < 4000; ++i) {
         const float x = random.between(-0.99f, 0.99f), y = random.between(-0.99f, 0.99f);
-        rays.push_back({{m.xw + scale * x, m.yw + scale * y, m.zw + scale * 2}, {0, 0, -1}, i % 2 ? FAR_AWAY : scale * 2.5f});
+        rays.push_back({{center.x + scale * x, center.y + scale * y, center.z + scale * 2}, {0, 0, -1}, i % 2 ? FAR_AWAY : scale * 2.5f});
         const double s = (x + 1) * 2, t = (y + 1) * 2;
         const bool near = std::min(std::abs(s - std::round(s)), std::abs(t - std::round(t))) < 1e-4;
         want.push_back(near ? -1 : (static_cast<int>(s) + static_cast<int>(t)) % 2 == 0);
@@ -70,12 +72,13 @@ TEST(AlphaCutOut, TheFarSideIsSeenThroughHoles) {
     for (const char* kind : {"sphere", "cylinder"}) {
         const PackedScene scene = packText("WorldBegin Shape \"" + std::string(kind) + "\" \"float alpha\" 0.3");
         const affine& m = scene.tables.object_spaces[0].scene_from_object;
+        const vec3 center = placedCenter(scene.tables.object_spaces[0]);
         Random random(76);
         std::vector<Ray> rays;
         constexpr int count = 20000;
         for (int i = 0; i < count; ++i)
-            rays.push_back(
-                {{m.xw + m.xx * random.between(-0.5f, 0.5f), m.yw - 3 * m.xx, m.zw + m.xx * random.between(-0.5f, 0.5f)}, {0, 1, 0}});
+            rays.push_back({{center.x + m.xx * random.between(-0.5f, 0.5f), center.y - 3 * m.xx,
+                             center.z + m.xx * random.between(-0.5f, 0.5f)}, {0, 1, 0}});
         const auto hits = trace(scene, rays);
         const auto dark = blocked(scene, rays);
         double near = 0, far = 0;

@@ -42,7 +42,7 @@ namespace {
     M(shape, object_space) M(shape, splits) M(shape, material) M(shape, alpha) M(shape, first_light) M(shape, emission) M(shape, id) \
     M(shape, inside) M(shape, outside) \
     M(object_space, object_from_scene) M(object_space, scene_from_object) M(object_space, radius) M(object_space, inner_radius) \
-    M(object_space, z_min) M(object_space, z_max) M(object_space, phi_max) \
+    M(object_space, z_min) M(object_space, z_max) M(object_space, phi_max) M(object_space, center) M(object_space, power) \
     M(curve, p) M(curve, width) M(curve, type) M(curve, normal_angle) M(curve, n) \
     M(instance, object_from_scene) M(instance, scene_from_object) M(instance, root) M(instance, first_motion) M(instance, motion_count) \
     M(instance, id) \

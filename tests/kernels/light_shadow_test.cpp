@@ -1,6 +1,7 @@
 // Shadow rays to points of lights with an area: an opaque wall just before the light blocks all of them, and the light itself, and what it
 // lies on, none.
 
+#include "brute_force.h"
 #include "device_function.h"
 #include "kind_features.h"
 #include "kinds/light_kind.h"
@@ -117,9 +118,11 @@ protected:
             /* Scene space, by the disk at the origin */
             const object_space& origin = scene.tables.object_spaces[0];
             const affine& m = origin.scene_from_object;
+            const vec3 center = placedCenter(origin);
             const float scale = m.xx * origin.radius / .001f;
             for (int i = 0; i < 100000; ++i) {
-                p.push_back({m.xw + scale * random.between(-.5f, .5f), m.yw + scale * .01f, m.zw + scale * random.between(-.5f, .5f)});
+                const float x = random.between(-.5f, .5f), z = random.between(-.5f, .5f);
+                p.push_back({center.x + scale * x, center.y + scale * .01f, center.z + scale * z});
                 u.push_back(random.unit());
                 v.push_back({random.unit(), random.unit()});
             }

@@ -1,6 +1,7 @@
 // The stages that shade and the one that tests shadows, alone: queue in, queue out. Empty, with one item, and full;
 // no word of an item that is alive may be the poison of a forgotten field.
 
+#include "brute_force.h"
 #include "kind_features.h"
 #include "stage_fixture.h"
 
@@ -94,7 +95,7 @@ TEST_F(StageTest, ShadeHitsAnswersSlotBySlot) {
 /// A shadow ray adds Ld to its own path or nothing: nothing behind a sphere, all of it where the way is free; dead slots add nothing.
 TEST_F(StageTest, TestShadowsAddsWhereTheWayIsFree) {
     const object_space& q = sceneOfEverything().tables.object_spaces.at(0);
-    const vec3 center{q.scene_from_object.xw, q.scene_from_object.yw, q.scene_from_object.zw};
+    const vec3 center = placedCenter(q);
     QueueWords shadow = bench.empty("shadow");
     for (unsigned i = 0; i < 96; ++i) {
         /* The first object_space is the lamp, a flat disk at height 0 of its own space: straight through it, past it (far outside), dead */

@@ -120,5 +120,40 @@ TEST(Watertight, NoRayEscapesANeedle) {
         }
 }
 
+/// A hundred million rays from inside of closed meshes and of needles, at vertices and at points of edges.
+TEST(SlowWatertight, NoneOfAHundredMillionAimedRaysEscapes) {
+    struct Body { int steps; float squeeze; };
+    for (const Body body : {Body{24, 1}, Body{4, 1e-4f}, Body{4, 1e-5f}, Body{4, 1e-6f}})
+        for (bool round : {true, false}) {
+            const std::shared_ptr<Mesh> mesh = closedMesh(body.steps, round);
+            for (glm::vec3& p : mesh->positions) p *= glm::vec3(1, body.squeeze, body.squeeze);
+            Scene scene;
+            scene.shapes.push_back(triangleMesh(mesh));
+            const PackedScene packed = pack(scene);
+            const auto& indices = packed.tables.indices;
+            float length = 0;
+            for (const vec3& p : packed.tables.positions) length = std::max(length, p.x);
+            const float across = length * body.squeeze;
+            Random random(71);
+            size_t escaped = 0, all = 0;
+            while (all < 12500000) {
+                std::vector<Ray> rays;
+                for (int i = 0; i < 500000; ++i) {
+                    const vec3 o = random.box(0.15f);
+                    const glm::vec3 from{o.x * length, o.y * across, o.z * across};
+                    const size_t triangle = 3 * random.below(static_cast<uint>(indices.size() / 3));
+                    const glm::vec3 a = toGlm(packed.tables.positions[indices[triangle]]),
+                                    b = toGlm(packed.tables.positions[indices[triangle + 1]]);
+                    const float s = i % 3 == 0 ? 0 : i % 3 == 1 ? 0.5f : random.unit();
+                    const glm::vec3 d = glm::normalize(a + s * (b - a) - from);
+                    rays.push_back({{from.x, from.y, from.z}, {d.x, d.y, d.z}});
+                }
+                for (const Hit& h : trace(packed, rays)) escaped += h.element == NONE;
+                all += rays.size();
+            }
+            EXPECT_EQ(escaped, 0u) << "of " << all << " from 1 : " << body.squeeze << (round ? ", round" : ", flat");
+        }
+}
+
 }  // namespace
 }  // namespace eikonal

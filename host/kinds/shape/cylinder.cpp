@@ -33,7 +33,7 @@ static size_t pack(const ShapePacking& in) {
     const double unit = unitOfRound(in);
     q.z_min = static_cast<float>(in.description.zMin / unit);
     q.z_max = static_cast<float>(in.description.zMax / unit);
-    return addInObjectSpace(in, q, isMirrored(in), unit);
+    return addRound(in, q, 2);
 }
 
 static light_kind lightKindOf(const Shape&, const glm::dmat4&) { return kind_cylinder_light; }

@@ -23,10 +23,8 @@ static Box bound(const Shape& s, const glm::dmat4& m) {
 
 static size_t pack(const ShapePacking& in) {
     object_space q = newRound(in);
-    const double unit = unitOfRound(in);
-    q.inner_radius = static_cast<float>(in.description.innerRadius / unit);
-    q.z_min = q.z_max = static_cast<float>(in.description.height / unit);
-    return addInObjectSpace(in, q, isMirrored(in), unit);
+    q.inner_radius = static_cast<float>(in.description.innerRadius / unitOfRound(in));
+    return addRound(in, q, 0);
 }
 
 static light_kind lightKindOf(const Shape&, const glm::dmat4&) { return kind_disk_light; }

@@ -28,7 +28,7 @@ static size_t pack(const ShapePacking& in) {
     const double unit = unitOfRound(in);
     q.z_min = static_cast<float>(std::clamp(std::min(s.zMin, s.zMax), -s.radius, s.radius) / unit);
     q.z_max = static_cast<float>(std::clamp(std::max(s.zMin, s.zMax), -s.radius, s.radius) / unit);
-    return addInObjectSpace(in, q, isMirrored(in), unit);
+    return addRound(in, q, 3);
 }
 
 /// A full sphere that is not stretched is sampled by the cone that it subtends; any other as an ellipsoid.
