@@ -8,6 +8,7 @@ tests/fuzz/findings/TARGET, where the test FuzzReplay reads it again. Prints one
 import argparse
 import os
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -47,13 +48,16 @@ def fuzz(target, args):
     env = os.environ | {"EIKONAL_FUZZ_TARGET": target, "ASAN_OPTIONS": f"allocator_may_return_null=1:detect_leaks={int(target != 'image')}",
                         "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"}
     log = args.build / f"{target}.log"
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     with open(log, "w") as output:
         status = subprocess.run(command, env=env, stdout=output, stderr=output).returncode
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
     text = log.read_text(errors="replace")
     runs = re.search(r"number_of_executed_units: (\d+)", text)
     covered = re.findall(r"cov: (\d+)", text)
     result = "nothing found" if status == 0 else f"FOUND, status {status}: see {log}"
-    print(f"{target:11} {runs[1] if runs else '?':>9} runs, {covered[-1] if covered else '?':>6} edges: {result}", flush=True)
+    print(f"{target:11} {runs[1] if runs else '?':>9} runs in {seconds:.0f} s of processor time, {covered[-1] if covered else '?':>6} edges: {result}", flush=True)
     return status == 0
 
 
