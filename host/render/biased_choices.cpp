@@ -35,7 +35,7 @@ std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& p
     if (scene.forcesDiffuse) choices.push_back({"every surface diffuse", "no Option \"forcediffuse\""});
     if (scene.film.maxComponentValue > 0)
         choices.push_back({fmt::format("samples clamped at {:g}", scene.film.maxComponentValue), "--max-component-value=0"});
-    if (scene.film.reweightsFireflies) choices.push_back({"fireflies re-weighted", "--fireflies=keep; the layer fireflies"});
+    if (scene.film.reweightsFireflies) choices.push_back({"fireflies re-weighted, into the layer fireflies", "--fireflies=keep"});
     if (packed.features.has(Feature::DIFFUSION)) choices.push_back({"subsurface scattering by diffusion", "--subsurface=randomwalk"});
     if (packed.features.has(Feature::MERGING)) {
         const double radius = double{packed.frame().merge_radius} * packed.worldScale,

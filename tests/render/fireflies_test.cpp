@@ -52,7 +52,7 @@ TEST_F(FirefliesOption, TakesLightIntoALayerAndSaysHowMuch) {
     ASSERT_TRUE(clean.metadata.firefliesShare);
     EXPECT_GT(*clean.metadata.firefliesShare, 0.001);
     EXPECT_THAT(run.out, HasSubstr("\"firefliesShare\":"));
-    EXPECT_THAT(clean.metadata.biasedChoices, HasSubstr("fireflies re-weighted (without it: --fireflies=keep; the layer fireflies)"));
+    EXPECT_THAT(clean.metadata.biasedChoices, HasSubstr("fireflies re-weighted, into the layer fireflies (without it: --fireflies=keep)"));
     EXPECT_FALSE(kept.metadata.firefliesShare);
 }
 

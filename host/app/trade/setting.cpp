@@ -1,6 +1,7 @@
 #include "app/trade/setting.h"
 
 #include "kinds/integrator_kind.h"
+#include "pack/missed_light.h"
 #include "render/session.h"
 
 #include <fmt/format.h>
@@ -34,9 +35,24 @@ void addDepths(std::vector<Setting>& settings, int depth) {
     if (depth > 0 && depth <= 64) knob.add(fmt::format("{}", 2 * depth), {fmt::format("--max-depth={}", 2 * depth)}, true);
 }
 
+/// Whether there is light that paths from the camera hardly find, or none but for light paths.
+bool holdsHiddenLight(const Session& session) {
+    return session.packed().features.has(Feature::LIGHT_PATHS) || !missedLight(session.packed()).empty();
+}
+
+/// The integrators that follow light, too; those that merge are biased until their radius vanishes.
+void addLightPaths(Knob& knob, const Session& session) {
+    const bool tracesThem = session.packed().features.has(Feature::LIGHT_PATHS), merges = session.packed().features.has(Feature::MERGING);
+    if (tracesThem) knob.add("volpath", {"--integrator=volpath"}, true);
+    if (!tracesThem || merges) knob.add("bdpt", {"--integrator=bdpt"});
+    for (const IntegratorKind* kind : {&vcm_integrator, &sppm_integrator})
+        if (session.scene().integrator.kind != kind) knob.add(kind->name, {fmt::format("--integrator={}", kind->name)}, true);
+}
+
 void addIntegrators(std::vector<Setting>& settings, const Session& session) {
     const IntegratorKind* own = session.scene().integrator.kind;
     Knob knob(settings, "integrator");
+    if (tracesPaths(session.scene()) && holdsHiddenLight(session)) addLightPaths(knob, session);
     const bool hasMedia = session.packed().features.has(Feature::MEDIA);
     if (hasMedia) knob.add("path", {"--integrator=path"}, true);
     if (own->mostDepth > 1) knob.add("direct", {"--integrator=direct"}, true);
@@ -44,6 +60,11 @@ void addIntegrators(std::vector<Setting>& settings, const Session& session) {
         for (const char* bundle : {"0", "4"})
             knob.add(fmt::format("whitted, threshold {}, bundle {}", threshold, bundle),
                      {"--integrator=whitted", fmt::format("--threshold={}", threshold), fmt::format("--bundle={}", bundle)}, true);
+}
+
+void addGuiding(std::vector<Setting>& settings, const Session& session) {
+    const bool canBeGuided = session.scene().integrator.maxDepth > 1 && !session.packed().features.has(Feature::LIGHT_PATHS);
+    if (canBeGuided && !session.packed().features.has(Feature::PATH_GUIDE)) Knob(settings, "path guiding").add("on", {"--guiding=on"});
 }
 
 void addRoulette(std::vector<Setting>& settings) {
@@ -55,10 +76,14 @@ void addRoulette(std::vector<Setting>& settings) {
 
 void addBiasedNoiseReduction(std::vector<Setting>& settings, double brightness) {
     Knob(settings, "regularisation").add("on", {"--regularize=on"}, true);
+    Knob(settings, "fireflies").add("reweight", {"--fireflies=reweight"}, true);
     Knob clamping(settings, "clamping");
     for (int factor : {4, 16, 64, 256})
         clamping.add(fmt::format("at {} x the mean", factor), {fmt::format("--max-component-value={:.2g}", factor * brightness)}, true);
 }
+
+/// Follows light without merging, so without bias.
+constexpr const char* unmerged = "--integrator=bdpt";
 
 void addCompilerFlags(std::vector<Setting>& settings, const Stages& stages) {
     Knob knob(settings, "compiler flags");
@@ -80,6 +105,7 @@ std::vector<Setting> settingsFor(const Session& session, double brightness, bool
     const bool paths = tracesPaths(scene);
     if (paths) addDepths(settings, scene.integrator.maxDepth);
     addIntegrators(settings, session);
+    if (paths) addGuiding(settings, session);
     if (paths) addRoulette(settings);
     Knob color(settings, "colour");
     if (packed.features.has(Feature::SPECTRAL)) color.add("rgb", {"--color=rgb"}, true);
@@ -112,7 +138,10 @@ std::vector<Setting> settingsFor(const Session& session, double brightness, bool
 std::vector<std::string> referenceOptions(const Session& session) {
     std::vector<std::string> options;
     for (const BiasedChoice& c : session.biasedChoices())
-        if (c.remedy.starts_with("--") && !c.remedy.starts_with("--integrator")) options.push_back(c.remedy);
+        if (c.remedy.starts_with("--") && c.remedy != "--integrator=volpath") options.push_back(c.remedy);
+    const Scene& scene = session.scene();
+    const bool isWhole = tracesPaths(scene) && (scene.integrator.kind->countsMedia || scene.media.empty());
+    if (isWhole && holdsHiddenLight(session) && !session.packed().features.has(Feature::LIGHT_PATHS)) options.push_back(unmerged);
     return options;
 }
 

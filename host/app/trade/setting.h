@@ -29,8 +29,8 @@ struct Setting {
 /// strict in all kernels and in each alone, for which the session must have its kernels.
 std::vector<Setting> settingsFor(const Session& session, double brightness, bool withCompilerFlags);
 
-/// The options whose images converge to the reference: those that avoid the biased choices of the user's own. Depth and integrator are
-/// part of what the user wants.
+/// The options of the reference: those that avoid the biased choices of the user's own, and follow light where paths from the camera
+/// hardly find it. Depth, and what an integrator leaves out, are part of what the user wants.
 std::vector<std::string> referenceOptions(const Session& session);
 
 /// `base` without the options that `more` sets, followed by `more`.
