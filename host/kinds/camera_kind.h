@@ -45,7 +45,7 @@ struct CameraTraits {
 CAMERAS(DECLARE_KIND)
 #undef DECLARE_KIND
 
-enum class CameraRays { CENTRAL, PARALLEL, AROUND, ANY };   ///< as in CAMERAS
+enum class CameraRays { CENTRAL, PARALLEL, AROUND, TRACED };   ///< as in CAMERAS
 
 /// A line of CAMERAS.
 struct CameraKind {

@@ -49,7 +49,6 @@ void packCamera(const CameraPacking& in, camera& view) {
     view.kind = kind.value;
     view.is_parallel = kind.rays == CameraRays::PARALLEL;
     view.is_around = kind.rays == CameraRays::AROUND;
-    view.has_importance = kind.rays != CameraRays::ANY;
     context.require(kind.feature, description.where.toString());
     view.scene_from_camera = toAffine(context.space.sceneFromWorld() * description.worldFromCamera * scaling(in.unit));
     view.times = shutterOf(context.scene);

@@ -138,6 +138,30 @@ Table<pupil_bounds> LensSystem::pupils() const {
     return list;
 }
 
+LensDisk LensSystem::front() const {
+    const Element& glass = elements_.back();
+    /* A concave surface reaches farther out at its edge than at its vertex */
+    const double inner = std::min(glass.aperture, std::abs(glass.radius));
+    const double bulge = glass.radius < 0 ? std::abs(glass.radius) - std::sqrt(glass.radius * glass.radius - inner * inner) : 0;
+    LensDisk disk{glass.z + bulge + 1e-3 * glass.aperture, 0};
+    constexpr int films = 24, steps = 32;
+    for (int i = 0; i < films; ++i) {
+        const double film = filmRadius_ * i / (films - 1);
+        const pupil_bounds b = pupil(film, film);
+        for (int k = 0; k < steps * steps && !isEmpty(b); ++k) {
+            const float u = (static_cast<float>(k % steps) + 0.5f) / steps, v = (static_cast<float>(k / steps) + 0.5f) / steps;
+            const glm::dvec3 at{b.low_x + u * (b.high_x - b.low_x), b.low_y + v * (b.high_y - b.low_y), rearZ()};
+            const auto ray = fromFilm({{film, 0, 0}, at - glm::dvec3(film, 0, 0)});
+            if (!ray) continue;
+            const glm::dvec3 out = ray->o + (disk.z - ray->o.z) / ray->d.z * ray->d;
+            disk.radius = std::max(disk.radius, std::hypot(out.x, out.y));
+        }
+    }
+    /* A grid misses the very edge; without any ray the image is black */
+    disk.radius = disk.radius > 0 ? 1.02 * disk.radius : glass.aperture;
+    return disk;
+}
+
 Table<lens_element> LensSystem::elements() const {
     const auto f = [](double x) { return static_cast<float>(x); };
     Table<lens_element> list;

@@ -15,6 +15,8 @@
 namespace eikonal {
 
 struct LensRay { glm::dvec3 o, d; };
+/// A disk perpendicular to the axis.
+struct LensDisk { double z, radius; };
 
 class LensSystem {
 public:
@@ -33,6 +35,9 @@ public:
     pupil_bounds pupil(double near, double far) const;
     /// The exit pupils of all PUPIL_INTERVALS intervals.
     Table<pupil_bounds> pupils() const;
+
+    /// A disk in front of the glass through which all rays leave but, at the most, a few at its edge.
+    LensDisk front() const;
 
     /// The elements in the device's format.
     Table<lens_element> elements() const;

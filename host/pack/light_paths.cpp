@@ -1,7 +1,6 @@
 #include "pack/light_paths.h"
 
 #include "kind_features.h"
-#include "kinds/camera_kind.h"
 #include "kinds/integrator_kind.h"
 #include "pack/light_media.h"
 #include "pack/light_vertices.h"
@@ -27,8 +26,6 @@ static std::string contradictionOf(const Scene& scene) {
 
 std::string lightPathObstacle(const PackContext& context) {
     const Scene& scene = context.scene;
-    const CameraKind& camera = kindOf(scene.camera);
-    if (camera.rays == CameraRays::ANY) return fmt::format("they cannot be connected to a \"{}\" camera yet", camera.name);
     if (context.hasMedia && scene.forcesDiffuse) return "it has participating media and \"forcediffuse\"";
     if (context.hasMedia)
         if (const std::string contradiction = contradictionOf(scene); !contradiction.empty()) return contradiction;

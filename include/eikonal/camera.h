@@ -31,7 +31,8 @@ typedef struct {
     shutter times;
     float screen_x, screen_y;      /* screen coordinates of the upper left corner of pixel (0, 0) */
     float step_x, step_y;          /* screen distance between neighbouring pixels; step_y < 0 */
-    float lens_radius;             /* camera space; 0: pinhole */
+    float lens_radius;             /* camera space; 0: pinhole; realistic: of the disk through which rays leave the lens */
+    float front_z;                 /* where the points of the lens are; realistic: in front of its glass; all others: 0 */
     float focal_distance;          /* along z, camera space */
     uint equal_area;               /* spherical: 1: equal-area mapping (Clarberg 2008), 0: equirectangular mapping */
     uint element_count;            /* realistic: in `lens_elements`, from film to scene */
@@ -40,7 +41,6 @@ typedef struct {
     uint aperture_width, aperture_height; /* realistic: size of the image in `aperture_texels`; 0: a round stop */
     uint is_parallel;              /* 1: rays through one point of the lens are parallel (PARALLEL in cameras.h) */
     uint is_around;                /* 1: they go in all directions (AROUND) */
-    uint has_importance;           /* 1: light paths can be connected to it (all but ANY) */
     uint medium;                   /* medium around the camera, or NONE */
 } camera;
 

@@ -2,11 +2,11 @@
    (contract: kernels/camera/camera.clh), beside host/kinds/camera/x.cpp. CODE says how generate_x is built:
      STRAIGHT   straight-line code
      LOOPS      with loops, which keep the compiler from vectorising generate_rays in scenes with this camera
-   RAYS says how the rays through one point of the lens lie, which decides whether a light path can be connected to the camera:
+   RAYS says how the rays through one point of the lens lie, which decides how light paths are connected to the camera:
      CENTRAL    they go through a point: the kind defines sample_importance_x (kernels/camera/importance.clh)
      PARALLEL   they are parallel: so it does
      AROUND     they go through a point, in all directions: so it does, with image_area_x and wrap_screen_x
-     ANY        unknown: light paths cannot be connected */
+     TRACED     as they come out of lenses: so it does, tracing them back */
 #ifndef EIKONAL_CAMERAS_H
 #define EIKONAL_CAMERAS_H
 #include "eikonal/portable.h"
@@ -16,7 +16,7 @@ CONTRACT_BEGIN
     C(perspective,  CAMERA_PERSPECTIVE,  STRAIGHT, CENTRAL) \
     C(orthographic, CAMERA_ORTHOGRAPHIC, STRAIGHT, PARALLEL) \
     C(spherical,    CAMERA_SPHERICAL,    STRAIGHT, AROUND) \
-    C(realistic,    CAMERA_REALISTIC,    LOOPS,    ANY)
+    C(realistic,    CAMERA_REALISTIC,    LOOPS,    TRACED)
 
 #define CAMERA_KIND(name, FEATURE, CODE, RAYS) camera_##name,
 enum camera_kind { CAMERAS(CAMERA_KIND) camera_kinds };

@@ -4,12 +4,13 @@
 #include "stages/stage.clh"
 
 #define SHADE_LIGHT_HITS(TABLE, ARGUMENT) \
-    BSDF_TABLES(TABLE) COLOR_TABLES(TABLE) \
+    BSDF_TABLES(TABLE) COLOR_TABLES(TABLE) CAMERA_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, hit) ARGUMENT(__global uint *, next_ray) \
     ARGUMENT(__global uint *, shadow) ARGUMENT(uint, first)
 STAGE(shade_light_hits, SHADE_LIGHT_HITS) {
     bsdf_tables bsdf_set = BIND_BSDFS;
     color_tables color_set = BIND_COLORS;
+    camera_tables camera_set = BIND_CAMERA;
     FOR_EACH_SLOT_OF_GROUP(at, count) {
         size_t i = first + at;
         int alive = at < count;
@@ -22,7 +23,7 @@ STAGE(shade_light_hits, SHADE_LIGHT_HITS) {
         BSDF_BOUND b = BIND_BSDF(h, LOAD_BSDF(hit, capacity, i), bsdf_set, color_set);
         frame3 shading = shading_frame(h);
         vec3 wo = to_local(shading, h.wo);
-        if (!BSDF_IS_DELTA) store_shadow(shadow, capacity, i, CONNECT_BSDF(frame, h, b, shading, wo, alive));
+        if (!BSDF_IS_DELTA) store_shadow(shadow, capacity, i, CONNECT_BSDF(camera_set, frame, h, b, shading, wo, alive));
         else STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
         store_ray(next_ray, capacity, i, SCATTER_POWER_BSDF(frame, h, b, shading, wo, alive));
     }

@@ -2,7 +2,7 @@
 """Chooses the presets of --quality from a Pareto front over a set of scenes, and measures them.
 
     tests/accuracy/presets.py trade SCENE[@WxH] ... --studies FOLDER [--budget 60s]   runs `eikonal trade` on each scene
-    tests/accuracy/presets.py front --studies FOLDER                                 prints the front of all studies
+    tests/accuracy/presets.py front --studies FOLDER [--samples 8,32] [--write]      the front of all studies: printed, or put into docs/trade.md
     tests/accuracy/presets.py measure SCENE[@WxH] ... [--only=draft,preview,final]  measures the presets, and options beside them
 
 front: a study has a model of error and time for each setting. For each setting that most scenes have; in the others it has no effect
@@ -66,9 +66,11 @@ def front(o):
     points = sorted(candidates([json.loads(f.read_text()) for f in sorted(o.studies.glob("*.json"))]), key=lambda p: p[3])
     text = "| samples | setting | error | time |\n|--:|---|--:|--:|\n"
     for name, samples, error, time in points:
+        if samples not in o.samples:
+            continue
         if not any(e <= error * 0.9 and t <= time for _, _, e, t in points) and not any(e < error and t < time * 0.9 for _, _, e, t in points):
             text += f"| {samples} | {name} | {100 * error:.2g} % | {time:.2g} |\n"
-    print(text)
+    put(ROOT / "docs" / "trade.md", "<!-- front: made by tests/accuracy/presets.py -->\n", text, "<!-- end of front -->", only_print=not o.write)
 
 
 def render(o, scene, size, image, *options):
@@ -129,6 +131,9 @@ def main():
     parser.add_argument("--budget", default="60s")
     parser.add_argument("--only", type=lambda text: text.split(","), default=["draft", "preview", "final"],
                         help="presets, or options in their place, separated by commas: 'draft,--spp=8 --max-depth=3'")
+    parser.add_argument("--samples", type=lambda text: [int(n) for n in text.split(",")], default=[2 ** k for k in range(13)],
+                        help="the rows of the front, powers of two separated by commas")
+    parser.add_argument("--write", action="store_true")
     parser.add_argument("--seeds", type=int, default=4)
     parser.add_argument("--reference-samples", type=int, default=2048)
     parser.add_argument("--json", type=pathlib.Path)

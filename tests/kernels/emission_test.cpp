@@ -12,7 +12,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <set>
+
+#include <unistd.h>
 
 namespace eikonal {
 namespace {
@@ -142,6 +146,19 @@ TEST(EmissionList, IsCovered) {
 #undef EXPECT_TESTED
 }
 
+/// A lens of six faces and a stop, in a file.
+class LensFile {
+public:
+    LensFile() { std::ofstream(file_) << "30 5 1.6 24\n80 3 1 24\n0 3 0 14\n-25 1.5 1.7 16\n40 2 1 18\n60 4 1.65 20\n-35 30 1 20\n"; }
+    ~LensFile() { std::filesystem::remove(file_); }
+    std::string camera() const {
+        return "\"realistic\" \"string lensfile\" \"" + file_.string() + "\" \"float aperturediameter\" 9 \"float focusdistance\" 3";
+    }
+
+private:
+    std::filesystem::path file_ = std::filesystem::temp_directory_path() / ("eikonal-emission-" + std::to_string(getpid()) + ".dat");
+};
+
 struct Connection {
     vec3 o, lens;
     float density, inverse;
@@ -151,10 +168,12 @@ struct Connection {
 /// A camera ray, and the connection of a point on it to the camera by the same point of the lens: both are the same line, at the same place
 /// in the image, and the density of one is 1 over the inverse density that the other carries.
 TEST(Importance, ConnectsPointsAlongTheRaysOfTheCamera) {
-    for (const std::string camera :
-         {"\"perspective\" \"float fov\" 50", "\"orthographic\"", "\"perspective\" \"float lensradius\" .3 \"float focaldistance\" 4",
-          "\"orthographic\" \"float lensradius\" .3 \"float focaldistance\" 4", "\"spherical\"",
-          "\"spherical\" \"string mapping\" \"equirectangular\""})
+    const LensFile lens;
+    for (const std::string& camera :
+         {std::string("\"perspective\" \"float fov\" 50"), std::string("\"orthographic\""),
+          std::string("\"perspective\" \"float lensradius\" .3 \"float focaldistance\" 4"),
+          std::string("\"orthographic\" \"float lensradius\" .3 \"float focaldistance\" 4"), std::string("\"spherical\""),
+          std::string("\"spherical\" \"string mapping\" \"equirectangular\""), lens.camera()})
         for (const std::string stretch : {"", "Scale 1 2 .5 ", "Scale -3 3 3 "}) {
             SCOPED_TRACE(camera + stretch);
             const PackedScene scene = packText(
@@ -167,9 +186,13 @@ TEST(Importance, ConnectsPointsAlongTheRaysOfTheCamera) {
                  .body =
                      "camera_tables tables = BIND_CAMERA; ray_item r = generate_ray(tables, frame, x, y, sample, 0u).ray;"
                      "vec3 p = mul_add(r.d, distance, r.o);"
-                     "camera_connection c = connect_to_camera(frame, 0.0f, p, sample_2d(r.seed, r.sample, dimension_lens));"
+                     "affine m = frame->view.scene_from_camera; vec3 own = transform_point(invert(m), r.o);"
+                     "vec2 of_lens = make_vec2(own.x, own.y), at = sample_2d(r.seed, r.sample, dimension_lens);"
+                     "camera_connection c = frame->view.element_count > 0u ? connect_to_lens(tables, frame, m, p, of_lens)"
+                     "                                                     : connect_to_camera(tables, frame, 0.0f, p, at);"
                      "vec2 u = sample_2d(r.seed, r.sample, dimension_pixel);"
-                     "result.o = r.o; result.lens = c.o; result.density = c.density; result.inverse = r.d_vcm; result.raster = c.raster;"
+                     "result.o = r.o; result.lens = c.o; result.density = c.density; result.raster = c.raster;"
+                     "result.inverse = r.t_max > 0.0f ? r.d_vcm : -1.0f;"
                      "result.image = make_vec2((float)x + u.x, (float)y + u.y);",
                  .inputs = {"uint x", "uint y", "uint sample", "float distance"},
                  .declarations = "typedef struct { vec3 o, lens; float density, inverse; vec2 raster, image; } connection;",
@@ -178,20 +201,32 @@ TEST(Importance, ConnectsPointsAlongTheRaysOfTheCamera) {
             Random random(9);
             constexpr size_t n = 4096;
             const auto distance = generate(n, [&] { return random.between(0.3f, 3); });
+            size_t met = 0, unequal = 0;
             const auto found =
                 function.with(DeviceScene(testContext(), scene), generate(n, [&] { return random.below(40); }),
                               generate(n, [&] { return random.below(30); }), generate(n, [&] { return random.below(64); }), distance);
             for (size_t i = 0; i < n; ++i) {
                 const Connection& c = found[i];
+                if (c.inverse < 0) continue; /* blocked by the lens */
+                ++met;
+                /* On the rim of a face, rounding decides what passes; and a few rays leave beside the disk that light paths aim at */
+                if (c.density == 0 || c.inverse == 0) { ++unequal; continue; }
                 const double away = scene.frame().view.is_parallel ? 1 : std::pow(static_cast<double>(distance[i]), 2);
                 ASSERT_LT(glm::length(toGlm(c.o) - toGlm(c.lens)), 1e-5);
                 /* Near a pole, longitudes are close together */
                 const bool isGlobe = camera.find("equirect") != std::string::npos;
                 const double apart = isGlobe ? std::sin(M_PI * static_cast<double>(c.image.y) / 30) : 1;
-                ASSERT_NEAR(c.raster.x, c.image.x, 2e-3 / std::max(apart, 1e-3));
-                ASSERT_NEAR(c.raster.y, c.image.y, 2e-3);
-                ASSERT_NEAR(static_cast<double>(c.density) * away * static_cast<double>(c.inverse), 1, 1e-3);
+                /* Each face of a lens adds its rounding */
+                const double pixels = scene.frame().view.element_count > 0 ? 2e-2 : 2e-3;
+                ASSERT_NEAR(c.raster.x, c.image.x, pixels / std::max(apart, 1e-3));
+                ASSERT_NEAR(c.raster.y, c.image.y, pixels);
+                /* At a border between two pupils, rounding decides which one a film point has */
+                const double ratio = static_cast<double>(c.density) * away * static_cast<double>(c.inverse);
+                ASSERT_NEAR(ratio, 1, scene.frame().view.element_count > 0 ? 0.05 : 1e-3);
+                unequal += std::abs(ratio - 1) > 1e-3;
             }
+            EXPECT_GT(met, n / 3);
+            EXPECT_LT(unequal, n / 500);
         }
 }
 
@@ -210,7 +245,8 @@ TEST_P(ImportanceOf, IntegratesToOneOverTheImage) {
     const DeviceFunction<Connection> function(
         {.include = "camera/camera.clh",
          .type = "connection",
-         .body = "camera_connection c = connect_to_camera(frame, 0.0f, p, make_vec2(0.0f, 0.0f));"
+         .body = "camera_tables tables = BIND_CAMERA;"
+                 "camera_connection c = connect_to_camera(tables, frame, 0.0f, p, make_vec2(0.0f, 0.0f));"
                  "result.lens = c.o; result.density = c.density; result.raster = c.raster;",
          .inputs = {"vec3 p"},
          .declarations = "typedef struct { vec3 o, lens; float density, inverse; vec2 raster, image; } connection;",

@@ -3,6 +3,10 @@
 #include "both_ends.h"
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
 
 namespace eikonal {
 namespace {
@@ -32,6 +36,13 @@ const std::string leaf = "\"diffusetransmission\" \"rgb reflectance\" [.3 .3 .3]
 /// Filters reach over the edges of what a camera sees around it.
 const std::string inTheRoom = "PixelFilter \"gaussian\" Identity LookAt -.3 1.1 -.8  .3 .8 .4  0 1 0 ";
 
+/// A thick lens of 50 mm with a wide stop behind it, focused on the room.
+std::string lensSystem() {
+    const auto file = std::filesystem::temp_directory_path() / ("eikonal-light-paths-" + std::to_string(::getpid()) + ".dat");
+    std::ofstream(file) << "50 6 1.5 40\n-50 1 1 40\n0 50 0 36\n";
+    return "\"realistic\" \"string lensfile\" \"" + file.string() + "\" \"float aperturediameter\" 30 \"float focusdistance\" 4";
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Of, LightPaths,
     testing::Values(
@@ -45,6 +56,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"a_lens", panel + ball("\"diffuse\""),
              "Camera \"perspective\" \"float fov\" 40 \"float lensradius\" .2 \"float focaldistance\" 3"},
         Case{"parallel_rays", panel + ball("\"dielectric\""), "Camera \"orthographic\" \"float screenwindow\" [-1.3 1.3 -1.3 1.3]"},
+        Case{"a_lens_system", panel + ball("\"dielectric\" \"float roughness\" .3"), "Camera " + lensSystem()},
+        Case{"a_lens_with_a_square_stop", panel + ball("\"diffuse\""), "Camera " + lensSystem() + " \"string aperture\" \"square\""},
         Case{"an_equal_area_sphere", panel + ball("\"dielectric\" \"float roughness\" .3"), inTheRoom + "Camera \"spherical\""},
         Case{"a_globe", panel + ball("\"diffuse\""), inTheRoom + "Camera \"spherical\" \"string mapping\" \"equirectangular\""},
         Case{"a_tree_of_lights", manyLamps() + ball(leaf), "Integrator \"volpath\" \"integer maxdepth\" 6 \"string lightsampler\" \"bvh\""},

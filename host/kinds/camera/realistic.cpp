@@ -42,6 +42,10 @@ static void packLens(const LensSystem& lens, const CameraPacking& in, camera& vi
         for (float* length : {&b.low_x, &b.low_y, &b.high_x, &b.high_y}) *length *= metre;
     view.element_count = static_cast<uint>(in.tables.lens_elements.size());
     view.rear_z = static_cast<float>(lens.rearZ() / in.unit);
+    const LensDisk front = lens.front();
+    view.front_z = static_cast<float>(front.z / in.unit);
+    view.lens_radius = static_cast<float>(front.radius / in.unit);
+    in.context.require(Feature::LENS, in.context.scene.camera.where.toString());
 }
 
 static void pack(const CameraPacking& in, const CameraDescription& description, camera& view) {
