@@ -77,11 +77,11 @@ TEST(Options, DashesAndCapitalsOfNamesDoNotMatter) {
 TEST(Options, PresetsStandForOptionsThatOthersOverride) {
     const Options draft = parse("render a.pbrt --quality draft");
     EXPECT_EQ(draft.scene.spp, 8);
-    EXPECT_EQ(draft.scene.regularize, true);
+    EXPECT_EQ(parse("render a.pbrt --quality reference").scene.regularize, false);
     EXPECT_EQ(draft.commandLine, "eikonal render a.pbrt --quality draft");
-    const Options mine = parse("render --regularize off a.pbrt --quality=draft --spp 3");
+    const Options mine = parse("render --regularize on a.pbrt --quality=reference --spp 3");
     EXPECT_EQ(mine.scene.spp, 3);
-    EXPECT_EQ(mine.scene.regularize, false);
+    EXPECT_EQ(mine.scene.regularize, true);
     EXPECT_EQ(parse("info a.pbrt --quality reference").scene.colorMode, ColorMode::spectral);
     EXPECT_THAT(messageOf("render a.pbrt --quality best"), HasSubstr("draft, preview, final, reference"));
 }
