@@ -68,7 +68,7 @@ size_t addRound(const ShapePacking& in, object_space q, int curved) {
     } else {
         double square = 0;
         for (int axis = 0; axis < curved; ++axis) square += center[axis] * center[axis];
-        /* No power above this is of a surface near the origin, where alone it is used */
+        /* A surface with a larger power is far from the origin, where the power is not used */
         q.power = static_cast<float>(std::min(square - radius * radius, 1e30));
     }
     q.center = toVec3(center);

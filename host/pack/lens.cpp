@@ -47,15 +47,24 @@ std::optional<LensRay> LensSystem::pass(const Element& e, double eta, LensRay ra
     return LensRay{p + glm::dvec3(0, 0, e.z), glm::normalize(d / eta + (std::sqrt(squareOut) - cosIn / eta) * n)};
 }
 
+/// Rays that turn round, or nearly so, are blocked.
+static constexpr double leastCosine = 1e-4;
+
 std::optional<LensRay> LensSystem::fromFilm(LensRay ray) const {
     std::optional<LensRay> r = LensRay{ray.o, glm::normalize(ray.d)};
-    for (auto e = elements_.begin(); r && e != elements_.end(); ++e) r = pass(*e, e->eta, *r);
+    for (auto e = elements_.begin(); r && e != elements_.end(); ++e) {
+        r = pass(*e, e->eta, *r);
+        if (r && r->d.z < leastCosine) return std::nullopt;
+    }
     return r;
 }
 
 std::optional<LensRay> LensSystem::fromScene(LensRay ray) const {
     std::optional<LensRay> r = LensRay{ray.o, glm::normalize(ray.d)};
-    for (auto e = elements_.rbegin(); r && e != elements_.rend(); ++e) r = pass(*e, 1 / e->eta, *r);
+    for (auto e = elements_.rbegin(); r && e != elements_.rend(); ++e) {
+        r = pass(*e, 1 / e->eta, *r);
+        if (r && r->d.z > -leastCosine) return std::nullopt;
+    }
     return r;
 }
 
@@ -138,27 +147,28 @@ Table<pupil_bounds> LensSystem::pupils() const {
     return list;
 }
 
-LensDisk LensSystem::front() const {
+LensDisk LensSystem::front(const Table<pupil_bounds>& pupils) const {
     const Element& glass = elements_.back();
     /* A concave surface reaches farther out at its edge than at its vertex */
     const double inner = std::min(glass.aperture, std::abs(glass.radius));
     const double bulge = glass.radius < 0 ? std::abs(glass.radius) - std::sqrt(glass.radius * glass.radius - inner * inner) : 0;
-    LensDisk disk{glass.z + bulge + 1e-3 * glass.aperture, 0};
-    constexpr int films = 24, steps = 32;
-    for (int i = 0; i < films; ++i) {
-        const double film = filmRadius_ * i / (films - 1);
-        const pupil_bounds b = pupil(film, film);
+    LensDisk disk{glass.z + bulge + 1e-3 * glass.aperture + 1e-6 * glass.z, 0};
+    constexpr int steps = 16;
+    for (size_t i = 0; i < pupils.size(); ++i) {
+        const pupil_bounds& b = pupils[i];
+        const double film = filmRadius_ * (static_cast<double>(i) + 0.5) / static_cast<double>(pupils.size());
         for (int k = 0; k < steps * steps && !isEmpty(b); ++k) {
             const float u = (static_cast<float>(k % steps) + 0.5f) / steps, v = (static_cast<float>(k / steps) + 0.5f) / steps;
             const glm::dvec3 at{b.low_x + u * (b.high_x - b.low_x), b.low_y + v * (b.high_y - b.low_y), rearZ()};
             const auto ray = fromFilm({{film, 0, 0}, at - glm::dvec3(film, 0, 0)});
-            if (!ray) continue;
+            /* The disk of a fisheye would be endless */
+            if (!ray || ray->d.z < 0.1) continue;
             const glm::dvec3 out = ray->o + (disk.z - ray->o.z) / ray->d.z * ray->d;
             disk.radius = std::max(disk.radius, std::hypot(out.x, out.y));
         }
     }
     /* A grid misses the very edge; without any ray the image is black */
-    disk.radius = disk.radius > 0 ? 1.02 * disk.radius : glass.aperture;
+    disk.radius = disk.radius > 0 ? 1.03 * disk.radius : glass.aperture;
     return disk;
 }
 

@@ -36,8 +36,9 @@ public:
     /// The exit pupils of all PUPIL_INTERVALS intervals.
     Table<pupil_bounds> pupils() const;
 
-    /// A disk in front of the glass through which all rays leave but, at the most, a few at its edge.
-    LensDisk front() const;
+    /// A disk in front of the glass through which all rays leave, but a few at its edge and those that leave at more than 84 degrees to the
+    /// axis. `pupils`: those of pupils().
+    LensDisk front(const Table<pupil_bounds>& pupils) const;
 
     /// The elements in the device's format.
     Table<lens_element> elements() const;

@@ -45,22 +45,33 @@ static double smallestLamp(const PackedScene& packed) {
     return smallest;
 }
 
+/// A light that no path can hit. Null: there is none.
+static const light* firstWithoutArea(const PackedScene& packed) {
+    const auto hasNone = [](const light& l) { return kindOf(l).place == LightPlace::POINT || kindOf(l).place == LightPlace::DISTANT; };
+    const auto found = std::ranges::find_if(packed.tables.lights, hasNone);
+    return found == packed.tables.lights.end() ? nullptr : &*found;
+}
+
+/// The first smooth surface by way of which light is missed; empty if there is none, or where paths from both ends merge, since they meet
+/// on the surface in between.
+static std::string missedBy(const PackedScene& packed) {
+    return packed.features.has(Feature::MERGING) ? std::string() : firstSmooth(packed);
+}
+
+bool missesLightForGood(const PackedScene& packed) { return !missedBy(packed).empty() && firstWithoutArea(packed); }
+
 std::vector<std::string> missedLight(const PackedScene& packed) {
-    const std::string smooth = firstSmooth(packed);
-    /* Where paths from both ends merge, they meet on the surface in between */
-    if (smooth.empty() || packed.features.has(Feature::MERGING)) return {};
+    const std::string smooth = missedBy(packed);
+    if (smooth.empty()) return {};
     /* Light paths arrive at the camera from surfaces that it sees directly */
     const bool fromBothEnds = packed.features.has(Feature::LIGHT_PATHS);
     const std::string onto = fromBothEnds ? "onto surfaces by way of smooth ones, where they are seen by way of smooth ones, too"
                                           : "onto surfaces by way of smooth ones";
     std::vector<std::string> missed;
-    for (const light& l : packed.tables.lights) {
-        const LightKind& kind = kindOf(l);
-        if (kind.place != LightPlace::POINT && kind.place != LightPlace::DISTANT) continue;
-        const std::string where = firstUse(packed, kind.feature);
+    if (const light* l = firstWithoutArea(packed)) {
+        const std::string where = firstUse(packed, kindOf(*l).feature);
         missed.push_back(fmt::format("what a {} light{} sends {}, first {}, is missing: no path from the camera can hit such a light",
-                                     kind.name, where.empty() ? "" : " (" + where + ")", onto, smooth));
-        break;
+                                     kindOf(*l).name, where.empty() ? "" : " (" + where + ")", onto, smooth));
     }
     if (const double share = smallestLamp(packed); share < rareShare)
         missed.push_back(fmt::format("what a lamp of {:.1e} of the scene's cross-section sends {}, first {}, is noisy: about one path in "

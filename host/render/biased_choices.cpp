@@ -16,8 +16,7 @@ std::vector<std::string> inexactFlags(const std::string& compilerFlags) {
     return found;
 }
 
-/// What the integrator leaves out of the light transport equation; empty: nothing but paths of more than maxdepth bounces.
-static std::string partOfTransport(const Scene& scene) {
+std::string partOfTransport(const Scene& scene) {
     const IntegratorKind& kind = *scene.integrator.kind;
     if (kind.surfaceQueue) return "ambient occlusion instead of light";
     if (kind.splitsRays) return "a tree of rays instead of paths";

@@ -17,6 +17,9 @@ struct BiasedChoice {
 /// Of an image that has been denoised.
 inline const BiasedChoice denoisingChoice = {"denoising", "no --denoise; the layer noisy"};
 
+/// What the integrator computes instead of the whole light transport equation; empty: all of it but paths of more than maxdepth bounces.
+std::string partOfTransport(const Scene& scene);
+
 /// The biased choices of a scene that has been packed. compilerFlags: of the OpenCL compiler, as the user gave them.
 std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, const std::string& compilerFlags);
 

@@ -3,10 +3,11 @@
      STRAIGHT   straight-line code
      LOOPS      with loops, which keep the compiler from vectorising generate_rays in scenes with this camera
    RAYS says how the rays through one point of the lens lie, which decides how light paths are connected to the camera:
-     CENTRAL    they go through a point: the kind defines sample_importance_x (kernels/camera/importance.clh)
-     PARALLEL   they are parallel: so it does
-     AROUND     they go through a point, in all directions: so it does, with image_area_x and wrap_screen_x
-     TRACED     as they come out of lenses: so it does, tracing them back */
+     CENTRAL    they go through a point, onto a plane
+     PARALLEL   they are parallel
+     AROUND     they go through a point, in all directions: the kind also defines image_area_x and wrap_screen_x
+     TRACED     known only by tracing them through lenses, from both sides
+   Every kind defines sample_importance_x (kernels/camera/importance.clh). */
 #ifndef EIKONAL_CAMERAS_H
 #define EIKONAL_CAMERAS_H
 #include "eikonal/portable.h"

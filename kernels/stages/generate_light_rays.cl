@@ -25,7 +25,7 @@ FN ray_item leave_light(geometry g, texture_tables tables, sampled_wavelengths c
 }
 
 #define GENERATE_LIGHT_RAYS(TABLE, ARGUMENT) \
-    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) LIGHT_TABLES(TABLE) EMISSION_TABLES(TABLE) COLOR_TABLES(TABLE) CAMERA_TABLES(TABLE) \
+    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) LIGHT_TABLES(TABLE) EMISSION_TABLES(TABLE) COLOR_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global uint *, ray) BATCH_ARGUMENTS(ARGUMENT) \
     ARGUMENT(uint, begun) ARGUMENT(uint, first_path) ARGUMENT(uint, first)
 TRACING_STAGE(generate_light_rays, GENERATE_LIGHT_RAYS) {
@@ -33,11 +33,10 @@ TRACING_STAGE(generate_light_rays, GENERATE_LIGHT_RAYS) {
     texture_tables tables = BIND_TEXTURES;
     light_tables light_set = BIND_LIGHTS;
     color_tables color_set = BIND_COLORS;
-    camera_tables camera_set = BIND_CAMERA;
     for (size_t i = first_slot; i < SLOTS_END; ++i) {
         uint of_batch = begun + (uint)i;
         pixel_sample at = LOCATE_PATH(of_batch);
-        ray_item r = generate_ray(camera_set, frame, at.x, at.y, at.sample, first_path + of_batch).ray;
+        ray_item r = begin_path(frame, at.x, at.y, at.sample, first_path + of_batch);
         r.seed = hash_uint(r.seed, LIGHT_PATH_SEED);
         r.has_nonspecular_vertex = 1u;  /* the auxiliary channels show nothing of it */
         sampled_wavelengths colors = path_wavelengths(color_set, r.seed, r.sample);

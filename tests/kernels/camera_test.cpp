@@ -213,6 +213,13 @@ TEST(Camera, RealisticRaysNeverGoBackToTheStop) {
                         "\"float aperturediameter\" 20 \"float focusdistance\" 3");
 }
 
+/// The stop in front, and a hollow front face, whose rim is in front of its middle.
+TEST(Camera, RealisticRaysLeaveByAnyFrontElement) {
+    compareLensWithHost("0 2 0 12\n50 6 1.5 24\n-50 40 1 24\n", "\"float aperturediameter\" 10 \"float focusdistance\" 3");
+    compareLensWithHost("-200 3 1.5 24\n-40 1 1 24\n0 1 0 14\n60 4 1.6 20\n-60 40 1 20\n",
+                        "\"float aperturediameter\" 12 \"float focusdistance\" 3");
+}
+
 /// A camera that moves is where the motion is at the sample's time, which is spread evenly over the shutter's.
 TEST(Camera, MovingRaysStartWhereTheCameraIs) {
     const std::string head =

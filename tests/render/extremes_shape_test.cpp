@@ -16,6 +16,9 @@ namespace {
 // x^2 / 2r: narrower than that up to x = 1.4e-3 r, whatever r.
 TEST(ExtremeShapes, BallsThatTouchCannotBeSeen) {
     const std::vector<std::string> large{R"(Translate 0 -1 0 Shape "sphere" "float radius" 1)",
+                                         R"(Translate 0 -1 0 Scale 1 1 -1 Rotate -90 1 0 0
+                                             Shape "sphere" "float zmin" 0 "float phimax" 300)",
+                                         R"(Material "dielectric" Translate 0 -1 0 Shape "sphere")",
                                          R"(Translate 0 -3 0 Rotate 20 0 1 0 Scale 2 3 1 Shape "sphere" "float radius" 1)",
                                          R"(Translate 0 -1 0 Shape "cylinder" "float radius" 1)",
                                          R"(Rotate -90 1 0 0 Translate -0.9 0 0 Shape "disk" "float radius" 1)"};

@@ -2,11 +2,9 @@
 
 #include "both_ends.h"
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
+#include "lens_file.h"
 
-#include <unistd.h>
+#include <cmath>
 
 namespace eikonal {
 namespace {
@@ -38,9 +36,8 @@ const std::string inTheRoom = "PixelFilter \"gaussian\" Identity LookAt -.3 1.1 
 
 /// A thick lens of 50 mm with a wide stop behind it, focused on the room.
 std::string lensSystem() {
-    const auto file = std::filesystem::temp_directory_path() / ("eikonal-light-paths-" + std::to_string(::getpid()) + ".dat");
-    std::ofstream(file) << "50 6 1.5 40\n-50 1 1 40\n0 50 0 36\n";
-    return "\"realistic\" \"string lensfile\" \"" + file.string() + "\" \"float aperturediameter\" 30 \"float focusdistance\" 4";
+    static const LensFile lens("50 6 1.5 40\n-50 1 1 40\n0 50 0 36\n");
+    return lens.camera() + " \"float aperturediameter\" 30 \"float focusdistance\" 4";
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -57,6 +54,8 @@ INSTANTIATE_TEST_SUITE_P(
              "Camera \"perspective\" \"float fov\" 40 \"float lensradius\" .2 \"float focaldistance\" 3"},
         Case{"parallel_rays", panel + ball("\"dielectric\""), "Camera \"orthographic\" \"float screenwindow\" [-1.3 1.3 -1.3 1.3]"},
         Case{"a_lens_system", panel + ball("\"dielectric\" \"float roughness\" .3"), "Camera " + lensSystem()},
+        Case{"a_moving_lens_system", panel + ball("\"diffuse\""),
+             "ActiveTransform EndTime Translate .2 0 0 ActiveTransform All Camera " + lensSystem()},
         Case{"a_lens_with_a_square_stop", panel + ball("\"diffuse\""), "Camera " + lensSystem() + " \"string aperture\" \"square\""},
         Case{"an_equal_area_sphere", panel + ball("\"dielectric\" \"float roughness\" .3"), inTheRoom + "Camera \"spherical\""},
         Case{"a_globe", panel + ball("\"diffuse\""), inTheRoom + "Camera \"spherical\" \"string mapping\" \"equirectangular\""},

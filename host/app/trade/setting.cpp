@@ -1,7 +1,6 @@
 #include "app/trade/setting.h"
 
 #include "kinds/integrator_kind.h"
-#include "pack/missed_light.h"
 #include "render/session.h"
 
 #include <fmt/format.h>
@@ -35,24 +34,20 @@ void addDepths(std::vector<Setting>& settings, int depth) {
     if (depth > 0 && depth <= 64) knob.add(fmt::format("{}", 2 * depth), {fmt::format("--max-depth={}", 2 * depth)}, true);
 }
 
-/// Whether there is light that paths from the camera hardly find, or none but for light paths.
-bool holdsHiddenLight(const Session& session) {
-    return session.packed().features.has(Feature::LIGHT_PATHS) || !missedLight(session.packed()).empty();
+/// The integrators that follow light, beside the user's own; those that merge are biased until their radius vanishes. `follower`: as of
+/// followerOf.
+void addLightPaths(Knob& knob, const Session& session, const std::string& follower) {
+    if (session.packed().features.has(Feature::LIGHT_PATHS)) knob.add("volpath", {"--integrator=volpath"}, true);
+    for (const IntegratorKind* kind : {&bdpt_integrator, &vcm_integrator, &sppm_integrator}) {
+        const std::string option = fmt::format("--integrator={}", kind->name);
+        if (session.scene().integrator.kind != kind) knob.add(kind->name, {option}, kind != &bdpt_integrator || option != follower);
+    }
 }
 
-/// The integrators that follow light, too; those that merge are biased until their radius vanishes.
-void addLightPaths(Knob& knob, const Session& session) {
-    const bool tracesThem = session.packed().features.has(Feature::LIGHT_PATHS), merges = session.packed().features.has(Feature::MERGING);
-    if (tracesThem) knob.add("volpath", {"--integrator=volpath"}, true);
-    if (!tracesThem || merges) knob.add("bdpt", {"--integrator=bdpt"});
-    for (const IntegratorKind* kind : {&vcm_integrator, &sppm_integrator})
-        if (session.scene().integrator.kind != kind) knob.add(kind->name, {fmt::format("--integrator={}", kind->name)}, true);
-}
-
-void addIntegrators(std::vector<Setting>& settings, const Session& session) {
+void addIntegrators(std::vector<Setting>& settings, const Session& session, const std::optional<std::string>& follower) {
     const IntegratorKind* own = session.scene().integrator.kind;
     Knob knob(settings, "integrator");
-    if (tracesPaths(session.scene()) && holdsHiddenLight(session)) addLightPaths(knob, session);
+    if (follower) addLightPaths(knob, session, *follower);
     const bool hasMedia = session.packed().features.has(Feature::MEDIA);
     if (hasMedia) knob.add("path", {"--integrator=path"}, true);
     if (own->mostDepth > 1) knob.add("direct", {"--integrator=direct"}, true);
@@ -63,7 +58,7 @@ void addIntegrators(std::vector<Setting>& settings, const Session& session) {
 }
 
 void addGuiding(std::vector<Setting>& settings, const Session& session) {
-    const bool canBeGuided = session.scene().integrator.maxDepth > 1 && !session.packed().features.has(Feature::LIGHT_PATHS);
+    const bool canBeGuided = session.packed().frame().max_depth > 1 && !session.packed().features.has(Feature::LIGHT_PATHS);
     if (canBeGuided && !session.packed().features.has(Feature::PATH_GUIDE)) Knob(settings, "path guiding").add("on", {"--guiding=on"});
 }
 
@@ -82,9 +77,6 @@ void addBiasedNoiseReduction(std::vector<Setting>& settings, double brightness) 
         clamping.add(fmt::format("at {} x the mean", factor), {fmt::format("--max-component-value={:.2g}", factor * brightness)}, true);
 }
 
-/// Follows light without merging, so without bias.
-constexpr const char* unmerged = "--integrator=bdpt";
-
 void addCompilerFlags(std::vector<Setting>& settings, const Stages& stages) {
     Knob knob(settings, "compiler flags");
     for (const char* flag : {"-cl-mad-enable", "-cl-denorms-are-zero", "-cl-unsafe-math-optimizations", "-cl-fast-relaxed-math"}) {
@@ -98,13 +90,14 @@ void addCompilerFlags(std::vector<Setting>& settings, const Stages& stages) {
 
 }  // namespace
 
-std::vector<Setting> settingsFor(const Session& session, double brightness, bool withCompilerFlags) {
+std::vector<Setting> settingsFor(const Session& session, double brightness, bool withCompilerFlags,
+                                 const std::optional<std::string>& follower) {
     const Scene& scene = session.scene();
     const PackedScene& packed = session.packed();
     std::vector<Setting> settings{{"as given", "", {}, false, false, Ladder::samples, false}};
     const bool paths = tracesPaths(scene);
     if (paths) addDepths(settings, scene.integrator.maxDepth);
-    addIntegrators(settings, session);
+    addIntegrators(settings, session, follower);
     if (paths) addGuiding(settings, session);
     if (paths) addRoulette(settings);
     Knob color(settings, "colour");
@@ -127,21 +120,22 @@ std::vector<Setting> settingsFor(const Session& session, double brightness, bool
         if (kind != scene.sampler.kind) sampler.add(name, {fmt::format("--sampler={}", name)});
     Knob(settings, "adaptive sampling").add("on", {}).ladder = Ladder::targetErrors;
     addBiasedNoiseReduction(settings, brightness);
-    const std::vector<std::string> causes = referenceOptions(session);
+    const std::vector<std::string> causes = referenceOptions(session, follower);
     if (causes.size() > 1) settings.push_back({"unbiased", "", causes, false, false, Ladder::samples, false});
     if (withCompilerFlags) addCompilerFlags(settings, session.stages());
-    for (Setting& s : settings)
+    const bool merges = packed.features.has(Feature::MERGING);
+    for (Setting& s : settings) {
         s.isBiased |= std::ranges::any_of(causes, [&](const std::string& c) { return std::ranges::find(s.options, c) == s.options.end(); });
+        s.isBiased |= merges && std::ranges::none_of(s.options, [](const std::string& o) { return o.starts_with("--integrator="); });
+    }
     return settings;
 }
 
-std::vector<std::string> referenceOptions(const Session& session) {
+std::vector<std::string> referenceOptions(const Session& session, const std::optional<std::string>& follower) {
     std::vector<std::string> options;
     for (const BiasedChoice& c : session.biasedChoices())
-        if (c.remedy.starts_with("--") && c.remedy != "--integrator=volpath") options.push_back(c.remedy);
-    const Scene& scene = session.scene();
-    const bool isWhole = tracesPaths(scene) && (scene.integrator.kind->countsMedia || scene.media.empty());
-    if (isWhole && holdsHiddenLight(session) && !session.packed().features.has(Feature::LIGHT_PATHS)) options.push_back(unmerged);
+        if (c.remedy.starts_with("--") && !c.remedy.starts_with("--integrator")) options.push_back(c.remedy);
+    if (follower && *follower != fmt::format("--integrator={}", session.scene().integrator.kind->name)) options.push_back(*follower);
     return options;
 }
 

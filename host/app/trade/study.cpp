@@ -1,5 +1,6 @@
 #include "app/trade/study.h"
 
+#include "app/trade/followed_light.h"
 #include "app/trade/setting_renderer.h"
 #include "clock.h"
 #include "error.h"
@@ -135,8 +136,9 @@ void Study::lookAtScene() {
     state_.brightness = meanOf(look.image);
     checkBrightness(state_.brightness, request_.scene);
     state_.pathSeconds = look.renderSeconds / (look.meanSamples * static_cast<double>(look.image.pixelCount()));
-    state_.settings = settingsFor(second.session(), state_.brightness, request_.withCompilerFlags);
-    state_.reference = referenceOptions(second.session());
+    const std::optional<std::string> follower = followerOf(second.session(), request_.scene, options);
+    state_.settings = settingsFor(second.session(), state_.brightness, request_.withCompilerFlags, follower);
+    state_.reference = referenceOptions(second.session(), follower);
     state_.lookSeconds = spent();
     chooseSize();
 }

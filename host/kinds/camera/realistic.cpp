@@ -36,22 +36,21 @@ static void packLens(const LensSystem& lens, const CameraPacking& in, camera& vi
     const auto metre = static_cast<float>(1 / in.unit);
     in.tables.lens_elements = lens.elements();
     in.tables.pupils = lens.pupils();
+    const LensDisk front = lens.front(in.tables.pupils);
     for (lens_element& e : in.tables.lens_elements)
         for (float* length : {&e.z, &e.radius, &e.aperture}) *length *= metre;
     for (pupil_bounds& b : in.tables.pupils)
         for (float* length : {&b.low_x, &b.low_y, &b.high_x, &b.high_y}) *length *= metre;
     view.element_count = static_cast<uint>(in.tables.lens_elements.size());
     view.rear_z = static_cast<float>(lens.rearZ() / in.unit);
-    const LensDisk front = lens.front();
     view.front_z = static_cast<float>(front.z / in.unit);
     view.lens_radius = static_cast<float>(front.radius / in.unit);
-    in.context.require(Feature::LENS, in.context.scene.camera.where.toString());
 }
 
 static void pack(const CameraPacking& in, const CameraDescription& description, camera& view) {
     const FilmDescription& film = in.context.scene.film;
     CameraTables& tables = in.tables;
-    in.context.require(Feature::IMPORTANCE, description.where.toString());
+    for (const Feature feature : {Feature::IMPORTANCE, Feature::LENS}) in.context.require(feature, description.where.toString());
     const LensSystem lens(description, film.diagonal);
     if (lens.stopIsTooWide())
         in.context.diagnostics.warn(description.where, "the aperture is larger than the lens's stop; it is clamped to the stop");
