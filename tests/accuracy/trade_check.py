@@ -79,7 +79,7 @@ def check(o, scene, folder):
 
 def is_near(found, predicted, seconds=0.0):
     """Within 25 %, or within some seconds: the start of a process varies by a tenth."""
-    return 0.75 <= found / predicted <= 1.25 or abs(found - predicted) <= seconds
+    return 0.8 <= found / predicted <= 1.25 or abs(found - predicted) <= seconds
 
 
 def table(rows):

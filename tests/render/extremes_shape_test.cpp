@@ -23,7 +23,7 @@ TEST(ExtremeShapes, BallsThatTouchCannotBeSeen) {
                                          R"(Translate 0 -1 0 Shape "cylinder" "float radius" 1)",
                                          R"(Rotate -90 1 0 0 Translate -0.9 0 0 Shape "disk" "float radius" 1)"};
     for (const std::string& body : large)
-        for (double r : {1e-1, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8}) {
+        for (double r : {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-8}) {
             View view;
             view.lookAt = fmt::format("0 {} {}  0 {} 0  0 1 0 Rotate -33 1 2 3", 3 * r, -6 * r, r);
             view.fov = 40;
