@@ -2,6 +2,7 @@
 
 #include "default_settings.h"
 #include "device_function.h"
+#include "lens_file.h"
 #include "pack/lens.h"
 #include "pack/motion.h"
 #include "random_inputs.h"
@@ -14,8 +15,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 
 namespace eikonal {
@@ -142,14 +141,12 @@ struct LensResult { vec3 o, d; float importance; };
 /// A lens, element by element from the scene to the film, on the device and on the host in double precision; each ray counts
 /// cos^4 / z^2 / density.
 static void compareLensWithHost(const std::string& elements, const std::string& parameters) {
-    const std::string file = std::filesystem::temp_directory_path() / ("eikonal-lens-" + std::to_string(getpid()) + ".dat");
-    std::ofstream(file) << elements;
-    const std::string head = std::string(view) + "Camera \"realistic\" \"string lensfile\" \"" + file + "\" " + parameters;
+    const LensFile file(elements);
+    const std::string head = std::string(view) + "Camera " + file.camera() + " " + parameters;
     Diagnostics diagnostics(LogLevel::silent);
     const Scene described = readPbrtText(head + "\nWorldBegin\n", "test.pbrt", ".", diagnostics);
     const LensSystem lens(described.camera, described.film.diagonal);
     const PackedScene scene = packText(head + "\nWorldBegin\nLightSource \"point\"\n");
-    std::filesystem::remove(file);
     const camera& view = scene.frame().view;
 
     const DeviceFunction<LensResult> function(

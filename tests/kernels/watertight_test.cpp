@@ -93,19 +93,25 @@ TEST(Watertight, NoRayPassesATinyMeshFromFarAway) {
     }
 }
 
+/// A closed mesh, squeezed across x, and how far it reaches on the device.
+struct Needle { PackedScene packed; float length, across; };
+Needle needle(int steps, bool round, float squeeze) {
+    const std::shared_ptr<Mesh> mesh = closedMesh(steps, round);
+    for (glm::vec3& p : mesh->positions) p *= glm::vec3(1, squeeze, squeeze);
+    Scene scene;
+    scene.shapes.push_back(triangleMesh(mesh));
+    PackedScene packed = pack(scene);
+    float length = 0;
+    for (const vec3& p : packed.tables.positions) length = std::max(length, p.x);
+    return {std::move(packed), length, length * squeeze};
+}
+
 /// Needles: the same meshes, squeezed to as little as a millionth across x. Rays from inside, half of them in all directions and half
 /// squeezed like the needle, meet triangles at all angles, where the products of an edge function nearly cancel.
 TEST(Watertight, NoRayEscapesANeedle) {
     for (float squeeze : {1e-4f, 1e-5f, 1e-6f})
         for (bool round : {true, false}) {
-            const std::shared_ptr<Mesh> mesh = closedMesh(4, round);
-            for (glm::vec3& p : mesh->positions) p *= glm::vec3(1, squeeze, squeeze);
-            Scene scene;
-            scene.shapes.push_back(triangleMesh(mesh));
-            const PackedScene packed = pack(scene);
-            float length = 0;
-            for (const vec3& p : packed.tables.positions) length = std::max(length, p.x);
-            const float across = length * squeeze;
+            const auto [packed, length, across] = needle(4, round, squeeze);
             Random random(69);
             std::vector<Ray> rays;
             for (int i = 0; i < 500000; ++i) {
@@ -125,15 +131,8 @@ TEST(SlowWatertight, NoneOfAHundredMillionAimedRaysEscapes) {
     struct Body { int steps; float squeeze; };
     for (const Body body : {Body{24, 1}, Body{4, 1e-4f}, Body{4, 1e-5f}, Body{4, 1e-6f}})
         for (bool round : {true, false}) {
-            const std::shared_ptr<Mesh> mesh = closedMesh(body.steps, round);
-            for (glm::vec3& p : mesh->positions) p *= glm::vec3(1, body.squeeze, body.squeeze);
-            Scene scene;
-            scene.shapes.push_back(triangleMesh(mesh));
-            const PackedScene packed = pack(scene);
+            const auto [packed, length, across] = needle(body.steps, round, body.squeeze);
             const auto& indices = packed.tables.indices;
-            float length = 0;
-            for (const vec3& p : packed.tables.positions) length = std::max(length, p.x);
-            const float across = length * body.squeeze;
             Random random(71);
             size_t escaped = 0, all = 0;
             while (all < 12500000) {

@@ -3,15 +3,13 @@
 #include "rendering.h"
 
 #include "kind_features.h"
+#include "lens_file.h"
 #include "pack/space.h"
 #include "film/projection.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 namespace eikonal {
 namespace {
@@ -45,9 +43,8 @@ RenderSetup everyCamera() {
 /// A thin biconvex lens of focal length 50 mm with a stop of 1.6 mm behind it (its faces meet at a radius of 1 mm), focused 2 m from the
 /// film.
 std::string thinLens() {
-    static const std::string file = (std::filesystem::temp_directory_path() / fmt::format("eikonal-camera-{}.dat", ::getpid())).string();
-    std::ofstream(file) << "50 .02 1.5 20\n-50 .02 1 20\n0 50 0 20\n";
-    return fmt::format("\"realistic\" \"string lensfile\" \"{}\" \"float aperturediameter\" 1.6 \"float focusdistance\" 2", file);
+    static const LensFile file("50 .02 1.5 20\n-50 .02 1 20\n0 50 0 20\n");
+    return file.camera() + " \"float aperturediameter\" 1.6 \"float focusdistance\" 2";
 }
 /// From it to the film: s s' = 2 f and s + s' = 2.
 const double imageDistance = 1 - std::sqrt(1 - 2 * 0.05);

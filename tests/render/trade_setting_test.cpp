@@ -27,7 +27,7 @@ protected:
         session.pack({});
         names.clear();
         biased.clear();
-        const std::optional<std::string> follower = followerOf(session, path("tiny.pbrt"), options);
+        const IntegratorKind* const follower = followerOf(session, path("tiny.pbrt"), options);
         for (const Setting& s : settingsFor(session, 1, false, follower)) {
             names.push_back(s.name());
             if (s.isBiased) biased.push_back(s.name());

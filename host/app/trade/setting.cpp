@@ -36,18 +36,17 @@ void addDepths(std::vector<Setting>& settings, int depth) {
 
 /// The integrators that follow light, beside the user's own; those that merge are biased until their radius vanishes. `follower`: as of
 /// followerOf.
-void addLightPaths(Knob& knob, const Session& session, const std::string& follower) {
-    if (session.packed().features.has(Feature::LIGHT_PATHS)) knob.add("volpath", {"--integrator=volpath"}, true);
-    for (const IntegratorKind* kind : {&bdpt_integrator, &vcm_integrator, &sppm_integrator}) {
-        const std::string option = fmt::format("--integrator={}", kind->name);
-        if (session.scene().integrator.kind != kind) knob.add(kind->name, {option}, kind != &bdpt_integrator || option != follower);
-    }
+void addLightPaths(Knob& knob, const Session& session, const IntegratorKind* follower) {
+    const auto add = [&](const IntegratorKind& kind, bool addsBias) { knob.add(kind.name, {integratorOption(kind)}, addsBias); };
+    if (session.packed().features.has(Feature::LIGHT_PATHS)) add(volpath_integrator, true);
+    for (const IntegratorKind* kind : {&bdpt_integrator, &vcm_integrator, &sppm_integrator})
+        if (session.scene().integrator.kind != kind) add(*kind, kind != &bdpt_integrator || kind != follower);
 }
 
-void addIntegrators(std::vector<Setting>& settings, const Session& session, const std::optional<std::string>& follower) {
+void addIntegrators(std::vector<Setting>& settings, const Session& session, const IntegratorKind* follower) {
     const IntegratorKind* own = session.scene().integrator.kind;
     Knob knob(settings, "integrator");
-    if (follower) addLightPaths(knob, session, *follower);
+    if (follower) addLightPaths(knob, session, follower);
     const bool hasMedia = session.packed().features.has(Feature::MEDIA);
     if (hasMedia) knob.add("path", {"--integrator=path"}, true);
     if (own->mostDepth > 1) knob.add("direct", {"--integrator=direct"}, true);
@@ -91,7 +90,7 @@ void addCompilerFlags(std::vector<Setting>& settings, const Stages& stages) {
 }  // namespace
 
 std::vector<Setting> settingsFor(const Session& session, double brightness, bool withCompilerFlags,
-                                 const std::optional<std::string>& follower) {
+                                 const IntegratorKind* follower) {
     const Scene& scene = session.scene();
     const PackedScene& packed = session.packed();
     std::vector<Setting> settings{{"as given", "", {}, false, false, Ladder::samples, false}};
@@ -131,13 +130,15 @@ std::vector<Setting> settingsFor(const Session& session, double brightness, bool
     return settings;
 }
 
-std::vector<std::string> referenceOptions(const Session& session, const std::optional<std::string>& follower) {
+std::vector<std::string> referenceOptions(const Session& session, const IntegratorKind* follower) {
     std::vector<std::string> options;
     for (const BiasedChoice& c : session.biasedChoices())
         if (c.remedy.starts_with("--") && !c.remedy.starts_with("--integrator")) options.push_back(c.remedy);
-    if (follower && *follower != fmt::format("--integrator={}", session.scene().integrator.kind->name)) options.push_back(*follower);
+    if (follower && follower != session.scene().integrator.kind) options.push_back(integratorOption(*follower));
     return options;
 }
+
+std::string integratorOption(const IntegratorKind& kind) { return fmt::format("--integrator={}", kind.name); }
 
 std::vector<std::string> overridden(const std::vector<std::string>& base, const std::vector<std::string>& more) {
     const auto name = [](const std::string& option) { return option.substr(0, option.find('=')); };

@@ -1,13 +1,13 @@
 #pragma once
 // The knobs of a renderer that exchange accuracy for time, and the values worth trying on a scene.
 
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace eikonal {
 
 class Session;
+struct IntegratorKind;
 
 /// What the rungs of a setting's ladder are.
 enum class Ladder { samples, targetErrors };
@@ -29,11 +29,14 @@ struct Setting {
 /// this scene. `brightness`: the image's mean, > 0; clamping is tried at multiples of it. withCompilerFlags: also each flag that is not
 /// strict in all kernels and in each alone, for which the session must have its kernels. `follower`: as of followerOf (followed_light.h).
 std::vector<Setting> settingsFor(const Session& session, double brightness, bool withCompilerFlags,
-                                 const std::optional<std::string>& follower);
+                                 const IntegratorKind* follower);
 
 /// The options of the reference: those that avoid the biased choices of the user's own, and the follower. Depth, and what an integrator
 /// leaves out, are part of what the user wants.
-std::vector<std::string> referenceOptions(const Session& session, const std::optional<std::string>& follower);
+std::vector<std::string> referenceOptions(const Session& session, const IntegratorKind* follower);
+
+/// "--integrator=name".
+std::string integratorOption(const IntegratorKind& kind);
 
 /// `base` without the options that `more` sets, followed by `more`.
 std::vector<std::string> overridden(const std::vector<std::string>& base, const std::vector<std::string>& more);

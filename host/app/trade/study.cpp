@@ -136,7 +136,7 @@ void Study::lookAtScene() {
     state_.brightness = meanOf(look.image);
     checkBrightness(state_.brightness, request_.scene);
     state_.pathSeconds = look.renderSeconds / (look.meanSamples * static_cast<double>(look.image.pixelCount()));
-    const std::optional<std::string> follower = followerOf(second.session(), request_.scene, options);
+    const IntegratorKind* const follower = followerOf(second.session(), request_.scene, options);
     state_.settings = settingsFor(second.session(), state_.brightness, request_.withCompilerFlags, follower);
     state_.reference = referenceOptions(second.session(), follower);
     state_.lookSeconds = spent();
