@@ -15,16 +15,19 @@ constexpr int reach = 3;
 /// Where a few samples make a pixel bright, it is more often brighter than the truth than darker.
 constexpr double most = 0.75;
 
+/// What squared errors of a pixel are divided by.
+static double relativeTo(double luminance) { return luminance * luminance + 0.01; }
+
 /// The luminance that squared errors are relative to. A pixel whose mean is due to a few samples is brighter than the truth, and its error
 /// would seem small. It is replaced by the mean of its neighbours, but at least that of its three darker quarters, and at most `most` of
 /// the way from there to its own.
-double FilmTotals::expectedLuminance(const Planes& planes, int x, int y) const {
+FilmTotals::ExpectedLuminance FilmTotals::expectedLuminance(const Planes& planes, int x, int y) const {
     const size_t i = index(x, y);
     const glm::vec3 color = planes.color(i);
-    const double own = luminance(color), low = std::clamp<double>(planes.lowMean[i], std::min(0.0, own), own);
+    const double own = luminance(color), low = std::clamp<double>(planes.low(i), std::min(0.0, own), own);
     /* The part of the mean that is in doubt: all of it where half of it is noise */
     const double doubt = own > 0 ? std::min(4 * planes.variance(i, color) / (own * own), 1.0) : 0;
-    if (doubt < 0.01) return own;
+    if (doubt < 0.01) return {own, 0};
     double around = 0;
     int count = 0;
     for (int v = std::max(y - reach, pixels_.y0); v <= std::min(y + reach, pixels_.y1 - 1); ++v)
@@ -33,7 +36,11 @@ double FilmTotals::expectedLuminance(const Planes& planes, int x, int y) const {
             around += luminance(planes.color(index(u, v)));
             ++count;
         }
-    return own - doubt * (own - std::clamp(count ? around / count : own, low, low + most * (own - low)));
+    /* If one sample of n found a lamp of luminance L, which is a = L / n in the mean, the lamp's share c of the pixel has the density n^2 c
+       at small c. The squared error, a^2 / (c L + b)^2 for the pixel's other luminance b, has then a mean square of a^2 / (6 b^2) */
+    const double above = own - low;
+    return {own - doubt * (own - std::clamp(count ? around / count : own, low, low + most * above)),
+            doubt * above * above / (6 * relativeTo(low))};
 }
 
 NoiseSums FilmTotals::noise(const PixelRect& part, ErrorMetric metric, double decay) const {
@@ -60,13 +67,16 @@ NoiseSums FilmTotals::noise(const PixelRect& part, ErrorMetric metric, double de
                 quarter += 2 * splatted;
                 eighth += 4 * splatted;
             }
+            double suspicion = 0;
             if (metric == ErrorMetric::relmseRoot && half + quarter + eighth > 0) {
-                const double r = expectedLuminance(planes, x, y), weight = 1 / (r * r + 0.01);
+                const ExpectedLuminance expected = expectedLuminance(planes, x, y);
+                const double weight = 1 / relativeTo(expected.luminance);
                 half *= weight;
                 quarter *= weight;
                 eighth *= weight;
+                suspicion = expected.suspicion;
             }
-            sums += {1, luminance(color), half, quarter, eighth, (half + quarter) * (half + quarter), samples};
+            sums += {1, luminance(color), half, quarter, eighth, (half + quarter) * (half + quarter), suspicion, samples};
         }
     return sums;
 }

@@ -18,6 +18,7 @@ NoiseSums& NoiseSums::operator+=(const NoiseSums& other) {
     quarter += other.quarter;
     eighth += other.eighth;
     squares += other.squares;
+    suspicion += other.suspicion;
     return *this;
 }
 
@@ -50,8 +51,11 @@ double varianceScale(unsigned n, double exponent) {
 
 /// Estimates in which fewer pixels hold the error are not reliable.
 constexpr double leastPixels = 8;
+/// Of independent samples, a pixel's two steps are the squares of three normal numbers of one variance: the variance of their sum is this
+/// share of the expectation of its square.
+constexpr double shareOfSquares = 0.4;
 /// Relative standard deviation of an error estimate from many pixels, whose model of the decay is not exact.
-constexpr double modelDeviation = 0.07;
+constexpr double modelDeviation = 0.085;
 
 ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, ErrorMetric metric) {
     ErrorEstimate e;
@@ -60,15 +64,15 @@ ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, E
     const double steps = std::max(sums.half + sums.quarter, 0.0);
     e.error = std::sqrt(steps * decay.share / sums.pixels);
     if (metric == ErrorMetric::nrmse) e.error = mean > 0 ? e.error / mean : 0;
-    /* Of independent samples, a pixel's two steps are the squares of three normal numbers of one variance: the variance of their sum is 2/5
-       of the expectation of its square */
-    const double deviation = steps > 0 ? std::sqrt(0.4 * sums.squares) / steps / 2 : 0;
-    const double factor = std::exp(1.96 * std::hypot(deviation, modelDeviation));
+    const double sum = steps * decay.share, ofPixels = shareOfSquares * sums.squares * decay.share * decay.share;
+    const double variance = ofPixels + sums.suspicion, mostVariance = shareOfSquares / leastPixels * sum * sum;
+    const double factor = std::exp(1.96 * std::hypot(sum > 0 ? std::sqrt(variance) / sum / 2 : 0, modelDeviation));
     e.low = e.error / factor;
     e.high = e.error * factor;
     if (sums.fewest < 4) e.doubt = fmt::format("a pixel has only {} sample{}", sums.fewest, sums.fewest == 1 ? "" : "s");
     else if (sums.brightness == 0) e.doubt = "no sample has found light";
-    else if (steps * steps < leastPixels * sums.squares && sums.pixels > leastPixels) e.doubt = "very few pixels hold most of it";
+    else if (ofPixels > mostVariance && sums.pixels > leastPixels) e.doubt = "very few pixels hold most of it";
+    else if (variance > mostVariance) e.doubt = "single bright samples may hold most of it";
     return e;
 }
 

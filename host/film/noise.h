@@ -22,6 +22,7 @@ struct NoiseSums {
     double quarter = 0;                  ///< half squares of each half, V(n/4) - V(n/2), scaled as `half`
     double eighth = 0;                   ///< half squares of each quarter, V(n/8) - V(n/4), scaled as `half`; 0 below 8 samples
     double squares = 0;                  ///< of the sums of half and quarter
+    double suspicion = 0;                ///< variance of the squared errors, for it is not known how dark pixels of one bright sample are
     unsigned fewest = 0;                 ///< samples per pixel
     NoiseSums& operator+=(const NoiseSums& other);
 };

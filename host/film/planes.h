@@ -36,6 +36,8 @@ struct FilmTotals::Planes {
         const glm::vec3 found = glm::vec3(sum[i], sum[n + i], sum[2 * n + i]) * (weight[i] != 0 ? 1 / weight[i] : 0);
         return splats ? found + splats[i] : found;
     }
+    /// Luminance without the brightest quarter of the camera's samples.
+    double low(size_t i) const { return splats ? lowMean[i] + luminance(splats[i]) : lowMean[i]; }
     /// Variance of what light paths add to a pixel's luminance.
     double splatVariance(size_t i) const { return splats ? splatVariances[i] : 0; }
 

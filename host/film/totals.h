@@ -50,7 +50,9 @@ private:
     }
     void developSplats(const SplatSums& splats, double scale);
     struct Planes;
-    double expectedLuminance(const Planes& planes, int x, int y) const;
+    /// suspicion: how far a pixel's squared error, relative to that luminance, may be from what it is taken for: its mean square.
+    struct ExpectedLuminance { double luminance, suspicion; };
+    ExpectedLuminance expectedLuminance(const Planes& planes, int x, int y) const;
     const float* floats(const char* field) const;
     const uint* numbers(const char* field) const;
     int width_, height_;

@@ -168,7 +168,13 @@ Rendered render(PackedScene scene, const RenderSetup& setup) {
         result = render(std::vector{RenderDevice{&device(), &wave, &profile}}, film, control);
     }
     const FilmTotals totals = film.totals();
-    return {totals.develop(scene), totals.invalid(), result, roulette, totals.error(ErrorMetric::mseRoot), guide.gain.value_or(1)};
+    return {totals.develop(scene),
+            totals.invalid(),
+            result,
+            roulette,
+            totals.error(ErrorMetric::mseRoot),
+            totals.error(ErrorMetric::relmseRoot),
+            guide.gain.value_or(1)};
 }
 
 FilmImage renderInLoop(const PackedScene& scene, const RenderSetup& setup) {

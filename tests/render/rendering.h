@@ -51,7 +51,8 @@ struct Rendered {
     FilmTotals::Invalid invalid;
     RenderResult result;
     Roulette roulette;
-    ErrorEstimate error;   ///< absolute: ErrorMetric::mseRoot
+    ErrorEstimate error;           ///< absolute: ErrorMetric::mseRoot
+    ErrorEstimate relativeError;   ///< ErrorMetric::relmseRoot
     double guideGain = 1;  ///< of an optional path guide (LearnedPathGuide::gain)
 };
 

@@ -12,7 +12,7 @@ namespace {
 /// Of 1000 pixels whose variance falls as V(n): what is expected of them with n samples.
 template <class Variance> NoiseSums sumsOf(Variance v, double n) {
     const double half = v(n / 2) - v(n), quarter = v(n / 4) - v(n / 2), eighth = v(n / 8) - v(n / 4), sum = half + quarter;
-    return {1000, 1000, 1000 * half, 1000 * quarter, 1000 * eighth, 1000 * 5.0 / 3 * sum * sum, static_cast<unsigned>(n)};
+    return {1000, 1000, 1000 * half, 1000 * quarter, 1000 * eighth, 1000 * 5.0 / 3 * sum * sum, 0, static_cast<unsigned>(n)};
 }
 
 /// The error that is estimated over the true one.
@@ -77,18 +77,22 @@ TEST(EstimateError, IsInDoubtWhereFewPixelsHoldItOrNothingIsKnown) {
     NoiseSums sums = sumsOf([](double n) { return 1 / n; }, 64);
     sums.squares = std::pow(sums.half + sums.quarter, 2) / 2;   // as if two pixels held it
     EXPECT_EQ(estimateError(sums, {}, ErrorMetric::relmseRoot).doubt, "very few pixels hold most of it");
-    EXPECT_EQ(estimateError({1000, 0, 0, 0, 0, 0, 64}, {}, ErrorMetric::relmseRoot).doubt, "no sample has found light");
+    EXPECT_EQ(estimateError({1000, 0, 0, 0, 0, 0, 0, 64}, {}, ErrorMetric::relmseRoot).doubt, "no sample has found light");
+    NoiseSums bright = sumsOf([](double n) { return 1 / n; }, 64);
+    bright.suspicion = std::pow(bright.pixels / 64, 2) / 4;   // as large as half of the sum of squared errors
+    EXPECT_EQ(estimateError(bright, {}, ErrorMetric::relmseRoot).doubt, "single bright samples may hold most of it");
     sums.fewest = 1;
     EXPECT_EQ(estimateError(sums, {}, ErrorMetric::relmseRoot).doubt, "a pixel has only 1 sample");
 }
 
 TEST(NoiseSums, Add) {
     NoiseSums sum;
-    sum += {1, 2, 3, 4, 5, 6, 64};
-    sum += {1, 2, 3, 4, 5, 6, 16};
+    sum += {1, 2, 3, 4, 5, 6, 7, 64};
+    sum += {1, 2, 3, 4, 5, 6, 7, 16};
     EXPECT_EQ(sum.pixels, 2);
     EXPECT_EQ(sum.half, 6);
     EXPECT_EQ(sum.eighth, 10);
+    EXPECT_EQ(sum.suspicion, 14);
     EXPECT_EQ(sum.fewest, 16u);
 }
 
