@@ -4,6 +4,7 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <vector>
@@ -15,13 +16,20 @@ constexpr int reach = 3;
 /// Where a few samples make a pixel bright, it is more often brighter than the truth than darker.
 constexpr double most = 0.75;
 
-/// What squared errors of a pixel are divided by.
-static double relativeTo(double luminance) { return luminance * luminance + 0.01; }
+std::optional<double> FilmTotals::relativeFloor(ErrorMetric metric) const {
+    if (metric == ErrorMetric::relmseRoot) return 0.01;
+    if (metric != ErrorMetric::scaledRelmseRoot) return std::nullopt;
+    const Planes planes(*this);
+    double sum = 0;
+    for (size_t i = 0; i < plane(); ++i) sum += luminance(planes.color(i));
+    const double mean = sum / static_cast<double>(plane());
+    return std::max(0.01 * mean * mean, 1e-30);
+}
 
 /// The luminance that squared errors are relative to. A pixel whose mean is due to a few samples is brighter than the truth, and its error
 /// would seem small. It is replaced by the mean of its neighbours, but at least that of its three darker quarters, and at most `most` of
 /// the way from there to its own.
-FilmTotals::ExpectedLuminance FilmTotals::expectedLuminance(const Planes& planes, int x, int y) const {
+FilmTotals::ExpectedLuminance FilmTotals::expectedLuminance(const Planes& planes, int x, int y, double floor) const {
     const size_t i = index(x, y);
     const glm::vec3 color = planes.color(i);
     const double own = luminance(color), low = std::clamp<double>(planes.low(i), std::min(0.0, own), own);
@@ -40,10 +48,10 @@ FilmTotals::ExpectedLuminance FilmTotals::expectedLuminance(const Planes& planes
        at small c. The squared error, a^2 / (c L + b)^2 for the pixel's other luminance b, has then a mean square of a^2 / (6 b^2) */
     const double above = own - low;
     return {own - doubt * (own - std::clamp(count ? around / count : own, low, low + most * above)),
-            doubt * above * above / (6 * relativeTo(low))};
+            doubt * above * above / (6 * (low * low + floor))};
 }
 
-NoiseSums FilmTotals::noise(const PixelRect& part, ErrorMetric metric, double decay) const {
+NoiseSums FilmTotals::noise(const PixelRect& part, std::optional<double> floor, double decay) const {
     const Planes planes(*this);
     NoiseSums sums;
     unsigned samples = 0;
@@ -68,9 +76,9 @@ NoiseSums FilmTotals::noise(const PixelRect& part, ErrorMetric metric, double de
                 eighth += 4 * splatted;
             }
             double suspicion = 0;
-            if (metric == ErrorMetric::relmseRoot && half + quarter + eighth > 0) {
-                const ExpectedLuminance expected = expectedLuminance(planes, x, y);
-                const double weight = 1 / relativeTo(expected.luminance);
+            if (floor && half + quarter + eighth > 0) {
+                const ExpectedLuminance expected = expectedLuminance(planes, x, y, *floor);
+                const double weight = 1 / (expected.luminance * expected.luminance + *floor);
                 half *= weight;
                 quarter *= weight;
                 eighth *= weight;
@@ -82,11 +90,12 @@ NoiseSums FilmTotals::noise(const PixelRect& part, ErrorMetric metric, double de
 }
 
 ErrorEstimate FilmTotals::error(ErrorMetric metric) const {
+    const std::optional<double> floor = relativeFloor(metric);
     const auto total = [&](double decay) {
         std::vector<NoiseSums> rows(static_cast<size_t>(pixels_.height()));
         tbb::parallel_for(size_t(0), rows.size(), [&](size_t row) {
             const int y = pixels_.y0 + static_cast<int>(row);
-            rows[row] = noise({pixels_.x0, y, pixels_.x1, y + 1}, metric, decay);
+            rows[row] = noise({pixels_.x0, y, pixels_.x1, y + 1}, floor, decay);
         });
         NoiseSums sums;
         for (const NoiseSums& row : rows) sums += row;

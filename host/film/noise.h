@@ -8,9 +8,11 @@
 namespace eikonal {
 
 /// What the error of an image is: with e the error of a pixel's luminance and r its true luminance, means being over the pixels,
-/// relmseRoot: sqrt(mean(e^2 / (r^2 + 0.01))); mseRoot: sqrt(mean(e^2)); nrmse: sqrt(mean(e^2)) / mean(r).
-enum class ErrorMetric { relmseRoot, mseRoot, nrmse };
+/// relmseRoot: sqrt(mean(e^2 / (r^2 + 0.01))); scaledRelmseRoot: sqrt(mean(e^2 / (r^2 + 0.01 mean(r)^2))); mseRoot: sqrt(mean(e^2));
+/// nrmse: sqrt(mean(e^2)) / mean(r).
+enum class ErrorMetric { relmseRoot, scaledRelmseRoot, mseRoot, nrmse };
 inline constexpr std::pair<const char*, ErrorMetric> errorMetricNames[] = {{"relmse-root", ErrorMetric::relmseRoot},
+                                                                           {"relmse-scaled", ErrorMetric::scaledRelmseRoot},
                                                                            {"mse-root", ErrorMetric::mseRoot},
                                                                            {"nrmse", ErrorMetric::nrmse}};
 

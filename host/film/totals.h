@@ -9,6 +9,7 @@
 #include "pack/tables.h"
 
 #include <memory>
+#include <optional>
 
 namespace eikonal {
 
@@ -29,8 +30,11 @@ public:
     /// The fewest, most and mean samples per pixel.
     struct Samples { unsigned fewest = 0, most = 0; double mean = 0; };
     Samples samples() const;
-    /// What the samples of the pixels of `part`, a part of pixels(), say about their error; see noise.h. decay: of the variance.
-    NoiseSums noise(const PixelRect& part, ErrorMetric metric, double decay = 1) const;
+    /// What a metric adds to the square of a pixel's luminance, by which it divides the pixel's squared error; nothing if it does not.
+    std::optional<double> relativeFloor(ErrorMetric metric) const;
+    /// What the samples of the pixels of `part`, a part of pixels(), say about their error; see noise.h. floor: of the metric, see above.
+    /// decay: of the variance.
+    NoiseSums noise(const PixelRect& part, std::optional<double> floor, double decay = 1) const;
     /// The error of the image.
     ErrorEstimate error(ErrorMetric metric) const;
 
@@ -52,7 +56,7 @@ private:
     struct Planes;
     /// suspicion: how far a pixel's squared error, relative to that luminance, may be from what it is taken for: its mean square.
     struct ExpectedLuminance { double luminance, suspicion; };
-    ExpectedLuminance expectedLuminance(const Planes& planes, int x, int y) const;
+    ExpectedLuminance expectedLuminance(const Planes& planes, int x, int y, double floor) const;
     const float* floats(const char* field) const;
     const uint* numbers(const char* field) const;
     int width_, height_;

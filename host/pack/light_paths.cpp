@@ -32,6 +32,7 @@ std::string lightPathObstacle(const PackContext& context) {
     if (!scene.forcesDiffuse && std::ranges::any_of(scene.materials, [](const Material& m) { return m.interior || m.diffusion; }))
         return "it has subsurface scattering, which light paths do not enter yet";
     if (scene.film.spectrum) return "its film keeps spectra, which light paths do not add to yet";
+    if (scene.filter.xRadius == 0 || scene.filter.yRadius == 0) return "all samples are at the centres of pixels, which no light path hits";
     if (scene.integrator.regularize) return "it regularizes, which depends on where a path begins";
     return {};
 }

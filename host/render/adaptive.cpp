@@ -87,7 +87,8 @@ std::vector<unsigned> AdaptiveSampling::samples() const {
 std::vector<Block> AdaptiveSampling::nextPass(const Film& film) {
     const FilmTotals totals = film.totals();
     std::vector<NoiseSums> sums(blocks_.size());
-    tbb::parallel_for(size_t(0), blocks_.size(), [&](size_t i) { sums[i] = totals.noise(blocks_[i].within(rect_, blockSize), metric_); });
+    const std::optional<double> floor = totals.relativeFloor(metric_);
+    tbb::parallel_for(size_t(0), blocks_.size(), [&](size_t i) { sums[i] = totals.noise(blocks_[i].within(rect_, blockSize), floor); });
     NoiseSums image;
     for (const NoiseSums& s : sums) image += s;
     const VarianceDecay decay = decayOf(image);

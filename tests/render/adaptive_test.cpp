@@ -143,5 +143,19 @@ TEST_F(AdaptiveCli, TheSamplesAreReported) {
     EXPECT_THAT(late.error, HasSubstr("ended by --time-limit"));
 }
 
+// Light four times as bright has four times the error, and the same relative to its mean: a power of two, so but for what is rounded in the
+// decay's fit to the last bit.
+TEST_F(AdaptiveCli, AScaledErrorDoesNotDependOnBrightness) {
+    const auto errorAt = [&](const char* exposure, const char* metric) {
+        write("lit.pbrt", tinyScene(exposure, "LightSource \"point\" \"rgb I\" [3 3 3] \"point3 from\" [2 3 -4]"));
+        EXPECT_EQ(run({"render", "lit.pbrt", "--resolution", "32x32", "--spp", "16", "--error-metric", metric, "-o", "a.exr"}).status, 0);
+        return readImage(path("a.exr")).metadata.error.value();
+    };
+    const char *usual = "", *fast = "Film \"rgb\" \"float iso\" 400";
+    EXPECT_GT(errorAt(usual, "relmse-scaled"), 0);
+    EXPECT_NEAR(errorAt(fast, "relmse-scaled") / errorAt(usual, "relmse-scaled"), 1, 1e-6);
+    EXPECT_GT(std::abs(errorAt(fast, "relmse-root") / errorAt(usual, "relmse-root") - 1), 0.01);
+}
+
 }  // namespace
 }  // namespace eikonal

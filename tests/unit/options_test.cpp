@@ -131,7 +131,7 @@ TEST(Options, AnErrorIsANumberOrAPercentageUnderEitherName) {
     EXPECT_EQ(parse("render a.pbrt --error-metric nrmse").output.errorMetric, ErrorMetric::nrmse);
     for (const char* bad : {"0", "-1%", "%", "2%%", "inf", "two"})
         EXPECT_THAT(messageOf("render a.pbrt --max-error " + std::string(bad)), HasSubstr("or a percentage like 2%")) << bad;
-    EXPECT_THAT(messageOf("render a.pbrt --error-metric mse"), HasSubstr("relmse-root, mse-root, nrmse"));
+    EXPECT_THAT(messageOf("render a.pbrt --error-metric mse"), HasSubstr("relmse-root, relmse-scaled, mse-root, nrmse"));
 }
 
 TEST(Options, AllAovsAtOnce) {

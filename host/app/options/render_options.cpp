@@ -27,7 +27,8 @@ void addOutput(CLI::App* app, Options& o) {
           "Sample adaptively until the image's error is about E, such as 0.05 or 5%; --spp is then the maximum per pixel", parseShare)
         ->group(group);
     value(app, "--error-metric", out.errorMetric, "NAME",
-          "What the error is: relmse-root (default): relative to each pixel; mse-root: absolute; nrmse: relative to the image's mean",
+          "What the error is: relmse-root (default): relative to each pixel; relmse-scaled: the same, however bright the image is; "
+          "mse-root: absolute; nrmse: relative to the image's mean",
           oneOf<ErrorMetric>({std::begin(errorMetricNames), std::end(errorMetricNames)}))
         ->group(group);
     app->add_flag("--skip-existing", out.skipExisting, "Leave out what has its whole image already")->group(group);

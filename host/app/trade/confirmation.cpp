@@ -1,12 +1,15 @@
 #include "app/trade/confirmation.h"
 
+#include "app/trade/setting_renderer.h"
 #include "child_process.h"
 #include "clock.h"
 #include "error.h"
+#include "names.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <fstream>
 #include <sstream>
 
@@ -33,7 +36,11 @@ Confirmation confirm(const std::string& scene, const std::vector<std::string>& o
     c.renderSeconds = json.at("seconds").at("render");
     c.compileSeconds = json.at("seconds").at("compile");
     c.meanSamples = json.at("samples").at("mean");
-    if (json.contains("error") && json.at("error").at("value").is_number()) c.expectedError = json.at("error").at("value");
+    const nlohmann::json error = json.value("error", nlohmann::json::object());
+    if (error.value("metric", "") == nameIn(errorMetricNames, studyMetric) && error.value("value", 0.) > 0) {
+        c.expectedError = error.at("value");
+        c.errorDeviation = std::log(error.at("high").get<double>() / error.at("low").get<double>()) / (2 * 1.96);
+    }
     return c;
 }
 

@@ -91,20 +91,31 @@ bool isUnexpectedlyBiased(const Findings& findings, const Setting& setting, cons
     return !setting.isBiased && p.error.chanceOfBias < findings.significant;
 }
 
-/// The variance of a pixel of the whole image over that of one at the measured size, by what --target-error estimates of both: a larger
-/// pixel has more edges and texture in it. `run`: at full size, or null. 1 if unknown.
-static double varianceScale(const StudyState& state, const Confirmation* run, const SettingModel& model) {
-    if (!run || run->expectedError <= 0 || state.studied == state.full || state.settings[run->setting].ladder != Ladder::samples) return 1;
+/// The variance of a pixel of the whole image over that of one at the measured size: a larger pixel has more edges and texture in it.
+struct VarianceScale {
+    double factor = 1;
+    double deviation = 0;   ///< of its logarithm
+};
+/// By what the samples say about the error of both sizes. `run`: at full size, or null.
+static VarianceScale varianceScale(const StudyState& state, const Confirmation* run, const SettingModel& model) {
+    /* Of the logarithm, before anything is known of the scene at full size */
+    constexpr double usualDeviation = 0.5;
+    if (state.studied == state.full) return {};
+    const VarianceScale unknown{1, usualDeviation};
+    if (!run || run->expectedError <= 0) return unknown;
     const Point* nearest = nullptr;
     const auto distance = [run](const Point* p) { return std::abs(std::log(p->meanSamples() / run->meanSamples)); };
     for (const Point* p : state.ladderOf(run->setting))
         if (!nearest || distance(p) < distance(nearest)) nearest = p;
-    if (!nearest) return 1;
+    if (!nearest) return unknown;
     double square = 0;
     for (const SeedResult& s : nearest->seeds) square += s.expectedError * s.expectedError / static_cast<double>(nearest->seeds.size());
     square *= std::pow(run->meanSamples / nearest->meanSamples(), model.slope.value);
-    /* Beyond that, one of the two estimates is wrong */
-    return square > 0 ? std::clamp(run->expectedError * run->expectedError / square, 0.25, 4.) : 1;
+    if (square <= 0) return unknown;
+    /* A normal prior; the deviation of a square is twice that of its root */
+    const double measured = std::log(run->expectedError * run->expectedError / square), deviation = 2 * run->errorDeviation;
+    const double share = usualDeviation * usualDeviation / (usualDeviation * usualDeviation + deviation * deviation);
+    return {std::exp(share * measured), std::sqrt(share) * deviation};
 }
 
 void predict(const Study& study, const std::vector<Wish>& wishes, Findings& found) {
@@ -127,7 +138,9 @@ void predict(const Study& study, const std::vector<Wish>& wishes, Findings& foun
         for (MeasuredPoint& p : points) p.seconds = fixed + p.secondsPerPath * p.samples * pixels * pace;
         found.models.push_back(fitModel({points.begin(), points.end()}, state.settings[setting].isBiased, pixels, fixed, pace));
         SettingModel& model = found.models.back();
-        model.variance1 *= varianceScale(state, known, model);
+        const VarianceScale scale = varianceScale(state, known, model);
+        model.variance1 *= scale.factor;
+        model.uncertainty = std::hypot(model.uncertainty, 1.96 * scale.deviation / 2);
     }
     found.significant = significantChance(found.models.size());
     markFront(found.points);
@@ -194,6 +207,8 @@ std::string caveats(const Recommendation& r) {
     if (r.extrapolation > 8) text += fmt::format("; extrapolated: {:.0f} times the samples that were measured", r.extrapolation);
     if (r.error < r.referenceError) text += fmt::format("; below the references' error of {:.2g} %", r.referenceError * 100);
     if (!r.isBetter) text += "; not significantly better than the options as given";
+    constexpr double mostReferenceError = 0.1;   // what errors are relative to is as uncertain
+    if (r.referenceError > mostReferenceError) text += "; not reliable: the budget was too short for references";
     if (!r.isReliable) text += "; not reliable: a few bright pixels hold most of the variance";
     return text;
 }

@@ -1,7 +1,10 @@
 #include "app/trade/setting_renderer.h"
 
 #include "clock.h"
+#include "names.h"
 #include "render/render.h"
+
+#include <fmt/format.h>
 
 namespace eikonal {
 
@@ -10,6 +13,8 @@ Options renderOptions(const std::string& scene, const std::vector<std::string>& 
     arguments.insert(arguments.end(), options.begin(), options.end());
     return parseOptions(arguments);
 }
+
+std::string studyMetricOption() { return fmt::format("--error-metric={}", nameIn(errorMetricNames, studyMetric)); }
 
 static Options quiet(Options options) {
     options.log = LogLevel::silent;
@@ -31,6 +36,7 @@ TimedImage SettingRenderer::render(int seed, const std::function<bool()>& stop) 
     RenderControl control;
     control.endSample = static_cast<unsigned>(session_.packed().samples);
     control.targetError = options_.output.targetError;
+    control.errorMetric = options_.output.errorMetric;
     control.stop = control.abandon = stop;
     const Stopwatch time;
     session_.survey(stop);
@@ -40,7 +46,7 @@ TimedImage SettingRenderer::render(int seed, const std::function<bool()>& stop) 
     timed.isFinished = result.isFinished;
     const FilmTotals totals = film.totals();
     timed.meanSamples = totals.samples().mean;
-    timed.expectedError = totals.error(ErrorMetric::relmseRoot).error;
+    timed.expectedError = totals.error(studyMetric).error;
     timed.image = totals.develop(session_.packed());
     return timed;
 }

@@ -14,12 +14,17 @@ namespace eikonal {
 /// The options of `eikonal render SCENE options...`. Throws a UsageError.
 Options renderOptions(const std::string& scene, const std::vector<std::string>& options);
 
+/// How a study measures errors: what relMSE of an image is relative to follows its mean.
+constexpr ErrorMetric studyMetric = ErrorMetric::scaledRelmseRoot;
+/// "--error-metric=...".
+std::string studyMetricOption();
+
 /// An image and what it took, in seconds.
 struct TimedImage {
     FilmImage image;
     double renderSeconds = 0;
     double meanSamples = 0;    ///< per pixel
-    double expectedError = 0;  ///< as --target-error estimates it
+    double expectedError = 0;  ///< by its own samples, in studyMetric
     bool isFinished = true;    ///< false: interrupted
 };
 

@@ -84,6 +84,7 @@ std::vector<std::string> Study::optionsOf(const Setting& setting, double rung, s
     std::vector<std::string> more = setting.options;
     if (setting.ladder == Ladder::targetErrors) {
         more.push_back(fmt::format("--target-error={:.3g}", rung));
+        more.push_back(studyMetricOption());
         /* Measured ones end where they would take far more than other points do */
         more.push_back(fmt::format("--spp={:.0f}", size ? 16 * rungs[std::size(rungs) - 1] : mostAdaptiveSamples));
     } else more.push_back(fmt::format("--spp={:.0f}", rung));
@@ -210,7 +211,13 @@ void Study::confirmAt(size_t setting, double rung) {
     report(fmt::format("{} at full size", state_.settings[setting].name()));
     Confirmation c;
     try {
-        c = confirm(request_.scene, optionsOf(state_.settings[setting], rung), request_.folder);
+        std::vector<std::string> options = optionsOf(state_.settings[setting], rung);
+        /* Where an error is asked for, the metric would change the image */
+        const auto asksForError = [](const std::string& option) {
+            return option.starts_with("--target-error") || option.starts_with("--max-error");
+        };
+        if (std::ranges::none_of(options, asksForError)) options = overridden(options, {studyMetricOption()});
+        c = confirm(request_.scene, options, request_.folder);
     } catch (const Error& error) {
         if (isInterrupted()) return;
         c.failure = error.what();
