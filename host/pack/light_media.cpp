@@ -115,6 +115,9 @@ LightMedia::LightMedia(const Scene& scene)
             boundaries_.push_back(&s);
             boxes_.push_back(s.kind->traits.bound(s, s.worldFromObject));
         }
+    for (const Shape& s : scene.shapes)
+        if (isBody(s) && isTold(s)) bodies_.push_back(&s);
+    untoldBodies_ = boxesOf(scene, [&](const Shape& s) { return isBody(s) && std::ranges::find(bodies_, &s) == bodies_.end(); });
     /* Shapes of objects are none of boundaries_ */
     untold_ = boxesOf(scene, [&](const Shape& s) { return s.interface && std::ranges::find(boundaries_, &s) == boundaries_.end(); });
 }
@@ -148,6 +151,30 @@ std::optional<int> LightMedia::outside() const {
     for (const Box& box : boxes_) all.grow(box);
     for (const Box& box : untold_) all.grow(box);
     return at(all.center() + glm::dvec3(.36, .48, .8) * (4 * all.radius() + 1));
+}
+
+bool LightMedia::isBody(const Shape& s) const {
+    /* A mix may be what any of its parts is */
+    const auto holdsBody = [&](int index, auto& self) -> bool {
+        if (index == none) return false;
+        const Material& m = scene_.materials[static_cast<size_t>(index)];
+        return m.interior || m.diffusion || std::ranges::any_of(m.mixed, [&](int part) { return self(part, self); });
+    };
+    return !scene_.forcesDiffuse && holdsBody(s.material, holdsBody);
+}
+
+bool LightMedia::mayBeInBody(glm::dvec3 p) const {
+    const auto holds = [p](const Box& box) {
+        return glm::all(glm::lessThanEqual(box.low, p)) && glm::all(glm::lessThanEqual(p, box.high));
+    };
+    if (std::ranges::any_of(untoldBodies_, holds)) return true;
+    return std::ranges::any_of(bodies_, [&](const Shape* s) {
+        if (!holds(s->kind->traits.bound(*s, s->worldFromObject))) return false;
+        Crossing nearest;
+        cross(*s, {p, eye_ - p}, nearest);
+        testsLeft_ -= static_cast<double>(elementsOf(*s));
+        return testsLeft_ <= 0 || (nearest.t < 1 && !nearest.fromOutside);
+    });
 }
 
 bool LightMedia::isSeeThrough(const Shape& s) const {

@@ -22,6 +22,8 @@ public:
     std::optional<int> at(glm::dvec3 p, const Shape* except = nullptr) const;
     /// Around the scene.
     std::optional<int> outside() const;
+    /// Whether a point in world space is, or may be, inside a subsurface body. It may be in the box of a body whose inside cannot be told.
+    bool mayBeInBody(glm::dvec3 p) const;
 
     /// A boundary that says, of its side towards the camera, that another medium is there than paths from the camera come through.
     struct Contradiction { const Shape* boundary; int said, found; };
@@ -34,10 +36,13 @@ private:
     std::optional<Told> tell(glm::dvec3 p, const Shape* except) const;
     std::optional<Contradiction> contradictionAt(const Shape& s, glm::dvec3 p) const;
     bool isSeeThrough(const Shape& s) const;
+    bool isBody(const Shape& s) const;
 
     std::vector<const Shape*> boundaries_;
     std::vector<Box> boxes_;      ///< of boundaries_
     std::vector<Box> untold_;     ///< of the other boundaries
+    std::vector<const Shape*> bodies_;   ///< subsurface bodies of which it can be told whether a point is inside
+    std::vector<Box> untoldBodies_;      ///< of the others
     glm::dvec3 eye_;
     int aroundCamera_;
     const Scene& scene_;

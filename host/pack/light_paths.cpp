@@ -24,22 +24,26 @@ static std::string contradictionOf(const Scene& scene) {
                        found->boundary->where.toString(), name(found->said), name(found->found));
 }
 
+/// Whether random walks go through the inside of a material.
+static bool isWalked(const Material& m) { return m.interior && m.method == SubsurfaceMethod::randomWalk; }
+
 std::string lightPathObstacle(const PackContext& context) {
     const Scene& scene = context.scene;
     if (context.hasMedia && scene.forcesDiffuse) return "it has participating media and \"forcediffuse\"";
     if (context.hasMedia)
         if (const std::string contradiction = contradictionOf(scene); !contradiction.empty()) return contradiction;
-    if (!scene.forcesDiffuse && std::ranges::any_of(scene.materials, [](const Material& m) { return m.interior || m.diffusion; }))
-        return "it has subsurface scattering, which light paths do not enter yet";
     if (scene.film.spectrum) return "its film keeps spectra, which light paths do not add to yet";
-    if (scene.filter.xRadius == 0 || scene.filter.yRadius == 0) return "all samples are at the centres of pixels, which no light path hits";
+    constexpr double leastRadius = 0.1;   // pixels
+    if (std::min(scene.filter.xRadius, scene.filter.yRadius) < leastRadius)
+        return "its filter is so narrow that light paths hardly hit what pixels show";
     if (scene.integrator.regularize) return "it regularizes, which depends on where a path begins";
     return {};
 }
 
 void requireLightPaths(const PackContext& context, const std::string& why) {
     context.require(Feature::LIGHT_PATHS, why);
-    if (context.hasMedia) context.require(KindFeature::BSDF_HENYEY_GREENSTEIN, why);
+    if (context.hasMedia || std::ranges::any_of(context.scene.materials, isWalked))
+        context.require(KindFeature::BSDF_HENYEY_GREENSTEIN, why);
     /* Paths that are to find a moving camera know their time */
     if (context.scene.camera.worldFromCameraAtEnd) context.require(Feature::MOTION, why);
 }

@@ -79,25 +79,27 @@ static std::vector<glm::dvec3> pointsAround(const light& l, bool isArea) {
     return points;
 }
 
-/// The medium around a light: in Scene::media, or `none`. Nothing if it cannot be told, or is not what the light's own shape says.
+/// The medium around a light: in Scene::media, or `none`. Nothing if it cannot be told, is not what the light's own shape says, or the
+/// light may be inside a subsurface body.
 std::optional<int> LightPacker::mediumAround(const LightMedia& media, const light& l, const Shape* shape) const {
     std::optional<int> found;
-    for (const glm::dvec3& p : pointsAround(l, shape)) {
-        const std::optional<int> here = media.at(transformPoint(context_.space.worldFromScene(), p), shape);
-        if (!here || (found && *found != *here)) return {};
+    for (const glm::dvec3& at : pointsAround(l, shape)) {
+        const glm::dvec3 p = transformPoint(context_.space.worldFromScene(), at);
+        const std::optional<int> here = context_.hasMedia ? media.at(p, shape) : none;
+        if (!here || (found && *found != *here) || media.mayBeInBody(p)) return {};
         found = here;
     }
     /* It shines on the side of its normal, or on both */
-    const bool disagrees = shape && shape->interface && (l.two_sided || shape->interface->outside != *found);
+    const bool disagrees = context_.hasMedia && shape && shape->interface && (l.two_sided || shape->interface->outside != *found);
     return disagrees ? std::nullopt : found;
 }
 
 /// Which medium is around each light. Where that cannot be told, no light paths begin.
 void LightPacker::placeInMedia() {
-    if (!context_.hasMedia) return;
+    if (!context_.hasMedia && !context_.has(Feature::SUBSURFACE)) return;
     const LightMedia media(context_.scene);
     /* From far away, nothing gets through a medium without an end */
-    const bool isLitFromFar = media.outside() == none;
+    const bool isLitFromFar = !context_.hasMedia || media.outside() == none;
     for (size_t i = 0; i < emitted_.size(); ++i) {
         Emission& e = emitted_[i];
         light& l = tables_.lights[i];

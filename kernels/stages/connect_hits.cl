@@ -17,7 +17,7 @@ TRACING_STAGE(connect_hits, CONNECT_HITS) {
         size_t i = first + at;
         STORE_FIELD(shadow, float, t_max, shadow, capacity, i, -1.0f);
         hit_item h = load_hit(hit, capacity, i);
-        if (h.depth + 2u > frame->max_depth || !(max_component(h.beta) > 0.0f)) continue;
+        if (counted_events(h) + 2u > frame->max_depth || is_deep_in_body(h) || !(max_component(h.beta) > 0.0f)) continue;
         chosen_hit other = choose_cached_hit(frame, h, cached, cached_last, cached_pass_mask);
         if (other.record == NONE) continue;
         BSDF_BOUND b = BIND_BSDF(h, LOAD_BSDF(hit, capacity, i), bsdf_set, color_set);

@@ -17,7 +17,7 @@ TRACING_STAGE(merge_vertices, MERGE_VERTICES) {
         if (is_interrupted(stop)) return;
         size_t i = first + at;
         hit_item h = load_hit(hit, capacity, i);
-        if (h.merging == 0.0f || h.depth >= frame->max_depth) continue;
+        if (h.merging == 0.0f || counted_events(h) >= frame->max_depth) continue;
         BSDF_BOUND b = BIND_BSDF(h, LOAD_BSDF(hit, capacity, i), bsdf_set, color_set);
         merged_light L = merge_hit(frame, vertex, grid, grid_buckets, h, b);
         if (is_black(L.all)) continue;

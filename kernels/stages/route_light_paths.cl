@@ -73,8 +73,8 @@ TRACING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
         hit_item h = aim_nowhere(make_hit(scene.geometry, r, f, s, m));
         h.render_pass = pass_of_light_path(r.depth);
         /* Where nothing from the camera is comparable, the path ends: its hit has no throughput */
-        h = arrive(frame, scene.geometry, h, r, f);
-        if (faces_rays(scene.geometry, f)) h.beta = uniform_spectrum(0.0f);
+        h = arrive(frame, scene.geometry, h, r, f, m);
+        if (ends_light_paths(scene.geometry, f, m)) h.beta = uniform_spectrum(0.0f);
         else if (r.depth == 0u) h = arrive_from_light(scene, emission_aliases, h, r, distance);
         store_hit_and_bsdf(hit, capacity, slot, scene.tables, scene.colors, scene.materials, m, h, s);
     }
