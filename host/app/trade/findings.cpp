@@ -151,7 +151,12 @@ void predict(const Study& study, const std::vector<Wish>& wishes, Findings& foun
         r.referenceError = found.references.relativeError();
         if (!r.isPossible || r.setting == 0) continue;
         const auto points = ladderOf(r.setting);
-        r.isBetter = std::ranges::any_of(points, [&](const MeasuredPoint& p) { return efficiencyVerdict(found, p) == Verdict::better; });
+        /* Or the user's own options have more bias than that, however many samples they get */
+        const auto ownPoints = ladderOf(0);
+        const bool isOutOfReach =
+            state.settings[0].isBiased && !ownPoints.empty() && ownPoints.back().error.biasSquare.low > r.error * r.error;
+        r.isBetter = isOutOfReach ||
+                     std::ranges::any_of(points, [&](const MeasuredPoint& p) { return efficiencyVerdict(found, p) == Verdict::better; });
     }
 }
 
