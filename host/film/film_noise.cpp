@@ -33,8 +33,8 @@ FilmTotals::ExpectedLuminance FilmTotals::expectedLuminance(const Planes& planes
     const size_t i = index(x, y);
     const glm::vec3 color = planes.color(i);
     const double own = luminance(color), low = std::clamp<double>(planes.low(i), std::min(0.0, own), own);
-    /* The part of the mean that is in doubt: all of it where half of it is noise */
-    const double doubt = own > 0 ? std::min(4 * planes.variance(i, color) / (own * own), 1.0) : 0;
+    /* The part of the mean that is in doubt: all of it where a third of it is noise */
+    const double doubt = own > 0 ? std::min(8 * planes.variance(i, color) / (own * own), 1.0) : 0;
     if (doubt < 0.01) return {own, 0};
     double around = 0;
     int count = 0;
