@@ -184,8 +184,10 @@ void confirmRecommendations(Study& study, const std::vector<Wish>& wishes) {
             if (left <= 0 || study.isInterrupted()) return;
             /* As many samples as fit into a part of what is left, but not more than a wish takes */
             const Setting& s = state.settings[m->setting];
-            double samples = std::max(1., std::floor(std::min({left / 6, 20.}) / m->secondsPerSample));
-            samples = std::min(samples, std::max(m->lastSamples, 16.));
+            double wished = std::max(m->lastSamples, 16.);
+            for (const Recommendation& r : found.recommendations)
+                if (r.isPossible && r.setting == m->setting) wished = std::max(wished, r.samples);
+            const double samples = std::max(1., std::min(std::floor(std::min(left / 6, 20.) / m->secondsPerSample), wished));
             const double rung =
                 s.ladder == Ladder::samples ? samples : m->lastRung * std::pow(samples / m->lastSamples, m->slope.value / 2);
             study.confirmAt(m->setting, rung);
