@@ -42,7 +42,7 @@ std::string lightPathObstacle(const PackContext& context) {
 
 void requireLightPaths(const PackContext& context, const std::string& why) {
     context.require(Feature::LIGHT_PATHS, why);
-    if (context.hasMedia || std::ranges::any_of(context.scene.materials, isWalked))
+    if (context.hasMedia || (!context.scene.forcesDiffuse && std::ranges::any_of(context.scene.materials, isWalked)))
         context.require(KindFeature::BSDF_HENYEY_GREENSTEIN, why);
     /* Paths that are to find a moving camera know their time */
     if (context.scene.camera.worldFromCameraAtEnd) context.require(Feature::MOTION, why);
