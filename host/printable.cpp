@@ -21,8 +21,17 @@ static size_t characterLength(std::string_view text) {
 }
 
 std::string printable(std::string_view text) {
+    constexpr size_t longestWord = 5000;   // a path may have 4096 characters
     std::string result;
+    size_t inWord = 0;
     while (!text.empty()) {
+        inWord = std::isspace(static_cast<unsigned char>(text.front())) ? 0 : inWord + 1;
+        if (inWord > longestWord) {
+            const size_t rest = std::min(text.find_first_of(" \t\n"), text.size());
+            result += fmt::format("... (and {} more characters)", rest);
+            text.remove_prefix(rest);
+            continue;
+        }
         const size_t length = characterLength(text);
         if (length > 0) result += text.substr(0, length);
         else result += fmt::format("\\x{:02x}", static_cast<unsigned char>(text.front()));

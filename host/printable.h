@@ -7,7 +7,7 @@
 namespace eikonal {
 
 /// Replaces every byte that is a control character (except line ends and tabs) or invalid UTF-8 by its escape, such as the four characters
-/// \x1b: a binary file must not move the cursor or change colours.
+/// \x1b: a binary file must not move the cursor or change colours. Cuts words of more than 5000 bytes.
 std::string printable(std::string_view text);
 
 /// A word of a file in quotes, for messages, but only if it looks like a name or a number: any file that the user can read may be named as

@@ -12,6 +12,7 @@ namespace eikonal {
 
 Checkpoints::Checkpoints(const Options& options, Diagnostics& diagnostics) : options_(options), diagnostics_(diagnostics) {
     const OutputOptions& out = options.output;
+    path_ = out.checkpoint;
     if (out.checkpoint.empty()) return;
     removeAbandonedFiles(out.checkpoint);
     checkFileWritable(out.checkpoint, 0);
@@ -23,6 +24,7 @@ Checkpoints::Checkpoints(const Options& options, Diagnostics& diagnostics) : opt
     before_ = std::make_unique<FilmFileReader>(out.checkpoint);
     planned_ = before_->head().planned;
     secondsBefore_ = before_->head().seconds;
+    own_ = FileMark::of(out.checkpoint);
 }
 
 std::optional<int> Checkpoints::samplesLaidOutFor() const {
@@ -70,10 +72,17 @@ std::string Checkpoints::writeAll(const Film& film, std::span<const unsigned> pl
 }
 
 void Checkpoints::save(const Film& film, std::span<const unsigned> planned, double seconds) {
-    if (options_.output.checkpoint.empty()) return;
+    if (path_.empty()) return;
+    if (FileMark::of(path_) != own_) {
+        const std::string other = nameBeside(path_);
+        diagnostics_.warn({}, fmt::format("{}: another program has written it since this render began; the checkpoint is {}", path_,
+                                          other));
+        path_ = other;
+    }
     head_.planned.assign(planned.begin(), planned.end());
     head_.seconds = secondsBefore_ + seconds;
-    writeFilmFile(options_.output.checkpoint, film, head_);
+    writeFilmFile(path_, film, head_);
+    own_ = FileMark::of(path_);
 }
 
 }  // namespace eikonal

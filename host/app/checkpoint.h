@@ -5,6 +5,7 @@
 #include "clock.h"
 #include "diagnostics.h"
 #include "film/film_file.h"
+#include "image/file_mark.h"
 
 #include <memory>
 #include <optional>
@@ -30,12 +31,17 @@ public:
     void pause(const Film& film, std::span<const unsigned> planned, double seconds, RenderOutput& output);
     /// Writes checkpoint and images now. Returns why that failed, which is a warning; empty: it did not.
     std::string writeAll(const Film& film, std::span<const unsigned> planned, double seconds, RenderOutput& output);
-    /// Writes the checkpoint, if there is to be one.
+    /// Writes the checkpoint, if there is to be one. Not over a file that another program has put there since: then beside it, with a
+    /// warning.
     void save(const Film& film, std::span<const unsigned> planned, double seconds);
+    /// Where save() has written to, or is going to.
+    const std::string& path() const { return path_; }
 
 private:
     const Options& options_;
     Diagnostics& diagnostics_;
+    std::string path_;
+    FileMark own_;   ///< of what was last read from there or written to it
     std::unique_ptr<FilmFileReader> before_;
     FilmFileHead head_;   ///< of the files to write
     std::vector<unsigned> planned_;

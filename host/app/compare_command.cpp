@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <filesystem>
 
 namespace eikonal {
 
@@ -29,7 +30,13 @@ static FilmImage heatMap(const Flip& flip, const PixelBounds& part) {
 }
 
 int compareCommand(const Options& o) {
-    if (!o.heatMap.empty()) checkWritable(o.heatMap);
+    if (!o.heatMap.empty()) {
+        std::error_code absent;
+        for (const std::string& input : {o.image, o.reference})
+            if (std::filesystem::equivalent(o.heatMap, input, absent))
+                throw UsageError(fmt::format("--heat-map would overwrite \"{}\", which is compared; name another file", input));
+        checkWritable(o.heatMap);
+    }
     FilmImage image = readImage(o.image).image;
     const FilmImage reference = readImage(o.reference).image;
     if (o.scatter) image.variance.clear();

@@ -1,5 +1,6 @@
 #include "app/output.h"
 
+#include "error.h"
 #include "image/image_encoding.h"
 #include "read/formats/input_files.h"
 #include "standard_stream.h"
@@ -66,6 +67,18 @@ void checkIsNoInput(const std::string& output, const std::vector<std::string>& s
     for (const std::string& input : inputs)
         if (!isStandardStream(output) && std::filesystem::equivalent(output, input, absent))
             throw Error(ExitCode::scene, fmt::format("cannot write \"{}\": the scene is read from it; name another file with -o", output));
+}
+
+void checkIsApart(const std::string& output, const Options& options) {
+    if (isStandardStream(output)) return;
+    const auto placeOf = [](const std::string& file) {
+        std::error_code error;
+        const std::filesystem::path place = std::filesystem::weakly_canonical(std::filesystem::absolute(file, error), error);
+        return error ? std::filesystem::path(file) : place;
+    };
+    for (const auto& [option, file] : {std::pair("--checkpoint", options.output.checkpoint), {"--log-file", options.logFile}})
+        if (!file.empty() && placeOf(file) == placeOf(output))
+            throw UsageError(fmt::format("{} and -o both name \"{}\"; one would overwrite the other", option, output));
 }
 
 void selectAovs(FilmImage& image, const Aovs& aovs) {

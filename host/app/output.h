@@ -21,6 +21,8 @@ bool keepsSpectrum(const OutputOptions& options, const FilmDescription& film, co
                    Diagnostics& diagnostics);
 /// Throws an Error if a scene was read from this file, once it is packed: `scenes`, or a file that is part of the last one read.
 void checkIsNoInput(const std::string& output, const std::vector<std::string>& scenes);
+/// Throws a UsageError if an image would overwrite the checkpoint or the messages of the same run.
+void checkIsApart(const std::string& output, const Options& options);
 /// Drops the channels that are not in `aovs`.
 void selectAovs(FilmImage& image, const Aovs& aovs);
 

@@ -104,6 +104,9 @@ StoredMetadata RenderOutput::metadata() {
 ImageReport RenderOutput::report(const FilmTotals& totals, double seconds) {
     const ErrorMetric metric = options_.output.errorMetric;
     ImageReport report{totals.samples(), totals.error(metric), metadata().metadata};
+    /* Samples do not tell of a bias that they all have */
+    if (session_.packed().features.has(Feature::MERGING) && report.error.doubt.empty())
+        report.error.doubt = "the bias of merged light paths is not in it";
     describeFilm(report.metadata, report.samples, report.error, metric);
     report.metadata.renderSeconds = seconds;
     report.metadata.commandLine = options_.commandLine;

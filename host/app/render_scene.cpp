@@ -1,6 +1,7 @@
 #include "app/render_scene.h"
 
 #include "render/render.h"
+#include "image/atomic_file.h"
 #include "image/image_file.h"
 #include "available_memory.h"
 #include "app/checkpoint.h"
@@ -189,9 +190,11 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     for (const std::string& file : files) {
         checkIsNew(file, written);
         checkIsNoInput(file, o.scenes);
+        checkIsApart(file, o);
         checkHolds(file, packed.pixels.width(), packed.pixels.height(), o.output.encoding);
         checkWritable(file, plan.film / 2, o.output.encoding);
     }
+    if (!o.output.checkpoint.empty()) checkFileWritable(o.output.checkpoint, plan.film / 2);
     const bool isByCost = o.output.tile && o.output.tilesBy == TilesBy::cost;
     if (isByCost) {
         session.prepare();
@@ -219,18 +222,20 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     const RenderResult result =
         renderFilm(o, session, *film, samples, deadline, checkpoints, output, errors, watching);
     const double renderSeconds = renderTime.seconds() - watching.pausedSeconds();
+    /* Also where a limit ended the render just after its last samples */
+    const bool isComplete = result.isFinished || (!o.output.targetError && std::ranges::min(film->taken()) >= samples.end);
     /* A signal that arrives while the finished image is written does not count */
-    const int endedBy = result.isFinished ? 0 : Interrupt::signal();
+    const int endedBy = isComplete ? 0 : Interrupt::signal();
     const std::string ending = endedBy ? "interrupted" : deadline.option() ? fmt::format("ended by {}", deadline.option()) : "";
     const Stopwatch writeTime;
-    if (session.profile().paths == 0 && result.isFinished) say(o, o.output.checkpoint + " has all samples: nothing is left to render");
+    if (session.profile().paths == 0 && isComplete) say(o, o.output.checkpoint + " has all samples: nothing is left to render");
     std::exception_ptr unsaved;  // the image is worth writing all the same
     try {
         if (session.profile().paths > 0) checkpoints.save(*film, result.planned, renderSeconds);
     } catch (const Error&) { unsaved = std::current_exception(); }
     std::optional<FilmTotals> totals = film->totals();
     ImageReport report = output.report(*totals, checkpoints.secondsBefore() + renderSeconds);
-    if (!result.isFinished) report.metadata.partial = describeShortfall(report.samples, samples.length(), ending);
+    if (!isComplete) report.metadata.partial = describeShortfall(report.samples, samples.length(), ending);
     reportShortfall(o, report.metadata.partial, totals->invalid(), result, samples.length(), diagnostics);
     const std::string described = describe(report.error, o.output.errorMetric);
     say(o, described);
@@ -248,18 +253,18 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     const double writeSeconds = writeTime.seconds();
     std::vector<std::string> names;
     for (const std::string& file : files) names.push_back(isStandardStream(file) ? "standard output" : file);
-    if (!o.output.checkpoint.empty() && !unsaved) names.push_back(o.output.checkpoint);
-    say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(names, " and "), session.seconds()));
+    if (!o.output.checkpoint.empty() && !unsaved) names.push_back(checkpoints.path());
+    if (!names.empty()) say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(names, " and "), session.seconds()));
     for (const std::string& file : files) written.emplace(file, jobName(o.scene));
     if (o.output.stats)
         std::fputs(printable(describeRun(session, session.profile(), report.samples, described, renderSeconds, writeSeconds)).c_str(),
                    stdout);
-    const int status = endedBy ? signalStatus + endedBy : static_cast<int>(result.isFinished ? ExitCode::success : ExitCode::partialImage);
+    const int status = endedBy ? signalStatus + endedBy : static_cast<int>(isComplete ? ExitCode::success : ExitCode::partialImage);
     if (o.json) {
         summary.files = files;
         summary.frame = o.scene.frame;
-        if (!unsaved) summary.checkpoint = o.output.checkpoint;
-        summary.isComplete = result.isFinished;
+        if (!unsaved) summary.checkpoint = checkpoints.path();
+        summary.isComplete = isComplete;
         summary.endedBy = endedBy;
         summary.status = unsaved || output.undenoised() ? static_cast<int>(ExitCode::scene) : status;
         summary.metadata = report.metadata;

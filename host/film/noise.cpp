@@ -66,7 +66,10 @@ ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, E
     if (metric == ErrorMetric::nrmse) e.error = mean > 0 ? e.error / mean : 0;
     const double sum = steps * decay.share, ofPixels = shareOfSquares * sums.squares * decay.share * decay.share;
     const double variance = ofPixels + sums.suspicion, mostVariance = shareOfSquares / leastPixels * sum * sum;
-    const double factor = std::exp(1.96 * std::hypot(sum > 0 ? std::sqrt(variance) / sum / 2 : 0, modelDeviation));
+    /* Of what is not known at all, nothing more is said than that it may be seven times as much, or a seventh */
+    constexpr double mostDeviation = 1;
+    const double deviation = sum > 0 ? std::min(std::sqrt(variance) / sum / 2, mostDeviation) : 0;
+    const double factor = std::exp(1.96 * std::hypot(deviation, modelDeviation));
     e.low = e.error / factor;
     e.high = e.error * factor;
     if (sums.fewest < 4) e.doubt = fmt::format("a pixel has only {} sample{}", sums.fewest, sums.fewest == 1 ? "" : "s");

@@ -24,6 +24,8 @@ public:
     std::optional<int> outside() const;
     /// Whether a point in world space is, or may be, inside a subsurface body. It may be in the box of a body whose inside cannot be told.
     bool mayBeInBody(glm::dvec3 p) const;
+    /// Whether the material of a shape is that of a subsurface body, or a mix with one.
+    bool isBody(const Shape& s) const;
 
     /// A boundary that says, of its side towards the camera, that another medium is there than paths from the camera come through.
     struct Contradiction { const Shape* boundary; int said, found; };
@@ -36,7 +38,6 @@ private:
     std::optional<Told> tell(glm::dvec3 p, const Shape* except) const;
     std::optional<Contradiction> contradictionAt(const Shape& s, glm::dvec3 p) const;
     bool isSeeThrough(const Shape& s) const;
-    bool isBody(const Shape& s) const;
 
     std::vector<const Shape*> boundaries_;
     std::vector<Box> boxes_;      ///< of boundaries_

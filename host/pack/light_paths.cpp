@@ -50,11 +50,11 @@ void requireLightPaths(const PackContext& context, const std::string& why) {
 
 void chooseLightPaths(const PackContext& context, PackedScene& packed) {
     if (!context.scene.integrator.kind->mayTraceLightPaths) return;
-    const std::vector<std::string> missed = missedLight(packed);
+    const std::vector<std::string> missed = lightForLightPaths(packed);
     if (missed.empty() || !lightPathObstacle(context).empty()) return;
     requireLightPaths(context, "otherwise " + missed.front());
     /* What is then seen by way of smooth surfaces, too */
-    if (const std::vector<std::string> more = missedLight(packed); !more.empty() && mergingObstacle(context).empty())
+    if (const std::vector<std::string> more = lightForLightPaths(packed); !more.empty() && mergingObstacle(context).empty())
         requireMerging(context, packed.frame(), "otherwise " + more.front());
 }
 

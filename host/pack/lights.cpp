@@ -82,6 +82,8 @@ static std::vector<glm::dvec3> pointsAround(const light& l, bool isArea) {
 /// The medium around a light: in Scene::media, or `none`. Nothing if it cannot be told, is not what the light's own shape says, or the
 /// light may be inside a subsurface body.
 std::optional<int> LightPacker::mediumAround(const LightMedia& media, const light& l, const Shape* shape) const {
+    /* What shines inwards shines into the body */
+    if (shape && l.two_sided && media.isBody(*shape)) return {};
     std::optional<int> found;
     for (const glm::dvec3& at : pointsAround(l, shape)) {
         const glm::dvec3 p = transformPoint(context_.space.worldFromScene(), at);
@@ -94,9 +96,11 @@ std::optional<int> LightPacker::mediumAround(const LightMedia& media, const ligh
     return disagrees ? std::nullopt : found;
 }
 
-/// Which medium is around each light. Where that cannot be told, no light paths begin.
+/// Which medium is around each light. Where that cannot be told, or it may be a subsurface body, no light paths begin.
 void LightPacker::placeInMedia() {
     if (!context_.hasMedia && !context_.has(Feature::SUBSURFACE)) return;
+    const auto begin = [](const Emission& e) { return e.power > 0; };
+    if (std::ranges::none_of(emitted_, begin)) return;
     const LightMedia media(context_.scene);
     /* From far away, nothing gets through a medium without an end */
     const bool isLitFromFar = !context_.hasMedia || media.outside() == none;
@@ -112,9 +116,9 @@ void LightPacker::placeInMedia() {
         if (!found) e.power = 0;
         l.medium = static_cast<uint>(found.value_or(none));   // none is NONE
     }
-    if (std::ranges::all_of(emitted_, [](const Emission& e) { return e.power <= 0; }))
-        context_.diagnostics.warn({}, "no paths begin at the lights of this scene, since it cannot be told which media they are in, or "
-                                      "they shine through one without an end; add --integrator volpath");
+    if (std::ranges::none_of(emitted_, begin))
+        context_.diagnostics.warn({}, "no paths begin at the lights of this scene, since it cannot be told which media they are in, they "
+                                      "are in subsurface bodies, or they shine through a medium without an end; add --integrator volpath");
 }
 
 /// By power; and how splats are scaled.

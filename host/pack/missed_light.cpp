@@ -3,6 +3,7 @@
 #include "kind_features.h"
 #include "kinds/light_kind.h"
 #include "pack/tables.h"
+#include "eikonal/stages.h"
 
 #include <fmt/format.h>
 
@@ -19,13 +20,33 @@ static std::string firstUse(const PackedScene& packed, Feature feature) {
     return found == packed.reasons.end() ? "" : found->second;
 }
 
+/// Which smooth surfaces count. Light paths end at subsurface bodies.
+enum class Smooth { any, bodies, others };
+
+/// BSDFs of smooth surfaces.
+struct SmoothBsdf { Feature feature; next_queue queue; const char* what; };
+constexpr SmoothBsdf smoothBsdfs[] = {{KindFeature::BSDF_SPECULAR_DIELECTRIC, next_specular_dielectric, "clear glass"},
+                                      {KindFeature::BSDF_SPECULAR_CONDUCTOR, next_specular_conductor, "a mirror"},
+                                      {KindFeature::BSDF_THIN_DIELECTRIC, next_thin_dielectric, "a pane"}};
+
+/// Whether a material with that BSDF is, or is not, that of a subsurface body.
+static bool hasMaterial(const PackedScene& packed, next_queue queue, bool ofBody) {
+    return std::ranges::any_of(packed.tables.materials, [&](const material& m) {
+        return m.next_queue == queue && (m.interior != NONE || m.profile != NONE) == ofBody;
+    });
+}
+
 /// The first surface that only reflects and transmits in single directions, with its place in the scene; empty if there is none.
-static std::string firstSmooth(const PackedScene& packed) {
+static std::string firstSmooth(const PackedScene& packed, Smooth which) {
     if (packed.features.has(Feature::FORCE_DIFFUSE)) return {};
-    for (const auto& [feature, what] : {std::pair{KindFeature::BSDF_SPECULAR_DIELECTRIC, "clear glass"},
-                                        {KindFeature::BSDF_SPECULAR_CONDUCTOR, "a mirror"},
-                                        {KindFeature::BSDF_THIN_DIELECTRIC, "a pane"}})
-        if (const std::string where = firstUse(packed, feature); !where.empty()) return fmt::format("{} ({})", what, where);
+    for (const auto& [feature, queue, what] : smoothBsdfs) {
+        const std::string where = firstUse(packed, feature);
+        if (where.empty()) continue;
+        if (which == Smooth::bodies && hasMaterial(packed, queue, true))
+            return fmt::format("a subsurface body ({})", firstUse(packed, Feature::SUBSURFACE));
+        const bool counts = which == Smooth::any || (which == Smooth::others && hasMaterial(packed, queue, false));
+        if (counts) return fmt::format("{} ({})", what, where);
+    }
     return {};
 }
 
@@ -52,21 +73,19 @@ static const light* firstWithoutArea(const PackedScene& packed) {
     return found == packed.tables.lights.end() ? nullptr : &*found;
 }
 
-/// The first smooth surface by way of which light is missed; empty if there is none, or where paths from both ends merge, since they meet
-/// on the surface in between.
-static std::string missedBy(const PackedScene& packed) {
-    return packed.features.has(Feature::MERGING) ? std::string() : firstSmooth(packed);
-}
+/// By way of which smooth surfaces light is missed. Where paths from both ends merge, they meet on the surface in between.
+static Smooth missedBy(const PackedScene& packed) { return packed.features.has(Feature::MERGING) ? Smooth::bodies : Smooth::any; }
 
-bool missesLightForGood(const PackedScene& packed) { return !missedBy(packed).empty() && firstWithoutArea(packed); }
+bool missesLightForGood(const PackedScene& packed) { return !firstSmooth(packed, missedBy(packed)).empty() && firstWithoutArea(packed); }
 
-std::vector<std::string> missedLight(const PackedScene& packed) {
-    const std::string smooth = missedBy(packed);
+static std::vector<std::string> missedLight(const PackedScene& packed, Smooth which) {
+    const std::string smooth = firstSmooth(packed, which);
     if (smooth.empty()) return {};
     /* Light paths arrive at the camera from surfaces that it sees directly */
     const bool fromBothEnds = packed.features.has(Feature::LIGHT_PATHS);
-    const std::string onto = fromBothEnds ? "onto surfaces by way of smooth ones, where they are seen by way of smooth ones, too"
-                                          : "onto surfaces by way of smooth ones";
+    const std::string onto = which == Smooth::bodies ? "onto surfaces by way of smooth ones that light paths do not pass"
+                             : fromBothEnds ? "onto surfaces by way of smooth ones, where they are seen by way of smooth ones, too"
+                                            : "onto surfaces by way of smooth ones";
     std::vector<std::string> missed;
     if (const light* l = firstWithoutArea(packed)) {
         const std::string where = firstUse(packed, kindOf(*l).feature);
@@ -78,6 +97,11 @@ std::vector<std::string> missedLight(const PackedScene& packed) {
                                      "{:.0f} hits the lamp",
                                      share, onto, smooth, 1 / share));
     return missed;
+}
+
+std::vector<std::string> missedLight(const PackedScene& packed) { return missedLight(packed, missedBy(packed)); }
+std::vector<std::string> lightForLightPaths(const PackedScene& packed) {
+    return packed.features.has(Feature::MERGING) ? std::vector<std::string>() : missedLight(packed, Smooth::others);
 }
 
 }  // namespace eikonal

@@ -90,6 +90,12 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     PackedScene& packed = result.scene;
     const SceneBounds bounds = boundsOf(scene);
     const std::vector<std::shared_ptr<const ImageData>> images = loadImages(scene.images);
+    for (size_t i = 0; i < images.size(); ++i)
+        if (images[i] && images[i]->replaced > 0)
+            diagnostics.warn(scene.images[i].where,
+                             fmt::format("image \"{}\" has {} values that are not finite: 0 is taken for what is no number, and 65504 "
+                                         "for infinity",
+                                         scene.images[i].path, images[i]->replaced));
     packed.color = chooseColor(scene, images);
     if (packed.color.spectral) packed.require(Feature::SPECTRAL, packed.color.why);
     const PackContext context{.scene = scene,

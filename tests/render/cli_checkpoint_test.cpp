@@ -140,6 +140,37 @@ TEST_F(Checkpoint, OfAnotherRenderIsRefused) {
 }
 
 /// Each of them is noticed before anything is rendered, and stays what it is.
+TEST_F(Checkpoint, HasANameOfItsOwn) {
+    for (const Words& both : {Words{"-o", "a.exr", "--checkpoint", "a.exr"}, {"-o", "a.exr", "--checkpoint", "./a.png"},
+                              {"-o", "a.exr", "--log-file", "a.exr"}, {"-o", "a.film", "-o", "b.exr", "--log-file", "b.exr"}}) {
+        Words words{"render", "tiny.pbrt"};
+        words.insert(words.end(), both.begin(), both.end());
+        const Outcome outcome = run(words);
+        EXPECT_NE(outcome.status, 0);
+        EXPECT_THAT(outcome.error, HasSubstr("one would overwrite the other"));
+    }
+}
+
+/// A file that appears under the checkpoint's name while a render runs stays what it is: the checkpoint goes beside it.
+TEST_F(Checkpoint, LeavesWhatAnotherProgramHasWritten) {
+    const Running running = start(render("a.exr", {"--spp", "1000000", "--checkpoint", "c.film"}));
+    ASSERT_TRUE(printed(running, "rendering "));
+    write("c.film", "of another program");
+    ::usleep(500'000);   // for some samples, without which there is no checkpoint
+    ::kill(running.process, SIGTERM);
+    const Outcome outcome = wait(running);
+    EXPECT_THAT(outcome.error, HasSubstr("another program has written it since this render began; the checkpoint is"));
+    EXPECT_EQ(std::filesystem::file_size(path("c.film")), std::string("of another program").size());
+    EXPECT_GT(FilmFileReader(path("c-2.film")).head().seconds, 0);
+}
+
+/// A limit that ends a render just after its last samples leaves a whole image.
+TEST_F(Checkpoint, OfAllSamplesIsComplete) {
+    const Outcome outcome = run({"render", "tiny.pbrt", "-o", "a.exr", "--time-limit", "0.000001", "--json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.error;
+    EXPECT_THAT(outcome.out, HasSubstr("\"isComplete\":true"));
+}
+
 TEST_F(Checkpoint, DamageIsNoticed) {
     ASSERT_EQ(run(withCheckpoint("a.exr", {})).status, 0);
     const std::string whole = read(path("c.film"));

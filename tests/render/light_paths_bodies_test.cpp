@@ -24,6 +24,14 @@ const std::string spotted = "MakeNamedMaterial \"a\" \"string type\" \"diffuse\"
                             "\nMakeNamedMaterial \"c\" \"string type\" \"mix\" \"string materials\" [\"a\" \"b\"] \"float amount\" .6\n"
                             "AttributeBegin Translate .1 .5 0 NamedMaterial \"c\" Shape \"sphere\" \"float radius\" .4 AttributeEnd\n";
 
+/// A body that is open: paths come out of it, and light in, without passing its surface again.
+std::string openBody(const std::string& material) {
+    return "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [10 8 6] \"bool twosided\" true "
+           "Shape \"bilinearmesh\" \"point3 P\" [-.6 .1 -.6  .6 .1 -.6  -.6 .1 .6  .6 .1 .6] AttributeEnd\n"
+           "AttributeBegin Material " +
+           material + " Shape \"bilinearmesh\" \"point3 P\" [-.9 .6 -.9  .9 .6 -.9  -.9 .6 .9  .9 .6 .9] AttributeEnd\n";
+}
+
 struct Case {
     std::string name, world;
     int samples = 256;
@@ -46,6 +54,8 @@ INSTANTIATE_TEST_SUITE_P(Of, LightPathsAroundBodies,
                                          Case{"a_profile", room + panel + ball(diffused)},
                                          Case{"a_walk_in_smoke", room + panel + smoke + smoked, 512},
                                          Case{"a_mix", room + panel + spotted},
+                                         Case{"an_open_walk", room + openBody(rough)},
+                                         Case{"an_open_profile", room + openBody(diffused)},
                                          Case{"a_lamp_in_it", room + panel + lampInBall + ball(walked)}),
                          [](const auto& info) { return info.param.name; });
 

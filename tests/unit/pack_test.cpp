@@ -258,13 +258,27 @@ TEST_F(Pack, IntegratorsThatAreNotRenderedAreNamedOnce) {
     for (const auto& [head, world, why] :
          {std::tuple("Integrator \"bdpt\" Option \"forcediffuse\" true", smoke + "Shape \"sphere\"", "participating media"),
           {"Integrator \"bdpt\"", smoke + "Translate 0 0 5 Shape \"sphere\"", "test.pbrt:5:17 has medium \"m\" on its side towards"},
-          {"Integrator \"bdpt\"", "Material \"subsurface\" Shape \"sphere\"", "subsurface scattering"},
+          {"Integrator \"bdpt\" PixelFilter \"box\" \"float xradius\" .05", "Shape \"sphere\"", "its filter is so narrow"},
           {"Integrator \"bdpt\" Film \"spectral\"", "Shape \"sphere\"", "keeps spectra"},
           {"Integrator \"bdpt\" \"bool regularize\" true", "Shape \"sphere\"", "regularizes"}}) {
         Diagnostics diagnostics(LogLevel::silent);
         EXPECT_FALSE(packScene(read(std::string(head) + "\nWorldBegin\n" + world), diagnostics).features.has(Feature::LIGHT_PATHS)) << why;
         EXPECT_THAT(diagnostics.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1"), HasSubstr(why)))) << why;
     }
+}
+
+// Light paths end at subsurface bodies: they are not traced for what such a body sends on, and what it sends on is still missed with them.
+TEST_F(Pack, LightPathsAreNotForWhatBodiesSendOn) {
+    const std::string lit = "\nWorldBegin LightSource \"point\" ", body = "Material \"subsurface\" Shape \"sphere\" ",
+                      glass = "Material \"dielectric\" Shape \"sphere\"";
+    const auto packed = [&](const std::string& integrator, const std::string& world) {
+        Diagnostics diagnostics(LogLevel::silent);
+        return packScene(read("Integrator \"" + integrator + "\"" + lit + world), diagnostics);
+    };
+    EXPECT_FALSE(packed("auto", body).features.has(Feature::LIGHT_PATHS));
+    EXPECT_TRUE(packed("auto", body + glass).features.has(Feature::MERGING));
+    EXPECT_THAT(missedLight(packed("vcm", body)), ElementsAre(HasSubstr("that light paths do not pass, first a subsurface body")));
+    EXPECT_THAT(missedLight(packed("vcm", glass)), ElementsAre());
 }
 
 // Vertices merge where nothing moves, at the first radius of the scene or one that is chosen.

@@ -22,6 +22,10 @@ TEST_F(PbrtDirectives, theLastTransformIsAppliedFirst) {
     expectNear(unitX("Scale 2 1 1 Translate 0 0 5 Identity Translate 1 1 1"), {2, 1, 1});
     expectNear(unitX("Translate 9 9 9 Transform [0 1 0 0  1 0 0 0  0 0 1 0  5 6 7 1]"), {5, 7, 7});
     expectNear(unitX("Translate 1 0 0 ConcatTransform [0 1 0 0  1 0 0 0  0 0 1 0  5 6 7 1]"), {6, 7, 7});
+    /* Homogeneous coordinates: twice the matrix is the same matrix; a projection is none that a scene can have */
+    expectNear(unitX("Transform [0 2 0 0  2 0 0 0  0 0 2 0  10 12 14 2]"), {5, 7, 7});
+    EXPECT_THROW(unitX("Transform [1 0 0 0  0 1 0 .5  0 0 1 0  0 0 0 1]"), SceneError);
+    EXPECT_THROW(unitX("Transform [1 0 0 0  0 1 0 0  0 0 1 0  0 0 0 0]"), SceneError);
 }
 
 // LookAt makes a camera's transform: it takes where the camera looks at to the +z axis, at its distance.

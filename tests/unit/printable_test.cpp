@@ -11,6 +11,12 @@ namespace {
 
 using namespace std::string_literals;
 
+TEST(Printable, CutsWordsThatAreNone) {
+    const std::string path(4096, 'p'), junk(3'000'000, 'x');
+    EXPECT_EQ(printable("there is no " + path + " here"), "there is no " + path + " here");
+    EXPECT_EQ(printable("no \"" + junk + "\" here"), "no \"" + junk.substr(0, 4999) + "... (and 2995002 more characters) here");
+}
+
 TEST(Printable, KeepsText) {
     for (const std::string text : {"a.pbrt:1:2: \"b\"\n\tc", "Größe, 日本語, 😀", ""}) EXPECT_EQ(printable(text), text);
 }

@@ -37,9 +37,10 @@ Confirmation confirm(const std::string& scene, const std::vector<std::string>& o
     c.compileSeconds = json.at("seconds").at("compile");
     c.meanSamples = json.at("samples").at("mean");
     const nlohmann::json error = json.value("error", nlohmann::json::object());
-    if (error.value("metric", "") == nameIn(errorMetricNames, studyMetric) && error.value("value", 0.) > 0) {
-        c.expectedError = error.at("value");
-        c.errorDeviation = std::log(error.at("high").get<double>() / error.at("low").get<double>()) / (2 * 1.96);
+    const auto number = [&](const char* key) { return error.contains(key) && error.at(key).is_number() ? error.at(key).get<double>() : 0; };
+    if (error.value("metric", "") == nameIn(errorMetricNames, studyMetric) && number("low") > 0) {
+        c.ownError = number("value");
+        c.errorDeviation = std::log(number("high") / number("low")) / (2 * 1.96);
     }
     return c;
 }

@@ -96,24 +96,24 @@ struct VarianceScale {
     double factor = 1;
     double deviation = 0;   ///< of its logarithm
 };
-/// By what the samples say about the error of both sizes. `run`: at full size, or null.
-static VarianceScale varianceScale(const StudyState& state, const Confirmation* run, const SettingModel& model) {
+/// By what the samples say about the error of both sizes. `run`: at full size, or null. ofRun: the model of its setting.
+static VarianceScale varianceScale(const StudyState& state, const Confirmation* run, const SettingModel& ofRun) {
     /* Of the logarithm, before anything is known of the scene at full size */
     constexpr double usualDeviation = 0.5;
     if (state.studied == state.full) return {};
     const VarianceScale unknown{1, usualDeviation};
-    if (!run || run->expectedError <= 0) return unknown;
+    if (!run || run->ownError <= 0) return unknown;
     const Point* nearest = nullptr;
     const auto distance = [run](const Point* p) { return std::abs(std::log(p->meanSamples() / run->meanSamples)); };
     for (const Point* p : state.ladderOf(run->setting))
         if (!nearest || distance(p) < distance(nearest)) nearest = p;
     if (!nearest) return unknown;
     double square = 0;
-    for (const SeedResult& s : nearest->seeds) square += s.expectedError * s.expectedError / static_cast<double>(nearest->seeds.size());
-    square *= std::pow(run->meanSamples / nearest->meanSamples(), model.slope.value);
+    for (const SeedResult& s : nearest->seeds) square += s.ownError * s.ownError / static_cast<double>(nearest->seeds.size());
+    square *= std::pow(run->meanSamples / nearest->meanSamples(), ofRun.slope.value);
     if (square <= 0) return unknown;
     /* A normal prior; the deviation of a square is twice that of its root */
-    const double measured = std::log(run->expectedError * run->expectedError / square), deviation = 2 * run->errorDeviation;
+    const double measured = std::log(run->ownError * run->ownError / square), deviation = 2 * run->errorDeviation;
     const double share = usualDeviation * usualDeviation / (usualDeviation * usualDeviation + deviation * deviation);
     return {std::exp(share * measured), std::sqrt(share) * deviation};
 }
@@ -138,9 +138,11 @@ void predict(const Study& study, const std::vector<Wish>& wishes, Findings& foun
         for (MeasuredPoint& p : points) p.seconds = fixed + p.secondsPerPath * p.samples * pixels * pace;
         found.models.push_back(fitModel({points.begin(), points.end()}, state.settings[setting].isBiased, pixels, fixed, pace));
         SettingModel& model = found.models.back();
-        const VarianceScale scale = varianceScale(state, known, model);
+        const VarianceScale scale = varianceScale(state, known, run ? model : found.models.front());
         model.variance1 *= scale.factor;
-        model.uncertainty = std::hypot(model.uncertainty, 1.96 * scale.deviation / 2);
+        /* Bias does not depend on the size */
+        const double noise = model.variance1 * std::pow(model.lastSamples, model.slope.value), whole = noise + model.biasSquare;
+        model.uncertainty = std::hypot(model.uncertainty, whole > 0 ? 1.96 * scale.deviation / 2 * noise / whole : 0);
     }
     found.significant = significantChance(found.models.size());
     markFront(found.points);

@@ -43,8 +43,8 @@ std::vector<double> Study::rungsOf(const Setting& setting) const {
     std::vector<double> targets;
     for (double rung : rungs)
         for (const Point& p : state_.points)
-            if (p.setting == 0 && p.rung == rung && !p.seeds.empty() && p.seeds.front().expectedError > 0 && rung > rungs[0])
-                targets.push_back(std::stod(fmt::format("{:.2g}", p.seeds.front().expectedError)));
+            if (p.setting == 0 && p.rung == rung && !p.seeds.empty() && p.seeds.front().ownError > 0 && rung > rungs[0])
+                targets.push_back(std::stod(fmt::format("{:.2g}", p.seeds.front().ownError)));
     return targets;
 }
 
@@ -94,7 +94,7 @@ void Study::climb(size_t setting, double rung, int endSeed) {
             if (!render.isFinished) break;
             if (images.sums.seeds == 0) images.first = render.image;
             images.sums.add(render.image);
-            point.seeds.push_back({seed, render.renderSeconds, render.meanSamples, render.expectedError,
+            point.seeds.push_back({seed, render.renderSeconds, render.meanSamples, render.ownError,
                                    squaredErrorOf(render.image, references), meanOf(render.image)});
         }
     } catch (const Error& error) {

@@ -13,7 +13,7 @@ struct SeedResult {
     int seed = 0;
     double renderSeconds = 0;
     double meanSamples = 0;    ///< per pixel
-    double expectedError = 0;  ///< by its own samples, in studyMetric
+    double ownError = 0;  ///< by its own samples, in studyMetric
     double squaredError = 0;   ///< squaredErrorOf its image
     double mean = 0;           ///< meanOf its image
 };

@@ -46,7 +46,7 @@ TimedImage SettingRenderer::render(int seed, const std::function<bool()>& stop) 
     timed.isFinished = result.isFinished;
     const FilmTotals totals = film.totals();
     timed.meanSamples = totals.samples().mean;
-    timed.expectedError = totals.error(studyMetric).error;
+    timed.ownError = totals.error(studyMetric).error;
     timed.image = totals.develop(session_.packed());
     return timed;
 }

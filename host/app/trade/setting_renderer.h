@@ -24,7 +24,7 @@ struct TimedImage {
     FilmImage image;
     double renderSeconds = 0;
     double meanSamples = 0;    ///< per pixel
-    double expectedError = 0;  ///< by its own samples, in studyMetric
+    double ownError = 0;  ///< by its own samples, in studyMetric
     bool isFinished = true;    ///< false: interrupted
 };
 

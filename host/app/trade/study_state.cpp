@@ -13,9 +13,9 @@
 
 namespace eikonal {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeedResult, seed, renderSeconds, meanSamples, expectedError, squaredError, mean)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SeedResult, seed, renderSeconds, meanSamples, ownError, squaredError, mean)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Point, setting, rung, seeds, prepareSeconds, compileSeconds, compiledKernels, isSameImage, failure)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Confirmation, setting, rung, wallSeconds, renderSeconds, compileSeconds, meanSamples, expectedError,
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Confirmation, setting, rung, wallSeconds, renderSeconds, compileSeconds, meanSamples, ownError,
                                    errorDeviation, failure)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Setting, knob, value, options, addsBias, isBiased, ladder, compiles)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StudyState, scene, sceneHash, version, device, baseOptions, full, studied, pathSeconds, prepareSeconds,

@@ -44,7 +44,18 @@ Transform Parser::matrix() {
     Transform matrix;
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row) matrix[column][row] = number();
-    expect(Token::Kind::close, "]");
+    const Token end = next();
+    if (end.kind != Token::Kind::close) throw SceneError(tokens_.locate(end), quote(end) + " found where \"]\" is expected");
+    /* Numbers 4, 8, 12 and 16 are what a point's fourth coordinate is made of */
+    const auto last = [&](int column) { return matrix[column][3]; };
+    constexpr double rounded = 1e-9;
+    if (std::abs(last(0)) > rounded || std::abs(last(1)) > rounded || std::abs(last(2)) > rounded || last(3) == 0)
+        throw SceneError(tokens_.locate(end),
+                         fmt::format("the matrix is a projection: its numbers 4, 8, 12 and 16 are {:g}, {:g}, {:g} and {:g}; of matrices "
+                                     "that scale, rotate, shear and move they are 0, 0, 0 and 1",
+                                     last(0), last(1), last(2), last(3)));
+    matrix /= last(3);
+    for (int column = 0; column < 4; ++column) matrix[column][3] = column == 3;
     return matrix;
 }
 
