@@ -76,7 +76,9 @@ static const light* firstWithoutArea(const PackedScene& packed) {
 /// By way of which smooth surfaces light is missed. Where paths from both ends merge, they meet on the surface in between.
 static Smooth missedBy(const PackedScene& packed) { return packed.features.has(Feature::MERGING) ? Smooth::bodies : Smooth::any; }
 
-bool missesLightForGood(const PackedScene& packed) { return !firstSmooth(packed, missedBy(packed)).empty() && firstWithoutArea(packed); }
+bool missesLightForGood(const PackedScene& packed) {
+    return !packed.features.has(Feature::MERGING) && !firstSmooth(packed, Smooth::others).empty() && firstWithoutArea(packed);
+}
 
 static std::vector<std::string> missedLight(const PackedScene& packed, Smooth which) {
     const std::string smooth = firstSmooth(packed, which);

@@ -15,7 +15,7 @@ struct PackedScene;
 std::vector<std::string> missedLight(const PackedScene& packed);
 /// Those of these sentences that more light paths, or merging, would mend: subsurface bodies are nothing that light paths go through.
 std::vector<std::string> lightForLightPaths(const PackedScene& packed);
-/// Whether the first of these sentences holds: some light is missing, however many samples there are.
+/// Whether the first of the latter holds: some light is missing, however many samples there are.
 bool missesLightForGood(const PackedScene& packed);
 
 }  // namespace eikonal

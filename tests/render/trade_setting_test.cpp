@@ -74,9 +74,9 @@ TEST_F(TradeSettings, MergeWhereNothingElseFindsTheLight) {
     EXPECT_THAT(biased, Contains("as given"));
 }
 
-/// Where light paths cannot be traced, and where the user wants a part of light transport only.
+/// Where light paths would not find it, where they cannot be traced, and where the user wants a part of light transport only.
 TEST_F(TradeSettings, FollowNoLightWhereThatIsNotTheImage) {
-    const std::string body = std::string(glassUnderAPoint) + " Material \"subsurface\" Translate 3 0 0 Shape \"sphere\"";
+    const std::string body = "LightSource \"point\" Material \"subsurface\" Translate 3 0 0 Shape \"sphere\"";
     const std::string fog = "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" AttributeBegin Material \"interface\" MediumInterface "
                             "\"fog\" \"\" Translate 3 0 0 Shape \"sphere\" AttributeEnd ";
     for (const auto& [integrator, world] :

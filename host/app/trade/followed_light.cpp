@@ -9,7 +9,7 @@
 namespace eikonal {
 
 const IntegratorKind* followerOf(const Session& session, const std::string& scene, const std::vector<std::string>& options) {
-    const bool isHidden = session.packed().features.has(Feature::LIGHT_PATHS) || !missedLight(session.packed()).empty();
+    const bool isHidden = session.packed().features.has(Feature::LIGHT_PATHS) || !lightForLightPaths(session.packed()).empty();
     if (!isHidden || !partOfTransport(session.scene()).empty()) return nullptr;
     Diagnostics silent(LogLevel::silent);
     const Options following = renderOptions(scene, overridden(options, {integratorOption(bdpt_integrator)}));
