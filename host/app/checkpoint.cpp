@@ -24,7 +24,7 @@ Checkpoints::Checkpoints(const Options& options, Diagnostics& diagnostics) : opt
     before_ = std::make_unique<FilmFileReader>(out.checkpoint);
     planned_ = before_->head().planned;
     secondsBefore_ = before_->head().seconds;
-    own_ = FileMark::of(out.checkpoint);
+    own_ = stampOf(out.checkpoint);
 }
 
 std::optional<int> Checkpoints::samplesLaidOutFor() const {
@@ -33,19 +33,18 @@ std::optional<int> Checkpoints::samplesLaidOutFor() const {
 }
 
 void Checkpoints::resume(const Session& session, Film& film, RenderOutput& output) {
-    const std::string& path = options_.output.checkpoint;
-    if (path.empty()) return;
+    if (path_.empty()) return;
     const RenderIdentity here = identityOf(session, options_, film);
     head_.identity = toJson(here);
     head_.scene = toJson(session.packed(), session.wholePixels(), session.scene().film);
     head_.metadata = toJson(output.metadata());
     if (!before_) return;
-    const RenderIdentity there = identityFromJson(before_->head().identity, path);
-    if (const std::vector<std::string> found = differences(here, there, path); !found.empty())
-        throw Error(ExitCode::scene, fmt::format("{}: cannot go on from it, because it is of another render:\n  {}", path,
+    const RenderIdentity there = identityFromJson(before_->head().identity, path_);
+    if (const std::vector<std::string> found = differences(here, there, path_); !found.empty())
+        throw Error(ExitCode::scene, fmt::format("{}: cannot go on from it, because it is of another render:\n  {}", path_,
                                                  fmt::join(found, "\n  ")));
     if (here.device != there.device)
-        diagnostics_.warn({}, fmt::format("{} was rendered by \"{}\"; this is \"{}\", whose samples may differ in their last bits", path,
+        diagnostics_.warn({}, fmt::format("{} was rendered by \"{}\"; this is \"{}\", whose samples may differ in their last bits", path_,
                                           there.device, here.device));
     before_->readInto(film);
     before_.reset();
@@ -73,7 +72,7 @@ std::string Checkpoints::writeAll(const Film& film, std::span<const unsigned> pl
 
 void Checkpoints::save(const Film& film, std::span<const unsigned> planned, double seconds) {
     if (path_.empty()) return;
-    if (FileMark::of(path_) != own_) {
+    if (stampOf(path_) != own_) {
         const std::string other = nameBeside(path_);
         diagnostics_.warn({}, fmt::format("{}: another program has written it since this render began; the checkpoint is {}", path_,
                                           other));
@@ -82,7 +81,7 @@ void Checkpoints::save(const Film& film, std::span<const unsigned> planned, doub
     head_.planned.assign(planned.begin(), planned.end());
     head_.seconds = secondsBefore_ + seconds;
     writeFilmFile(path_, film, head_);
-    own_ = FileMark::of(path_);
+    own_ = stampOf(path_);
 }
 
 }  // namespace eikonal

@@ -5,7 +5,7 @@
 #include "clock.h"
 #include "diagnostics.h"
 #include "film/film_file.h"
-#include "image/file_mark.h"
+#include "image/file_stamp.h"
 
 #include <memory>
 #include <optional>
@@ -41,7 +41,7 @@ private:
     const Options& options_;
     Diagnostics& diagnostics_;
     std::string path_;
-    FileMark own_;   ///< of what was last read from there or written to it
+    FileStamp own_{};   ///< of what was last read from there or written to it
     std::unique_ptr<FilmFileReader> before_;
     FilmFileHead head_;   ///< of the files to write
     std::vector<unsigned> planned_;

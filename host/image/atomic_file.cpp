@@ -154,4 +154,14 @@ void checkFileWritable(const std::string& path, std::uint64_t bytes) {
                                folder.string(), static_cast<double>(space.available) / megabyte));
 }
 
+std::string nameBeside(const std::string& path) {
+    const fs::path place = path;
+    for (int number = 2;; ++number) {
+        fs::path name = place;
+        name.replace_filename(fmt::format("{}-{}{}", place.stem().string(), number, place.extension().string()));
+        std::error_code error;
+        if (!fs::exists(name, error)) return name.string();
+    }
+}
+
 }  // namespace eikonal

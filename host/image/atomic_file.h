@@ -36,4 +36,7 @@ void writeTextAtomically(const std::string& path, const std::string& text);
 /// Throws the same Error now if it is foreseeable: no folder, no permission, not a regular file, or fewer than `bytes` bytes free.
 void checkFileWritable(const std::string& path, std::uint64_t bytes);
 
+/// A name of no file yet, beside `path`: "image-2.film" beside "image.film", or with the next number that is free.
+std::string nameBeside(const std::string& path);
+
 }  // namespace eikonal

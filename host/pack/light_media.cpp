@@ -116,7 +116,10 @@ LightMedia::LightMedia(const Scene& scene)
             boxes_.push_back(s.kind->traits.bound(s, s.worldFromObject));
         }
     for (const Shape& s : scene.shapes)
-        if (isBody(s) && isTold(s)) bodies_.push_back(&s);
+        if (isBody(s) && isTold(s)) {
+            bodies_.push_back(&s);
+            bodyBoxes_.push_back(s.kind->traits.bound(s, s.worldFromObject));
+        }
     untoldBodies_ = boxesOf(scene, [&](const Shape& s) { return isBody(s) && std::ranges::find(bodies_, &s) == bodies_.end(); });
     /* Shapes of objects are none of boundaries_ */
     untold_ = boxesOf(scene, [&](const Shape& s) { return s.interface && std::ranges::find(boundaries_, &s) == boundaries_.end(); });
@@ -168,13 +171,14 @@ bool LightMedia::mayBeInBody(glm::dvec3 p) const {
         return glm::all(glm::lessThanEqual(box.low, p)) && glm::all(glm::lessThanEqual(p, box.high));
     };
     if (std::ranges::any_of(untoldBodies_, holds)) return true;
-    return std::ranges::any_of(bodies_, [&](const Shape* s) {
-        if (!holds(s->kind->traits.bound(*s, s->worldFromObject))) return false;
+    for (size_t i = 0; i < bodies_.size(); ++i) {
+        if (!holds(bodyBoxes_[i])) continue;
         Crossing nearest;
-        cross(*s, {p, eye_ - p}, nearest);
-        testsLeft_ -= static_cast<double>(elementsOf(*s));
-        return testsLeft_ <= 0 || (nearest.t < 1 && !nearest.fromOutside);
-    });
+        cross(*bodies_[i], {p, eye_ - p}, nearest);
+        testsLeft_ -= static_cast<double>(elementsOf(*bodies_[i]));
+        if (testsLeft_ <= 0 || (nearest.t < 1 && !nearest.fromOutside)) return true;
+    }
+    return false;
 }
 
 bool LightMedia::isSeeThrough(const Shape& s) const {

@@ -43,6 +43,7 @@ private:
     std::vector<Box> boxes_;      ///< of boundaries_
     std::vector<Box> untold_;     ///< of the other boundaries
     std::vector<const Shape*> bodies_;   ///< subsurface bodies of which it can be told whether a point is inside
+    std::vector<Box> bodyBoxes_;         ///< of bodies_
     std::vector<Box> untoldBodies_;      ///< of the others
     glm::dvec3 eye_;
     int aroundCamera_;

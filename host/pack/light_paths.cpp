@@ -24,9 +24,6 @@ static std::string contradictionOf(const Scene& scene) {
                        found->boundary->where.toString(), name(found->said), name(found->found));
 }
 
-/// Whether random walks go through the inside of a material.
-static bool isWalked(const Material& m) { return m.interior && m.method == SubsurfaceMethod::randomWalk; }
-
 std::string lightPathObstacle(const PackContext& context) {
     const Scene& scene = context.scene;
     if (context.hasMedia && scene.forcesDiffuse) return "it has participating media and \"forcediffuse\"";
@@ -42,7 +39,7 @@ std::string lightPathObstacle(const PackContext& context) {
 
 void requireLightPaths(const PackContext& context, const std::string& why) {
     context.require(Feature::LIGHT_PATHS, why);
-    if (context.hasMedia || (!context.scene.forcesDiffuse && std::ranges::any_of(context.scene.materials, isWalked)))
+    if (context.hasMedia || (!context.scene.forcesDiffuse && std::ranges::any_of(context.scene.materials, &Material::isWalked)))
         context.require(KindFeature::BSDF_HENYEY_GREENSTEIN, why);
     /* Paths that are to find a moving camera know their time */
     if (context.scene.camera.worldFromCameraAtEnd) context.require(Feature::MOTION, why);

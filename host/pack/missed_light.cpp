@@ -73,9 +73,6 @@ static const light* firstWithoutArea(const PackedScene& packed) {
     return found == packed.tables.lights.end() ? nullptr : &*found;
 }
 
-/// By way of which smooth surfaces light is missed. Where paths from both ends merge, they meet on the surface in between.
-static Smooth missedBy(const PackedScene& packed) { return packed.features.has(Feature::MERGING) ? Smooth::bodies : Smooth::any; }
-
 bool missesLightForGood(const PackedScene& packed) {
     return !packed.features.has(Feature::MERGING) && !firstSmooth(packed, Smooth::others).empty() && firstWithoutArea(packed);
 }
@@ -101,7 +98,10 @@ static std::vector<std::string> missedLight(const PackedScene& packed, Smooth wh
     return missed;
 }
 
-std::vector<std::string> missedLight(const PackedScene& packed) { return missedLight(packed, missedBy(packed)); }
+std::vector<std::string> missedLight(const PackedScene& packed) {
+    /* Where paths from both ends merge, they meet on the surface in between */
+    return missedLight(packed, packed.features.has(Feature::MERGING) ? Smooth::bodies : Smooth::any);
+}
 std::vector<std::string> lightForLightPaths(const PackedScene& packed) {
     return packed.features.has(Feature::MERGING) ? std::vector<std::string>() : missedLight(packed, Smooth::others);
 }

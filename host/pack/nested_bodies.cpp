@@ -19,9 +19,7 @@ static bool contains(const Box& outer, const Box& inner) {
 void warnOfNestedBodies(const PackContext& context) {
     const Scene& scene = context.scene;
     std::vector<Box> boxes = boxesOf(scene, [&](const Shape& s) {
-        if (s.material == none) return false;
-        const Material& m = scene.materials[static_cast<size_t>(s.material)];
-        return m.interior && m.method == SubsurfaceMethod::randomWalk;
+        return s.material != none && scene.materials[static_cast<size_t>(s.material)].isWalked();
     });
     /* Every body is compared with every other: many are no nest, but a crowd */
     constexpr size_t most = 1000;

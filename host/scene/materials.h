@@ -42,6 +42,8 @@ struct Material {
     std::shared_ptr<const Medium> interior; ///< subsurface: the homogeneous medium inside the body
     std::shared_ptr<const DiffusionProfile> diffusion;   ///< subsurface: the profile of that medium
     SubsurfaceMethod method = SubsurfaceMethod::diffusion;
+    /// Whether random walks go through the inside.
+    bool isWalked() const { return interior && method == SubsurfaceMethod::randomWalk; }
     std::string file;                       ///< measured: a path that can be opened from the working directory
     int displacement = none;                ///< in Scene::textures: bump map
     int normalMap = none;                   ///< in Scene::images

@@ -15,7 +15,7 @@ struct Confirmation {
     double compileSeconds = 0;  ///< of that: kernels
     std::string failure;        ///< why it failed; empty: it did not
     double meanSamples = 0;     ///< per pixel
-    double ownError = 0;   ///< of the whole image, by its own samples, in studyMetric; 0: unknown
+    double ownError = 0;        ///< of the whole image, by its own samples, in studyMetric; 0: unknown
     double errorDeviation = 0;  ///< of the logarithm of that
 
     /// What it takes besides rendering, with compiled kernels.

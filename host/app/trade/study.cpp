@@ -213,10 +213,7 @@ void Study::confirmAt(size_t setting, double rung) {
     try {
         std::vector<std::string> options = optionsOf(state_.settings[setting], rung);
         /* Where an error is asked for, the metric would change the image */
-        const auto asksForError = [](const std::string& option) {
-            return option.starts_with("--target-error") || option.starts_with("--max-error");
-        };
-        if (std::ranges::none_of(options, asksForError)) options = overridden(options, {studyMetricOption()});
+        if (!renderOptions(request_.scene, options).output.targetError) options = overridden(options, {studyMetricOption()});
         c = confirm(request_.scene, options, request_.folder);
     } catch (const Error& error) {
         if (isInterrupted()) return;

@@ -2,8 +2,6 @@
 
 #include "available_memory.h"
 
-#include <sys/stat.h>
-
 #include <map>
 #include <mutex>
 #include <tuple>
@@ -36,13 +34,6 @@ Key keyOf(const ImageFile& file) { return {file.path, file.encoding, file.gamma}
 std::size_t bytesOf(const ImageData& image) { return image.bytes.size() + image.floats.size() * sizeof(float); }
 
 }  // namespace
-
-FileStamp stampOf(const std::string& path) {
-    struct stat info {};
-    if (::stat(path.c_str(), &info) != 0) return {};
-    return {static_cast<std::int64_t>(info.st_dev), static_cast<std::int64_t>(info.st_ino), info.st_size, info.st_mtim.tv_sec,
-            info.st_mtim.tv_nsec};
-}
 
 void keepImages() {
     KeptImages& all = kept();

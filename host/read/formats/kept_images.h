@@ -1,11 +1,10 @@
 #pragma once
 // Decoded images that several renders of a process share.
 
+#include "image/file_stamp.h"
 #include "image/image_data.h"
 #include "scene/textures.h"
 
-#include <array>
-#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -14,10 +13,6 @@ namespace eikonal {
 /// A render begins that others of this process precede or follow: from now on, images are kept when they are decoded. Those that the
 /// render before has not used are dropped. Without a call, none is kept.
 void keepImages();
-
-/// What changes with a file: its size, time and place on the disk. Zeros: there is no such file.
-using FileStamp = std::array<std::int64_t, 5>;
-FileStamp stampOf(const std::string& path);
 
 /// The image of a file as it was decoded before; null: it was not, or the file has changed since. Thread-safe.
 std::shared_ptr<const ImageData> keptImage(const ImageFile& file);

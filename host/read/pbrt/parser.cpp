@@ -39,13 +39,13 @@ Transform Parser::matrix() {
     const auto expect = [&](Token::Kind kind, const char* what) {
         const Token token = next();
         if (token.kind != kind) throw SceneError(tokens_.locate(token), quote(token) + " found where \"" + what + "\" is expected");
+        return token;
     };
     expect(Token::Kind::open, "[");
     Transform matrix;
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row) matrix[column][row] = number();
-    const Token end = next();
-    if (end.kind != Token::Kind::close) throw SceneError(tokens_.locate(end), quote(end) + " found where \"]\" is expected");
+    const Token end = expect(Token::Kind::close, "]");
     /* Numbers 4, 8, 12 and 16 are what a point's fourth coordinate is made of */
     const auto last = [&](int column) { return matrix[column][3]; };
     constexpr double rounded = 1e-9;
