@@ -32,12 +32,16 @@ void requireMerging(const PackContext& context, settings& frame, const std::stri
     context.require(Feature::MERGING, why);
     frame.stored_share = 0;
     while (pathsOfPass(frame) * mostVerticesOfPath(frame) > mostVertices) ++frame.stored_share;
-    /* As if all paths ended on a disk of the scene's size: four to each radius. That is also about the size of a pixel */
+    /* As if all paths ended on a disk of the scene's size: four to each radius */
     const double paths = std::max(pathsOfPass(frame), 1.0), scale = context.space.scale,
                  chosen = (context.bounds.empty() ? 1.0 : context.bounds.radius() * scale) * 2 / std::sqrt(paths),
                  radius = context.scene.integrator.mergeRadius > 0 ? context.scene.integrator.mergeRadius * scale : chosen;
+    setMergeRadius(frame, radius);
+}
+
+void setMergeRadius(settings& frame, double radius) {
     frame.merge_radius = static_cast<float>(std::max(radius, 1e-7));
-    frame.merge_density = static_cast<float>(paths * M_PI * std::pow(double{frame.merge_radius}, 2));
+    frame.merge_density = static_cast<float>(std::max(pathsOfPass(frame), 1.0) * M_PI * std::pow(double{frame.merge_radius}, 2));
 }
 
 unsigned passesAtATime(const PackedScene& scene, double pathsOfPass, double mostVertices) {

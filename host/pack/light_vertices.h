@@ -10,8 +10,11 @@ namespace eikonal {
 /// Why vertices do not merge in this scene where light paths are traced, as a clause: "shapes move". Empty: they do.
 std::string mergingObstacle(const PackContext& context);
 
-/// Has vertices merged, because of `why`: sets their radius, the scene's or one chosen for it, and how many light paths store them.
+/// Has vertices merged, because of `why`: sets their radius, the scene's or a guess from its size, and how many light paths store them.
 void requireMerging(const PackContext& context, settings& frame, const std::string& why);
+
+/// Sets the radius within which vertices merge in the first pass; scene units.
+void setMergeRadius(settings& frame, double radius);
 
 /// The vertices that a light path keeps, at most, in the mean of many (kernels/shade/kept_share.clh).
 double mostVerticesOfPath(const settings& frame);

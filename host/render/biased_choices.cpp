@@ -24,7 +24,8 @@ std::string partOfTransport(const Scene& scene) {
     return !kind.countsMedia && !scene.media.empty() ? "no participating media" : "";
 }
 
-std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, const std::string& compilerFlags) {
+std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, double mergeRadius,
+                                        const std::string& compilerFlags) {
     std::vector<BiasedChoice> choices;
     if (!packed.features.has(Feature::SPECTRAL)) {
         const bool isPredicted = scene.colorMode == ColorMode::automatic;
@@ -37,10 +38,9 @@ std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& p
     if (scene.film.reweightsFireflies) choices.push_back({"fireflies re-weighted, into the layer fireflies", "--fireflies=keep"});
     if (packed.features.has(Feature::DIFFUSION)) choices.push_back({"subsurface scattering by diffusion", "--subsurface=randomwalk"});
     if (packed.features.has(Feature::MERGING)) {
-        const double radius = double{packed.frame().merge_radius} * packed.worldScale,
-                     last = radius * std::pow(static_cast<double>(std::max(packed.samples, 1)), -0.125);
+        const double last = mergeRadius * std::pow(static_cast<double>(std::max(packed.samples, 1)), -0.125);
         choices.push_back({fmt::format("light paths merged within {:.3g}, and {:.3g} by sample {}: the bias vanishes as samples are added",
-                                       radius, last, packed.samples),
+                                       mergeRadius, last, packed.samples),
                            "--integrator=bdpt"});
     }
     if (const std::string part = partOfTransport(scene); !part.empty()) choices.push_back({part, "--integrator=volpath"});

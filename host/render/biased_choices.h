@@ -20,8 +20,10 @@ inline const BiasedChoice denoisingChoice = {"denoising", "no --denoise; the lay
 /// What the integrator computes instead of the whole light transport equation; empty: all of it but paths of more than maxdepth bounces.
 std::string partOfTransport(const Scene& scene);
 
-/// The biased choices of a scene that has been packed. compilerFlags: of the OpenCL compiler, as the user gave them.
-std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, const std::string& compilerFlags);
+/// The biased choices of a scene that has been packed. mergeRadius: within which its vertices merge in the first pass, if they do, world
+/// units. compilerFlags: of the OpenCL compiler, as the user gave them.
+std::vector<BiasedChoice> biasedChoices(const Scene& scene, const PackedScene& packed, double mergeRadius,
+                                        const std::string& compilerFlags);
 
 /// Those of `compilerFlags` that let the compiler reorder sums.
 std::vector<std::string> inexactFlags(const std::string& compilerFlags);

@@ -2,8 +2,10 @@
 
 #include "clock.h"
 #include "pack/cached_hits.h"
+#include "pack/light_vertices.h"
 #include "pack/pack.h"
 #include "render/kernel_workers.h"
+#include "render/merge_radius_pilot.h"
 #include "render/roulette_pilot.h"
 #include "render/row_costs.h"
 #include "render/survey.h"
@@ -33,6 +35,7 @@ void SceneOnDevice::launch(const PackedScene& scene, bool isShared) {
 /// The settings of a render that knows what was learned.
 static settings settingsWith(const PackedScene& scene, const Learned& learned) {
     settings frame = scene.frame();
+    if (learned.mergeRadius) setMergeRadius(frame, *learned.mergeRadius);
     if (learned.roulette) setRoulette(frame, *learned.roulette);
     return frame;
 }
@@ -40,18 +43,24 @@ static settings settingsWith(const PackedScene& scene, const Learned& learned) {
 /// A guided path takes up to 1.6 times as long: it is longer, and each vertex looks up a place.
 constexpr double leastGuideGain = 1.8;
 
-Learned SceneOnDevice::survey(const PackedScene& scene, const std::function<bool()>& abandon) {
-    const StopWatcher watcher(tables_->stopFlag(), abandon);
-    surveyEnvironment(context(), *tables_, scene, *stages_, device_->shape);
-    Learned learned;
-    learned.guide = pilotPathGuide(context(), *tables_, scene, *wave_);
-    learned.dropsGuide = learned.guide.gain && *learned.guide.gain < leastGuideGain;
-    if (!learned.guide.isEmpty() && !scene.roulette) learned.roulette = guidedRoulette;
-    else if (!learned.dropsGuide) learned.roulette = pilotRoulette(context(), *tables_, scene, *wave_);
-    tables_->setFrame(context(), settingsWith(scene, learned));
+std::optional<double> SceneOnDevice::surveyMergeRadius(const PackedScene& scene) {
+    const std::optional<double> radius = pilotMergeRadius(context(), *tables_, scene, *stages_, device_->shape, *wave_);
     profile_.collect();
     profile_.reset();
-    return learned;
+    return radius;
+}
+
+void SceneOnDevice::survey(const PackedScene& scene, Learned& learned, const std::function<bool()>& abandon) {
+    const StopWatcher watcher(tables_->stopFlag(), abandon);
+    surveyEnvironment(context(), *tables_, scene, *stages_, device_->shape);
+    learned.guide = pilotPathGuide(context(), *tables_, scene, *wave_);
+    learned.dropsGuide = learned.guide.gain && *learned.guide.gain < leastGuideGain;
+    learned.roulette.reset();
+    if (!learned.guide.isEmpty() && !scene.roulette) learned.roulette = guidedRoulette;
+    else if (!learned.dropsGuide) learned.roulette = pilotRoulette(context(), *tables_, scene, *wave_);
+    setFrame(scene, learned);
+    profile_.collect();
+    profile_.reset();
 }
 
 std::vector<std::uint64_t> SceneOnDevice::rowCosts(const PackedScene& scene, const Learned& learned, const PixelRect& rows) {
@@ -64,15 +73,15 @@ std::vector<std::uint64_t> SceneOnDevice::rowCosts(const PackedScene& scene, con
     return costs;
 }
 
-void SceneOnDevice::survey(const PackedScene& scene, const Learned& learned, const std::function<bool()>& abandon) {
+void SceneOnDevice::takeSurvey(const PackedScene& scene, const Learned& learned, const std::function<bool()>& abandon) {
     const StopWatcher watcher(tables_->stopFlag(), abandon);
     surveyEnvironment(context(), *tables_, scene, *stages_, device_->shape);
     usePathGuide(context(), *tables_, learned.guide);
-    tables_->setFrame(context(), settingsWith(scene, learned));
+    setFrame(scene, learned);
 }
 
-void SceneOnDevice::setSeed(const PackedScene& scene) {
-    tables_->setFrame(context(), scene.frame());
+void SceneOnDevice::setFrame(const PackedScene& scene, const Learned& learned) {
+    tables_->setFrame(context(), settingsWith(scene, learned));
     if (sharesWavelengths(scene.features)) tables_->replace(context(), "wavelengths", scene.tables.wavelengths);
 }
 

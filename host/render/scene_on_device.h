@@ -16,6 +16,7 @@ namespace eikonal {
 
 /// What a first look at a scene has told, on one device for all.
 struct Learned {
+    std::optional<double> mergeRadius;  ///< of the first pass, if that was chosen for the scene; scene units
     std::optional<Roulette> roulette;   ///< how paths are to end, if that was chosen for the scene
     LearnedPathGuide guide;
     bool dropsGuide = false;            ///< the scene is better rendered without it, by other kernels; the rest was not learned
@@ -35,16 +36,18 @@ public:
     void upload(const PackedScene& scene) { wave_.reset(); tables_ = std::make_unique<DeviceScene>(device_->context, scene); }
     /// Makes the queues, and launches every kernel once. isShared: as for Wave::warmUp.
     void launch(const PackedScene& scene, bool isShared);
+    /// The radius within which vertices of a scene that merges them should merge (render/merge_radius_pilot.h). After launch().
+    std::optional<double> surveyMergeRadius(const PackedScene& scene);
     /// Stores the kernels in the cache.
     void keep() { stages_->keep(device_->compiler); }
-    /// Learns what a first look at the scene can tell (Session::survey).
-    Learned survey(const PackedScene& scene, const std::function<bool()>& abandon);
+    /// Learns what a first look at the scene can tell (Session::survey), but for what is known before: the radius.
+    void survey(const PackedScene& scene, Learned& learned, const std::function<bool()>& abandon);
     /// The same beside another device, which has learned that.
-    void survey(const PackedScene& scene, const Learned& learned, const std::function<bool()>& abandon);
+    void takeSurvey(const PackedScene& scene, const Learned& learned, const std::function<bool()>& abandon);
     /// What each of these rows of the image costs (estimateRowCosts). After survey().
     std::vector<std::uint64_t> rowCosts(const PackedScene& scene, const Learned& learned, const PixelRect& rows);
-    /// Rendering from now on has the scene's present seed.
-    void setSeed(const PackedScene& scene);
+    /// Rendering from now on has the scene's present seed, and knows this.
+    void setFrame(const PackedScene& scene, const Learned& learned);
 
     const std::shared_ptr<OpenDevice>& open() const { return device_; }
     const Context& context() const { return device_->context; }

@@ -262,6 +262,10 @@ void Session::prepare() {
     timed(times_.upload, [this](SceneOnDevice& device) { device.upload(packed_); });
     timed(times_.launch, [this](SceneOnDevice& device) { device.launch(packed_, devices_.size() > 1); });
     compiling_.reset();
+    if (packed_.features.has(Feature::MERGING) && scene_.integrator.mergeRadius <= 0) {
+        learned_.mergeRadius = first().surveyMergeRadius(packed_);
+        forEachDevice([this](SceneOnDevice& device) { device.setFrame(packed_, learned_); });
+    }
     timed(times_.keep, [](SceneOnDevice& device) { device.keep(); });
     times_.firstRay = seconds();
 }
@@ -274,8 +278,8 @@ uint Session::unresolvedRays() const {
 
 void Session::survey(const std::function<bool()>& abandon) {
     forEachDevice([&](SceneOnDevice& device) {
-        if (&device == &first()) learned_ = device.survey(packed_, abandon);
-        else if (!learned_.dropsGuide) device.survey(packed_, learned_, abandon);
+        if (&device == &first()) device.survey(packed_, learned_, abandon);
+        else if (!learned_.dropsGuide) device.takeSurvey(packed_, learned_, abandon);
     });
     if (learned_.guide.gain) guideGain_ = learned_.guide.gain;
     if (!learned_.dropsGuide || (abandon && abandon())) return;
@@ -289,7 +293,7 @@ void Session::setSeed(int seed) {
     packed_.frame().seed = static_cast<uint>(seed);
     if (sharesWavelengths(packed_.features))
         for (wavelength_range& range : packed_.tables.wavelengths) range.pass_seed = packed_.frame().seed;
-    forEachDevice([this](SceneOnDevice& device) { device.setSeed(packed_); });
+    forEachDevice([this](SceneOnDevice& device) { device.setFrame(packed_, learned_); });
 }
 
 std::unique_ptr<Tracer> Session::makeLoop(Profile& profile) {

@@ -74,7 +74,8 @@ public:
     const PixelRect& wholePixels() const { return wholePixels_; }
     /// What prepare() is going to allocate.
     MemoryPlan plan() const;
-    /// Uploads the tables and launches every kernel once. Of several devices those that fail are dropped, with a warning.
+    /// Uploads the tables, launches every kernel once, and learns how far vertices should merge, if they do.
+    /// Of several devices those that fail are dropped, with a warning.
     void prepare();
     /// Learns what a first look at the scene can tell (render/survey.h, render/roulette_pilot.h). Part of rendering; its work is not part
     /// of the profile. `abandon`: as in RenderControl; what is not learned by then stays unknown.
@@ -97,7 +98,11 @@ public:
     void setSeed(int seed);
 
     /// What makes the image converge to something other than the scene's light transport. After pack().
-    std::vector<BiasedChoice> biasedChoices() const { return eikonal::biasedChoices(scene_, packed_, options_.device.compilerFlags()); }
+    std::vector<BiasedChoice> biasedChoices() const {
+        return eikonal::biasedChoices(scene_, packed_, mergeRadius(), options_.device.compilerFlags());
+    }
+    /// Within which vertices merge in the first pass, world units. After prepare(), if the scene does not say it.
+    double mergeRadius() const { return learned_.mergeRadius.value_or(double{packed_.frame().merge_radius}) * packed_.worldScale; }
 
     const Scene& scene() const { return scene_; }
     const PackedScene& packed() const { return packed_; }

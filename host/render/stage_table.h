@@ -35,21 +35,22 @@ private:
     size_t count_ = 0;
 };
 
-/// What a stage or queue requires of a scene to exist: nothing, a feature, or a constant that is not 0.
+/// What a stage or queue requires of a scene to exist: nothing, a feature, one of two features, or a constant that is not 0.
 class Requirement {
 public:
     constexpr Requirement() = default;
-    constexpr Requirement(Feature feature) : feature_(feature) {}
+    constexpr Requirement(Feature feature) : feature_(feature), other_(feature) {}
+    constexpr Requirement(Feature one, Feature other) : feature_(one), other_(other) {}
     constexpr Requirement(int SceneConstants::*constant) : constant_(constant) {}
     bool isMet(const Features& features, const SceneConstants& constants) const {
-        return (feature_ == Feature::none || features.has(feature_)) && (!constant_ || constants.*constant_ > 0);
+        return (feature_ == Feature::none || features.has(feature_) || features.has(other_)) && (!constant_ || constants.*constant_ > 0);
     }
     constexpr bool operator==(const Requirement&) const = default;
-    /// The required feature; Feature::none: none.
+    /// The required feature, or the first of two; Feature::none: none.
     constexpr Feature feature() const { return feature_; }
 
 private:
-    Feature feature_ = Feature::none;
+    Feature feature_ = Feature::none, other_ = Feature::none;
     int SceneConstants::*constant_ = nullptr;
 };
 
@@ -90,6 +91,7 @@ constexpr auto stageTable = [] {
 /// SURVEYS.
 constexpr auto surveyTable = [] {
     using enum Feature;
+    constexpr Requirement ENVIRONMENT_GUIDE_OR_MERGING(ENVIRONMENT_GUIDE, MERGING);
 #define SURVEY_ROW(kernel, FEATURE) StageRow{StageName::kernel, #kernel, {}, {}, no_queue, FEATURE},
     return std::array{SURVEYS(SURVEY_ROW)};
 #undef SURVEY_ROW

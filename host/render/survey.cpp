@@ -24,6 +24,22 @@ void run(const Context& context, const DeviceScene& scene, const Stage& stage, c
     const Owned<cl_event, clReleaseEvent> launched(stage.kernel.launch(context, {&scene.bindings(), &own}, items, shape.group()));
 }
 
+/// SURVEY_VERTICES points for each path, with normals; a normal of zero length: the path did not get so far.
+SurfacePoints findVertices(const Context& context, const DeviceScene& scene, const Stages& stages, const StageShape& shape, size_t paths) {
+    SurfacePoints found{std::vector<vec3>(paths * SURVEY_VERTICES), std::vector<vec3>(paths * SURVEY_VERTICES)};
+    const size_t bytes = found.points.size() * sizeof(vec3);
+    const Buffer points(context, bytes, "points of the survey"), normals(context, bytes, "normals of the survey");
+    Bindings own = withCount(paths);
+    own.set("survey_points", points);
+    own.set("survey_normals", normals);
+    run(context, scene, stages.find(StageName::survey_vertices), shape, paths, own);
+    points.read(context, found.points.data(), bytes);
+    normals.read(context, found.normals.data(), bytes);
+    return found;
+}
+
+bool isFound(vec3 normal) { return normal.x != 0 || normal.y != 0 || normal.z != 0; }
+
 }  // namespace
 
 /// Makes the light sampler choose each constant environment as often as all other lights together.
@@ -43,7 +59,7 @@ static void sampleEnvironments(const Context& context, DeviceScene& scene, const
 static void keepFound(std::vector<vec3>& points, std::vector<vec3>& normals) {
     size_t found = 0;
     for (size_t i = 0; i < points.size(); ++i) {
-        if (normals[i].x == 0 && normals[i].y == 0 && normals[i].z == 0) continue;
+        if (!isFound(normals[i])) continue;
         points[found] = points[i];
         normals[found++] = normals[i];
     }
@@ -57,18 +73,7 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
     const GuideBudget budget = GuideBudget::of(packed.frame().width, packed.frame().height, packed.samples);
     if (!budget.isEnough()) return;
 
-    /* Find points that paths reach */
-    std::vector<vec3> points(budget.paths * SURVEY_VERTICES), normals(budget.paths * SURVEY_VERTICES);
-    {
-        const size_t bytes = points.size() * sizeof(vec3);
-        const Buffer pointBuffer(context, bytes, "points of the survey"), normalBuffer(context, bytes, "normals of the survey");
-        Bindings own = withCount(budget.paths);
-        own.set("survey_points", pointBuffer);
-        own.set("survey_normals", normalBuffer);
-        run(context, scene, stages.find(StageName::survey_vertices), shape, budget.paths, own);
-        pointBuffer.read(context, points.data(), bytes);
-        normalBuffer.read(context, normals.data(), bytes);
-    }
+    auto [points, normals] = findVertices(context, scene, stages, shape, budget.paths);
     keepFound(points, normals);
     if (points.empty()) return;
 
@@ -114,6 +119,17 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
     scene.replace(context, "guide_aliases", guide.guide_aliases);
     scene.replace(context, "guide_texels", guide.guide_texels);
     sampleEnvironments(context, scene, packed);
+}
+
+SurfacePoints surveyView(const Context& context, const DeviceScene& scene, const Stages& stages, const StageShape& shape, size_t paths) {
+    const SurfacePoints found = findVertices(context, scene, stages, shape, paths);
+    SurfacePoints seen;
+    for (size_t first = 0; first < found.points.size(); first += SURVEY_VERTICES) {
+        if (!isFound(found.normals[first])) continue;
+        seen.points.push_back(found.points[first]);
+        seen.normals.push_back(found.normals[first]);
+    }
+    return seen;
 }
 
 }  // namespace eikonal

@@ -32,6 +32,8 @@ public:
     unsigned mostStoredPasses() const override;
     void traceLights(const BatchStream& stream, const Buffer& splat, const PixelRect& part) override;
     void resolve(const Batch& batch, const Buffer& film) override;
+    /// Where the light paths that traceLights() followed last have left vertices. Blocks.
+    SurfacePoints storedVertices() const { return vertices_.stored(); }
 
     size_t bytes() const { return queues_.bytes(); }
 

@@ -64,9 +64,10 @@ CONTRACT_BEGIN /* namespace eikonal, in C++ */
     S(order_vertices, (grid), (grid), each_bucket, MERGING) \
     S(merge_vertices, (hit, vertex, grid), (path), each_bsdf, MERGING)
 
-/* Kernels that run before the first wave, over no queue (host/render/survey.cpp).   S(kernel, FEATURE that makes it exist) */
+/* Kernels that run before the first wave, over no queue (host/render/survey.cpp).   S(kernel, FEATURE that makes it exist; the first also
+   for another) */
 #define SURVEYS(S) \
-    S(survey_vertices,        ENVIRONMENT_GUIDE) \
+    S(survey_vertices,        ENVIRONMENT_GUIDE_OR_MERGING) \
     S(survey_exits,           ENVIRONMENT_GUIDE) \
     S(survey_environment,     ENVIRONMENT_GUIDE)
 
