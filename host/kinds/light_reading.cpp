@@ -6,7 +6,16 @@ namespace eikonal::pbrt {
 
 Spectrum whiteOf(const Arguments& arguments) { return Spectrum::rgb({1, 1, 1}, arguments.space()); }
 
-double powerOf(const Arguments& arguments) { return std::max(arguments.number("power"), 0.0); }
+std::optional<double> strengthOf(Reading& reading, const Arguments& arguments, const char* name) {
+    const double strength = arguments.number(name);
+    if (strength > 0) return strength;
+    if (strength != -1)
+        reading.diagnostics.warn(arguments.whereOf(name),
+                                 fmt::format("\"{}\" {:g} has no effect, as in pbrt-v4: only one above 0 has. For a light that emits "
+                                             "nothing, leave it out",
+                                             name, strength));
+    return {};
+}
 
 void readDirection(const Arguments& arguments, Light& light) {
     light.from = arguments.vector("from");

@@ -6,6 +6,8 @@
 #include "read/pbrt/textures.h"
 #include "scene/lights.h"
 
+#include <optional>
+
 namespace eikonal::pbrt {
 
 /// The input of a light's `read`.
@@ -18,8 +20,9 @@ struct LightReading {
 /// The default colour of a light: white of the current colour space.
 Spectrum whiteOf(const Arguments& arguments);
 
-/// The power in watts, or 0 if none is given.
-double powerOf(const Arguments& arguments);
+/// What a parameter like "power" (watts) or "illuminance" (lux) says how strong a light is in all; nothing if it is not given, or not above
+/// 0, which has no effect, as in pbrt-v4. Warns of that, unless it is the default of -1.
+std::optional<double> strengthOf(Reading& reading, const Arguments& arguments, const char* name);
 
 /// Reads "from" and "to". Throws SceneError if they are the same point.
 void readDirection(const Arguments& arguments, Light& light);

@@ -38,7 +38,7 @@ void LightPacker::addShape(const Shape& s, shape& packed, const GeometryTables& 
     const uint group = groupNumber(description.group);
     const LightKind& kind = kindOf(s.kind->traits.lightKindOf(s, m));
     if (kind.traits.isAimedByDirection) packed.flags |= shape_is_aimed_by_direction;
-    bool anyTurns = false;
+    bool anyTurns = false, hasArea = false;
     for (size_t e = 0; e < elements; ++e) {
         light l = kind.traits.packElement({geometry, s, packed, e, m}, L);
         /* Where vertex normals choose the side, light samples do not know it, and the pattern does */
@@ -58,11 +58,14 @@ void LightPacker::addShape(const Shape& s, shape& packed, const GeometryTables& 
             factor = description.scale * *description.power / (M_PI * area * (description.twoSided ? 2 : 1));
             l.L = colors_.emission(description.L, factor);
         }
+        hasArea = hasArea || l.inverse_area > 0;
         colors_.checkRange(l.L, description.where, "\"L\" of an area light");
         powers_.push_back(areaPower(l, luminanceOf(description.L, factor)));
         emitted_.push_back({kind.traits.startsPaths ? powers_.back() : 0, &s});
         tables_.lights.push_back(l);
     }
+    if (!hasArea)
+        context_.diagnostics.warn(s.where, "this shape has no area, so as a lamp it sends no light");
     const std::string why = description.where.toString() + ": area light";
     context_.require(Feature::EMITTERS, why);
     if (hasPattern || anyTurns) context_.require(Feature::LIGHT_PATTERN, why);

@@ -281,6 +281,18 @@ TEST_F(Pack, LightPathsAreNotForWhatBodiesSendOn) {
     EXPECT_THAT(missedLight(packed("vcm", glass)), ElementsAre());
 }
 
+// A lamp without an area is named; one that has an element with an area is not.
+TEST_F(Pack, LampsWithoutAreaAreNamed) {
+    const std::string lamp = "AreaLightSource \"diffuse\"\n", line = "Shape \"trianglemesh\" \"point3 P\" [0 0 1  1 0 1  2 0 1  0 1 1]";
+    const auto warnings = [&](const std::string& indices) {
+        Diagnostics diagnostics(LogLevel::silent);
+        packScene(world(lamp + line + " \"integer indices\" [" + indices + "]"), diagnostics);
+        return diagnostics.warnings();
+    };
+    EXPECT_THAT(warnings("0 1 2"), ElementsAre(AllOf(HasSubstr("test.pbrt:3:1"), HasSubstr("has no area"))));
+    EXPECT_THAT(warnings("0 1 2 0 1 3"), ElementsAre());
+}
+
 // Vertices merge where nothing moves, at the first radius of the scene or one that is chosen.
 TEST_F(Pack, MergingIsLeftOutWhereShapesMove) {
     const std::string head = "Integrator \"sppm\" \"float radius\" .25\nWorldBegin\nLightSource \"point\"\n",

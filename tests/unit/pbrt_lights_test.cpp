@@ -46,6 +46,22 @@ TEST_F(PbrtLights, distantLights) {
     expectNear(light("\"distant\"").to, {0, 0, 1});
 }
 
+// A strength in all that is not above 0 has no effect, as in pbrt-v4; but -1 is the default.
+TEST_F(PbrtLights, aStrengthThatHasNoEffectIsNamed) {
+    for (const std::string text : {"LightSource \"point\" \"float power\" ", "LightSource \"spot\" \"float power\" ",
+                                   "LightSource \"distant\" \"float illuminance\" ", "LightSource \"infinite\" \"float illuminance\" ",
+                                   "AreaLightSource \"diffuse\" \"float power\" "}) {
+        for (const char* strength : {"0", "-3"}) {
+            const std::vector<std::string> warnings = warningsOfWorld(text + strength);
+            ASSERT_EQ(warnings.size(), 1u) << text << strength;
+            EXPECT_NE(warnings[0].find(std::string("\" ") + strength + " has no effect"), std::string::npos) << warnings[0];
+        }
+        EXPECT_TRUE(warningsOfWorld(text + "-1").empty()) << text;
+        EXPECT_TRUE(warningsOfWorld(text + "2").empty()) << text;
+    }
+    EXPECT_EQ(light("\"point\" \"float power\" 0").scale, 1);
+}
+
 // A sky of radiance L puts pi L on a level surface.
 TEST_F(PbrtLights, infiniteLights) {
     expectNear(light("\"infinite\"").spectrum.illuminant(), {1, 1, 1});

@@ -10,7 +10,7 @@ namespace eikonal {
 static bool read(const pbrt::LightReading& in, Light& light) {
     light.spectrum = in.arguments.spectrum("L", whiteOf(in.arguments));
     readDirection(in.arguments, light);
-    if (const double illuminance = in.arguments.number("illuminance"); illuminance > 0) light.scale *= illuminance;
+    if (const auto illuminance = strengthOf(in.reading, in.arguments, "illuminance")) light.scale *= *illuminance;
     return true;
 }
 

@@ -11,7 +11,7 @@ namespace eikonal {
 
 static bool read(const pbrt::LightReading& in, Light& light) {
     light.spectrum = in.arguments.spectrum("I", whiteOf(in.arguments));
-    if (const double power = powerOf(in.arguments); power > 0) light.power = power;
+    light.power = strengthOf(in.reading, in.arguments, "power");
     return readImage(in, wrap_octahedral, light);
 }
 

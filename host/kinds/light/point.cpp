@@ -10,7 +10,7 @@ namespace eikonal {
 static bool read(const pbrt::LightReading& in, Light& light) {
     light.spectrum = in.arguments.spectrum("I", whiteOf(in.arguments));
     light.from = in.arguments.vector("from");
-    if (const double power = powerOf(in.arguments); power > 0) light.scale *= power / (4 * M_PI);
+    if (const auto power = strengthOf(in.reading, in.arguments, "power")) light.scale *= *power / (4 * M_PI);
     return true;
 }
 

@@ -12,7 +12,7 @@ namespace eikonal {
 
 static bool read(const pbrt::LightReading& in, Light& light) {
     light.fov = in.arguments.number("fov");
-    if (const double power = powerOf(in.arguments); power > 0) light.power = power;
+    light.power = strengthOf(in.reading, in.arguments, "power");
     return readImage(in, wrap_clamp, light);
 }
 

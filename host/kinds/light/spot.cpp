@@ -24,9 +24,9 @@ static bool read(const pbrt::LightReading& in, Light& light) {
                         arguments.kind().title(), light.coneDeltaAngle, light.coneAngle));
         light.coneDeltaAngle = light.coneAngle;
     }
-    if (const double power = powerOf(arguments); power > 0) {
+    if (const auto power = strengthOf(in.reading, arguments, "power")) {
         const double end = std::cos(glm::radians(light.coneAngle)), start = std::cos(glm::radians(light.coneAngle - light.coneDeltaAngle));
-        light.scale *= power / (2 * M_PI * ((1 - start) + (start - end) / 2));
+        light.scale *= *power / (2 * M_PI * ((1 - start) + (start - end) / 2));
     }
     return true;
 }

@@ -26,7 +26,7 @@ static std::array<glm::dvec3, 4> readPortal(const pbrt::Arguments& arguments) {
 
 static bool read(const pbrt::LightReading& in, Light& light) {
     const pbrt::Arguments& arguments = in.arguments;
-    const double illuminance = arguments.number("illuminance");
+    const std::optional<double> illuminance = strengthOf(in.reading, arguments, "illuminance");
     const bool hasImage = arguments.has("filename");
     if (hasImage && arguments.has("L"))
         throw SceneError(arguments.whereOf("L"), "light \"infinite\" has either \"L\" or \"filename\", not both");
@@ -37,8 +37,8 @@ static bool read(const pbrt::LightReading& in, Light& light) {
         light.kind = &kindOf(kind_portal_infinite_light);
         light.portal = readPortal(arguments);
     }
-    if (illuminance > 0 && hasImage) light.illuminance = illuminance;
-    if (illuminance > 0 && !hasImage) light.scale *= illuminance / M_PI;
+    if (hasImage) light.illuminance = illuminance;
+    else if (illuminance) light.scale *= *illuminance / M_PI;
     return true;
 }
 

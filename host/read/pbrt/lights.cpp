@@ -71,7 +71,7 @@ int addAreaLight(Reading& reading, TextureRegistry& textures, const std::string&
     light.scale = arguments.number("scale");
     light.twoSided = arguments.flag("twosided");
     light.group = lightGroup(arguments);
-    if (const double power = arguments.number("power"); power > 0) light.power = power;
+    light.power = strengthOf(reading, arguments, "power");
     arguments.reportUnused();
     reading.scene.areaLights.push_back(std::move(light));
     return static_cast<int>(reading.scene.areaLights.size()) - 1;
