@@ -58,7 +58,7 @@ void SceneOnDevice::survey(const PackedScene& scene, Learned& learned, const std
     learned.roulette.reset();
     if (!learned.guide.isEmpty() && !scene.roulette) learned.roulette = guidedRoulette;
     else if (!learned.dropsGuide) learned.roulette = pilotRoulette(context(), *tables_, scene, *wave_);
-    setFrame(scene, learned);
+    setLearned(scene, learned);
     profile_.collect();
     profile_.reset();
 }
@@ -77,11 +77,15 @@ void SceneOnDevice::takeSurvey(const PackedScene& scene, const Learned& learned,
     const StopWatcher watcher(tables_->stopFlag(), abandon);
     surveyEnvironment(context(), *tables_, scene, *stages_, device_->shape);
     usePathGuide(context(), *tables_, learned.guide);
-    setFrame(scene, learned);
+    setLearned(scene, learned);
 }
 
-void SceneOnDevice::setFrame(const PackedScene& scene, const Learned& learned) {
+void SceneOnDevice::setLearned(const PackedScene& scene, const Learned& learned) {
     tables_->setFrame(context(), settingsWith(scene, learned));
+}
+
+void SceneOnDevice::setSeed(const PackedScene& scene, const Learned& learned) {
+    setLearned(scene, learned);
     if (sharesWavelengths(scene.features)) tables_->replace(context(), "wavelengths", scene.tables.wavelengths);
 }
 

@@ -46,8 +46,10 @@ public:
     void takeSurvey(const PackedScene& scene, const Learned& learned, const std::function<bool()>& abandon);
     /// What each of these rows of the image costs (estimateRowCosts). After survey().
     std::vector<std::uint64_t> rowCosts(const PackedScene& scene, const Learned& learned, const PixelRect& rows);
-    /// Rendering from now on has the scene's present seed, and knows this.
-    void setFrame(const PackedScene& scene, const Learned& learned);
+    /// Rendering from now on knows this.
+    void setLearned(const PackedScene& scene, const Learned& learned);
+    /// The same, with the scene's present seed.
+    void setSeed(const PackedScene& scene, const Learned& learned);
 
     const std::shared_ptr<OpenDevice>& open() const { return device_; }
     const Context& context() const { return device_->context; }

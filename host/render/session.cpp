@@ -264,7 +264,7 @@ void Session::prepare() {
     compiling_.reset();
     if (packed_.features.has(Feature::MERGING) && scene_.integrator.mergeRadius <= 0) {
         learned_.mergeRadius = first().surveyMergeRadius(packed_);
-        forEachDevice([this](SceneOnDevice& device) { device.setFrame(packed_, learned_); });
+        forEachDevice([this](SceneOnDevice& device) { device.setLearned(packed_, learned_); });
     }
     timed(times_.keep, [](SceneOnDevice& device) { device.keep(); });
     times_.firstRay = seconds();
@@ -293,7 +293,7 @@ void Session::setSeed(int seed) {
     packed_.frame().seed = static_cast<uint>(seed);
     if (sharesWavelengths(packed_.features))
         for (wavelength_range& range : packed_.tables.wavelengths) range.pass_seed = packed_.frame().seed;
-    forEachDevice([this](SceneOnDevice& device) { device.setFrame(packed_, learned_); });
+    forEachDevice([this](SceneOnDevice& device) { device.setSeed(packed_, learned_); });
 }
 
 std::unique_ptr<Tracer> Session::makeLoop(Profile& profile) {

@@ -38,7 +38,17 @@ SurfacePoints findVertices(const Context& context, const DeviceScene& scene, con
     return found;
 }
 
-bool isFound(vec3 normal) { return normal.x != 0 || normal.y != 0 || normal.z != 0; }
+/// Every `step`-th of these, from the first on, if a path got there.
+SurfacePoints keepFound(const SurfacePoints& all, size_t step) {
+    SurfacePoints kept;
+    for (size_t i = 0; i < all.points.size(); i += step) {
+        const vec3& n = all.normals[i];
+        if (n.x == 0 && n.y == 0 && n.z == 0) continue;
+        kept.points.push_back(all.points[i]);
+        kept.normals.push_back(n);
+    }
+    return kept;
+}
 
 }  // namespace
 
@@ -55,26 +65,13 @@ static void sampleEnvironments(const Context& context, DeviceScene& scene, const
     scene.replace(context, "light_aliases", aliases);
 }
 
-/// Removes the entries that paths did not fill: those with a zero normal.
-static void keepFound(std::vector<vec3>& points, std::vector<vec3>& normals) {
-    size_t found = 0;
-    for (size_t i = 0; i < points.size(); ++i) {
-        if (!isFound(normals[i])) continue;
-        points[found] = points[i];
-        normals[found++] = normals[i];
-    }
-    points.resize(found);
-    normals.resize(found);
-}
-
 void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedScene& packed, const Stages& stages,
                        const StageShape& shape) {
     if (!packed.features.has(Feature::ENVIRONMENT_GUIDE)) return;
     const GuideBudget budget = GuideBudget::of(packed.frame().width, packed.frame().height, packed.samples);
     if (!budget.isEnough()) return;
 
-    auto [points, normals] = findVertices(context, scene, stages, shape, budget.paths);
-    keepFound(points, normals);
+    const auto [points, normals] = keepFound(findVertices(context, scene, stages, shape, budget.paths), 1);
     if (points.empty()) return;
 
     /* Find the openings that light enters by, and what is visible through them */
@@ -122,14 +119,7 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
 }
 
 SurfacePoints surveyView(const Context& context, const DeviceScene& scene, const Stages& stages, const StageShape& shape, size_t paths) {
-    const SurfacePoints found = findVertices(context, scene, stages, shape, paths);
-    SurfacePoints seen;
-    for (size_t first = 0; first < found.points.size(); first += SURVEY_VERTICES) {
-        if (!isFound(found.normals[first])) continue;
-        seen.points.push_back(found.points[first]);
-        seen.normals.push_back(found.normals[first]);
-    }
-    return seen;
+    return keepFound(findVertices(context, scene, stages, shape, paths), SURVEY_VERTICES);
 }
 
 }  // namespace eikonal
