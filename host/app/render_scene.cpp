@@ -113,14 +113,6 @@ void warnOfStillness(const Options& o, const PackedScene& packed, Diagnostics& d
     if (o.scene.fps && !moves && o.place.number == 1) diagnostics.warn({}, "--fps: nothing moves in this scene, so its frames are equal");
 }
 
-/// Reports the rays at implicit surfaces whose hits are a guess.
-void reportUnresolvedRays(uint count, Diagnostics& diagnostics) {
-    if (count)
-        diagnostics.warn({}, fmt::format("{} ray{} at an implicit surface ran out of splits, so parts of that surface may be missing; "
-                                         "use a smaller box or a simpler F",
-                                         count, count == 1 ? "" : "s"));
-}
-
 /// Throws an error if the film and the output image would not fit into memory, because a process killed for memory loses the whole render.
 void checkMemory(const FilmDescription& film, const PackedScene& packed, const MemoryPlan& plan) {
     const size_t needed = plan.tables + plan.queues + plan.vertices + plan.film + plan.image, available = availableMemory();
@@ -239,7 +231,7 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     reportShortfall(o, report.metadata.partial, totals->invalid(), result, samples.length(), diagnostics);
     const std::string described = describe(report.error, o.output.errorMetric);
     say(o, described);
-    reportUnresolvedRays(session.unresolvedRays(), diagnostics);
+    for (const std::string& doubt : describe(session.implicitDoubts(), session.profile().paths)) diagnostics.warn({}, doubt);
 
     FilmImage image = output.develop(*totals);
     tellFireflies(report.metadata, image, o.log);

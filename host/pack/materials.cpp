@@ -44,6 +44,12 @@ void MaterialPacker::pack(const Material& description, PackedMaterial& m, bool r
     }
 }
 
+bool MaterialPacker::isEntered(uint index) const {
+    const PackedMaterial& m = in_.tables.materials[index];
+    if (m.next_queue == next_mix) return isEntered(m.mix_a) || isEntered(m.mix_b);
+    return m.transmits || m.interior != NONE || m.next_queue == next_crossing;
+}
+
 std::vector<int> MaterialPacker::sources() const {
     std::vector<int> sources(in_.tables.materials.size(), none);
     for (size_t i = 0; i < indices_.size(); ++i)

@@ -23,6 +23,9 @@ public:
     /// The index in `materials` of a material of the scene, or of pbrt's default material.
     uint material(int index);
 
+    /// Whether rays may pass through the material at that index in `materials` to the other side of a closed surface.
+    bool isEntered(uint index) const;
+
     /// By index in `materials`: the scene's material that the packed one stands for; none: pbrt's default, or a part of another.
     std::vector<int> sources() const;
 

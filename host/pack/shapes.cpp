@@ -24,6 +24,7 @@ void packShape(const GeometryPacking& in, Group& group, const Shape& s, const Sh
     packed.first_light = packed.alpha = packed.emission = NONE;
     packed.inside = packed.outside = NONE;
     if (isInterface) packed.flags |= shape_is_interface;
+    if (in.materials.isEntered(materialIndex)) packed.flags |= shape_is_entered;
     if (context.hasMedia && s.interface) {
         packed.flags |= shape_has_interface;
         packed.inside = s.interface->inside == none ? NONE : static_cast<uint>(s.interface->inside);

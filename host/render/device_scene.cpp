@@ -14,13 +14,13 @@ DeviceScene::DeviceScene(const Context& context, const PackedScene& scene) : sto
 #undef UPLOAD_TABLE
     bindings_.set("stop", stopFlag_.buffer());
     /* The only table that kernels write */
-    replace(context, "unresolved_rays", std::vector<uint>{0});
+    replace(context, "implicit_doubts", std::vector<uint>(implicit_doubt_count, 0));
 }
 
-uint DeviceScene::unresolvedRays(const Context& context) const {
-    uint count = 0;
-    buffers_.at("unresolved_rays").read(context, &count, sizeof count);
-    return count;
+ImplicitDoubts DeviceScene::implicitDoubts(const Context& context) const {
+    ImplicitDoubts counts;
+    buffers_.at("implicit_doubts").read(context, counts.data(), sizeof counts);
+    return counts;
 }
 
 void DeviceScene::setFrame(const Context& context, const settings& frame) { buffers_.at("frame").write(context, &frame, sizeof frame); }

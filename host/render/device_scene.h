@@ -3,6 +3,7 @@
 
 #include "device/kernel.h"
 #include "pack/tables.h"
+#include "render/implicit_doubts.h"
 #include "render/stop_flag.h"
 
 #include <map>
@@ -26,8 +27,8 @@ public:
     /// Read by every launch with bindings().
     const StopFlag& stopFlag() const { return stopFlag_; }
     size_t bytes() const { return bytes_; }
-    /// How many rays at implicit surfaces have run out of splits so far (kernels/shape/implicit.clh). Blocks.
-    uint unresolvedRays(const Context& context) const;
+    /// What has been counted so far (kernels/shape/implicit.clh). Blocks.
+    ImplicitDoubts implicitDoubts(const Context& context) const;
     /// Replaces the scene's settings by `frame` for later launches. Blocks.
     void setFrame(const Context& context, const settings& frame);
 

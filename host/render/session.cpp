@@ -270,10 +270,13 @@ void Session::prepare() {
     times_.firstRay = seconds();
 }
 
-uint Session::unresolvedRays() const {
-    uint rays = 0;
-    for (const auto& device : devices_) rays += device->tables().unresolvedRays(device->context());
-    return rays;
+ImplicitDoubts Session::implicitDoubts() const {
+    ImplicitDoubts sums{};
+    for (const auto& device : devices_) {
+        const ImplicitDoubts counts = device->tables().implicitDoubts(device->context());
+        std::ranges::transform(sums, counts, sums.begin(), std::plus());
+    }
+    return sums;
 }
 
 void Session::survey(const std::function<bool()>& abandon) {

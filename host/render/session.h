@@ -91,8 +91,8 @@ public:
         return TriedGuide{*guideGain_, packed_.features.has(Feature::PATH_GUIDE)};
     }
 
-    /// How many rays at implicit surfaces have run out of splits so far. After prepare(). Blocks.
-    uint unresolvedRays() const;
+    /// What single precision could not decide at implicit surfaces so far. After prepare(). Blocks.
+    ImplicitDoubts implicitDoubts() const;
 
     /// What is rendered from now on has this seed: other noise. After prepare().
     void setSeed(int seed);

@@ -66,7 +66,7 @@ typedef struct {
     T(curve,          curve_segments) \
     T(implicit,       implicits) \
     T(implicit_instruction, implicit_instructions) \
-    T(uint,           unresolved_rays)       /* one counter, which kernels increment: rays at implicit surfaces that ran out of splits */ \
+    T(uint,           implicit_doubts)       /* one counter for each enum implicit_doubt */ \
     T(instance,       instances) \
     T(motion,         motions)               /* of moving instances */ \
     T(uint,           indices)               /* vertices of each element of a mesh */ \

@@ -11,7 +11,8 @@ enum shape_flag {
     shape_is_unseen     = 8, /* its alpha is 0: rays pass through it, but it emits */
     shape_is_two_sided  = 16, /* it emits on both sides */
     shape_is_aimed_by_direction = 32, /* it emits, and light samples are directions; rays find its points (kernels/trace/meet_light.clh) */
-    shape_faces_rays    = 64 /* its normal depends on the ray that hits it (curves) */
+    shape_faces_rays    = 64, /* its normal depends on the ray that hits it (curves) */
+    shape_is_entered    = 128 /* rays may pass through its material to its other side, by refraction or as through nothing */
 };
 
 /* One shape: a mesh, a quadric, an implicit surface or a list of curves, with its material. */
@@ -87,6 +88,13 @@ typedef struct {
     float number;
     float limit;             /* powers: largest |a| whose power does not overflow */
 } implicit_instruction;
+
+/* What single precision could not decide at implicit surfaces: counters in `implicit_doubts`, which kernels increment. */
+enum implicit_doubt {
+    doubt_splits,            /* rays that ran out of splits: the nearest root may be missed */
+    doubt_sides,             /* hits of shapes that rays enter, so near to another side of the surface that a ray may miss it */
+    implicit_doubt_count
+};
 
 /* The surface F(x, y, z) = 0 within a box in object space; its maps are in `object_spaces`. */
 typedef struct {
