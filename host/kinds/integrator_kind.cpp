@@ -145,13 +145,7 @@ static void readMerging(const Arguments& arguments, IntegratorDescription& d) {
 }
 static void packMerging(const IntegratorPacking& in, const IntegratorDescription& d, const std::string& why) {
     packLightPaths(in, d, why);
-    if (!in.context.has(Feature::LIGHT_PATHS)) return;
-    const std::string obstacle = mergingObstacle(in.context);
-    if (obstacle.empty()) requireMerging(in.context, in.frame, why);
-    else
-        in.context.diagnostics.warn(
-            d.where,
-            fmt::format("integrator \"{}\" merges no vertices here, since {}: the image is that of \"bdpt\"", d.kind->name, obstacle));
+    if (in.context.has(Feature::LIGHT_PATHS)) requireMerging(in.context, in.frame, why);
 }
 static void packConnectionsAndMerging(const IntegratorPacking& in, const IntegratorDescription& d, const std::string& why) {
     packMerging(in, d, why);

@@ -15,7 +15,7 @@ static double pathsOfPass(const settings& frame) {
 }
 
 void requireConnections(const PackContext& context, settings& frame, const std::string& why) {
-    if (!mergingObstacle(context).empty() || frame.max_depth < 2) return;
+    if (frame.max_depth < 2) return;
     context.require(Feature::CONNECTIONS, why);
     frame.cached_share = 0;
     while (pathsOfPass(frame) * mostVerticesOfPath(frame) > mostHits) ++frame.cached_share;

@@ -7,8 +7,7 @@
 
 namespace eikonal {
 
-/// Has paths from both ends connected, because of `why`; not where shapes move, since paths have different times: the image is as right
-/// without. Chooses how many light paths keep their hits. Where light paths are traced.
+/// Has paths from both ends connected, because of `why`. Chooses how many light paths keep their hits. Where light paths are traced.
 void requireConnections(const PackContext& context, settings& frame, const std::string& why);
 
 /// Of the hits that are kept at a time.

@@ -51,7 +51,7 @@ void chooseLightPaths(const PackContext& context, PackedScene& packed) {
     if (missed.empty() || !lightPathObstacle(context).empty()) return;
     requireLightPaths(context, "otherwise " + missed.front());
     /* What is then seen by way of smooth surfaces, too */
-    if (const std::vector<std::string> more = lightForLightPaths(packed); !more.empty() && mergingObstacle(context).empty())
+    if (const std::vector<std::string> more = lightForLightPaths(packed); !more.empty())
         requireMerging(context, packed.frame(), "otherwise " + more.front());
 }
 

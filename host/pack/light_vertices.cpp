@@ -16,18 +16,6 @@ static double pixelsOf(const settings& frame) { return static_cast<double>(frame
 double pathsThatKeep(const settings& frame, uint log2Share) { return std::ldexp(pixelsOf(frame), -static_cast<int>(log2Share)); }
 static double pathsOfPass(const settings& frame) { return pathsThatKeep(frame, frame.stored_share); }
 
-std::string mergingObstacle(const PackContext& context) {
-    const Scene& scene = context.scene;
-    const auto moves = [](const Shape& s) { return s.worldFromObjectAtEnd.has_value(); };
-    if (std::ranges::any_of(scene.shapes, moves) ||
-        std::ranges::any_of(scene.objects, [&](const Object& o) { return std::ranges::any_of(o.shapes, moves); }) ||
-        std::ranges::any_of(scene.instances, [](const Instance& i) { return i.worldFromObjectAtEnd.has_value(); }))
-        return "shapes move, and paths have different times";
-    if (context.hasMedia && std::ranges::any_of(scene.media, [](const Medium& m) { return m.worldFromMediumAtEnd.has_value(); }))
-        return "media move, and paths have different times";
-    return {};
-}
-
 void requireMerging(const PackContext& context, settings& frame, const std::string& why) {
     context.require(Feature::MERGING, why);
     frame.stored_share = 0;

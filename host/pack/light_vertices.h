@@ -7,9 +7,6 @@
 
 namespace eikonal {
 
-/// Why vertices do not merge in this scene where light paths are traced, as a clause: "shapes move". Empty: they do.
-std::string mergingObstacle(const PackContext& context);
-
 /// Has vertices merged, because of `why`: sets their radius, the scene's or a guess from its size, and how many light paths store them.
 void requireMerging(const PackContext& context, settings& frame, const std::string& why);
 

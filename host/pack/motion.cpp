@@ -118,6 +118,14 @@ motion Motion::pack(const SceneSpace& outer, const SceneSpace& inner) const {
 
 bool isInvertible(const glm::dmat4& m) { return std::abs(glm::determinant(glm::dmat3(m))) > 0; }
 
+bool hasMovingParts(const Scene& scene) {
+    const auto moves = [](const Shape& s) { return s.worldFromObjectAtEnd.has_value(); };
+    return std::ranges::any_of(scene.shapes, moves) ||
+           std::ranges::any_of(scene.objects, [&](const Object& o) { return std::ranges::any_of(o.shapes, moves); }) ||
+           std::ranges::any_of(scene.instances, [](const Instance& i) { return i.worldFromObjectAtEnd.has_value(); }) ||
+           std::ranges::any_of(scene.media, [](const Medium& m) { return m.worldFromMediumAtEnd.has_value(); });
+}
+
 TimeSpan timesSeen(const Scene& scene) {
     const auto time = [&](double t) { return std::clamp((t - scene.motionStart) / (scene.motionEnd - scene.motionStart), 0.0, 1.0); };
     return {time(scene.camera.shutterOpen), time(scene.camera.shutterClose)};
@@ -126,7 +134,7 @@ TimeSpan timesSeen(const Scene& scene) {
 shutter shutterOf(const Scene& scene) {
     const double span = scene.motionEnd - scene.motionStart;
     return {static_cast<float>((scene.camera.shutterOpen - scene.motionStart) / span),
-            static_cast<float>((scene.camera.shutterClose - scene.camera.shutterOpen) / span)};
+            static_cast<float>((scene.camera.shutterClose - scene.camera.shutterOpen) / span), hasMovingParts(scene) ? 1u : 0u};
 }
 
 }  // namespace eikonal

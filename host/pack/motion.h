@@ -42,6 +42,9 @@ private:
 /// Conservative bounds of a box under nested motions, outermost first; tight to about 0.1 %.
 Box boundsInMotion(const std::vector<Motion>& motions, const Box& box, TimeSpan span);
 
+/// Whether anything but the camera moves: shapes, instances or media.
+bool hasMovingParts(const Scene& scene);
+
 /// Whether a transform can be inverted.
 bool isInvertible(const glm::dmat4& m);
 

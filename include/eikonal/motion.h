@@ -18,7 +18,10 @@ typedef struct {
 } motion;
 
 /* Maps u in [0, 1) to the time of a camera ray: `open + u * span`, clamped to [0, 1]. */
-typedef struct { float open, span; } shutter;
+typedef struct {
+    float open, span;
+    uint is_shared;      /* 1: more than the camera moves, so paths that merge or connect need the same time, one for each pass */
+} shutter;
 
 CONTRACT_END
 #endif

@@ -38,7 +38,7 @@ TEST(Connections, LowerTheErrorWhereLightArrivesFromASurface) {
     EXPECT_LT(varianceOf(with), varianceOf(without) / 2);
 }
 
-TEST(Connections, AreMadeByBdptAndVcmWhereNothingMoves) {
+TEST(Connections, AreMadeByBdptAndVcm) {
     const auto connects = [](const std::string& integrator, const std::string& world) {
         return packScene(withIntegrator(integrator, sceneText(view(), room + panel + world))).features.has(Feature::CONNECTIONS);
     };
@@ -46,7 +46,7 @@ TEST(Connections, AreMadeByBdptAndVcmWhereNothingMoves) {
     EXPECT_TRUE(connects("\"vcm\"", ""));
     EXPECT_FALSE(connects("\"sppm\"", ""));
     EXPECT_FALSE(connects("\"volpath\"", ""));
-    EXPECT_FALSE(connects("\"bdpt\"", "ActiveTransform EndTime Translate .1 0 0 ActiveTransform All " + ball("\"diffuse\"")));
+    EXPECT_TRUE(connects("\"bdpt\"", "ActiveTransform EndTime Translate .1 0 0 ActiveTransform All " + ball("\"diffuse\"")));
 }
 
 class ConnectionsEquality : public testing::TestWithParam<ColorMode> {
@@ -74,6 +74,13 @@ TEST(ConnectionsOfWavelengths, HaveTheLightOfPathsFromTheCamera) {
     const Estimate a = meanOf(camera.image), b = meanOf(both.image);
     EXPECT_NEAR(a.mean.g, b.mean.g, standardErrors * std::hypot(a.error.g, b.error.g) + 3e-3 * a.mean.g);   // passes share wavelengths
     EXPECT_LT(a.error.g, 0.01 * a.mean.g);
+}
+
+/// Where more than the camera moves, the paths of a pass have the same time.
+TEST(ConnectionsInTime, HaveTheLightOfPathsFromTheCamera) {
+    const std::string moving = "ActiveTransform EndTime Translate -.3 .2 .1 ActiveTransform All ",
+                      text = sceneText(view(), room + panel + moving + ball("\"diffuse\""));
+    expectSameLight(text, withIntegrator("\"bdpt\"", text), 5e-3);
 }
 
 /// Of many light paths, few are kept, and each camera path finds one: the light is the same.

@@ -21,6 +21,9 @@ struct Case {
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 class Merging : public testing::TestWithParam<Case> {};
 
+/// What follows moves.
+const std::string moving = "ActiveTransform EndTime Translate -.3 .2 .1 ActiveTransform All ";
+
 /// But for a bias of half a percent: edges within a radius, and neighbours whose sums share light paths, so that their mean is noisier than
 /// the film says.
 TEST_P(Merging, GivesTheImageOfPathsFromTheCamera) {
@@ -39,7 +42,11 @@ INSTANTIATE_TEST_SUITE_P(
                          "point3 P" [-.8 .3 .3  .8 .3 .3  0 1.6 .6] "normal N" [-1 0 -1  1 0 -1  0 1 -.5])"},
                     Case{"a_sky", "LightSource \"infinite\" \"rgb L\" [.4 .5 .6]\n" + ball("\"diffuse\"")},
                     Case{"a_spot", "LightSource \"spot\" \"rgb I\" [9 8 7] \"point3 from\" [.4 1.9 -.4] \"float coneangle\" 40\n" +
-                                       ball("\"diffuse\"")}),
+                                       ball("\"diffuse\"")},
+                    Case{"a_moving_ball", panel + moving + ball("\"dielectric\"")},
+                    Case{"a_turning_instance", panel + "ObjectBegin \"o\"" + ball("\"diffuse\"") +
+                                                   "ObjectEnd ActiveTransform EndTime Rotate 60 0 1 0 Scale 1 1.3 1 ActiveTransform All "
+                                                   "ObjectInstance \"o\""}),
     [](const auto& info) { return info.param.name; });
 
 /// The floor of a pool under still water, lit from above and seen from above, both at right angles: the light passes the surface, is
@@ -87,6 +94,16 @@ TEST(MergingInAPool, FindsTheSun) {
                            Pool::radiance(4 * Pool::transmittance()));
 }
 
+/// A black plate leaves the lamp and the camera free for three quarters of the time, both at once: paths that merge have the same time.
+/// With times of their own it would be 9/16.
+TEST(MergingInAPool, FindsASpotlightBesideAMovingPlate) {
+    const double irradiance = 4 * Pool::transmittance() / std::pow(Pool::height + Pool::depth / Pool::eta, 2);
+    const std::string plate = R"(AttributeBegin ActiveTransform EndTime Translate -20 0 0 ActiveTransform All
+        Material "diffuse" "rgb reflectance" [0 0 0] Shape "bilinearmesh" "point3 P" [-99 1 -9  5 1 -9  -99 1 9  5 1 9] AttributeEnd )";
+    expectOnlyMergingFinds("LightSource \"spot\" \"rgb I\" [4 4 4] \"point3 from\" [0 2 0] \"point3 to\" [0 0 0]\n" + plate, ".2",
+                           Pool::radiance(irradiance) * 3 / 4);
+}
+
 class MergingEquality : public testing::TestWithParam<const char*> {
 protected:
     static std::string text() {
@@ -95,9 +112,10 @@ protected:
         v.sampler = GetParam();
         return merging(
             sceneWith(v, "PixelFilter \"gaussian\"",
-                      room + panel + ball("\"dielectric\"") + "LightSource \"point\" \"rgb I\" [2 2 2] \"point3 from\" [-.5 1.5 -.6]\n"));
+                      room + panel + "LightSource \"point\" \"rgb I\" [2 2 2] \"point3 from\" [-.5 1.5 -.6]\n" + moving +
+                          ball("\"dielectric\"")));
     }
-    /// At wavelengths, which the paths of a pass share.
+    /// At wavelengths and times, which the paths of a pass share.
     static PackedScene scene() { return packScene(text(), ColorMode::spectral); }
     const Rendered reference = render(scene());
 };

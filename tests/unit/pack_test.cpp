@@ -293,18 +293,20 @@ TEST_F(Pack, LampsWithoutAreaAreNamed) {
     EXPECT_THAT(warnings("0 1 2 0 1 3"), ElementsAre());
 }
 
-// Vertices merge where nothing moves, at the first radius of the scene or one that is chosen.
-TEST_F(Pack, MergingIsLeftOutWhereShapesMove) {
-    const std::string head = "Integrator \"sppm\" \"float radius\" .25\nWorldBegin\nLightSource \"point\"\n",
-                      moving = "ActiveTransform EndTime Translate 1 0 0 ActiveTransform All Shape \"sphere\"";
-    Diagnostics still(LogLevel::silent, true), moves(LogLevel::silent);
-    const PackedScene scene = packScene(read(head + "Shape \"sphere\""), still);
-    EXPECT_TRUE(scene.features.has(Feature::MERGING));
-    EXPECT_FLOAT_EQ(scene.frame().merge_radius, static_cast<float>(.25 / scene.worldScale));
-    const PackedScene other = packScene(read(head + moving), moves);
-    EXPECT_TRUE(other.features.has(Feature::LIGHT_PATHS));
-    EXPECT_FALSE(other.features.has(Feature::MERGING));
-    EXPECT_THAT(moves.warnings(), ElementsAre(AllOf(HasSubstr("test.pbrt:1:1"), HasSubstr("shapes move"), HasSubstr("\"bdpt\""))));
+// Vertices merge at the first radius of the scene or one that is chosen; where shapes move, paths of a pass have the same time.
+TEST_F(Pack, MergingPathsShareATimeWhereShapesMove) {
+    const std::string head = "Integrator \"sppm\" \"float radius\" .25\nWorldBegin\nLightSource \"point\"\n", ball = "Shape \"sphere\"",
+                      moving = "ActiveTransform EndTime Translate 1 0 0 ActiveTransform All ",
+                      movingCamera = moving + "Camera \"perspective\" ActiveTransform EndTime Identity ActiveTransform All\n";
+    Diagnostics silent(LogLevel::silent);
+    const auto packed = [&](const std::string& text) { return packScene(read(text), silent); };
+    const PackedScene still = packed(head + ball), moves = packed(head + moving + ball), camera = packed(movingCamera + head + ball);
+    EXPECT_FLOAT_EQ(still.frame().merge_radius, static_cast<float>(.25 / still.worldScale));
+    for (const PackedScene* scene : {&still, &moves, &camera}) EXPECT_TRUE(scene->features.has(Feature::MERGING));
+    EXPECT_EQ(still.frame().view.times.is_shared, 0u);
+    EXPECT_EQ(camera.frame().view.times.is_shared, 0u);
+    EXPECT_EQ(moves.frame().view.times.is_shared, 1u);
+    EXPECT_THAT(silent.warnings(), IsEmpty());
 }
 
 // Light paths begin at a lamp in a medium where all of it is in the same one.
