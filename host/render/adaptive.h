@@ -37,7 +37,7 @@ public:
     AdaptiveSampling(const PixelRect& rect, std::span<const unsigned> samples, unsigned most, double targetError, ErrorMetric metric);
 
     static constexpr BlockSize blockSize{4, 4};
-    static constexpr unsigned firstSamples = 16;   ///< samples per pixel before the first decision
+    static constexpr unsigned firstSamples = 32;   ///< samples per pixel before the first decision
 
     /// The blocks that get more samples, and their sample ranges, which double their samples. Empty: the target is met, or all blocks have
     /// `most` samples.

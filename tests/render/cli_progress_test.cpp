@@ -125,7 +125,7 @@ TEST_F(Progresses, AdaptiveSamplingIsNotDoneBeforeItIs) {
     std::vector<json> progress = events(run, "progress");
     ASSERT_GE(progress.size(), 2u);
     EXPECT_EQ(progress.back().at("fraction"), 1);
-    EXPECT_LE(progress.front().at("fraction").get<double>(), 16. / 4096);
+    EXPECT_LE(progress.front().at("fraction").get<double>(), 32. / 4096);
     EXPECT_TRUE(progress.front().at("secondsLeft").is_null());
     progress.pop_back();
     for (const json& p : progress) EXPECT_LT(p.at("fraction").get<double>(), 1) << "that is for the end";
