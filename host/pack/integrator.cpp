@@ -45,6 +45,9 @@ void packPathGuide(const PackContext& context, PackedScene& packed) {
         context.diagnostics.warn({}, fmt::format("--guiding has no effect here: {}", obstacle));
         return;
     }
+    if (guidePilotPaths(paths) == 0)
+        context.diagnostics.warn({}, fmt::format("--guiding has no effect here: there is too little to learn from fewer than {:.0f} paths",
+                                                 std::ceil(fewestGuidePilotPaths / guidePilotShare)));
     context.require(Feature::PATH_GUIDE, "--guiding");
     packUnlearnedPathGuide(packed.tables);
     packed.frame().guided_share = guidedShare;

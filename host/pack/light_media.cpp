@@ -106,10 +106,28 @@ std::vector<glm::dvec3> pointsOf(const Shape& s, glm::dvec3 eye) {
     return points;
 }
 
+/// For each material, whether it is that of a subsurface body, or a mix with one. Mixes may share their parts, so each is looked at once.
+std::vector<bool> materialsOfBodies(const Scene& scene) {
+    std::vector<std::optional<bool>> known(scene.materials.size());
+    const auto isOfBody = [&](int index, auto& self) -> bool {
+        if (index == none) return false;
+        const Material& m = scene.materials[static_cast<size_t>(index)];
+        std::optional<bool>& is = known[static_cast<size_t>(index)];
+        if (!is) is = m.interior || m.diffusion || std::ranges::any_of(m.mixed, [&](int part) { return self(part, self); });
+        return *is;
+    };
+    std::vector<bool> are;
+    for (size_t i = 0; i < known.size(); ++i) are.push_back(isOfBody(static_cast<int>(i), isOfBody));
+    return are;
+}
+
 }  // namespace
 
 LightMedia::LightMedia(const Scene& scene)
-    : eye_(transformPoint(scene.camera.worldFromCamera, glm::dvec3(0))), aroundCamera_(scene.camera.medium), scene_(scene) {
+    : ofBody_(materialsOfBodies(scene)),
+      eye_(transformPoint(scene.camera.worldFromCamera, glm::dvec3(0))),
+      aroundCamera_(scene.camera.medium),
+      scene_(scene) {
     for (const Shape& s : scene.shapes)
         if (s.interface && isTold(s)) {
             boundaries_.push_back(&s);
@@ -157,13 +175,7 @@ std::optional<int> LightMedia::outside() const {
 }
 
 bool LightMedia::isBody(const Shape& s) const {
-    /* A mix may be what any of its parts is */
-    const auto holdsBody = [&](int index, auto& self) -> bool {
-        if (index == none) return false;
-        const Material& m = scene_.materials[static_cast<size_t>(index)];
-        return m.interior || m.diffusion || std::ranges::any_of(m.mixed, [&](int part) { return self(part, self); });
-    };
-    return !scene_.forcesDiffuse && holdsBody(s.material, holdsBody);
+    return !scene_.forcesDiffuse && s.material != none && ofBody_[static_cast<size_t>(s.material)];
 }
 
 bool LightMedia::mayBeInBody(glm::dvec3 p) const {

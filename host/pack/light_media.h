@@ -39,6 +39,7 @@ private:
     std::optional<Contradiction> contradictionAt(const Shape& s, glm::dvec3 p) const;
     bool isSeeThrough(const Shape& s) const;
 
+    std::vector<bool> ofBody_;    ///< by material
     std::vector<const Shape*> boundaries_;
     std::vector<Box> boxes_;      ///< of boundaries_
     std::vector<Box> untold_;     ///< of the other boundaries

@@ -44,10 +44,12 @@ void MaterialPacker::pack(const Material& description, PackedMaterial& m, bool r
     }
 }
 
-bool MaterialPacker::isEntered(uint index) const {
+bool MaterialPacker::isEntered(uint index) {
     const PackedMaterial& m = in_.tables.materials[index];
-    if (m.next_queue == next_mix) return isEntered(m.mix_a) || isEntered(m.mix_b);
-    return m.transmits || m.interior != NONE || m.next_queue == next_crossing;
+    if (m.next_queue != next_mix) return m.transmits || m.interior != NONE || m.next_queue == next_crossing;
+    /* Two may share their parts, so each is looked at once */
+    const auto known = entered_.find(index);
+    return known != entered_.end() ? known->second : (entered_[index] = isEntered(m.mix_a) || isEntered(m.mix_b));
 }
 
 std::vector<int> MaterialPacker::sources() const {

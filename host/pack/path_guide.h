@@ -4,6 +4,7 @@
 #include "eikonal/portable.h"
 #include "pack/tables.h"
 
+#include <algorithm>
 #include <span>
 
 namespace eikonal {
@@ -18,6 +19,15 @@ struct GuideRecord {
 
 /// The guide knows no place: no direction is sampled by it.
 void packUnlearnedPathGuide(LightTables& tables);
+
+/// How many of the render's paths are pilot paths: this share, of which each round takes twice as many as the one before.
+constexpr double guidePilotShare = 0.04;
+constexpr double mostGuidePilotPaths = 1 << 18, fewestGuidePilotPaths = 1 << 13;
+/// The pilot paths of a render of so many paths; 0: too few to learn from.
+constexpr size_t guidePilotPaths(double paths) {
+    const double wanted = std::min(paths * guidePilotShare, mostGuidePilotPaths);
+    return wanted < fewestGuidePilotPaths ? 0 : static_cast<size_t>(wanted);
+}
 
 /// Learns the guide's tables from `records`. Trees are cut at medians until a leaf has too few records with light; a map is proportional to
 /// the light from each direction times the cosine at the surface. hasAllDirections: some surfaces are lit from both sides. Deterministic.

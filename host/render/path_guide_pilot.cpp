@@ -13,9 +13,6 @@ namespace {
 /// Not a seed that a user is likely to choose.
 constexpr uint guideSeed = 0x67756964;
 
-/// How many of the render's paths are pilot paths: this share, of which each round takes twice as many as the one before.
-constexpr double pilotShare = 0.04;
-constexpr size_t mostPaths = 1 << 18, fewestPaths = 1 << 13;
 constexpr int rounds = 3;
 constexpr size_t samplesOfPixel = 4;
 
@@ -110,11 +107,6 @@ private:
 }  // namespace
 
 /// How many pilot paths a render is worth.
-static size_t pilotPaths(const PackedScene& packed) {
-    const double rendered = static_cast<double>(packed.frame().width) * packed.frame().height * packed.samples;
-    return std::min(static_cast<size_t>(rendered * pilotShare), mostPaths);
-}
-
 void usePathGuide(const Context& context, DeviceScene& scene, const LearnedPathGuide& guide) {
     if (guide.isEmpty()) return;
     scene.replace(context, "path_guide_nodes", guide.tables.path_guide_nodes);
@@ -124,8 +116,8 @@ void usePathGuide(const Context& context, DeviceScene& scene, const LearnedPathG
 LearnedPathGuide pilotPathGuide(const Context& context, DeviceScene& scene, const PackedScene& packed, Wave& wave) {
     LearnedPathGuide guide;
     if (!packed.features.has(Feature::PATH_GUIDE)) return guide;
-    const size_t paths = pilotPaths(packed);
-    if (paths < fewestPaths) return guide;
+    const size_t paths = guidePilotPaths(static_cast<double>(packed.frame().width) * packed.frame().height * packed.samples);
+    if (paths == 0) return guide;
     /* The device may hold what an earlier survey learned, which must not guide this one */
     packUnlearnedPathGuide(guide.tables);
     usePathGuide(context, scene, guide);

@@ -1,5 +1,6 @@
 #include "render/scene_loading.h"
 
+#include "kinds/integrator_kind.h"
 #include "read/obj/obj.h"
 #include "read/pbrt/read_pbrt.h"
 #include "standard_stream.h"
@@ -88,6 +89,10 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.regularize) scene.integrator.regularize = *o.regularize;
     if (o.maxComponentValue) scene.film.maxComponentValue = *o.maxComponentValue;
     if (o.reweightsFireflies) scene.film.reweightsFireflies = *o.reweightsFireflies;
+    for (const auto& [option, isGiven] : {std::pair("--threshold", o.treeThreshold.has_value()), {"--bundle", o.treeBundle.has_value()}})
+        if (isGiven && !scene.integrator.kind->splitsRays)
+            diagnostics.warn({}, fmt::format("{} has no effect here: it is for integrator \"whitted\", not for \"{}\"", option,
+                                                     scene.integrator.kind->name));
     if (o.treeThreshold) scene.integrator.threshold = *o.treeThreshold;
     if (o.treeBundle) scene.integrator.bundle = *o.treeBundle;
     if (o.cropWindow) { scene.film.cropWindow = o.cropWindow; scene.film.pixelBounds.reset(); }

@@ -37,6 +37,18 @@ TEST_F(Cli, LogsTheErrorAgainstAReference) {
     EXPECT_NEAR(lines.back().second, expected, 1e-5 * expected);
 }
 
+// Options of a method that is not at work do not pass in silence.
+TEST_F(Cli, SaysWhichOptionsHaveNoEffect) {
+    const auto reported = [&](std::vector<std::string> options) {
+        options.insert(options.begin(), {"render", "tiny.pbrt", "-o", "a.exr", "--spp", "1"});
+        return run(options).error;
+    };
+    EXPECT_THAT(reported({"--threshold", ".1"}), HasSubstr("--threshold has no effect here: it is for integrator \"whitted\""));
+    EXPECT_THAT(reported({"--bundle", "8"}), HasSubstr("--bundle has no effect here"));
+    EXPECT_THAT(reported({"--bundle", "8", "--integrator", "whitted"}), testing::Not(HasSubstr("no effect")));
+    EXPECT_THAT(reported({"--guiding", "on"}), HasSubstr("too little to learn from fewer than 204800 paths"));
+}
+
 TEST_F(Cli, SaysWhatIsWrongWithAReference) {
     ASSERT_EQ(run({"render", "tiny.pbrt", "-o", "other.exr", "--resolution", "8x8"}).status, 0);
     write("logged.pbrt", tinyScene("Option \"msereferenceimage\" \"other.exr\" Option \"msereferenceout\" \"mse.txt\""));

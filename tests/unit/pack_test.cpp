@@ -309,6 +309,19 @@ TEST_F(Pack, MergingPathsShareATimeWhereShapesMove) {
     EXPECT_THAT(silent.warnings(), IsEmpty());
 }
 
+// Mixes of mixes that share their parts: 2^60 ways from the first to the last.
+TEST_F(Pack, EachPartOfAMixIsLookedAtOnce) {
+    std::string text = "MakeNamedMaterial \"m0\" \"string type\" \"subsurface\"\n";
+    for (int i = 1; i <= 60; ++i)
+        text += fmt::format("MakeNamedMaterial \"m{0}\" \"string type\" \"mix\" \"string materials\" "
+                            "[\"m{1}\" \"m{1}\"] \"float amount\" .{0:02}\n",
+                            i, i - 1);
+    Diagnostics silent(LogLevel::silent);
+    const std::string head = "Integrator \"bdpt\"\nWorldBegin\nLightSource \"point\"\n";
+    const PackedScene scene = packScene(read(head + text + "NamedMaterial \"m60\" Shape \"sphere\""), silent);
+    EXPECT_TRUE(scene.tables.shapes.front().flags & shape_is_entered);
+}
+
 // Light paths begin at a lamp in a medium where all of it is in the same one.
 TEST_F(Pack, LightPathsBeginWhereTheMediumIsKnown) {
     const std::string head = "Integrator \"bdpt\"\nLookAt 0 0 -5  0 0 0  0 1 0 Camera \"perspective\"\nWorldBegin\n"

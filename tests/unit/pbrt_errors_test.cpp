@@ -4,6 +4,9 @@
 #include "image/image_data.h"
 #include "unit/pbrt_reading.h"
 
+#include <fmt/format.h>
+
+#include <functional>
 #include <random>
 
 namespace eikonal {
@@ -37,6 +40,38 @@ TEST_F(PbrtErrors, whatIsNotRenderedIsAnErrorIfAskedFor) {
     EXPECT_EQ(warningsOfWorld(text).size(), 2u);
     EXPECT_THAT(errorOfWorld(text, true),
                 AllOf(HasSubstr("test.pbrt:3:1: a moving light is not rendered yet"), HasSubstr("\ntest.pbrt:4:1: texture \"ptex\"")));
+}
+
+// What a scene gives an empty name is missing where it is needed, and left out where it is not.
+TEST_F(PbrtErrors, emptyNamesOfFilesCountAsNotGiven) {
+    EXPECT_THAT(errorOf("Camera \"realistic\" \"string lensfile\" \"\" WorldBegin"),
+                HasSubstr("test.pbrt:1:1: camera \"realistic\" needs"));
+    for (const char* needed : {"Shape \"plymesh\" \"string filename\" \"\"", "LightSource \"goniometric\" \"string filename\" \"\"",
+                               "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"\"",
+                               "MakeNamedMedium \"m\" \"string type\" \"nanovdb\" \"string filename\" \"\""})
+        EXPECT_THAT(errorOfWorld(needed), HasSubstr("test.pbrt:2:1: ")) << needed;
+    EXPECT_THAT(warningsOfWorld("Material \"diffuse\" \"string normalmap\" \"\" Shape \"sphere\""),
+                ElementsAre(HasSubstr("test.pbrt:2:20: warning: material \"diffuse\": \"string normalmap\" is empty, and counts as")));
+}
+
+// Chains of textures and of mixed materials are followed by code that recurses, whichever end is defined first.
+TEST_F(PbrtErrors, longChainsAreRefused) {
+    const auto chain = [&](int links, bool fromItsEnd, const std::function<std::string(int)>& link) {
+        std::string text;
+        for (int i = 1; i <= links; ++i) text += link(fromItsEnd ? i : links + 1 - i) + "\n";
+        return text;
+    };
+    const auto texture = [](int i) { return fmt::format("Texture \"t{}\" \"float\" \"scale\" \"texture tex\" \"t{}\"", i, i - 1); };
+    const auto mix = [](int i) {
+        return fmt::format("MakeNamedMaterial \"m{}\" \"string type\" \"mix\" \"string materials\" [\"m{}\" \"m0\"]", i, i - 1);
+    };
+    const std::string first = "Texture \"t0\" \"float\" \"constant\" MakeNamedMaterial \"m0\" \"string type\" \"diffuse\"\n";
+    for (const bool fromItsEnd : {true, false}) {
+        EXPECT_EQ(read("WorldBegin " + first + chain(900, fromItsEnd, texture)).textures.size(), 901u);
+        EXPECT_EQ(read("WorldBegin " + first + chain(900, fromItsEnd, mix)).materials.size(), 901u);
+        EXPECT_THAT(errorOfWorld(first + chain(50'000, fromItsEnd, texture)), HasSubstr(":1: textures are nested in each other 1000"));
+        EXPECT_THAT(errorOfWorld(first + chain(50'000, fromItsEnd, mix)), HasSubstr(":1: materials are nested in each other 1000 times"));
+    }
 }
 
 TEST_F(PbrtErrors, allThatIsWrongIsListed) {

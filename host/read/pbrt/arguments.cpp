@@ -80,8 +80,20 @@ Arguments::Arguments(Reading& reading, const Kind& kind, SourceLocation where, P
     : reading_(&reading), kind_(&kind), where_(std::move(where)), own_(std::move(own)), inherited_(std::move(inherited)), space_(space) {
     for (const Parameter& parameter : own_)
         if (!kind.ruleFor(parameter)) reject(reading, kind, parameter);
+    dropEmptyFiles();
     checkValues();
     for (const Parameter& parameter : own_) reportWithoutEffect(reading, kind, parameter);
+}
+
+void Arguments::dropEmptyFiles() {
+    std::erase_if(own_, [this](const Parameter& parameter) {
+        const Rule* rule = kind_->ruleFor(parameter);
+        const auto* words = std::get_if<std::vector<std::string>>(&parameter.values);
+        if (!rule || rule->wanted != Wanted::file || !words || words->size() != 1 || !words->front().empty()) return false;
+        reading_->diagnostics.warn(parameter.where,
+                                   kind_->title() + ": \"" + parameter.declaration() + "\" is empty, and counts as not given");
+        return true;
+    });
 }
 
 void Arguments::checkValues() {

@@ -62,7 +62,10 @@ int MaterialRegistry::define(const std::string& name, const std::string& kindNam
 int MaterialRegistry::resolve(int number, const SourceLocation& where) {
     if (number == none) return none;
     Entry& entry = entries_[number];
-    if (entry.index != none) return entry.index;
+    if (entry.index != none) {
+        nesting_.meet(entry.height);
+        return entry.index;
+    }
     if (!entry.arguments) {
         if (std::exchange(entry.missed, true)) return none;
         std::vector<std::string> names;
@@ -79,9 +82,11 @@ int MaterialRegistry::resolve(int number, const SourceLocation& where) {
     material.name = entry.name;
     material.where = entry.arguments->where();
     material.kind = directiveList()[static_cast<size_t>(entry.arguments->kind().value)].kind;
-    entry.beingBuilt = true;
-    reading_.problems.guard([&] { build(entry, material); });
-    entry.beingBuilt = false;
+    entry.height = nesting_.around(material.where, [&] {
+        entry.beingBuilt = true;
+        reading_.problems.guard([&] { build(entry, material); });
+        entry.beingBuilt = false;
+    });
     reading_.scene.materials.push_back(std::move(material));
     return entry.index = static_cast<int>(reading_.scene.materials.size()) - 1;
 }

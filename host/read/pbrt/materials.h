@@ -18,7 +18,8 @@ const KindTable& materialKinds();
 /// this registry; at the end the number becomes an index into Scene::materials.
 class MaterialRegistry {
 public:
-    MaterialRegistry(Reading& reading, TextureRegistry& textures) : reading_(reading), textures_(textures) {}
+    MaterialRegistry(Reading& reading, TextureRegistry& textures)
+        : reading_(reading), nesting_(reading.problems, "materials"), textures_(textures) {}
 
     /// The number of a named material, defined or not.
     int numberOf(const std::string& name);
@@ -41,6 +42,7 @@ private:
         std::string name;
         std::unique_ptr<Arguments> arguments;  ///< null: not defined (yet)
         int index = none;                      ///< in Scene::materials, once it is built
+        int height = 0;                        ///< as Nesting counts it, once it is built
         bool beingBuilt = false, missed = false;
     };
 
@@ -51,6 +53,7 @@ private:
     int normalMap(const Arguments& arguments);
 
     Reading& reading_;
+    Nesting nesting_;
     TextureRegistry& textures_;
     std::map<std::string, int> numbers_;
     std::deque<Entry> entries_;  ///< by number; a deque, because building an entry may add another and references must stay valid

@@ -133,18 +133,23 @@ void TextureRegistry::finish() {
 }
 
 int TextureRegistry::build(const Key& key, Definition& definition) {
-    if (definition.index != none) return definition.index;
-    definition.beingBuilt = true;
+    if (definition.index != none) {
+        nesting_.meet(definition.height);
+        return definition.index;
+    }
     Texture texture;
     texture.name = key.first;
     texture.isFloat = key.second;
     texture.where = definition.arguments.where();
-    reading_.problems.guard([&] { read(definition, texture); });
+    definition.height = nesting_.around(texture.where, [&] {
+        definition.beingBuilt = true;
+        reading_.problems.guard([&] { read(definition, texture); });
+        definition.beingBuilt = false;
+    });
     if (!texture.kind) {   // it could not be read, which has been reported
         texture.kind = &kindOf(kind_constant_texture);
         texture.operands = {Input{}};
     }
-    definition.beingBuilt = false;
     reading_.scene.textures.push_back(std::move(texture));
     return definition.index = static_cast<int>(reading_.scene.textures.size()) - 1;
 }

@@ -3,6 +3,7 @@
 
 #include "eikonal/textures.h"
 #include "read/pbrt/arguments.h"
+#include "read/pbrt/nesting.h"
 #include "read/pbrt/state.h"
 
 #include <map>
@@ -20,7 +21,7 @@ std::string textureStandIn(const Kind& kind);
 /// The textures of a scene. They may be used before their definition, so each is built at its first use after the file is read.
 class TextureRegistry {
 public:
-    explicit TextureRegistry(Reading& reading) : reading_(reading) {}
+    explicit TextureRegistry(Reading& reading) : reading_(reading), nesting_(reading.problems, "textures") {}
 
     /// Defines a texture. Throws SceneError if the name and type are taken, or for an unknown kind.
     void define(const std::string& name, bool isFloat, const std::string& kind, const GraphicsState& state, ParameterList parameters,
@@ -54,6 +55,7 @@ private:
         Arguments arguments;
         Transform worldFromTexture;
         int index = none;        ///< in Scene::textures, once it is built
+        int height = 0;          ///< as Nesting counts it, once it is built
         bool beingBuilt = false;
     };
 
@@ -63,6 +65,7 @@ private:
     Input standIn(const Arguments& arguments);
 
     Reading& reading_;
+    Nesting nesting_;
     std::map<Key, Definition> definitions_;
     std::vector<Key> order_;
 };
