@@ -1,7 +1,7 @@
 #pragma once
 // How deeply textures refer to textures, and mixed materials to materials.
 
-#include "read/pbrt/reading.h"
+#include "read/pbrt/problems.h"
 
 #include <fmt/format.h>
 
