@@ -39,15 +39,13 @@ void packPathGuide(const PackContext& context, PackedScene& packed) {
     const char* obstacle = !followsBsdfs(integrator)                ? "this integrator does not sample BSDFs along paths"
                            : context.has(Feature::LIGHT_PATHS)      ? "paths from the lights must know how all others are sampled"
                            : packed.frame().max_depth <= 1          ? "paths have one vertex"
+                           : guidePilotPaths(paths) == 0            ? "there is too little to learn from so few paths"
                                                                     : nullptr;
     if (obstacle && packed.isGuideOptional) return;
     if (obstacle) {
         context.diagnostics.warn({}, fmt::format("--guiding has no effect here: {}", obstacle));
         return;
     }
-    if (guidePilotPaths(paths) == 0)
-        context.diagnostics.warn({}, fmt::format("--guiding has no effect here: there is too little to learn from fewer than {:.0f} paths",
-                                                 std::ceil(fewestGuidePilotPaths / guidePilotShare)));
     context.require(Feature::PATH_GUIDE, "--guiding");
     packUnlearnedPathGuide(packed.tables);
     packed.frame().guided_share = guidedShare;

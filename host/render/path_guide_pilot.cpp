@@ -106,7 +106,6 @@ private:
 
 }  // namespace
 
-/// How many pilot paths a render is worth.
 void usePathGuide(const Context& context, DeviceScene& scene, const LearnedPathGuide& guide) {
     if (guide.isEmpty()) return;
     scene.replace(context, "path_guide_nodes", guide.tables.path_guide_nodes);

@@ -12,7 +12,7 @@ enum shape_flag {
     shape_is_two_sided  = 16, /* it emits on both sides */
     shape_is_aimed_by_direction = 32, /* it emits, and light samples are directions; rays find its points (kernels/trace/meet_light.clh) */
     shape_faces_rays    = 64, /* its normal depends on the ray that hits it (curves) */
-    shape_is_entered    = 128 /* rays may pass through its material to its other side, by refraction or as through nothing */
+    shape_is_entered    = 128 /* rays may go on inside of it: its material transmits, bounds a body in which paths walk, or is none */
 };
 
 /* One shape: a mesh, a quadric, an implicit surface or a list of curves, with its material. */

@@ -65,7 +65,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("targets", nargs="*", metavar="TARGET", help=f"which: {' '.join(TARGETS)} (default: all)")
     parser.add_argument("--seconds", type=int, default=120, help="for each target (default: %(default)s)")
-    parser.add_argument("--timeout", type=int, default=300,
+    parser.add_argument("--timeout", type=int, default=60,
                         help="seconds, of a sanitized build on a busy machine, after which an input is a finding (default: %(default)s)")
     parser.add_argument("--seed", type=int, default=1, help="default: %(default)s")
     parser.add_argument("--build", type=Path, default=ROOT / "build-fuzz")

@@ -311,15 +311,17 @@ TEST_F(Pack, MergingPathsShareATimeWhereShapesMove) {
 
 // Mixes of mixes that share their parts: 2^60 ways from the first to the last.
 TEST_F(Pack, EachPartOfAMixIsLookedAtOnce) {
-    std::string text = "MakeNamedMaterial \"m0\" \"string type\" \"subsurface\"\n";
-    for (int i = 1; i <= 60; ++i)
-        text += fmt::format("MakeNamedMaterial \"m{0}\" \"string type\" \"mix\" \"string materials\" "
-                            "[\"m{1}\" \"m{1}\"] \"float amount\" .{0:02}\n",
-                            i, i - 1);
-    Diagnostics silent(LogLevel::silent);
-    const std::string head = "Integrator \"bdpt\"\nWorldBegin\nLightSource \"point\"\n";
-    const PackedScene scene = packScene(read(head + text + "NamedMaterial \"m60\" Shape \"sphere\""), silent);
-    EXPECT_TRUE(scene.tables.shapes.front().flags & shape_is_entered);
+    for (const char* kind : {"subsurface", "diffuse"}) {
+        std::string text = fmt::format("MakeNamedMaterial \"m0\" \"string type\" \"{}\"\n", kind);
+        for (int i = 1; i <= 60; ++i)
+            text += fmt::format("MakeNamedMaterial \"m{0}\" \"string type\" \"mix\" \"string materials\" "
+                                "[\"m{1}\" \"m{1}\"] \"float amount\" .{0:02}\n",
+                                i, i - 1);
+        Diagnostics silent(LogLevel::silent);
+        const std::string head = "Integrator \"bdpt\"\nWorldBegin\nLightSource \"point\"\n";
+        const PackedScene scene = packScene(read(head + text + "NamedMaterial \"m60\" Shape \"sphere\""), silent);
+        EXPECT_EQ((scene.tables.shapes.front().flags & shape_is_entered) != 0, kind == std::string("subsurface"));
+    }
 }
 
 // Light paths begin at a lamp in a medium where all of it is in the same one.

@@ -2,6 +2,7 @@
 // the text.
 
 #include "image/image_data.h"
+#include "pack/pack.h"
 #include "unit/pbrt_reading.h"
 
 #include <fmt/format.h>
@@ -50,6 +51,11 @@ TEST_F(PbrtErrors, emptyNamesOfFilesCountAsNotGiven) {
                                "Texture \"t\" \"spectrum\" \"imagemap\" \"string filename\" \"\"",
                                "MakeNamedMedium \"m\" \"string type\" \"nanovdb\" \"string filename\" \"\""})
         EXPECT_THAT(errorOfWorld(needed), HasSubstr("test.pbrt:2:1: ")) << needed;
+    for (const auto& [inherited, own] : {std::pair("a.exr", ""), {"", ""}})
+        EXPECT_EQ(read(fmt::format("WorldBegin Attribute \"light\" \"string filename\" \"{}\"\nLightSource \"infinite\" "
+                                   "\"string filename\" \"{}\"", inherited, own)).lights.size(), 1u);
+    EXPECT_THAT(warningsOfWorld("Attribute \"light\" \"string filename\" \"\" LightSource \"infinite\""),
+                ElementsAre(HasSubstr("is empty")));
     EXPECT_THAT(warningsOfWorld("Material \"diffuse\" \"string normalmap\" \"\" Shape \"sphere\""),
                 ElementsAre(HasSubstr("test.pbrt:2:20: warning: material \"diffuse\": \"string normalmap\" is empty, and counts as")));
 }
@@ -69,6 +75,11 @@ TEST_F(PbrtErrors, longChainsAreRefused) {
     for (const bool fromItsEnd : {true, false}) {
         EXPECT_EQ(read("WorldBegin " + first + chain(900, fromItsEnd, texture)).textures.size(), 901u);
         EXPECT_EQ(read("WorldBegin " + first + chain(900, fromItsEnd, mix)).materials.size(), 901u);
+        const std::string ball = " Shape \"sphere\" ",
+                          used = "Material \"conductor\" \"texture roughness\" \"t990\"" + ball + "NamedMaterial \"m990\"" + ball;
+        Diagnostics silent(LogLevel::silent);
+        packScene(read("WorldBegin LightSource \"point\" " + first + chain(990, fromItsEnd, texture) + chain(990, fromItsEnd, mix) + used),
+                  silent);
         EXPECT_THAT(errorOfWorld(first + chain(50'000, fromItsEnd, texture)), HasSubstr(":1: textures are nested in each other 1000"));
         EXPECT_THAT(errorOfWorld(first + chain(50'000, fromItsEnd, mix)), HasSubstr(":1: materials are nested in each other 1000 times"));
     }

@@ -73,6 +73,15 @@ template <class T> void keepTo(const Range& range, T& number, const Kind& kind, 
     number = static_cast<T>(end);
 }
 
+/// Whether a parameter is an empty name of a file, which counts as not given: a warning says so once.
+bool isEmptyFile(const Rule& rule, const Parameter& parameter, const Kind& kind, Reading& reading) {
+    const auto* words = std::get_if<std::vector<std::string>>(&parameter.values);
+    if (rule.wanted != Wanted::file || !words || words->size() != 1 || !words->front().empty()) return false;
+    reading.diagnostics.warnOnce("empty " + parameter.where.toString(), parameter.where,
+                                 kind.title() + ": \"" + parameter.declaration() + "\" is empty, and counts as not given");
+    return true;
+}
+
 }  // namespace
 
 Arguments::Arguments(Reading& reading, const Kind& kind, SourceLocation where, ParameterList own,
@@ -80,20 +89,8 @@ Arguments::Arguments(Reading& reading, const Kind& kind, SourceLocation where, P
     : reading_(&reading), kind_(&kind), where_(std::move(where)), own_(std::move(own)), inherited_(std::move(inherited)), space_(space) {
     for (const Parameter& parameter : own_)
         if (!kind.ruleFor(parameter)) reject(reading, kind, parameter);
-    dropEmptyFiles();
     checkValues();
     for (const Parameter& parameter : own_) reportWithoutEffect(reading, kind, parameter);
-}
-
-void Arguments::dropEmptyFiles() {
-    std::erase_if(own_, [this](const Parameter& parameter) {
-        const Rule* rule = kind_->ruleFor(parameter);
-        const auto* words = std::get_if<std::vector<std::string>>(&parameter.values);
-        if (!rule || rule->wanted != Wanted::file || !words || words->size() != 1 || !words->front().empty()) return false;
-        reading_->diagnostics.warn(parameter.where,
-                                   kind_->title() + ": \"" + parameter.declaration() + "\" is empty, and counts as not given");
-        return true;
-    });
 }
 
 void Arguments::checkValues() {
@@ -130,11 +127,10 @@ const Parameter* Arguments::given(const std::string& name) const {
     };
     for (const std::string& wanted : {r.name, r.orElse}) {
         if (wanted.empty()) continue;
-        if (const Parameter* found = last(own_, wanted)) {
-            found->isUsed = true;
-            return found;
-        }
-        if (const Parameter* found = inherited_ ? last(*inherited_, wanted) : nullptr) return found;
+        const Parameter* found = last(own_, wanted);
+        if (found) found->isUsed = true;
+        else if (inherited_) found = last(*inherited_, wanted);
+        if (found) return isEmptyFile(r, *found, *kind_, *reading_) ? nullptr : found;
     }
     return nullptr;
 }

@@ -62,8 +62,6 @@ public:
 
 private:
     const Rule& rule(const std::string& name) const;
-    /// An empty name of a file is as good as none, after a warning.
-    void dropEmptyFiles();
     void checkValues();
     void warnOfImpossible(const Parameter& parameter, const Spectrum& reflectance) const;
     template <class T> const std::vector<T>* values(const std::string& name) const;

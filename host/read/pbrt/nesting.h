@@ -20,8 +20,8 @@ public:
     /// `what` is built, for messages: "the textures". Reports chains to `problems`.
     Nesting(Problems& problems, std::string what) : problems_(problems), what_(std::move(what)) {}
 
-    /// Calls `build`, which must not throw. Returns the height of what it builds: 1 without parts; 0 if it is too high, which is reported
-    /// once. Throws SceneError if too much is being built around it.
+    /// Calls `build`, which only throws what ends the reading. Returns the height of what it builds: 1 without parts; 0 if it is too high,
+    /// which is reported once. Throws SceneError if too much is being built around it.
     template <class Build> int around(const SourceLocation& where, const Build& build) {
         if (level_ == most) {
             isTold_ = true;
