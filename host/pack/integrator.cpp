@@ -33,7 +33,7 @@ void packPathGuide(const PackContext& context, PackedScene& packed) {
     const IntegratorDescription& integrator = context.scene.integrator;
     if (integrator.guiding == PathGuiding::off) return;
     packed.isGuideOptional = integrator.guiding == PathGuiding::automatic;
-    const double paths = static_cast<double>(packed.frame().width) * packed.frame().height * packed.samples;
+    const double paths = packed.paths();
     /* Layered BSDFs are not guided, so the pilot cannot tell what their directions gain */
     if (packed.isGuideOptional && (paths < leastPathsToTry || context.has(Feature::LAYERS))) return;
     const char* obstacle = !followsBsdfs(integrator)                ? "this integrator does not sample BSDFs along paths"

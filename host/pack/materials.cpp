@@ -44,14 +44,6 @@ void MaterialPacker::pack(const Material& description, PackedMaterial& m, bool r
     }
 }
 
-bool MaterialPacker::isEntered(uint index) {
-    const PackedMaterial& m = in_.tables.materials[index];
-    if (m.next_queue != next_mix) return m.transmits || m.interior != NONE || m.next_queue == next_crossing;
-    /* Two may share their parts, so each is looked at once */
-    const auto known = entered_.find(index);
-    return known != entered_.end() ? known->second : (entered_[index] = isEntered(m.mix_a) || isEntered(m.mix_b));
-}
-
 std::vector<int> MaterialPacker::sources() const {
     std::vector<int> sources(in_.tables.materials.size(), none);
     for (size_t i = 0; i < indices_.size(); ++i)
@@ -85,6 +77,9 @@ uint MaterialPacker::material(int index) {
         m.mix_b = material(description.mixed[1]);
         m.mix_amount = in_.textures.input(description.inputs.at("amount"));
     }
+    const bool isMix = m.next_queue == next_mix;
+    if (isMix ? isEntered(m.mix_a) || isEntered(m.mix_b) : m.transmits || m.interior != NONE || m.next_queue == next_crossing)
+        entered_.insert(here);
     m.regular = here;
     const IntegratorDescription& integrator = in_.context.scene.integrator;
     const bool isRegularized = integrator.regularize && !in_.context.scene.forcesDiffuse;

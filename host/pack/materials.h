@@ -6,6 +6,7 @@
 #include "pack/media.h"
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,7 +25,7 @@ public:
     uint material(int index);
 
     /// Whether rays may pass through the material at that index in `materials` to the other side of a closed surface.
-    bool isEntered(uint index);
+    bool isEntered(uint index) const { return entered_.contains(index); }
 
     /// By index in `materials`: the scene's material that the packed one stands for; none: pbrt's default, or a part of another.
     std::vector<int> sources() const;
@@ -44,7 +45,7 @@ private:
     const MaterialPacking in_;
     MediumPacker& media_;
     std::vector<uint> indices_;                         ///< scene materials -> `materials`
-    std::map<uint, bool> entered_;                      ///< by index in `materials`, of mixes
+    std::set<uint> entered_;                            ///< indices in `materials`
     std::map<const DiffusionProfile*, uint> profiles_;  ///< -> `profiles`
     uint default_ = NONE;
 };

@@ -95,6 +95,8 @@ struct PackedScene : RequiredFeatures {
 
     const settings& frame() const { return tables.frame.front(); }
     settings& frame() { return tables.frame.front(); }
+    /// The camera paths of a whole render.
+    double paths() const { return static_cast<double>(frame().width) * frame().height * samples; }
 };
 
 }  // namespace eikonal

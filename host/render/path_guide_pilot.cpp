@@ -115,7 +115,7 @@ void usePathGuide(const Context& context, DeviceScene& scene, const LearnedPathG
 LearnedPathGuide pilotPathGuide(const Context& context, DeviceScene& scene, const PackedScene& packed, Wave& wave) {
     LearnedPathGuide guide;
     if (!packed.features.has(Feature::PATH_GUIDE)) return guide;
-    const size_t paths = guidePilotPaths(static_cast<double>(packed.frame().width) * packed.frame().height * packed.samples);
+    const size_t paths = guidePilotPaths(packed.paths());
     if (paths == 0) return guide;
     /* The device may hold what an earlier survey learned, which must not guide this one */
     packUnlearnedPathGuide(guide.tables);

@@ -30,7 +30,7 @@ struct PilotSize {
         constexpr double share = 0.005;
         constexpr size_t mostSamples = 64, mostPaths = 1 << 16;
         const size_t samples = std::min<size_t>(static_cast<size_t>(packed.samples), mostSamples);
-        const double renderedPaths = static_cast<double>(packed.frame().width) * packed.frame().height * packed.samples;
+        const double renderedPaths = packed.paths();
         return {std::min(static_cast<size_t>(renderedPaths * share), mostPaths) / (pilotSets * samples), samples, renderedPaths};
     }
     /// Whether the pilot has enough pixels to be meaningful and takes only a few percent of the render time (its launches are small).

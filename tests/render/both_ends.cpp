@@ -38,6 +38,7 @@ std::string lamp(const std::string& shape) {
     return "AttributeBegin AreaLightSource \"diffuse\" \"rgb L\" [10 8 6] " + shape + " AttributeEnd\n";
 }
 const std::string panel = lamp("Shape \"bilinearmesh\" \"point3 P\" [-.5 1.98 -.5  .5 1.98 -.5  -.5 1.98 .5  .5 1.98 .5]");
+const std::string moving = "ActiveTransform EndTime Translate -.3 .2 .1 ActiveTransform All ";
 std::string ball(const std::string& material) {
     return "AttributeBegin Translate .1 .5 0 Material " + material + " Shape \"sphere\" \"float radius\" .4 AttributeEnd\n";
 }

@@ -20,6 +20,8 @@ std::string lamp(const std::string& shape);
 std::string ball(const std::string& material);
 /// A lamp over the walls.
 extern const std::string panel;
+/// What follows moves.
+extern const std::string moving;
 
 /// The mean of an image, and its standard error by what the film says of the variance of each pixel.
 Estimate meanOf(const FilmImage& image);

@@ -78,8 +78,7 @@ TEST(ConnectionsOfWavelengths, HaveTheLightOfPathsFromTheCamera) {
 
 /// Where more than the camera moves, the paths of a pass have the same time.
 TEST(ConnectionsInTime, HaveTheLightOfPathsFromTheCamera) {
-    const std::string moving = "ActiveTransform EndTime Translate -.3 .2 .1 ActiveTransform All ",
-                      text = sceneText(view(), room + panel + moving + ball("\"diffuse\""));
+    const std::string text = sceneText(view(), room + panel + moving + ball("\"diffuse\""));
     expectSameLight(text, withIntegrator("\"bdpt\"", text), 5e-3);
 }
 

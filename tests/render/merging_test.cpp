@@ -21,9 +21,6 @@ struct Case {
 void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 class Merging : public testing::TestWithParam<Case> {};
 
-/// What follows moves.
-const std::string moving = "ActiveTransform EndTime Translate -.3 .2 .1 ActiveTransform All ";
-
 /// But for a bias of half a percent: edges within a radius, and neighbours whose sums share light paths, so that their mean is noisier than
 /// the film says.
 TEST_P(Merging, GivesTheImageOfPathsFromTheCamera) {
