@@ -11,7 +11,7 @@ void StageLauncher::enqueue(const Stage& stage, SlotRange slots, const Bindings&
     profile_.add(stage.name, slots.count,
                  stage.kernel.launch(context_,
                                      {&shared_.scene, &shared_.queues, &shared_.counts, &shared_.cache, &shared_.vertices, &own, &range},
-                                     width, group_));
+                                     width, shape_.group(stage.row->form)));
 }
 
 void StageLauncher::warmUp(Stages& stages, const Bindings& nothing, unsigned width) const {

@@ -13,9 +13,9 @@ public:
     struct Shared {
         const Bindings &scene, &queues, &counts, &cache, &vertices;
     };
-    /// group: slots per work-group. All must outlive this object.
-    StageLauncher(const Context& context, const Shared& shared, unsigned group, Profile& profile)
-        : context_(context), shared_(shared), group_(group), profile_(profile) {}
+    /// All must outlive this object.
+    StageLauncher(const Context& context, const Shared& shared, const StageShape& shape, Profile& profile)
+        : context_(context), shared_(shared), shape_(shape), profile_(profile) {}
 
     /// Enqueues the stage over these slots; does nothing if there are none. `own`: further arguments.
     void launch(const Stage& stage, SlotRange slots, const Bindings& own = {}) const {
@@ -30,7 +30,7 @@ private:
 
     const Context& context_;
     Shared shared_;
-    unsigned group_;
+    const StageShape& shape_;
     Profile& profile_;
 };
 

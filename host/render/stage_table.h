@@ -60,11 +60,15 @@ enum class StageName : unsigned char {
 #undef STAGE_ID
 };
 
+/// How a stage treats its slots: see STAGES.
+enum class StageForm : unsigned char { straight_line, tracing, counting };
+
 struct StageRow {
     StageName id;
     const char* name;
     QueueList reads, writes;    ///< empty for surveys
     uint over;                  ///< a next_queue or a stage_items
+    StageForm form;
     Requirement requirement;
 };
 
@@ -81,9 +85,11 @@ struct QueueRow {
 /// STAGES, in the order in which they run.
 constexpr auto stageTable = [] {
     using enum Queue;
+    using enum StageForm;
     using enum Feature;
     constexpr Requirement ALWAYS, ENVIRONMENTS(&SceneConstants::environments);
-#define STAGE_ROW(stage, READS, WRITES, over, FEATURE) StageRow{StageName::stage, #stage, QueueList READS, QueueList WRITES, over, FEATURE},
+#define STAGE_ROW(stage, READS, WRITES, over, form, FEATURE) \
+    StageRow{StageName::stage, #stage, QueueList READS, QueueList WRITES, over, form, FEATURE},
     return std::array{STAGES(STAGE_ROW)};
 #undef STAGE_ROW
 }();
@@ -92,7 +98,7 @@ constexpr auto stageTable = [] {
 constexpr auto surveyTable = [] {
     using enum Feature;
     constexpr Requirement ENVIRONMENT_GUIDE_OR_MERGING(ENVIRONMENT_GUIDE, MERGING);
-#define SURVEY_ROW(kernel, FEATURE) StageRow{StageName::kernel, #kernel, {}, {}, no_queue, FEATURE},
+#define SURVEY_ROW(kernel, FEATURE) StageRow{StageName::kernel, #kernel, {}, {}, no_queue, StageForm::tracing, FEATURE},
     return std::array{SURVEYS(SURVEY_ROW)};
 #undef SURVEY_ROW
 }();

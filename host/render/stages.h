@@ -24,6 +24,10 @@ struct StageShape {
     unsigned batches = 8;      ///< batches in flight, at most MOST_BATCHES; paths of the next fill the slots that ended paths leave
     /// Slots per group. Segments of queues begin at multiples of it.
     unsigned group() const { return localSize * itemsPerWorkItem; }
+    /// Slots per group of the stages of a form.
+    unsigned group(StageForm form) const {
+        return form == StageForm::counting && itemsPerWorkItem > 1 ? COUNTING_GROUPS * group() : group();
+    }
     /// `slots`, rounded up to whole groups.
     unsigned padded(unsigned slots) const { return (slots + group() - 1) / group() * group(); }
     /// The fastest shape for a kind of device, as measured (docs/performance.md).

@@ -10,7 +10,7 @@ Wave::Wave(const Context& context, const DeviceScene& tables, const PackedScene&
       vertices_(context, scene), counter_(context, profile),
       batches_(context, queues_, size_, splitting_),
       launcher_(context, {tables.bindings(), queues_.bindings(), counter_.bindings(), cache_.bindings(), vertices_.bindings()},
-                shape.group(), profile) {}
+                shape_, profile) {}
 
 unsigned Wave::mostStoredPasses() const {
     return std::min(cache_.mostPasses() - 1u, vertices_.mostPasses() - 1u) + 1u;   // 0, no limit, is the largest less 1

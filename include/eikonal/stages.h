@@ -1,5 +1,5 @@
 /* Every stage of a wave, in the order in which they run: a kernel that reads queues and writes queues.
-     S(stage, (what it reads), (what it may write), what it runs over, FEATURE that makes it exist)
+     S(stage, (what it reads), (what it may write), what it runs over, its form, FEATURE that makes it exist)
    A wave is the paths in flight; the stages take each of them one bounce further. Paths come in batches: samples of some blocks of the
    image. A stage runs over what the fourth column says: the items of one next_queue, or one of enum stage_items. Besides queues (queues.h)
    there are
@@ -13,9 +13,12 @@
      counts     how many items go to each next_queue, and how many rays each batch has (enum wave_count)
    FEATURE is one of features.h (HAS_x in kernels), ALWAYS, or ENVIRONMENTS: at least one infinite light (host/pack/scene_constants.h).
 
-   There are two kinds of stage. A straight-line stage has no loop or branch that depends on data: the compiler vectorises it over slots, so
-   it runs on to the end of the last work-group, over dead slots. A tracing stage loops and branches: it stops at the last item and skips
-   dead slots.
+   Stages have three forms (kernels/stages/stage.clh):
+     straight_line   has no loop or branch that depends on data: the compiler vectorises it over slots, so it runs on to the end of the
+                     last work-group, over dead slots
+     tracing         loops and branches: it stops at the last item and skips dead slots
+     counting        a tracing stage that adds to counters of all work-items, or puts items side by side. A work-item has the slots of
+                     COUNTING_GROUPS work-groups of other stages, so that threads seldom wait for a cache line that another has written
 
    A stage called x is kernels/stages/x.cl, whose head repeats both lists (tests/unit/stages_test.cpp compares them with its arguments).
    Its profiler row and its test are called x too. */
@@ -26,43 +29,45 @@
 #include "eikonal/portable.h"
 CONTRACT_BEGIN /* namespace eikonal, in C++ */
 
+#define COUNTING_GROUPS 16
+
 #define STAGES(S) \
     /* A camera ray for each sample */ \
-    S(generate_rays, (pixels), (ray, path), each_sample, ALWAYS) \
+    S(generate_rays, (pixels), (ray, path), each_sample, straight_line, ALWAYS) \
     /* The nearest intersection of each ray; where paths leave subsurface bodies; absorption, scattering and emission in media */ \
-    S(intersect_rays, (ray), (intersection), each_ray, ALWAYS) \
-    S(trace_probes, (ray, probe), (intersection, exit_point), each_ray, DIFFUSION) \
-    S(extinguish_rays, (intersection, ray), (ray, intersection, path), each_ray, MEDIA) \
+    S(intersect_rays, (ray), (intersection), each_ray, tracing, ALWAYS) \
+    S(trace_probes, (ray, probe), (intersection, exit_point), each_ray, tracing, DIFFUSION) \
+    S(extinguish_rays, (intersection, ray), (ray, intersection, path), each_ray, tracing, MEDIA) \
     /* Choose the next queue of each intersection and count its items; then build the items */ \
-    S(classify_intersections, (intersection, ray), (intersection, counts), each_ray, ALWAYS) \
+    S(classify_intersections, (intersection, ray), (intersection, counts), each_ray, counting, ALWAYS) \
     S(route_intersections, (intersection, ray, counts, exit_point), (hit, scatter, miss, emission, next_ray, shadow, path, probe), \
-      each_intersection, ALWAYS) \
+      each_intersection, counting, ALWAYS) \
     /* Add the light of infinite lights and of surfaces that emit */ \
-    S(shade_misses, (miss), (path), next_miss, ENVIRONMENTS) \
-    S(shade_emitters, (emission), (path), next_emission, EMITTERS) \
+    S(shade_misses, (miss), (path), next_miss, straight_line, ENVIRONMENTS) \
+    S(shade_emitters, (emission), (path), next_emission, straight_line, EMITTERS) \
     /* Scatter: one shadow ray to a light, and the next ray. `walk` is memory that shade_hits uses for itself */ \
-    S(shade_hits, (hit), (next_ray, shadow, path, walk), each_bsdf, ALWAYS) \
-    S(shade_occlusions, (hit), (next_ray, shadow, path), next_occlusion, AMBIENT_OCCLUSION) \
-    S(shade_scatters, (scatter), (next_ray, shadow), next_scatter, MEDIA) \
+    S(shade_hits, (hit), (next_ray, shadow, path, walk), each_bsdf, straight_line, ALWAYS) \
+    S(shade_occlusions, (hit), (next_ray, shadow, path), next_occlusion, straight_line, AMBIENT_OCCLUSION) \
+    S(shade_scatters, (scatter), (next_ray, shadow), next_scatter, straight_line, MEDIA) \
     /* Add the light of shadow rays that nothing blocks */ \
-    S(test_shadows, (shadow), (path), each_shadow, ALWAYS) \
+    S(test_shadows, (shadow), (path), each_shadow, tracing, ALWAYS) \
     /* Once the paths of a batch have ended: add them to their pixels */ \
-    S(resolve_film, (path), (film), each_pixel, ALWAYS) \
+    S(resolve_film, (path), (film), each_pixel, tracing, ALWAYS) \
     /* A wave of light paths: it begins with these rays, intersects and classifies them as above, and goes on here */ \
-    S(generate_light_rays, (pixels), (ray), each_light_sample, LIGHT_PATHS) \
-    S(route_light_paths, (intersection, ray, counts), (hit, next_ray, shadow), each_light_intersection, LIGHT_PATHS) \
-    S(shade_light_hits, (hit), (next_ray, shadow), each_light_bsdf, LIGHT_PATHS) \
-    S(splat_shadows, (shadow), (splat), each_splat, LIGHT_PATHS) \
+    S(generate_light_rays, (pixels), (ray), each_light_sample, tracing, LIGHT_PATHS) \
+    S(route_light_paths, (intersection, ray, counts), (hit, next_ray, shadow), each_light_intersection, counting, LIGHT_PATHS) \
+    S(shade_light_hits, (hit), (next_ray, shadow), each_light_bsdf, straight_line, LIGHT_PATHS) \
+    S(splat_shadows, (shadow), (splat), each_splat, tracing, LIGHT_PATHS) \
     /* Keep their hits; then paths from the camera connect with them: first what the hit of such a path knows, then what the other does */ \
-    S(cache_hits, (hit), (cached), each_light_bsdf, CONNECTIONS) \
-    S(connect_hits, (hit, cached), (connection, shadow), each_connecting_bsdf, CONNECTIONS) \
-    S(shade_connections, (connection, hit, cached, shadow), (shadow), each_connected_bsdf, CONNECTIONS) \
+    S(cache_hits, (hit), (cached), each_light_bsdf, counting, CONNECTIONS) \
+    S(connect_hits, (hit, cached), (connection, shadow), each_connecting_bsdf, tracing, CONNECTIONS) \
+    S(shade_connections, (connection, hit, cached, shadow), (shadow), each_connected_bsdf, tracing, CONNECTIONS) \
     /* Keep their vertices, and sort them into a hash grid; then paths from the camera merge with them */ \
-    S(store_vertices, (hit), (vertex), each_light_bsdf, MERGING) \
-    S(count_vertices, (vertex), (grid), each_vertex, MERGING) \
-    S(place_vertices, (vertex), (grid), each_vertex, MERGING) \
-    S(order_vertices, (grid), (grid), each_bucket, MERGING) \
-    S(merge_vertices, (hit, vertex, grid), (path), each_bsdf, MERGING)
+    S(store_vertices, (hit), (vertex), each_light_bsdf, counting, MERGING) \
+    S(count_vertices, (vertex), (grid), each_vertex, tracing, MERGING) \
+    S(place_vertices, (vertex), (grid), each_vertex, tracing, MERGING) \
+    S(order_vertices, (grid), (grid), each_bucket, tracing, MERGING) \
+    S(merge_vertices, (hit, vertex, grid), (path), each_bsdf, tracing, MERGING)
 
 /* Kernels that run before the first wave, over no queue (host/render/survey.cpp).   S(kernel, FEATURE that makes it exist; the first also
    for another) */

@@ -1,5 +1,5 @@
 /* hit -> cached.  Keeps the hits of light paths that paths from the camera can connect with: those in media and on rough surfaces, of some
-   of the paths (shade/cached_hits.clh). Appends records in any order, and puts each at the end of its path's list. A tracing stage, built
+   of the paths (shade/cached_hits.clh). Appends records in any order, and puts each at the end of its path's list. A counting stage, built
    once per BSDF. */
 #include "bsdf/bsdf_names.clh"
 #include "shade/cached_hits.clh"
@@ -15,13 +15,13 @@ FN int caches_hit(__global const settings *frame, hit_item h) {
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, hit) ARGUMENT(__global uint *, cached) \
     ARGUMENT(__global uint *, cached_hit) ARGUMENT(uint, cached_hit_size) ARGUMENT(__global uint *, cached_last) \
     ARGUMENT(__global uint *, cached_count) ARGUMENT(uint, cached_capacity) ARGUMENT(uint, cached_pass_mask) ARGUMENT(uint, first)
-TRACING_STAGE(cache_hits, CACHE_HITS) {
+COUNTING_STAGE(cache_hits, CACHE_HITS) {
     if (BSDF_IS_DELTA) return;
     uint kept = 0;
-    for (size_t at = first_slot; at < SLOTS_END; ++at) kept += caches_hit(frame, load_hit(hit, capacity, first + at)) ? 1u : 0u;
+    for (size_t at = first_slot; at < COUNTING_SLOTS_END; ++at) kept += caches_hit(frame, load_hit(hit, capacity, first + at)) ? 1u : 0u;
     if (!kept) return;
     uint to = atomic_add(cached_count, kept);
-    for (size_t at = first_slot; at < SLOTS_END && to < cached_capacity; ++at) {
+    for (size_t at = first_slot; at < COUNTING_SLOTS_END && to < cached_capacity; ++at) {
         size_t i = first + at;
         hit_item h = load_hit(hit, capacity, i);
         if (!caches_hit(frame, h)) continue;

@@ -1,5 +1,5 @@
 /* ray, intersection -> intersection, in place; counts.  Chooses the next queue of each intersection, and counts the entries of each
-   queue: route_intersections needs the totals to place each queue's segment. Also counts the live rays of each batch in flight. A tracing
+   queue: route_intersections needs the totals to place each queue's segment. Also counts the live rays of each batch in flight. A counting
    stage; each work-item sums its counts, then does one atomic per count. */
 #include "stages/queue.clh"
 #include "trace/route.clh"
@@ -9,13 +9,13 @@
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MATERIAL_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, ray) ARGUMENT(__global uint *, intersection) \
     ARGUMENT(uint, log2_batch_paths) ARGUMENT(__global uint *, counts)
-TRACING_STAGE(classify_intersections, CLASSIFY_INTERSECTIONS) {
+COUNTING_STAGE(classify_intersections, CLASSIFY_INTERSECTIONS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
     material_tables material_set = BIND_MATERIALS;
     uint found[wave_counts];
     for (int c = 0; c < wave_counts; ++c) found[c] = 0;
-    for (size_t i = first_slot; i < SLOTS_END; ++i) {
+    for (size_t i = first_slot; i < COUNTING_SLOTS_END; ++i) {
         intersection_item f = load_intersection(intersection, capacity, i);
         if (f.t < 0.0f) continue;
         ray_item r = load_ray(ray, capacity, i);

@@ -1,5 +1,5 @@
 /* ray, intersection, counts, exit_point -> hit, scatter, miss, emission, next_ray, shadow, path, probe.  Builds the item for each
-   intersection's next stage, in that stage's dense segment. A tracing stage; each work-item reserves space once for all its slots. */
+   intersection's next stage, in that stage's dense segment. A counting stage; each work-item reserves space once for all its slots. */
 #include "eikonal/stages.h"
 #include "stages/queue.clh"
 #include "stages/stage.clh"
@@ -31,13 +31,13 @@ FN void send_ray(destinations *to, ray_item r) { store_crossing(to->next_ray, to
     ARGUMENT(__global const uint *, counts) ARGUMENT(__global const uint *, exit_point) ARGUMENT(__global uint *, cursors) \
     ARGUMENT(__global uint *, hit) ARGUMENT(__global uint *, scatter) ARGUMENT(__global uint *, miss) ARGUMENT(__global uint *, emission) \
     ARGUMENT(__global uint *, next_ray) ARGUMENT(__global uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(__global uint *, probe)
-TRACING_STAGE(route_intersections, ROUTE_INTERSECTIONS) {
+COUNTING_STAGE(route_intersections, ROUTE_INTERSECTIONS) {
     scene_tables scene = BIND_SCENE;
 
     /* Count the items that this work-item adds to each queue, and reserve space for them */
     uint at[next_queues];
     for (int h = 0; h < next_queues; ++h) at[h] = 0;
-    for (size_t i = first_slot; i < SLOTS_END; ++i) {
+    for (size_t i = first_slot; i < COUNTING_SLOTS_END; ++i) {
         if (LOAD_FIELD(intersection, float, t, intersection, capacity, i) < 0.0f) continue;
         uint next_queue = LOAD_FIELD(intersection, uint, next_queue, intersection, capacity, i);
         if (next_queue < next_queues) ++at[next_queue];
@@ -52,7 +52,7 @@ TRACING_STAGE(route_intersections, ROUTE_INTERSECTIONS) {
     /* Fill the reserved space */
     destinations to = {hit, scatter, miss, emission, next_ray, shadow, path, probe, capacity, path_capacity, at};
     if (HAS_INTERFACE && first_slot == 0) end_crossings(next_ray, shadow, capacity, counts[next_crossing]);
-    for (size_t i = first_slot; i < SLOTS_END; ++i) {
+    for (size_t i = first_slot; i < COUNTING_SLOTS_END; ++i) {
         if (LOAD_FIELD(intersection, float, t, intersection, capacity, i) < 0.0f) continue;
         intersection_item f = load_intersection(intersection, capacity, i);
         if (f.next_queue >= next_queues && !(HAS_EMITTERS && f.emits)) continue;

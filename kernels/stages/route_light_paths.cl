@@ -1,6 +1,6 @@
 /* intersection, ray, counts -> hit, next_ray, shadow.  Builds the hits of light paths, in the dense segments of their BSDFs, as
    route_intersections does for paths from the camera. Light paths end where they leave the scene, and add nothing where they meet other
-   lights. A tracing stage; each work-item reserves space once for all its slots. */
+   lights. A counting stage; each work-item reserves space once for all its slots. */
 #include "eikonal/stages.h"
 #include "light/emission.clh"
 #include "stages/queue.clh"
@@ -37,11 +37,11 @@ FN hit_item aim_nowhere(hit_item h) {
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, ray) ARGUMENT(__global const uint *, intersection) \
     ARGUMENT(__global const uint *, counts) ARGUMENT(__global uint *, cursors) ARGUMENT(__global uint *, hit) \
     ARGUMENT(__global uint *, next_ray) ARGUMENT(__global uint *, shadow)
-TRACING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
+COUNTING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
     scene_tables scene = BIND_SCENE;
     uint at[next_miss];
     for (int q = 0; q < next_miss; ++q) at[q] = 0;
-    for (size_t i = first_slot; i < SLOTS_END; ++i) {
+    for (size_t i = first_slot; i < COUNTING_SLOTS_END; ++i) {
         if (LOAD_FIELD(intersection, float, t, intersection, capacity, i) < 0.0f) continue;
         uint next_queue = LOAD_FIELD(intersection, uint, next_queue, intersection, capacity, i);
         if (next_queue < next_miss) ++at[next_queue];
@@ -49,7 +49,7 @@ TRACING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
     for (uint q = 0; q < next_miss; ++q)
         if (at[q]) at[q] = segment_start(counts, q) + atomic_add(cursors + q, at[q]);
     if (HAS_INTERFACE && first_slot == 0) end_crossings(next_ray, shadow, capacity, counts[next_crossing]);
-    for (size_t i = first_slot; i < SLOTS_END; ++i) {
+    for (size_t i = first_slot; i < COUNTING_SLOTS_END; ++i) {
         if (LOAD_FIELD(intersection, float, t, intersection, capacity, i) < 0.0f) continue;
         intersection_item f = load_intersection(intersection, capacity, i);
         if (f.next_queue >= next_miss) continue;

@@ -1,8 +1,9 @@
 /* hit -> vertex.  Stores the vertices of light paths that paths from the camera can merge with: those on surfaces that are not smooth, of
-   some of the paths (shade/light_vertices.clh). Appends, so in any order. A tracing stage, built once per BSDF. */
+   some of the paths (shade/light_vertices.clh). Appends, so in any order. A counting stage, built once per BSDF. */
 #include "bsdf/bsdf_names.clh"
 #include "shade/light_vertices.clh"
 #include "bsdf/bsdf.clh"
+#include "eikonal/stages.h"
 #include "stages/stage.clh"
 
 FN int stores_hit(__global const settings *frame, hit_item h) {
@@ -12,13 +13,13 @@ FN int stores_hit(__global const settings *frame, hit_item h) {
 #define STORE_VERTICES(TABLE, ARGUMENT) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, hit) ARGUMENT(__global uint *, vertex) \
     ARGUMENT(__global uint *, vertex_count) ARGUMENT(uint, vertex_capacity) ARGUMENT(uint, first)
-TRACING_STAGE(store_vertices, STORE_VERTICES) {
+COUNTING_STAGE(store_vertices, STORE_VERTICES) {
     if (BSDF_IS_DELTA) return;
     uint stored = 0;
-    for (size_t at = first_slot; at < SLOTS_END; ++at) stored += stores_hit(frame, load_hit(hit, capacity, first + at)) ? 1u : 0u;
+    for (size_t at = first_slot; at < COUNTING_SLOTS_END; ++at) stored += stores_hit(frame, load_hit(hit, capacity, first + at)) ? 1u : 0u;
     if (!stored) return;
     uint to = atomic_add(vertex_count, stored);
-    for (size_t at = first_slot; at < SLOTS_END; ++at) {
+    for (size_t at = first_slot; at < COUNTING_SLOTS_END; ++at) {
         hit_item h = load_hit(hit, capacity, first + at);
         if (!stores_hit(frame, h)) continue;
         vertex_item v = new_vertex();

@@ -100,7 +100,8 @@ void StageBench::run(const std::string& stage, unsigned count, unsigned first) {
     Bindings arguments = bindings_;
     arguments.set("first", first);
     arguments.set("count", count);
-    kernels_[known].launch(testContext(), {&onDevice_.bindings(), &tables_.bindings(), &arguments}, count, testGroup);
+    const unsigned group = StageShape{.localSize = testLocalSize, .itemsPerWorkItem = testRun}.group(stageProgram(stage).row->form);
+    kernels_[known].launch(testContext(), {&onDevice_.bindings(), &tables_.bindings(), &arguments}, count, group);
     testContext().finish();
     testCompiler().keep(kernels_[known].program());
 }

@@ -51,6 +51,11 @@ std::string textOf(const std::string& stage) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// What declares a kernel of this form.
+std::string macroOf(StageForm form) {
+    return form == StageForm::straight_line ? "STAGE" : form == StageForm::tracing ? "TRACING_STAGE" : "COUNTING_STAGE";
+}
+
 /// The names of a kernel's queues, those that it may write or those that it may only read.
 Names queueArguments(const std::string& arguments, bool written) {
     static const std::regex buffer(R"(__global (const )?uint \*, ([a-z_]+)\))");
@@ -67,7 +72,7 @@ TEST_P(StageQueues, AreTheArgumentsOfItsKernel) {
     const Names reads = namesOf(stage.reads), writes = namesOf(stage.writes);
     const std::string text = textOf(stage.name);
     std::smatch kernel;
-    const std::regex declaration(R"(#define ([A-Z_]+)\(TABLE, ARGUMENT\)((?:.*\\\n)*.*)\n(?:TRACING_)?STAGE\()" + std::string(stage.name) +
+    const std::regex declaration(R"(#define ([A-Z_]+)\(TABLE, ARGUMENT\)((?:.*\\\n)*.*)\n)" + macroOf(stage.form) + R"(\()" + stage.name +
                                  R"(, \1\) \{)");
     ASSERT_TRUE(std::regex_search(text, kernel, declaration));
     EXPECT_EQ(queueArguments(kernel[2], true), writes);
