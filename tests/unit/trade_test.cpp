@@ -192,25 +192,45 @@ MeasuredPoint pointAt(double samples, double bias, double slope, double secondsP
 TEST(TradeModel, FollowsAPowerOfTheSamplesToABias) {
     const std::vector<MeasuredPoint> points{pointAt(4, 0.01, -1.2), pointAt(16, 0.01, -1.2), pointAt(64, 0.01, -1.2),
                                             pointAt(256, 0.01, -1.2)};
-    const SettingModel m = fitModel(points, true, 1e6, 2, 1.5);
+    Setting biased, unbiased;
+    biased.isBiased = true;
+    const SettingModel m = fitModel(points, biased, 1e6, 2, 1.5);
     EXPECT_NEAR(m.slope.value, -1.2, 0.02);
     EXPECT_NEAR(m.error(256), std::sqrt(0.01 + std::pow(256, -1.2)), 0.002);
     EXPECT_NEAR(m.error(1e9), 0.1, 0.002) << "the bias stays";
     EXPECT_DOUBLE_EQ(m.seconds(100), 2 + 100 * 1e-6 * 1e6 * 1.5);
     EXPECT_FALSE(m.samplesForError(0.09)) << "below the bias";
-    const SettingModel exact = fitModel(points, false, 1e6, 2, 1.5);
+    const SettingModel exact = fitModel(points, unbiased, 1e6, 2, 1.5);
     const double samples = exact.samplesForError(0.01).value();
-    EXPECT_NEAR(exact.error(samples), 0.01, 0.0001);
+    EXPECT_LE(exact.error(samples), 0.01);
+    EXPECT_GE(exact.error(samples), 0.009) << "not a quarter more samples than that takes";
     EXPECT_LE(exact.seconds(exact.samplesInTime(30).value()), 30);
     EXPECT_FALSE(exact.samplesInTime(2.1)) << "one sample takes 3.5 seconds";
 }
 
+/// Thirteen points are three sets, of 8, 4 and 1: their mean has less noise than 13 independent points, but more than 13 of a line.
+TEST(TradeModel, KnowsThatNumbersBetweenPowersOfTwoAreWorse) {
+    const std::vector<MeasuredPoint> points{pointAt(4, 0, -1.5), pointAt(16, 0, -1.5), pointAt(64, 0, -1.5), pointAt(256, 0, -1.5)};
+    Setting uniform, adaptive;
+    adaptive.ladder = Ladder::targetErrors;
+    const SettingModel m = fitModel(points, uniform, 1e6, 0, 1), mean = fitModel(points, adaptive, 1e6, 0, 1);
+    ASSERT_LT(m.slope.value, -1.4);
+    const double s = m.slope.value;
+    EXPECT_NEAR(m.variance(13) / m.variance1, (std::pow(8, 2 + s) + std::pow(4, 2 + s) + 1) / 169, 1e-9);
+    EXPECT_GT(m.variance(13), 1.4 * mean.variance(13));
+    EXPECT_LT(m.variance(13), m.variance1 / 13);
+    for (double n : {1., 2., 64., 1024.}) EXPECT_NEAR(m.variance(n), mean.variance(n), 1e-12) << n;
+    EXPECT_EQ(m.samplesForError(m.error(16) * 1.001).value(), 16);
+    EXPECT_EQ(m.samplesForError(mean.error(13.5)).value(), 16) << "14 and 15 samples are worse than 16";
+}
+
 TEST(TradeModel, RecommendsTheFastBiasedSettingForLargeErrorsAndTheUnbiasedOneForSmall) {
     std::vector<Setting> settings(2);
+    settings[1].isBiased = true;
     std::vector<MeasuredPoint> slow{pointAt(4, 0, -1, 1e-6), pointAt(64, 0, -1, 1e-6)},
         fast{pointAt(4, 0.0025, -1, 2e-7), pointAt(64, 0.0025, -1, 2e-7)};
     for (MeasuredPoint& p : fast) p.setting = 1;
-    const std::vector<SettingModel> models{fitModel(slow, false, 1e6, 0.5, 1), fitModel(fast, true, 1e6, 0.5, 1)};
+    const std::vector<SettingModel> models{fitModel(slow, settings[0], 1e6, 0.5, 1), fitModel(fast, settings[1], 1e6, 0.5, 1)};
     const auto chosen = [&](Wish::Kind kind, double value) { return recommend({kind, value}, models, settings); };
     EXPECT_EQ(chosen(Wish::Kind::error, 0.2).setting, 1u);
     EXPECT_EQ(chosen(Wish::Kind::error, 0.02).setting, 0u);
@@ -224,7 +244,7 @@ TEST(TradeModel, PrefersWhatIsKnownToWhatIsExtrapolatedFar) {
     std::vector<Setting> settings(2);
     std::vector<MeasuredPoint> known{pointAt(4, 0, -1), pointAt(16, 0, -1), pointAt(64, 0, -1)}, glimpsed{pointAt(4, 0, -1, 9e-7)};
     glimpsed[0].setting = 1;
-    const std::vector<SettingModel> models{fitModel(known, false, 1e6, 0, 1), fitModel(glimpsed, false, 1e6, 0, 1)};
+    const std::vector<SettingModel> models{fitModel(known, settings[0], 1e6, 0, 1), fitModel(glimpsed, settings[1], 1e6, 0, 1)};
     EXPECT_GT(models[1].uncertaintyAt(4096), 3 * models[0].uncertaintyAt(4096));
     EXPECT_EQ(recommend({Wish::Kind::error, 0.015}, models, settings).setting, 0u);
     EXPECT_EQ(recommend({Wish::Kind::seconds, 4000}, models, settings).setting, 0u);

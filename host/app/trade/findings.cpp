@@ -110,7 +110,7 @@ static VarianceScale varianceScale(const StudyState& state, const Confirmation* 
     if (!nearest) return unknown;
     double square = 0;
     for (const SeedResult& s : nearest->seeds) square += s.ownError * s.ownError / static_cast<double>(nearest->seeds.size());
-    square *= std::pow(run->meanSamples / nearest->meanSamples(), ofRun.slope.value);
+    square *= ofRun.variance(run->meanSamples) / ofRun.variance(nearest->meanSamples());
     if (square <= 0) return unknown;
     /* A normal prior; the deviation of a square is twice that of its root */
     const double measured = std::log(run->ownError * run->ownError / square), deviation = 2 * run->errorDeviation;
@@ -136,12 +136,12 @@ void predict(const Study& study, const std::vector<Wish>& wishes, Findings& foun
             fixed = std::max(known->fixedSeconds(), 0.);
         }
         for (MeasuredPoint& p : points) p.seconds = fixed + p.secondsPerPath * p.samples * pixels * pace;
-        found.models.push_back(fitModel({points.begin(), points.end()}, state.settings[setting].isBiased, pixels, fixed, pace));
+        found.models.push_back(fitModel({points.begin(), points.end()}, state.settings[setting], pixels, fixed, pace));
         SettingModel& model = found.models.back();
         const VarianceScale scale = varianceScale(state, known, run ? model : found.models.front());
         model.variance1 *= scale.factor;
         /* Bias does not depend on the size */
-        const double noise = model.variance1 * std::pow(model.lastSamples, model.slope.value), whole = noise + model.biasSquare;
+        const double noise = model.variance(model.lastSamples), whole = noise + model.biasSquare;
         model.uncertainty = std::hypot(model.uncertainty, whole > 0 ? 1.96 * scale.deviation / 2 * noise / whole : 0);
     }
     found.significant = significantChance(found.models.size());

@@ -12,11 +12,10 @@ constexpr double steepest = -2, flattest = -0.5;         // slopes that a fit ma
 constexpr double usualSlope = -1.05, slopeSpread = 0.2;  // before anything is measured
 constexpr double mostSamples = 1 << 24;
 
+/// The last of three significant bits of a number of samples.
+double unitOf(double samples) { return std::exp2(std::max(std::floor(std::log2(std::max(samples, 1.))) - 2, 0.)); }
 /// A number of samples with three significant bits, so that sequences are sampled evenly, at most `samples`.
-double roundSamples(double samples) {
-    const double unit = std::exp2(std::max(std::floor(std::log2(std::max(samples, 1.))) - 2, 0.));
-    return std::max(1., std::floor(samples / unit) * unit);
-}
+double roundSamples(double samples) { return std::max(1., std::floor(samples / unitOf(samples)) * unitOf(samples)); }
 
 /// A line through (log n, log variance), with prior knowledge of its slope (Bayesian linear regression with a normal prior).
 struct Line {
@@ -56,7 +55,18 @@ Line fitLine(const std::vector<MeasuredPoint>& points) {
 
 double MeasuredPoint::relativeError() const { return std::sqrt(std::max(error.square.value, 0.)); }
 
-double SettingModel::error(double samples) const { return std::sqrt(biasSquare + variance1 * std::pow(samples, slope.value)); }
+double SettingModel::variance(double samples) const {
+    if (!isUniform || slope.value >= -1 || samples < 1) return variance1 * std::pow(samples, slope.value);
+    /* The mean of independent sets, each of as many samples as its digit says */
+    double sum = 0;
+    for (double left = std::round(samples), set; left > 0; left -= set) {
+        set = std::exp2(std::floor(std::log2(left)));
+        sum += set * set * std::pow(set, slope.value);
+    }
+    return variance1 * sum / (samples * samples);
+}
+
+double SettingModel::error(double samples) const { return std::sqrt(biasSquare + variance(samples)); }
 
 double SettingModel::uncertaintyAt(double samples) const {
     const double steps = std::abs(std::log(samples / lastSamples)), square = error(samples) * error(samples);
@@ -67,9 +77,11 @@ double SettingModel::uncertaintyAt(double samples) const {
 std::optional<double> SettingModel::samplesForError(double error) const {
     const double left = error * error - biasSquare;
     if (left <= 0) return std::nullopt;
-    const double samples = variance1 > 0 ? std::pow(left / variance1, 1 / slope.value) : 1;
+    double samples = std::max(1., std::ceil(variance1 > 0 ? std::pow(left / variance1, 1 / slope.value) : 1));
+    /* The next number of three significant bits that is enough */
+    while (isUniform && samples <= mostSamples && variance(samples) > left * (1 + 1e-9)) samples = roundSamples(samples) + unitOf(samples);
     if (samples > mostSamples) return std::nullopt;
-    return std::max(1., std::ceil(samples));
+    return samples;
 }
 
 std::optional<double> SettingModel::samplesInTime(double seconds) const {
@@ -78,13 +90,14 @@ std::optional<double> SettingModel::samplesInTime(double seconds) const {
     return std::min(samples, mostSamples);
 }
 
-SettingModel fitModel(const std::vector<MeasuredPoint>& points, bool isBiased, double pixels, double fixedSeconds, double pace) {
+SettingModel fitModel(const std::vector<MeasuredPoint>& points, const Setting& setting, double pixels, double fixedSeconds, double pace) {
     SettingModel m;
     const MeasuredPoint& last = points.back();
     m.setting = last.setting;
-    m.isExact = !isBiased;
+    m.isExact = !setting.isBiased;
+    m.isUniform = setting.ladder == Ladder::samples;
     /* The bias of the point with the least noise, but not less than that noise */
-    if (const Interval& b = last.error.biasSquare; isBiased) m.biasSquare = std::max({b.value, (b.high - b.value) / 2, 0.});
+    if (const Interval& b = last.error.biasSquare; setting.isBiased) m.biasSquare = std::max({b.value, (b.high - b.value) / 2, 0.});
     const Line line = fitLine(points);
     m.slope = line.slope;
     m.variance1 = std::exp(line.intercept);

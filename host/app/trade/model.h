@@ -28,8 +28,9 @@ struct MeasuredPoint {
     double relativeError() const;  ///< the root of relMSE, at least 0
 };
 
-/// The error and time of one setting as functions of its samples per pixel n: relMSE = biasSquare + variance1 * n^slope,
-/// seconds = fixed + secondsPerSample * n.
+/// The error and time of one setting as functions of its samples per pixel n: relMSE = biasSquare + variance(n),
+/// seconds = fixed + secondsPerSample * n. The variance is variance1 * n^slope where n is a power of two. Other numbers are worse, since
+/// n points of a (0,2)-sequence are one well-spread set for each binary digit of n.
 struct SettingModel {
     size_t setting = 0;
     double biasSquare = 0, variance1 = 0;
@@ -40,7 +41,9 @@ struct SettingModel {
     double uncertainty = 0;                         ///< relative half width of the 95 % interval of the error at the last rung
     bool isReliable = true;                         ///< false: few bright samples hold much of the variance, so it may be far too low
     bool isExact = true;                            ///< false: the setting converges to another image
+    bool isUniform = true;                          ///< false: adaptive, n is a mean over the pixels, and the variance variance1 * n^slope
 
+    double variance(double samples) const;
     double error(double samples) const;  ///< a root of relMSE
     /// The relative half width of the 95 % interval of that: of what was measured, and of the slope over what is extrapolated.
     double uncertaintyAt(double samples) const;
@@ -52,7 +55,7 @@ struct SettingModel {
 
 /// `points`: of one setting, by ascending samples, at least one. `pixels`: of the user's image. `fixedSeconds`: of the whole command
 /// without rendering. `pace`: seconds of rendering a path of the user's image over those of the measured one.
-SettingModel fitModel(const std::vector<MeasuredPoint>& points, bool isBiased, double pixels, double fixedSeconds, double pace);
+SettingModel fitModel(const std::vector<MeasuredPoint>& points, const Setting& setting, double pixels, double fixedSeconds, double pace);
 
 /// The setting that is predicted to satisfy a wish best: least error in the time, or least time for the error.
 struct Recommendation {
