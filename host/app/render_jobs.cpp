@@ -99,8 +99,10 @@ void checkNames(const std::vector<RenderJob>& jobs) {
     for (const RenderJob& job : jobs)
         for (const std::string& file : job.files)
             if (const auto [before, isNew] = owners.emplace(file, &job); !isNew)
-                throw UsageError(fmt::format("{} would be the image of both {} and {}; render them in two calls, into two folders", file,
-                                             name(*before->second), name(job)));
+                throw UsageError(before->second == &job ? fmt::format("{} is named twice; one -o is enough for a file", file)
+                                                        : fmt::format("{} would be the image of both {} and {}; render them in two calls, "
+                                                                      "into two folders",
+                                                                      file, name(*before->second), name(job)));
 }
 
 }  // namespace

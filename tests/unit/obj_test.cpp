@@ -136,9 +136,9 @@ TEST_F(ObjTest, saysWhereAFileIsWrong) {
     EXPECT_EQ(errorIn(square + "f 0 1 2\n"), "model.obj:5:3: \"0\" is not a corner of a face: position/texture/normal, numbered from 1");
     EXPECT_EQ(errorIn(square + "f 1/2/3/4 1 2\n"), "model.obj:5:3: \"1/2/3/4\" has more than three parts");
     EXPECT_EQ(errorIn(square + "f -5 -3 -2\n"), "model.obj:5:3: \"-5\" counts back beyond the first of 4");
-    EXPECT_EQ(errorIn(square + "f 1 2 5\n"), "model.obj:5: a face has position 5, but there are 4");
-    EXPECT_EQ(errorIn(square + "f 1/1 2/1 3/1\n"), "model.obj:5: a face has texture coordinate 1, but there are 0");
-    EXPECT_EQ(errorIn(square + "f 1//1 2//1 3//1\n"), "model.obj:5: a face has normal 1, but there are 0");
+    EXPECT_EQ(errorIn(square + "f 1 2 5\n"), "model.obj:5:7: a face has position 5, but there are 4");
+    EXPECT_EQ(errorIn(square + "f 1/1 2/1 3/1\n"), "model.obj:5:3: a face has texture coordinate 1, but there are 0");
+    EXPECT_EQ(errorIn(square + "f 1//1 2//1 3//1\n"), "model.obj:5:3: a face has normal 1, but there are 0");
     EXPECT_EQ(errorIn(square + "f 1 \\\n2 \\\nx\n"),
               "model.obj:5:9: \"x\" is not a corner of a face: position/texture/normal, numbered from 1");
     EXPECT_THAT(errorIn(square + "f 1 2\n"), HasSubstr("a face needs three corners"));

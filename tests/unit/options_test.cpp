@@ -181,6 +181,7 @@ TEST(Options, SeveralScenesShareAFolderAndNoFile) {
     EXPECT_THAT(jobsOf("a.pbrt b.pbrt -o - --format exr"), ElementsAre(HasSubstr("-o FOLDER/")));
     EXPECT_THAT(jobsOf("a.pbrt b.pbrt -o out/ --checkpoint c.film"), ElementsAre(HasSubstr("a call of its own")));
     EXPECT_THAT(jobsOf("a.pbrt x/a.pbrt -o out/"), ElementsAre(HasSubstr("out/a.exr would be the image of both a.pbrt and x/a.pbrt")));
+    EXPECT_THAT(jobsOf("a.pbrt -o b.exr -o b.exr"), ElementsAre(HasSubstr("b.exr is named twice")));
     EXPECT_THAT(jobsOf("a.pbrt b.pbrt --deadline 9s -o out/"), ElementsAre(HasSubstr("--time-limit counts for each")));
     EXPECT_THAT(jobsOf("- -"), ElementsAre(HasSubstr("name it once")));
 }

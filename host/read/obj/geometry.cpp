@@ -117,18 +117,18 @@ private:
     }
 
     /// Positive numbers may refer to later lines, so they are checked at the end.
-    void checkIndices() const {
-        const auto check = [&](const ObjFace& face, int index, std::size_t count, const char* what) {
-            if (index >= static_cast<int>(count))
-                throw SceneError({lines_.where().file, face.line, 0},
-                                 fmt::format("a face has {} {}, but there are {}", what, index + 1, count));
-        };
+    void checkIndices() {
         for (const ObjFace& face : geometry_.faces)
             for (std::uint32_t i = 0; i < face.cornerCount; ++i) {
+                const auto check = [&](int index, std::size_t count, const char* what) {
+                    if (index >= static_cast<int>(count))
+                        throw SceneError(lines_.whereBefore(face.line, i + 1),
+                                         fmt::format("a face has {} {}, but there are {}", what, index + 1, count));
+                };
                 const ObjCorner& corner = geometry_.cornersOf(face)[i];
-                check(face, corner.position, geometry_.positions.size(), "position");
-                check(face, corner.uv, geometry_.uvs.size(), "texture coordinate");
-                check(face, corner.normal, geometry_.normals.size(), "normal");
+                check(corner.position, geometry_.positions.size(), "position");
+                check(corner.uv, geometry_.uvs.size(), "texture coordinate");
+                check(corner.normal, geometry_.normals.size(), "normal");
             }
     }
 

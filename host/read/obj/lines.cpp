@@ -30,6 +30,13 @@ ObjLines::ObjLines(std::string_view text, std::shared_ptr<const std::string> fil
                          "a byte is zero: this is not a text file");
 }
 
+SourceLocation ObjLines::whereBefore(int line, std::size_t i) {
+    at_ = 0;
+    line_ = linesTaken_ = 0;
+    while (line_ != line && next()) {}
+    return where(i);
+}
+
 bool ObjLines::next() {
     const auto takeLine = [&] {
         const std::size_t end = std::min(text_.find_first_of("\n\r", at_), text_.size());

@@ -26,6 +26,8 @@ public:
     SourceLocation where() const { return {file_, line_, 0}; }
     /// The place of word i. In joined lines, columns count from the beginning of the first line.
     SourceLocation where(std::size_t i) const;
+    /// The place of word i of a line that next() has gone to before. Goes there.
+    SourceLocation whereBefore(int line, std::size_t i);
     int line() const { return line_; }
 
     /// Word i as a number. Throws SceneError if it is not a finite number.
