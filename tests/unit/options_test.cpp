@@ -218,7 +218,7 @@ TEST(Options, FramesHaveScenesAndFilesOfTheirOwn) {
     EXPECT_THAT(jobsOf("a.#.pbrt b.#.pbrt --frames 1-2 -o c.#.exr"), ElementsAre(HasSubstr("-o FOLDER/")));
     EXPECT_THAT(jobsOf("a.#.pbrt x/a.#.pbrt --frames 1 -o c/"), ElementsAre(HasSubstr("c/a.1.exr would be the image of both")));
     EXPECT_THAT(jobsOf("a.#.pbrt --frames 1-2 -o c.#.exr -o c.##.exr -o c.#.exr"),
-                ElementsAre(HasSubstr("c.1.exr would be the image of both")));
+                ElementsAre(HasSubstr("c.1.exr is named twice")));
     EXPECT_THAT(jobsOf("a.pbrt --fps 24 --frames 1-2"), ElementsAre(HasSubstr("need files of their own")));
     EXPECT_THAT(jobsOf("a.pbrt --frames 1 -o b.exr"), ElementsAre(HasSubstr("like scene.####.pbrt; or, if the scene moves")));
     EXPECT_THAT(jobsOf("a.#.pbrt --frames 1 --fps 24 -o b.exr"), ElementsAre(HasSubstr("give one of both")));
