@@ -20,7 +20,7 @@ static std::string locate(const SourceLocation& where, const std::string& messag
 }
 
 SceneError::SceneError(const SourceLocation& where, const std::string& message)
-    : Error(ExitCode::scene, locate(where, message)) {}
+    : Error(ExitCode::scene, locate(where, message)), hasPlace(where.file != nullptr) {}
 
 int editDistance(const std::string& a, const std::string& b) {
     std::vector<int> row(b.size() + 1);

@@ -34,6 +34,7 @@ private:
 /// An error in a scene or a file: "scene.pbrt:3:14: message".
 struct SceneError : Error {
     SceneError(const SourceLocation& where, const std::string& message);
+    bool hasPlace;   ///< the message begins with a file
 };
 
 /// An error in the command line; the message ends with how to get help.

@@ -172,6 +172,7 @@ void setMessages(const MessageOptions& options, const std::string& title) { mess
 ProgressForm progressForm() { return messages().form(); }
 bool showsProgress(LogLevel log) { return log >= LogLevel::warning || messages().isFormGiven(); }
 void tell(LogLevel level, std::string_view text, LogLevel shown) { messages().tell(level, text, level <= shown); }
+void tellResult(std::string_view text, LogLevel shown) { messages().tell(LogLevel::info, text, shown >= LogLevel::warning); }
 void printProgress(const std::string& line) { messages().printProgress(line); }
 void logProgress(const std::string& text) { messages().logProgress(text); }
 void drawStatus(const std::string& text) { messages().drawStatus(text); }

@@ -34,6 +34,8 @@ bool showsProgress(LogLevel log);
 /// Tells one or more lines, whose control characters are escaped, on standard error if messages up to `shown` are. The log gets what is
 /// shown, and all up to LogLevel::info.
 void tell(LogLevel level, std::string_view text, LogLevel shown = LogLevel::debug);
+/// Tells what a command has done: shown where warnings are, but as LogLevel::info.
+void tellResult(std::string_view text, LogLevel shown);
 /// Prints a line of progress as it is.
 void printProgress(const std::string& line);
 /// Adds a line of progress to the log.

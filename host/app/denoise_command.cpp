@@ -31,7 +31,7 @@ int denoiseCommand(const Options& o) {
     warnOfClamping(file.image, o.output.encoding, {}, diagnostics);
     file.metadata.biasedChoices = withChoice(file.metadata.biasedChoices, denoisingChoice);
     for (const std::string& name : files) writeImage(name, file.image, file.metadata, o.output.encoding);
-    tell(LogLevel::warning, fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()), o.log);
+    tellResult(fmt::format("wrote {} in {:.1f} s", fmt::join(files, " and "), secondsSinceStart()), o.log);
     return static_cast<int>(ExitCode::success);
 }
 

@@ -41,7 +41,7 @@ bool hasWholeImages(const Options& options) {
     for (const std::string& file : files) {
         const std::string why = whyNotWhole(file, options);
         if (why.empty()) continue;
-        tell(LogLevel::warning, fmt::format("{} is rendered again: {}", file, why), options.log);
+        tellResult(fmt::format("{} is rendered again: {}", file, why), options.log);
         isWhole = false;
     }
     return isWhole;

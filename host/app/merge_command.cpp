@@ -16,6 +16,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <filesystem>
 
 namespace eikonal {
 namespace {
@@ -80,6 +81,15 @@ void checkMemory(const PackedScene& scene, const QueueLayout& layout, const std:
                             name, pixels.width(), pixels.height(), readableBytes(needed), readableBytes(available)));
 }
 
+/// The result would take the place of a part, which no other merge could use any more.
+void checkIsNoPart(const std::string& result, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts) {
+        std::error_code absent;
+        if (std::filesystem::equivalent(result, part, absent))
+            throw UsageError(fmt::format("-o {} is one of the parts; name another file", result));
+    }
+}
+
 /// Whether pixels have all of their first `wanted` samples, and none is missing before a later one.
 bool hasAll(const FilmRun& run, unsigned wanted) {
     unsigned next = 0;
@@ -96,6 +106,8 @@ int mergeCommand(const Options& o) {
     Diagnostics diagnostics(o.log);
     const std::vector<std::string> images = imageFiles(o.output.files, o.output.encoding);
     if (o.output.hasImage) checkEncoding(images, o.output.encoding);
+    for (const std::string& file : images) checkIsNoPart(file, o.parts);
+    if (!o.output.checkpoint.empty()) checkIsNoPart(o.output.checkpoint, o.parts);
     for (const std::string& file : images) checkWritable(file, 0, o.output.encoding);
     if (!o.output.checkpoint.empty()) checkFileWritable(o.output.checkpoint, 0);
     openManyFiles();
@@ -139,7 +151,14 @@ int mergeCommand(const Options& o) {
             sums.joinAll(run.nodes, rows, {total, plane}, count);
         });
     if (film) film->commit();
-    if (!o.output.hasImage) return static_cast<int>(ExitCode::success);
+    std::vector<std::string> written = images;
+    if (film) written.push_back(o.output.checkpoint);
+    const std::string result =
+        fmt::format("merged {} part{} into {}", o.parts.size(), o.parts.size() == 1 ? "" : "s", fmt::join(written, " and "));
+    if (!o.output.hasImage) {
+        tellResult(result, o.log);
+        return static_cast<int>(ExitCode::success);
+    }
 
     const FilmTotals totals(scene.packed, layout, words, splats.get());
     StoredMetadata stored = storedMetadata(head.metadata, name);
@@ -149,13 +168,12 @@ int mergeCommand(const Options& o) {
     if (wholePixels != plane) metadata.partial = fmt::format("{} of {} pixels have all samples", wholePixels, plane);
     metadata.renderSeconds = merged.seconds;
     metadata.commandLine = o.commandLine;
-    tell(LogLevel::warning, describe(error, stored.metric), o.log);
+    tellResult(describe(error, stored.metric), o.log);
     const FilmImage image = developImage(totals, scene.packed, scene.film, stored.aovs, o.output.encoding);
     tellFireflies(metadata, image, o.log);
     warnOfClamping(image, o.output.encoding, {}, diagnostics);
     for (const std::string& file : images) writeImage(file, image, metadata, o.output.encoding);
-    tell(LogLevel::warning,
-         fmt::format("merged {} part{} into {}", o.parts.size(), o.parts.size() == 1 ? "" : "s", fmt::join(images, " and ")), o.log);
+    tellResult(result, o.log);
     return static_cast<int>(wholePixels == plane ? ExitCode::success : ExitCode::partialImage);
 }
 

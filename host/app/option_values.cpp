@@ -33,7 +33,8 @@ template <class Number, size_t N> static std::optional<std::array<Number, N>> nu
 int parseInteger(const std::string& option, const std::string& text, int low, int high) {
     const auto value = numberIn<int>(text);
     if (value && *value >= low && *value <= high) return *value;
-    const bool unlimited = high == std::numeric_limits<int>::max();
+    const bool isTooLarge = !value && numberIn<double>(text).value_or(0) > high;
+    const bool unlimited = high == std::numeric_limits<int>::max() && !isTooLarge;
     if (unlimited && low == std::numeric_limits<int>::min()) refuse(option, "a whole number", text);
     refuse(option, unlimited ? fmt::format("a whole number of at least {}", low) : fmt::format("a whole number from {} to {}", low, high),
            text);

@@ -26,8 +26,7 @@ static int worse(int first, int second) {
 static int renderJob(const Options& o, OpenDevices& devices, WrittenImages& written) {
     if (!o.output.skipExisting || !hasWholeImages(o)) return renderScene(o, devices, written);
     const std::vector<std::string> files = imageFiles(o.output.files, o.output.encoding);
-    tell(LogLevel::warning, fmt::format("skipped {}: {} there", jobName(o.scene), files.size() == 1 ? "the image is" : "the images are"),
-         o.log);
+    tellResult(fmt::format("skipped {}: {} there", jobName(o.scene), files.size() == 1 ? "the image is" : "the images are"), o.log);
     if (o.json) std::fputs(describeSkipped(o, files).c_str(), stdout);
     return static_cast<int>(ExitCode::success);
 }

@@ -98,7 +98,7 @@ void checkNames(const std::vector<RenderJob>& jobs) {
     const auto name = [&](const RenderJob& job) { return job.frame ? fmt::format("frame {} of {}", *job.frame, job.named) : job.scene; };
     for (const RenderJob& job : jobs)
         for (const std::string& file : job.files)
-            if (const auto [before, isNew] = owners.emplace(file, &job); !isNew)
+            if (const auto [before, isNew] = owners.emplace(fs::path(file).lexically_normal().string(), &job); !isNew)
                 throw UsageError(before->second == &job ? fmt::format("{} is named twice; one -o is enough for a file", file)
                                                         : fmt::format("{} would be the image of both {} and {}; render them in two calls, "
                                                                       "into two folders",

@@ -46,9 +46,8 @@ void describeFilm(Metadata& metadata, const FilmTotals::Samples& samples, const 
 void tellFireflies(Metadata& metadata, const FilmImage& image, LogLevel log) {
     if (image.fireflies.empty()) return;
     metadata.firefliesShare = firefliesShare(image.fireflies, image.color);
-    tell(LogLevel::warning,
-         fmt::format("fireflies: {:.2g} % of the light was taken from the image, into the layer fireflies", 100 * *metadata.firefliesShare),
-         log);
+    const double percent = 100 * *metadata.firefliesShare;
+    tellResult(fmt::format("fireflies: {:.2g} % of the light was taken from the image, into the layer fireflies", percent), log);
 }
 
 FilmImage developImage(const FilmTotals& totals, const PackedScene& scene, const FilmDescription& film, const Aovs& aovs,

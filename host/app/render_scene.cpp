@@ -33,7 +33,7 @@ namespace eikonal {
 namespace {
 
 /// Prints a line for the user, unless --quiet.
-void say(const Options& o, const std::string& line) { tell(LogLevel::warning, line, o.log); }
+void say(const Options& o, const std::string& line) { tellResult(line, o.log); }
 
 /// Renders until each pixel has the samples `samples`, the error is small enough, the time is over, or a signal arrives.
 RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRange samples, Deadline& deadline, Checkpoints& checkpoints,
@@ -87,8 +87,10 @@ void reportShortfall(const Options& o, const std::string& partial, const FilmTot
                      unsigned wanted, Diagnostics& diagnostics) {
     if (!partial.empty()) say(o, partial);
     else if (result.error && *result.error > *o.output.targetError)
-        say(o, fmt::format("the error is more than {:g} %: a pixel gets at most {} samples; increase --spp", 100 * *o.output.targetError,
-                           wanted));
+        tell(LogLevel::warning,
+             fmt::format("the error is more than {:g} %: a pixel gets at most {} samples; increase --spp", 100 * *o.output.targetError,
+                         wanted),
+             o.log);
     if (invalid.count)
         diagnostics.warn(
             {}, fmt::format("{} sample{} not finite or brighter than {:.0e}, and count{} as black; the first is in pixel ({}, {})",

@@ -60,7 +60,7 @@ FarmJob jobOfFrames(const Options& o, Diagnostics& diagnostics) {
     all.scenes = {o.scene.path};
     std::vector<RenderJob> frames = renderJobs(all);
     if (const std::vector<std::string> missing = takeMissing(frames); !missing.empty())
-        throw Error(ExitCode::scene, "error: " + missing.front());
+        throw Error(ExitCode::scene, missing.front());
     const Options first = optionsOf(all, frames, 0);
     for (const std::string& file : first.output.files) checkWritable(file, 0, o.output.encoding);
     FarmJob job = jobOf(o, loadScene(first.scene, diagnostics).name);

@@ -16,9 +16,10 @@ int tellError(const std::string& scene) {
     try {
         throw;
     } catch (const Error& error) {
-        /* Those of a scene or a file begin with its name, if they are not of an image that cannot be read or written */
+        /* Those of a scene or a file begin with its name */
         const std::string what = error.what();
-        const bool beginsWithPlace = error.code() == ExitCode::scene && !what.starts_with("cannot ");
+        const auto* ofScene = dynamic_cast<const SceneError*>(&error);
+        const bool beginsWithPlace = error.code() == ExitCode::scene && ((ofScene && ofScene->hasPlace) || what.find(": ") < what.find(' '));
         return fail(error.code(), (beginsWithPlace ? "" : "error: ") + what, scene);
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::scene,

@@ -57,6 +57,12 @@ constexpr double shareOfSquares = 0.4;
 /// Relative standard deviation of an error estimate from many pixels, whose model of the decay is not exact.
 constexpr double modelDeviation = 0.085;
 
+/// Whether squares of differences between luminances of about this mean fit single precision (film/quarters.clh), down to a thousandth of
+/// it. relMSE has a floor, below which small ones do not count.
+static bool hasSquares(double mean, ErrorMetric metric) {
+    return std::abs(mean) < 1e16 && (std::abs(mean) > 1e-16 || metric == ErrorMetric::relmseRoot);
+}
+
 ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, ErrorMetric metric) {
     ErrorEstimate e;
     if (sums.pixels == 0) return e;
@@ -74,6 +80,7 @@ ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, E
     e.high = e.error * factor;
     if (sums.fewest < 4) e.doubt = fmt::format("a pixel has only {} sample{}", sums.fewest, sums.fewest == 1 ? "" : "s");
     else if (sums.brightness == 0) e.doubt = "no sample has found light";
+    else if (!hasSquares(mean, metric)) e.doubt = "luminances are too large or too small for their squares in single precision";
     else if (ofPixels > mostVariance && sums.pixels > leastPixels) e.doubt = "very few pixels hold most of it";
     else if (variance > mostVariance) e.doubt = "single bright samples may hold most of it";
     return e;

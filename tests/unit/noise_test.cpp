@@ -78,6 +78,12 @@ TEST(EstimateError, IsInDoubtWhereFewPixelsHoldItOrNothingIsKnown) {
     sums.squares = std::pow(sums.half + sums.quarter, 2) / 2;   // as if two pixels held it
     EXPECT_EQ(estimateError(sums, {}, ErrorMetric::relmseRoot).doubt, "very few pixels hold most of it");
     EXPECT_EQ(estimateError({1000, 0, 0, 0, 0, 0, 0, 64}, {}, ErrorMetric::relmseRoot).doubt, "no sample has found light");
+    const auto doubtAt = [](double mean, ErrorMetric metric) {
+        return estimateError({1000, 1000 * mean, 0, 0, 0, 0, 0, 64}, {}, metric).doubt;
+    };
+    for (double mean : {1e-20, 1e20}) EXPECT_NE(doubtAt(mean, ErrorMetric::nrmse).find("single precision"), std::string::npos) << mean;
+    for (double mean : {1e-10, 1e10}) EXPECT_EQ(doubtAt(mean, ErrorMetric::nrmse), "") << mean;
+    EXPECT_EQ(doubtAt(1e-20, ErrorMetric::relmseRoot), "") << "far below the floor of this metric";
     NoiseSums bright = sumsOf([](double n) { return 1 / n; }, 64);
     bright.suspicion = std::pow(bright.pixels / 64, 2) / 4;   // as large as half of the sum of squared errors
     EXPECT_EQ(estimateError(bright, {}, ErrorMetric::relmseRoot).doubt, "single bright samples may hold most of it");

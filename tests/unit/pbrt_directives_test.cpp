@@ -156,6 +156,7 @@ TEST_F(PbrtDirectives, compressedFilesAreReadAsTheyAre) {
 
 TEST_F(PbrtDirectives, settingsComeBeforeTheWorld) {
     EXPECT_THAT(errorOfWorld("Camera \"perspective\""), HasSubstr("test.pbrt:2:1: Camera is only allowed before WorldBegin"));
+    EXPECT_THAT(errorOfWorld("WorldBegin"), HasSubstr("test.pbrt:2:1: a second WorldBegin"));
     EXPECT_THAT(errorOf("Shape \"sphere\""), HasSubstr("test.pbrt:1:1: Shape is only allowed after WorldBegin"));
     EXPECT_THAT(errorOf("# nothing\n"), HasSubstr("the file ends before WorldBegin"));
     expectNear(apply(read("Translate 1 1 1 WorldBegin Shape \"sphere\"").shapes[0].worldFromObject, {0, 0, 0}), {0, 0, 0});

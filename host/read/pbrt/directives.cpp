@@ -133,8 +133,7 @@ const Directive directives[] = {
      [](Parser& p, Builder& b, Where where) {
          const auto [start, end] = p.numbers<2>();
          if (!(start < end))
-             throw SceneError(
-                 where, "TransformTimes are a start and an end after it, not " + std::to_string(start) + " and " + std::to_string(end));
+             throw SceneError(where, fmt::format("TransformTimes are a start and an end after it, not {:g} and {:g}", start, end));
          b.reading.scene.motionStart = start;
          b.reading.scene.motionEnd = end;
      }},
@@ -150,7 +149,11 @@ const Directive directives[] = {
     {"Option", Place::anywhere, option},
 
     // Blocks.
-    {"WorldBegin", Place::options, [](Parser&, Builder& b, Where) { b.beginWorld(); }},
+    {"WorldBegin", Place::anywhere,
+     [](Parser&, Builder& b, Where where) {
+         if (b.inWorld) throw SceneError(where, "a second WorldBegin; a scene has one");
+         b.beginWorld();
+     }},
     {"AttributeBegin", Place::world, [](Parser&, Builder& b, Where where) { b.beginAttributes(where); }},
     {"AttributeEnd", Place::world, [](Parser&, Builder& b, Where where) { note(b, [&] { b.endAttributes(where); }); }},
     {"TransformBegin", Place::world, transformBegin},
