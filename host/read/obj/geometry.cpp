@@ -4,8 +4,8 @@
 #include "read/obj/geometry.h"
 
 #include "printable.h"
+#include "read/mesh/polygon.h"
 #include "read/obj/lines.h"
-#include "read/obj/polygon.h"
 
 #include <fmt/format.h>
 
