@@ -261,14 +261,70 @@ TEST_F(ObjMaterials, warnOfNumbersThatMeanNothing) {
     EXPECT_THAT(warnings_, IsEmpty());
 }
 
+TEST_F(ObjMaterials, warnOfExtraWords) {
+    const Scene scene = loadMaterial("Kd .5 .4 .3 .2 .1\nKs 0 0 0 # black\nd -halo 1 1\nillum 2 x\nKe 0\n");
+    EXPECT_EQ(color(materialOf(scene), "reflectance"), glm::dvec3(.5, .4, .3));
+    EXPECT_THAT(warnings_,
+                testing::UnorderedElementsAre(
+                    HasSubstr("model.mtl:2:13: warning: \"Kd\" takes three numbers: \".2\" after them does not count"),
+                    HasSubstr("model.mtl:4:11: warning: \"d\" takes one number: \"1\" after it does not count"),
+                    HasSubstr("model.mtl:5:9: warning: \"illum\" takes one number: \"x\" after it does not count")));
+    EXPECT_THAT(strictErrorIn("mtllib model.mtl\n" + square + "usemtl m\nf 1 2 3\n"), HasSubstr("--strict"));
+    loadMaterial("Kd .5 .4 .3 # a comment\nKe 0\nNs 10 # another\nd -halo 1\nTf 1 1 1\nillum 1\n");
+    EXPECT_THAT(warnings_, IsEmpty());
+}
+
+// Of two materials with one name the first counts, in one library or two. A library that is named twice is read once.
+TEST_F(ObjMaterials, warnOfASecondOneWithTheirName) {
+    write("a.mtl", "newmtl x\nKd 1 0 0\nnewmtl x\nKd 0 1 0\n");
+    write("b.mtl", "newmtl y\nKd 1 1 0\n");
+    write("c.mtl", "# another\nnewmtl y\nKd 0 0 1\n");
+    const std::string faces = square + "usemtl x\nf 1 2 3\n";
+    const Scene scene = load("mtllib a.mtl a.mtl\n" + faces);
+    EXPECT_EQ(color(materialOf(scene), "reflectance"), glm::dvec3(1, 0, 0));
+    const std::string message = "material \"x\" is there already, at " + path("a.mtl") + ":1; that one counts, and this one is skipped";
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.mtl:3: warning: " + message)));
+    EXPECT_THAT(strictErrorIn("mtllib a.mtl\n" + faces), HasSubstr("a.mtl:3: material \"x\" is there already"));
+    load("mtllib b.mtl c.mtl\n" + square + "usemtl y\nf 1 2 3\n");
+    EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("c.mtl:2: warning: material \"y\""), HasSubstr("b.mtl:1; that one counts"))));
+}
+
+TEST_F(ObjMaterials, warnOfStatementsWithoutAMaterial) {
+    const std::string faces = square + "usemtl m\nf 1 2 3\n";
+    write("model.mtl", "# a library\n Kd 1 0 0\nKs 1 1 1\nnewmtl m\nKd 0 1 0\nnewmtl # m\nKd 0 0 1\n");
+    const Scene scene = load("mtllib model.mtl\n" + faces);
+    EXPECT_EQ(color(materialOf(scene), "reflectance"), glm::dvec3(0, 1, 0));
+    EXPECT_THAT(warnings_,
+                testing::UnorderedElementsAre(
+                    HasSubstr("model.mtl:2:2: warning: \"Kd\" belongs to no material and is skipped; it must follow a \"newmtl\""),
+                    HasSubstr("model.mtl:6:1: warning: \"newmtl\" needs the name of a material; this one is skipped")));
+    EXPECT_THAT(strictErrorIn("mtllib model.mtl\n" + faces), HasSubstr("model.mtl:6:1: \"newmtl\" needs the name"));
+
+    // Faces before any "usemtl" do not have the material without a name.
+    load("mtllib model.mtl\n" + square + "f 1 2 3\n");
+    EXPECT_THAT(warnings_, Contains(HasSubstr("faces have no material")));
+}
+
+TEST_F(ObjMaterials, warnOfALibraryWithoutAny) {
+    write("part.obj", square + "f 1 2 3\n");
+    const std::string content = "mtllib part.obj\n" + square + "usemtl m\nf 1 2 3\n";
+    load(content);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:1: warning: the material library \"" + path("part.obj") +
+                                                 "\" has no material (\"newmtl NAME\")"),
+                                       HasSubstr("there is no material \"m\"")));
+    EXPECT_THAT(strictErrorIn(content), HasSubstr("has no material (\"newmtl NAME\") (an error because of --strict)"));
+}
+
 TEST_F(ObjMaterials, saysWhereTheyAreWrong) {
     const auto errorIn = [&](const std::string& statements) { return errorOf([&] { loadMaterial(statements); }); };
-    EXPECT_EQ(errorIn("Kd 1 0\n"), "model.mtl:2: \"kd\" needs three numbers, and has 2");
+    EXPECT_EQ(errorIn("Kd 1 0\n"), "model.mtl:2: \"Kd\" needs three numbers, and has 2");
     EXPECT_EQ(errorIn("Kd red\n"), "model.mtl:2:4: \"red\" is not a finite number");
     EXPECT_EQ(errorIn("Kd nan 0 0\n"), "model.mtl:2:4: \"nan\" is not a finite number");
+    EXPECT_EQ(errorIn("kd 1e50 0 0\n"), "model.mtl:2:4: \"1e50\" is too large: single precision ends at about 3.4e38");
+    EXPECT_EQ(errorIn("KD xyz 1 1 1 1\n"), "model.mtl:2: \"KD\" as \"xyz\" cannot be read; give red, green and blue");
     EXPECT_EQ(errorIn("Ns\n"), "no error");  // Ns counts only where there is a highlight
-    EXPECT_EQ(errorIn("Kd .5 .5 .5\nKs 1 1 1\nNs\n"), "model.mtl:4: \"ns\" needs a number");
-    EXPECT_EQ(errorIn("map_Kd -s 2 2 2\n"), "model.mtl:2: \"map_kd\" names no image");
+    EXPECT_EQ(errorIn("Kd .5 .5 .5\nKs 1 1 1\nNs\n"), "model.mtl:4: \"Ns\" needs a number");
+    EXPECT_EQ(errorIn("map_Kd -s 2 2 2\n"), "model.mtl:2: \"map_Kd\" names no image");
     writeImage("wood.ppm");
     EXPECT_EQ(errorIn("map_Kd wod.ppm\nmap_Ks stone.png\nKs 1 1 1\n"),
               "model.mtl:2: there is no image \"wod.ppm\"; did you mean \"wood.ppm\"?\nmodel.mtl:3: there is no image \"stone.png\"");

@@ -123,14 +123,27 @@ TEST_F(ObjTest, warnsOnceOfWhatItDoesNotRender) {
                             HasSubstr("model.obj:8: warning: \"hello\" is not a statement")));
 }
 
+TEST_F(ObjTest, warnsOfNamesThatAreNotThere) {
+    const std::string content = square + "mtllib # none\n  usemtl\nf 1 2 3\n";
+    load(content);
+    EXPECT_THAT(geometryWarnings(),
+                ElementsAre(HasSubstr("model.obj:5:1: warning: \"mtllib\" needs the name of a material library; it is skipped"),
+                            HasSubstr("model.obj:6:3: warning: \"usemtl\" needs the name of a material; the faces after it have none")));
+    EXPECT_THAT(strictErrorIn(content), HasSubstr("model.obj:5:1: \"mtllib\" needs the name"));
+    EXPECT_THAT(strictErrorIn(square + "usemtl\nf 1 2 3\n"), HasSubstr("model.obj:5:1: \"usemtl\" needs the name"));
+}
+
 // ---- files that are wrong ---------------------------------------------------------------------------------------------------
 
 TEST_F(ObjTest, saysWhereAFileIsWrong) {
     EXPECT_EQ(errorIn(""), "model.obj: there are no faces (\"f\") in this file");
     EXPECT_EQ(errorIn("v 1 2 abc\n"), "model.obj:1:7: \"abc\" is not a finite number");
-    for (const char* word : {"nan", "inf", "-infinity", "1e300"})
+    for (const char* word : {"nan", "inf", "-infinity", "1e", "1e39x"})
         EXPECT_EQ(errorIn("v " + std::string(word) + " 0 0\nf 1 1 1\n"),
                   "model.obj:1:3: \"" + std::string(word) + "\" is not a finite number");
+    for (const char* word : {"1e39", "-1e39", "+1e300", "1e999"})
+        EXPECT_EQ(errorIn("v " + std::string(word) + " 0 0\nf 1 1 1\n"),
+                  "model.obj:1:3: \"" + std::string(word) + "\" is too large: single precision ends at about 3.4e38");
     EXPECT_EQ(errorIn("v 0 0 0\nvn 0 nan 0\n"), "model.obj:2:6: \"nan\" is not a finite number");
     EXPECT_EQ(errorIn(square + "f 1 2 3\nv 1 2"), "model.obj:6: \"v\" needs 3 numbers, and has 2");
     EXPECT_EQ(errorIn(square + "f 0 1 2\n"), "model.obj:5:3: \"0\" is not a corner of a face: position/texture/normal, numbered from 1");

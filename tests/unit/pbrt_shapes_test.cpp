@@ -152,6 +152,16 @@ TEST_F(PbrtShapes, displacedMeshes) {
     EXPECT_THAT(errorOfWorld(mesh + "\"texture displacement\" \"waves\""), HasSubstr("there is no float texture \"waves\""));
 }
 
+TEST_F(PbrtShapes, plyFilesWithMoreThanTheirHeaderSays) {
+    write("more.ply",
+          "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+          "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n3 2 1 0\n");
+    const std::string mesh = "Shape \"plymesh\" \"string filename\" \"more.ply\" ";
+    EXPECT_EQ(world(mesh).shapes.size(), 1u);
+    EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("warning: \""), HasSubstr("more.ply\" has more data than the element counts of "
+                                                                                "its header say: line 14 and what follows are skipped"))));
+}
+
 TEST_F(PbrtShapes, tangents) {
     EXPECT_THAT(shape(triangle + "\"vector3 S\" [1 0 0  0 1 0  0 0 1]").mesh->tangents,
                 ElementsAre(glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)));

@@ -65,6 +65,50 @@ TEST_F(Ply, readsTextWithEveryKindOfFace) {
     }
 }
 
+/// A text file of faces over vertices.
+std::string polygons(const std::string& vertices, int vertexCount, const std::string& faces, int faceCount) {
+    return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(vertexCount) + "\n" + xyz + "element face " +
+           std::to_string(faceCount) + "\n" + faceList + "end_header\n" + vertices + faces;
+}
+
+double areaOf(const Mesh& mesh) {
+    double area = 0;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const glm::vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
+                        c = mesh.positions[mesh.indices[i + 2]];
+        area += glm::length(glm::cross(b - a, c - a)) / 2;
+    }
+    return area;
+}
+
+// An L of five unit squares, from each of its corners: most fans cover more than that. The faces around it keep their order.
+TEST_F(Ply, cutsConcavePolygonsAlongTheirInside) {
+    const std::string corners = "0 0 0\n3 0 0\n3 1 0\n1 1 0\n1 3 0\n0 3 0\n";
+    for (int first = 0; first < 6; ++first) {
+        std::string face = "6";
+        for (int i = 0; i < 6; ++i) face += " " + std::to_string((first + i) % 6);
+        const PlyMesh mesh = load(polygons(corners, 6, "3 0 1 2\n" + face + "\n3 0 4 5\n", 3));
+        ASSERT_EQ(mesh.triangles->indices.size(), 18u);
+        EXPECT_EQ(areaOf(*mesh.triangles), 1.5 + 5 + 1.5) << first;
+        EXPECT_EQ(mesh.triangles->indices[2], 2u);
+        EXPECT_EQ(mesh.triangles->indices[16], 4u);
+    }
+}
+
+TEST_F(Ply, cutsPolygonsThatPrecedeTheirVertices) {
+    const PlyMesh mesh = load("ply\nformat ascii 1.0\nelement face 1\n" + faceList + "element vertex 5\n" + xyz +
+                              "end_header\n5 0 1 2 3 4\n0 0 0\n2 0 0\n2 2 0\n1 .5 0\n0 2 0\n");
+    EXPECT_EQ(areaOf(*mesh.triangles), 2.5);
+}
+
+TEST_F(Ply, notesTextAfterTheLastElement) {
+    const std::string vertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+    EXPECT_EQ(load(polygons(vertices, 4, "3 0 1 2\n3 0 2 3\n", 1)).firstUnreadLine, 15u);
+    EXPECT_EQ(load(polygons(vertices, 4, "3 0 1 2 3 0 2 3", 1)).firstUnreadLine, 14u);
+    EXPECT_EQ(load(polygons(vertices, 4, "3 0 1 2\r\n\r3 0 2 3\n", 1)).firstUnreadLine, 16u);
+    for (const char* blank : {"", "\n", "\n\n \t\r\n"}) EXPECT_EQ(load(polygons(vertices, 4, "3 0 1 2", 1) + blank).firstUnreadLine, 0u);
+}
+
 TEST_F(Ply, readsCarriageReturns) {
     std::string text = mixedText;
     for (std::size_t at = 0; (at = text.find('\n', at)) != text.npos; at += 2) text.replace(at, 1, "\r\n");
@@ -134,6 +178,7 @@ void expectBinaryMesh(const PlyMesh& mesh) {
 
 TEST_F(Ply, readsLittleEndian) { expectBinaryMesh(load(binaryMesh(false))); }
 TEST_F(Ply, readsBigEndian) { expectBinaryMesh(load(binaryMesh(true))); }
+TEST_F(Ply, mayHaveBytesAfterItsBinaryData) { EXPECT_EQ(load(binaryMesh(false) + "x").firstUnreadLine, 0u); }
 
 TEST_F(Ply, readsCompressedFiles) {
     const std::string content = binaryMesh(false);

@@ -1,6 +1,6 @@
 // Polygons of many corners become triangles that cover them once.
 
-#include "read/obj/polygon.h"
+#include "read/mesh/polygon.h"
 
 #include <gtest/gtest.h>
 

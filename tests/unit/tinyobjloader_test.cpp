@@ -1,8 +1,8 @@
 // Why the OBJ reader is our own (docs/obj.md): what tinyobjloader makes of small files, in double precision and without its triangulation,
 // when its functions have succeeded without a warning unless a test says otherwise. A test that fails here is a reason that has gone.
 
+#include "read/mesh/polygon.h"
 #include "read/obj/geometry.h"
-#include "read/obj/polygon.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

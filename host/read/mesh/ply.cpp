@@ -5,6 +5,7 @@
 
 #include "read/mesh/origin.h"
 #include "read/mesh/ply_values.h"
+#include "read/mesh/polygon.h"
 
 namespace eikonal {
 namespace {
@@ -54,7 +55,14 @@ void readVertices(Values& values, const Element& element, Mesh& mesh) {
     if (isDouble) setPositions(mesh, points);
 }
 
-struct Faces { std::vector<std::uint32_t> triangles, quads; std::size_t dropped = 0; };
+/// A polygon with more than four corners, as a fan of triangles around its first one.
+struct Fan { std::size_t firstIndex, corners; };  ///< firstIndex: in Faces::triangles
+
+struct Faces {
+    std::vector<std::uint32_t> triangles, quads;
+    std::vector<Fan> fans;
+    std::size_t dropped = 0;
+};
 
 void readFaces(Values& values, const Element& element, Faces& faces) {
     int list = findProperty(element, "vertex_indices", true);
@@ -74,6 +82,7 @@ void readFaces(Values& values, const Element& element, Faces& faces) {
                 corner = static_cast<std::uint32_t>(index);
             }
         }
+        if (corners.size() > 4) faces.fans.push_back({faces.triangles.size(), corners.size()});
         if (corners.size() == 4) faces.quads.insert(faces.quads.end(), {corners[0], corners[1], corners[3], corners[2]});
         else for (std::size_t k = 2; k < corners.size(); ++k)
             faces.triangles.insert(faces.triangles.end(), {corners[0], corners[k - 1], corners[k]});
@@ -90,6 +99,31 @@ void checkIndices(const std::vector<std::uint32_t>& indices, const Mesh& mesh) {
         if (!std::isfinite(p.x + p.y + p.z))
             throw ReadProblem{fmt::format("has a face with vertex {}, whose position is not finite", index)};
     }
+}
+
+/// Cuts the polygons, which may be concave, along their inside. The vertices may follow the faces, so this comes last.
+void cutFans(Faces& faces, const Mesh& mesh) {
+    std::vector<std::uint32_t> corners;
+    std::vector<glm::dvec3> polygon;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (const Fan& fan : faces.fans) {
+        const auto index = faces.triangles.begin() + static_cast<std::ptrdiff_t>(fan.firstIndex);
+        corners.assign(index, index + 2);
+        for (std::size_t k = 2; k < fan.corners; ++k) corners.push_back(index[static_cast<std::ptrdiff_t>(3 * (k - 2) + 2)]);
+        polygon.clear();
+        for (const std::uint32_t corner : corners) polygon.emplace_back(mesh.positions[corner]);
+        triangles.clear();
+        triangulate(polygon, triangles);
+        auto next = index;
+        for (const auto& triangle : triangles)
+            for (const std::uint32_t corner : triangle) *next++ = corners[corner];
+    }
+}
+
+std::size_t lineAt(std::string_view text, std::size_t at) {
+    std::size_t line = 1;
+    for (std::size_t i = 0; i < at; ++i) line += text[i] == '\n' || (text[i] == '\r' && text.substr(i, 2) != "\r\n");
+    return line;
 }
 
 PlyMesh parse(std::span<const char> bytes) {
@@ -116,8 +150,11 @@ PlyMesh parse(std::span<const char> bytes) {
     }
     checkIndices(faces.triangles, mesh);
     checkIndices(faces.quads, mesh);
+    cutFans(faces, mesh);
 
     PlyMesh result;
+    if (const std::string_view rest = values.unreadText(); !rest.empty())
+        result.firstUnreadLine = lineAt({bytes.data(), bytes.size()}, bytes.size() - rest.size());
     result.droppedFaces = faces.dropped;
     if (!faces.quads.empty()) {
         result.quads = std::make_shared<Mesh>(faces.triangles.empty() ? std::move(mesh) : mesh);

@@ -12,9 +12,10 @@ namespace eikonal {
 
 /// The contents of a PLY file. A mesh is null if the file has no such faces; if it has both kinds, each mesh has all vertices of the file.
 struct PlyMesh {
-    std::shared_ptr<Mesh> triangles;  ///< faces with three corners, and fans of those with five or more
+    std::shared_ptr<Mesh> triangles;  ///< faces with three corners, and those that polygons with five or more are cut into
     std::shared_ptr<Mesh> quads;      ///< faces with four corners, as bilinear patches: the file's corners 0 1 3 2
     std::size_t droppedFaces = 0;     ///< skipped faces, with fewer than three corners
+    std::size_t firstUnreadLine = 0;  ///< of a text file: the line of what follows its last element; 0 if that is blank
 };
 
 /// All faces as triangles, as pbrt-v4 does for displacement: patches are split from corner 0 to corner 3 (of a bilinear patch: to (1, 1)).

@@ -51,6 +51,13 @@ public:
     /// The smallest size of a value of this type; in text, a digit and a space.
     std::size_t size(Type type) const { return format_ == Format::ascii ? 2 : typeNames[static_cast<std::size_t>(type)].size; }
 
+    /// The rest of a text, without the spaces and line ends before it; empty if the data is binary.
+    std::string_view unreadText() {
+        if (format_ != Format::ascii) return {};
+        skipSpaces();
+        return {at_, end_};
+    }
+
 private:
     [[noreturn]] static void throwTruncated() { throw ReadProblem{"is truncated: it ends before its last element"}; }
 
@@ -67,8 +74,12 @@ private:
 
     std::string word() const { return std::string(at_, std::find_if(at_, end_, isSpace)).substr(0, 20); }
 
-    double nextWord() {
+    void skipSpaces() {
         while (at_ != end_ && isSpace(*at_)) ++at_;
+    }
+
+    double nextWord() {
+        skipSpaces();
         if (at_ == end_) throwTruncated();
         double value = 0;
         const auto [stop, error] = std::from_chars(*at_ == '+' ? at_ + 1 : at_, end_, value);

@@ -4,8 +4,8 @@
 #include "read/obj/geometry.h"
 
 #include "printable.h"
+#include "read/mesh/polygon.h"
 #include "read/obj/lines.h"
-#include "read/obj/polygon.h"
 
 #include <fmt/format.h>
 
@@ -36,10 +36,10 @@ private:
         else if (keyword == "vn") geometry_.normals.emplace_back(lines_.number(1), lines_.number(2), lines_.number(3));
         else if (keyword == "vt") geometry_.uvs.emplace_back(lines_.number(1), lines_.words().size() > 2 ? lines_.number(2) : 0);
         else if (keyword == "f" || keyword == "fo") parseFace();
-        else if (keyword == "usemtl") setGroup(object_, lines_.rest(1));
+        else if (keyword == "usemtl") parseMaterialName();
         else if (keyword == "o" || keyword == "g") { if ((keyword == "o") == hasObjects_) setGroup(lines_.rest(1), material_); }
         else if (keyword == "s") parseSmoothing();
-        else if (keyword == "mtllib") geometry_.libraries.push_back({lines_.rest(1), lines_.where()});
+        else if (keyword == "mtllib") parseLibraryName();
         else reportUnsupported(keyword);
     }
 
@@ -80,6 +80,18 @@ private:
         }
         if (at <= end) throw SceneError(lines_.where(i), fmt::format("\"{}\" has more than three parts", word));
         return {indices[0], indices[1], indices[2]};
+    }
+
+    void parseMaterialName() {
+        if (lines_.words().size() < 2)
+            diagnostics_.unsupported("obj usemtl", lines_.where(0),
+                                     "\"usemtl\" needs the name of a material; the faces after it have none");
+        setGroup(object_, lines_.rest(1));
+    }
+
+    void parseLibraryName() {
+        if (lines_.words().size() > 1) geometry_.libraries.push_back({lines_.rest(1), lines_.where()});
+        else diagnostics_.unsupported("obj mtllib", lines_.where(0), "\"mtllib\" needs the name of a material library; it is skipped");
     }
 
     void parseSmoothing() {

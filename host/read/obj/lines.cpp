@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace eikonal {
@@ -14,12 +15,28 @@ namespace {
 
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
+/// Parses a whole word; the error is result_out_of_range for numbers that are too large or too small for doubles.
+std::errc parseDouble(std::string_view word, double& value) {
+    if (word.starts_with('+')) word.remove_prefix(1);
+    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    return stop == word.data() + word.size() ? error : std::errc::invalid_argument;
+}
+
+bool isTooLarge(std::string_view word) {
+    double value = 0;
+    const std::errc error = parseDouble(word, value);
+    if (error == std::errc::result_out_of_range) return std::isinf(std::strtod(std::string(word).c_str(), nullptr));
+    return error == std::errc{} && std::isfinite(value) && std::abs(value) > std::numeric_limits<float>::max();
+}
+
 }  // namespace
 
 bool parseNumber(std::string_view word, double& value) {
-    if (word.starts_with('+')) word.remove_prefix(1);
-    const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return error == std::errc{} && stop == word.data() + word.size() && std::abs(value) <= std::numeric_limits<float>::max();
+    return parseDouble(word, value) == std::errc{} && std::abs(value) <= std::numeric_limits<float>::max();
+}
+
+std::string numberProblem(std::string_view word) {
+    return quoteWord(word) + (isTooLarge(word) ? " is too large: single precision ends at about 3.4e38" : " is not a finite number");
 }
 
 ObjLines::ObjLines(std::string_view text, std::shared_ptr<const std::string> file) : text_(text), file_(std::move(file)) {
@@ -86,7 +103,7 @@ SourceLocation ObjLines::where(std::size_t i) const {
 double ObjLines::number(std::size_t i) const {
     double value = 0;
     if (i >= words_.size()) throw SceneError(where(), fmt::format("\"{}\" needs {} numbers, and has {}", words_[0], i, words_.size() - 1));
-    if (!parseNumber(words_[i], value)) throw SceneError(where(i), quoteWord(words_[i]) + " is not a finite number");
+    if (!parseNumber(words_[i], value)) throw SceneError(where(i), numberProblem(words_[i]));
     return value;
 }
 

@@ -44,5 +44,7 @@ private:
 
 /// Parses a whole word as a number; false if it is not one, or is not finite in single precision: NaN, infinity, 1e300.
 bool parseNumber(std::string_view word, double& value);
+/// What is wrong with a word that parseNumber refuses, as a message.
+std::string numberProblem(std::string_view word);
 
 }  // namespace eikonal

@@ -203,7 +203,8 @@ private:
                 return;
             }
             if (std::string(keyword).find("disp") != std::string::npos)
-                diagnostics_.unsupported("mtl disp", found->first.where, fmt::format("\"{}\" is rendered as a bump map", keyword));
+                diagnostics_.unsupported("mtl disp", found->first.where,
+                                         fmt::format("\"{}\" is rendered as a bump map", mtl_.asWritten(keyword)));
             constexpr double heightOfWhite = 0.02;
             setDisplacement(material, texture(keyword, true, heightOfWhite * textureSize_ * found->first.bumpMultiplier)->texture);
             return;
@@ -267,7 +268,7 @@ private:
                                                  "pc",       "pcr",   "aniso",     "anisor", "map_pr",   "map_pm", "map_ps", "map_aat"};
         for (const auto& [keyword, statement] : mtl_.statements)
             if (!known.contains(keyword))
-                diagnostics_.unsupported("mtl " + keyword, statement.where, fmt::format("\"{}\" is not supported", keyword));
+                diagnostics_.unsupported("mtl " + keyword, statement.where, fmt::format("\"{}\" is not supported", statement.keyword));
     }
 
     double textureSize_;

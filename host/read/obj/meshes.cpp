@@ -1,8 +1,7 @@
 #include "read/obj/meshes.h"
 
 #include "read/mesh/origin.h"
-
-#include "read/obj/polygon.h"
+#include "read/mesh/polygon.h"
 
 #include <algorithm>
 #include <array>

@@ -41,7 +41,7 @@ std::string lower(std::string_view word) {
 double numberIn(const MtlMaterial::Statement& statement, std::size_t i) {
     double value = 0;
     if (!parseNumber(statement.words[i], value))
-        throw SceneError(statement.places[i], quoteWord(statement.words[i]) + " is not a finite number");
+        throw SceneError(statement.places[i], numberProblem(statement.words[i]));
     return value;
 }
 
@@ -66,6 +66,18 @@ void applyOption(MtlTexture& texture, const MtlMaterial::Statement& statement, s
     // -blendu, -blendv, -boost and -texres configure filtering, which the renderer decides.
 }
 
+/// The statement of a line.
+MtlMaterial::Statement statementIn(const ObjLines& lines) {
+    const std::vector<std::string_view>& words = lines.words();
+    MtlMaterial::Statement statement{
+        .keyword = std::string(words[0]), .words = {words.begin() + 1, words.end()}, .rest = lines.rest(1), .where = lines.where()};
+    for (std::size_t i = 1; i < words.size(); ++i) statement.places.push_back(lines.where(i));
+    return statement;
+}
+
+/// The first statement before any material.
+struct EarlyStatement { std::string word; SourceLocation where; };
+
 }  // namespace
 
 SourceLocation MtlMaterial::whereIs(const std::string& keyword) const {
@@ -78,7 +90,7 @@ std::optional<double> MtlMaterial::number(const std::string& keyword) const {
     if (found == statements.end()) return {};
     const Statement& statement = found->second;
     const std::size_t at = !statement.words.empty() && statement.words[0] == "-halo" ? 1 : 0;
-    if (statement.words.size() <= at) throw SceneError(statement.where, fmt::format("\"{}\" needs a number", keyword));
+    if (statement.words.size() <= at) throw SceneError(statement.where, fmt::format("\"{}\" needs a number", statement.keyword));
     return numberIn(statement, at);
 }
 
@@ -88,9 +100,11 @@ std::optional<glm::dvec3> MtlMaterial::color(const std::string& keyword) const {
     const Statement& statement = found->second;
     const std::vector<std::string>& words = statement.words;
     if (!words.empty() && (words[0] == "spectral" || words[0] == "xyz"))
-        throw SceneError(statement.where, fmt::format("\"{}\" as \"{}\" cannot be read; give red, green and blue", keyword, words[0]));
+        throw SceneError(statement.where,
+                         fmt::format("\"{}\" as \"{}\" cannot be read; give red, green and blue", statement.keyword, words[0]));
     if (words.size() == 1) return glm::dvec3(numberIn(statement, 0));
-    if (words.size() < 3) throw SceneError(statement.where, fmt::format("\"{}\" needs three numbers, and has {}", keyword, words.size()));
+    if (words.size() < 3)
+        throw SceneError(statement.where, fmt::format("\"{}\" needs three numbers, and has {}", statement.keyword, words.size()));
     return glm::dvec3(numberIn(statement, 0), numberIn(statement, 1), numberIn(statement, 2));
 }
 
@@ -124,28 +138,30 @@ std::optional<MtlTexture> MtlMaterial::texture(const std::string& keyword) const
             throw SceneError(statement.where, fmt::format("\"{}\" needs {} more words", option->name, option->least));
         applyOption(texture, statement, option->name, first, count);
     }
-    if (nameBegin == std::string::npos) throw SceneError(statement.where, fmt::format("\"{}\" names no image", keyword));
+    if (nameBegin == std::string::npos) throw SceneError(statement.where, fmt::format("\"{}\" names no image", statement.keyword));
     texture.file = statement.rest.substr(nameBegin, nameEnd - nameBegin);
     std::erase(texture.file, '"');
     return texture;
 }
 
-std::vector<MtlMaterial> parseMtl(std::string_view text, const std::shared_ptr<const std::string>& file) {
+std::vector<MtlMaterial> parseMtl(std::string_view text, const std::shared_ptr<const std::string>& file, Diagnostics& diagnostics) {
     std::vector<MtlMaterial> materials;
     ObjLines lines(text, file);
+    std::optional<EarlyStatement> early;
     while (lines.next()) {
-        const std::string keyword = lower(lines.words()[0]);
-        if (keyword == "newmtl") {
-            MtlMaterial material;
-            material.name = lines.rest(1);
-            material.where = lines.where();
-            materials.push_back(std::move(material));
-        } else if (!materials.empty()) {
-            MtlMaterial::Statement statement{{lines.words().begin() + 1, lines.words().end()}, lines.rest(1), lines.where()};
-            for (std::size_t i = 1; i < lines.words().size(); ++i) statement.places.push_back(lines.where(i));
-            materials.back().statements[keyword] = std::move(statement);
-        }
+        const std::string_view keyword = lines.words()[0];
+        if (lower(keyword) == "newmtl") {
+            materials.push_back({.name = lines.rest(1), .where = lines.where()});
+            if (materials.back().name.empty())
+                diagnostics.unsupported("mtl newmtl", lines.where(0), "\"newmtl\" needs the name of a material; this one is skipped");
+        } else if (materials.empty()) {
+            if (!early) early = {quoteWord(keyword), lines.where(0)};
+        } else materials.back().statements[lower(keyword)] = statementIn(lines);
     }
+    if (early && !materials.empty())
+        diagnostics.unsupported("mtl early statement", early->where,
+                                early->word + " belongs to no material and is skipped; it must follow a \"newmtl\"");
+    std::erase_if(materials, [](const MtlMaterial& material) { return material.name.empty(); });
     return materials;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Parses material libraries (.mtl).
 
-#include "error.h"
+#include "diagnostics.h"
 
 #include <glm/glm.hpp>
 
@@ -32,6 +32,7 @@ public:
     SourceLocation where;
 
     struct Statement {
+        std::string keyword;                   ///< as written
         std::vector<std::string> words;        ///< after the keyword
         std::string rest;                      ///< all of them
         SourceLocation where;                  ///< the line
@@ -41,6 +42,8 @@ public:
 
     bool has(const std::string& keyword) const { return statements.contains(keyword); }
     SourceLocation whereIs(const std::string& keyword) const;
+    /// A keyword as the file writes it ("Kd").
+    const std::string& asWritten(const std::string& keyword) const { return statements.at(keyword).keyword; }
 
     /// The number or colour (one number: grey) after a keyword; nothing if it is absent. Throws SceneError if it is something else.
     std::optional<double> number(const std::string& keyword) const;
@@ -48,7 +51,7 @@ public:
     std::optional<MtlTexture> texture(const std::string& keyword) const;
 };
 
-/// Parses a library. Skips statements before the first newmtl.
-std::vector<MtlMaterial> parseMtl(std::string_view text, const std::shared_ptr<const std::string>& file);
+/// Parses a library. Skips, with a warning, statements before the first newmtl and materials without a name.
+std::vector<MtlMaterial> parseMtl(std::string_view text, const std::shared_ptr<const std::string>& file, Diagnostics& diagnostics);
 
 }  // namespace eikonal

@@ -1,5 +1,6 @@
 #include "read/obj/mtl_ranges.h"
 
+#include "printable.h"
 #include "read/obj/lines.h"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ namespace {
 
 /// The range of the numbers after a keyword.
 struct Range {
-    const char *keyword, *written;       ///< in lower case, and as in the format's specification
+    const char* keyword;                 ///< in lower case
     double low, high;
     const char* text;                    ///< completes "it must be"
     bool isColor = false;
@@ -27,25 +28,34 @@ constexpr double unlimited = std::numeric_limits<double>::infinity();
 constexpr const char *fraction = "from 0 to 1", *positive = "at least 0";
 
 constexpr Range ranges[] = {
-    {.keyword = "kd", .written = "Kd", .low = 0, .high = 1, .text = fraction, .isColor = true},
-    {.keyword = "ks", .written = "Ks", .low = 0, .high = 1, .text = fraction, .isColor = true},
-    {.keyword = "tf", .written = "Tf", .low = 0, .high = 1, .text = fraction, .isColor = true},
-    {.keyword = "ke", .written = "Ke", .low = 0, .high = unlimited, .text = positive, .isColor = true},
-    {.keyword = "ns", .written = "Ns", .low = 0, .high = unlimited, .text = positive},
-    {.keyword = "ni", .written = "Ni", .low = 0.001, .high = 10, .text = "from 0.001 to 10", .otherwise = 1},  // range in the specification
-    {.keyword = "d", .written = "d", .low = 0, .high = 1, .text = fraction},
-    {.keyword = "tr", .written = "Tr", .low = 0, .high = 1, .text = fraction},
-    {.keyword = "illum", .written = "illum", .low = 0, .high = 10, .text = "a whole number from 0 to 10", .isWhole = true, .otherwise = 2},
-    {.keyword = "pr", .written = "Pr", .low = 0, .high = 1, .text = fraction},
-    {.keyword = "pm", .written = "Pm", .low = 0, .high = 1, .text = fraction},
-    {.keyword = "ps", .written = "Ps", .low = 0, .high = 1, .text = fraction},
-    {.keyword = "pc", .written = "Pc", .low = 0, .high = 1, .text = fraction},
-    {.keyword = "pcr", .written = "Pcr", .low = 0, .high = 1, .text = fraction},
-    {.keyword = "aniso", .written = "aniso", .low = 0, .high = 1, .text = fraction},
+    {.keyword = "kd", .low = 0, .high = 1, .text = fraction, .isColor = true},
+    {.keyword = "ks", .low = 0, .high = 1, .text = fraction, .isColor = true},
+    {.keyword = "tf", .low = 0, .high = 1, .text = fraction, .isColor = true},
+    {.keyword = "ke", .low = 0, .high = unlimited, .text = positive, .isColor = true},
+    {.keyword = "ns", .low = 0, .high = unlimited, .text = positive},
+    {.keyword = "ni", .low = 0.001, .high = 10, .text = "from 0.001 to 10", .otherwise = 1},  // range in the specification
+    {.keyword = "d", .low = 0, .high = 1, .text = fraction},
+    {.keyword = "tr", .low = 0, .high = 1, .text = fraction},
+    {.keyword = "illum", .low = 0, .high = 10, .text = "a whole number from 0 to 10", .isWhole = true, .otherwise = 2},
+    {.keyword = "pr", .low = 0, .high = 1, .text = fraction},
+    {.keyword = "pm", .low = 0, .high = 1, .text = fraction},
+    {.keyword = "ps", .low = 0, .high = 1, .text = fraction},
+    {.keyword = "pc", .low = 0, .high = 1, .text = fraction},
+    {.keyword = "pcr", .low = 0, .high = 1, .text = fraction},
+    {.keyword = "aniso", .low = 0, .high = 1, .text = fraction},
 };
 
 bool holds(const Range& range, double value) {
     return value >= range.low && value <= range.high && (!range.isWhole || value == std::floor(value));
+}
+
+/// Words from number `end` on follow the last number, and the parser of the statement does not read them.
+void warnOfExtraWords(const Range& range, const MtlMaterial::Statement& statement, std::size_t end, Diagnostics& diagnostics) {
+    if (statement.words.size() <= end) return;
+    diagnostics.unsupported("mtl extra word of " + statement.keyword, statement.places[end],
+                            fmt::format("\"{}\" takes {}: {} after {} does not count", statement.keyword,
+                                        range.isColor ? "three numbers" : "one number", quoteWord(statement.words[end]),
+                                        range.isColor ? "them" : "it"));
 }
 
 void keepTo(const Range& range, MtlMaterial::Statement& statement, Diagnostics& diagnostics) {
@@ -64,9 +74,10 @@ void keepTo(const Range& range, MtlMaterial::Statement& statement, Diagnostics& 
         }
         kept.push_back(word);
     }
+    warnOfExtraWords(range, statement, end, diagnostics);
     if (firstBad)
         diagnostics.warn(statement.places[*firstBad],
-                         fmt::format("\"{}\" is {}; it counts as {}, since {} must be {}", range.written, fmt::join(found, " "),
+                         fmt::format("\"{}\" is {}; it counts as {}, since {} must be {}", statement.keyword, fmt::join(found, " "),
                                      fmt::join(kept, " "), found.size() > 1 ? "each number" : "it", range.text));
 }
 

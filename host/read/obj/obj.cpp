@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace eikonal {
@@ -53,10 +54,10 @@ public:
 private:
     /// The line is one file name with spaces, or several names.
     void read(const ObjLibrary& library) {
-        if (readFile(files_.find(library.name, library.where))) return;
+        if (readFile(files_.find(library.name, library.where), library.where)) return;
         std::istringstream names(library.name);
         for (std::string name; names >> name;) {
-            if (readFile(files_.find(name, library.where))) continue;
+            if (readFile(files_.find(name, library.where), library.where)) continue;
             isIncomplete_ = true;
             diagnostics_.unsupported(
                 "obj library " + name, library.where,
@@ -64,20 +65,35 @@ private:
         }
     }
 
-    bool readFile(const std::string& path) {
+    /// Returns false if there is no file. Reads each file once.
+    bool readFile(const std::string& path, const SourceLocation& where) {
         if (path.empty()) return false;
+        if (!paths_.insert(path).second) return true;
         const auto name = std::make_shared<const std::string>(path);
         try {
             const std::vector<char> bytes = readBytes(path);
-            for (MtlMaterial& material : parseMtl(textOf(bytes), name)) materials_.try_emplace(material.name, std::move(material));
+            std::vector<MtlMaterial> materials = parseMtl(textOf(bytes), name, diagnostics_);
+            if (materials.empty())
+                diagnostics_.unsupported("obj empty library " + path, where,
+                                         fmt::format("the material library \"{}\" has no material (\"newmtl NAME\")", path));
+            for (MtlMaterial& material : materials) add(std::move(material));
         } catch (const ReadProblem& problem) {
             throw SceneError({name, 0, 0}, problem.what());
         }
         return true;
     }
 
+    void add(MtlMaterial material) {
+        const auto [first, isNew] = materials_.try_emplace(material.name, std::move(material));
+        if (isNew) return;
+        diagnostics_.unsupported("obj second material " + first->first, material.where,
+                                 fmt::format("material \"{}\" is there already, at {}; that one counts, and this one is skipped",
+                                             first->first, first->second.where.toString()));
+    }
+
     Diagnostics& diagnostics_;
     ObjFiles files_;
+    std::set<std::string> paths_;
     std::map<std::string, MtlMaterial> materials_;
     bool isIncomplete_ = false;
 };

@@ -1,4 +1,4 @@
-#include "read/obj/polygon.h"
+#include "read/mesh/polygon.h"
 
 #include <algorithm>
 #include <cmath>
