@@ -19,7 +19,8 @@ int tellError(const std::string& scene) {
         /* Those of a scene or a file begin with its name */
         const std::string what = error.what();
         const auto* ofScene = dynamic_cast<const SceneError*>(&error);
-        const bool beginsWithPlace = error.code() == ExitCode::scene && ((ofScene && ofScene->hasPlace) || what.find(": ") < what.find(' '));
+        const bool beginsWithPlace =
+            error.code() == ExitCode::scene && ((ofScene && ofScene->hasPlace) || what.find(": ") < what.find(' '));
         return fail(error.code(), (beginsWithPlace ? "" : "error: ") + what, scene);
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::scene,
