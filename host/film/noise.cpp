@@ -78,9 +78,10 @@ ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, E
     const double factor = std::exp(1.96 * std::hypot(deviation, modelDeviation));
     e.low = e.error / factor;
     e.high = e.error * factor;
+    e.isKnown = sums.brightness == 0 || hasSquares(mean, metric);
     if (sums.fewest < 4) e.doubt = fmt::format("a pixel has only {} sample{}", sums.fewest, sums.fewest == 1 ? "" : "s");
     else if (sums.brightness == 0) e.doubt = "no sample has found light";
-    else if (!hasSquares(mean, metric)) e.doubt = "luminances are too large or too small for their squares in single precision";
+    else if (!e.isKnown) e.doubt = "luminances are too large or too small for their squares in single precision";
     else if (ofPixels > mostVariance && sums.pixels > leastPixels) e.doubt = "very few pixels hold most of it";
     else if (variance > mostVariance) e.doubt = "single bright samples may hold most of it";
     return e;

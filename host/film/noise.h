@@ -47,6 +47,7 @@ double varianceScale(unsigned n, double exponent);
 struct ErrorEstimate {
     double error = 0, low = 0, high = 0;   ///< the true error is within [low, high] with a probability of about 95 %
     std::string doubt;                     ///< why the estimate is not reliable; empty: it is
+    bool isKnown = true;                   ///< false: it says nothing of the true error, since squares do not fit single precision
 };
 ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, ErrorMetric metric);
 

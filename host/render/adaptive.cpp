@@ -92,7 +92,8 @@ std::vector<Block> AdaptiveSampling::nextPass(const Film& film) {
     NoiseSums image;
     for (const NoiseSums& s : sums) image += s;
     const VarianceDecay decay = decayOf(image);
-    error_ = estimateError(image, decay, metric_).error;
+    const ErrorEstimate estimate = estimateError(image, decay, metric_);
+    error_ = estimate.error;
     std::vector<BlockNoise> noise;
     for (size_t i = 0; i < blocks_.size(); ++i) {
         const unsigned samples = blocks_[i].samples;
@@ -102,7 +103,9 @@ std::vector<Block> AdaptiveSampling::nextPass(const Film& film) {
     suspectNoise(noise, across_);
     /* What the squared error, which the blocks' variances add up to, has to come down to */
     const double relative = error_ > 0 ? targetError_ / error_ : 1;
-    const std::vector<unsigned> planned = planSamples(noise, relative * relative * expectedError(noise), most_, decay.exponent);
+    const std::vector<unsigned> planned =
+        estimate.isKnown ? planSamples(noise, relative * relative * expectedError(noise), most_, decay.exponent)
+                         : std::vector<unsigned>(blocks_.size(), most_);
     plannedSamples_ = 0;
     std::vector<Block> pass;
     for (size_t i = 0; i < blocks_.size(); ++i) {

@@ -83,6 +83,7 @@ TEST(EstimateError, IsInDoubtWhereFewPixelsHoldItOrNothingIsKnown) {
     };
     for (double mean : {1e-20, 1e20}) EXPECT_NE(doubtAt(mean, ErrorMetric::nrmse).find("single precision"), std::string::npos) << mean;
     for (double mean : {1e-10, 1e10}) EXPECT_EQ(doubtAt(mean, ErrorMetric::nrmse), "") << mean;
+    EXPECT_FALSE(estimateError({1000, 1e-17, 0, 0, 0, 0, 0, 64}, {}, ErrorMetric::nrmse).isKnown);
     EXPECT_EQ(doubtAt(1e-20, ErrorMetric::relmseRoot), "") << "far below the floor of this metric";
     NoiseSums bright = sumsOf([](double n) { return 1 / n; }, 64);
     bright.suspicion = std::pow(bright.pixels / 64, 2) / 4;   // as large as half of the sum of squared errors

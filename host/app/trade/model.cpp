@@ -1,8 +1,11 @@
 #include "app/trade/model.h"
 
+#include "film/noise.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace eikonal {
@@ -57,13 +60,8 @@ double MeasuredPoint::relativeError() const { return std::sqrt(std::max(error.sq
 
 double SettingModel::variance(double samples) const {
     if (!isUniform || slope.value >= -1 || samples < 1) return variance1 * std::pow(samples, slope.value);
-    /* The mean of independent sets, each of as many samples as its digit says */
-    double sum = 0;
-    for (double left = std::round(samples), set; left > 0; left -= set) {
-        set = std::exp2(std::floor(std::log2(left)));
-        sum += set * set * std::pow(set, slope.value);
-    }
-    return variance1 * sum / (samples * samples);
+    const auto n = static_cast<unsigned>(std::min(samples, mostSamples));
+    return variance1 * std::pow(std::bit_floor(n), slope.value) * varianceScale(n, -slope.value);
 }
 
 double SettingModel::error(double samples) const { return std::sqrt(biasSquare + variance(samples)); }
