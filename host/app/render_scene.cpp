@@ -32,9 +32,6 @@
 namespace eikonal {
 namespace {
 
-/// Prints a line for the user, unless --quiet.
-void say(const Options& o, const std::string& line) { tellResult(line, o.log); }
-
 /// Renders until each pixel has the samples `samples`, the error is small enough, the time is over, or a signal arrives.
 RenderResult renderFilm(const Options& o, Session& session, Film& film, SampleRange samples, Deadline& deadline, Checkpoints& checkpoints,
                         RenderOutput& output, ErrorLog& errors, Watching& watching) {
@@ -85,7 +82,7 @@ std::string describeShortfall(const FilmTotals::Samples& samples, unsigned wante
 /// Reports why the image has fewer samples (`partial`) or more error than asked for, and which samples were not finite.
 void reportShortfall(const Options& o, const std::string& partial, const FilmTotals::Invalid& invalid, const RenderResult& result,
                      unsigned wanted, Diagnostics& diagnostics) {
-    if (!partial.empty()) say(o, partial);
+    if (!partial.empty()) tellResult(partial, o.log);
     else if (result.error && *result.error > *o.output.targetError)
         tell(LogLevel::warning,
              fmt::format("the error is more than {:g} %: a pixel gets at most {} samples; increase --spp", 100 * *o.output.targetError,
@@ -222,7 +219,7 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     const int endedBy = isComplete ? 0 : Interrupt::signal();
     const std::string ending = endedBy ? "interrupted" : deadline.option() ? fmt::format("ended by {}", deadline.option()) : "";
     const Stopwatch writeTime;
-    if (session.profile().paths == 0 && isComplete) say(o, o.output.checkpoint + " has all samples: nothing is left to render");
+    if (session.profile().paths == 0 && isComplete) tellResult(o.output.checkpoint + " has all samples: nothing is left to render", o.log);
     std::exception_ptr unsaved;  // the image is worth writing all the same
     try {
         if (session.profile().paths > 0) checkpoints.save(*film, result.planned, renderSeconds);
@@ -232,7 +229,7 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     if (!isComplete) report.metadata.partial = describeShortfall(report.samples, samples.length(), ending);
     reportShortfall(o, report.metadata.partial, totals->invalid(), result, samples.length(), diagnostics);
     const std::string described = describe(report.error, o.output.errorMetric);
-    say(o, described);
+    tellResult(described, o.log);
     for (const std::string& doubt : describe(session.implicitDoubts(), session.profile().paths)) diagnostics.warn({}, doubt);
 
     FilmImage image = output.develop(*totals);
@@ -248,7 +245,7 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     std::vector<std::string> names;
     for (const std::string& file : files) names.push_back(isStandardStream(file) ? "standard output" : file);
     if (!o.output.checkpoint.empty() && !unsaved) names.push_back(checkpoints.path());
-    if (!names.empty()) say(o, fmt::format("wrote {} in {:.1f} s", fmt::join(names, " and "), session.seconds()));
+    if (!names.empty()) tellResult(fmt::format("wrote {} in {:.1f} s", fmt::join(names, " and "), session.seconds()), o.log);
     for (const std::string& file : files) written.emplace(file, jobName(o.scene));
     if (o.output.stats)
         std::fputs(printable(describeRun(session, session.profile(), report.samples, described, renderSeconds, writeSeconds)).c_str(),

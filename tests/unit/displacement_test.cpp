@@ -1,6 +1,7 @@
 // Cutting meshes for displacement: no edge stays long, no crack opens, and nothing of the surface is lost.
 
 #include "read/mesh/displacement.h"
+#include "unit/mesh_area.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
@@ -22,15 +23,6 @@ Mesh octahedron() {
 const Transform stretched =
     glm::rotate(glm::scale(glm::translate(Transform(1), glm::dvec3(5, 6, 7)), glm::dvec3(3, 0.5, 1)), 0.7, glm::dvec3(1, 2, 3));
 
-glm::dvec3 place(const Mesh& mesh, const Transform& m, size_t index) { return m * glm::dvec4(mesh.positions[mesh.indices[index]], 1); }
-
-double areaOf(const Mesh& mesh, const Transform& m) {
-    double area = 0;
-    for (size_t i = 0; i < mesh.indices.size(); i += 3)
-        area += 0.5 * glm::length(glm::cross(place(mesh, m, i + 1) - place(mesh, m, i), place(mesh, m, i + 2) - place(mesh, m, i)));
-    return area;
-}
-
 TEST(Displacement, CutsEveryLongEdgeAndOpensNoCrack) {
     for (const double length : {10.0, 1.0, 0.3, 0.07}) {
         const double area = areaOf(octahedron(), stretched);
@@ -40,7 +32,7 @@ TEST(Displacement, CutsEveryLongEdgeAndOpensNoCrack) {
         for (size_t i = 0; i < mesh.indices.size(); ++i) {
             const size_t next = i % 3 == 2 ? i - 2 : i + 1;
             ++edges[{mesh.indices[i], mesh.indices[next]}];
-            ASSERT_LT(glm::length(place(mesh, stretched, i) - place(mesh, stretched, next)), length);
+            ASSERT_LT(glm::length(placedCorner(mesh, stretched, i) - placedCorner(mesh, stretched, next)), length);
         }
         /* A closed surface still: each edge once in each direction, and Euler's formula */
         for (const auto& [edge, count] : edges) {
@@ -71,7 +63,7 @@ TEST(Displacement, LeavesShortEdgesAlone) {
 }
 
 TEST(Displacement, RefusesWhatWouldNotFit) {
-    const double area = areaOf(octahedron(), Transform(1));
+    const double area = areaOf(octahedron());
     for (const double length : {1e-300, 1e-9, 0.9 * std::sqrt(area / (std::sqrt(3) / 4 * mostDisplacedTriangles))}) {
         Mesh mesh = octahedron();
         EXPECT_EQ(splitLongEdges(mesh, Transform(1), length), Split::tooMany) << length;

@@ -1,5 +1,6 @@
 // The geometry of OBJ files, awkward ones too, and what is said about files that are wrong.
 
+#include "unit/mesh_area.h"
 #include "unit/obj_fixture.h"
 
 #include <gtest/gtest.h>
@@ -13,16 +14,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-double areaOf(const Mesh& mesh) {
-    double area = 0;
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const glm::vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
-                        c = mesh.positions[mesh.indices[i + 2]];
-        area += glm::length(glm::cross(b - a, c - a)) / 2;
-    }
-    return area;
-}
 
 // Every spelling of the same square is the same square: two triangles, area 1, facing +z.
 TEST_F(ObjTest, readsEverySpellingOfAFace) {

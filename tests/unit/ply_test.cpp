@@ -1,6 +1,7 @@
 // PLY files in every encoding that the format has, and what is said about those that are wrong.
 
 #include "read/mesh/ply.h"
+#include "unit/mesh_area.h"
 #include "unit/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -69,16 +70,6 @@ TEST_F(Ply, readsTextWithEveryKindOfFace) {
 std::string polygons(const std::string& vertices, int vertexCount, const std::string& faces, int faceCount) {
     return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(vertexCount) + "\n" + xyz + "element face " +
            std::to_string(faceCount) + "\n" + faceList + "end_header\n" + vertices + faces;
-}
-
-double areaOf(const Mesh& mesh) {
-    double area = 0;
-    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-        const glm::vec3 a = mesh.positions[mesh.indices[i]], b = mesh.positions[mesh.indices[i + 1]],
-                        c = mesh.positions[mesh.indices[i + 2]];
-        area += glm::length(glm::cross(b - a, c - a)) / 2;
-    }
-    return area;
 }
 
 // An L of five unit squares, from each of its corners: most fans cover more than that. The faces around it keep their order.
