@@ -1,4 +1,5 @@
-/* path -> film.  Adds a batch's samples to their pixels, in sample order. Each work-item has several pixels of the batch's blocks. */
+/* path -> film.  Adds a batch's samples to their pixels, in sample order. Each work-item has several pixels of the batch's blocks.
+   A tracing stage, since samples are a loop; the loop over pixels inside of it is vectorised. */
 #include "shade/color.clh"
 #include "shade/ray_tree.clh"
 #include "stages/queue.clh"
@@ -64,10 +65,10 @@ FN film_item add_sample(film_item f, path_item p, rgb L, sampled_wavelengths col
 
 #define ADD_BRANCH(q, type, name, FEATURE) \
     if (HAS_##FEATURE) p.name = add(p.name, LOAD_FIELD(path, type, name, path, path_capacity, first + branch));
-#define BLACKEN(q, type, name, FEATURE) p.name = uniform_spectrum(0.0f);
+#define BLACKEN(q, type, name, FEATURE) p.name = choose(*is_valid, p.name, uniform_spectrum(0.0f));
 
-/* The state of a camera ray's path, plus the radiance and albedo of all rays that split from it. */
-FN path_item gather_path(__global const settings *frame, __global const uint *path, uint path_capacity, uint index) {
+/* The state of a camera ray's path, plus the radiance and albedo of all rays that split from it. Invalid radiance becomes black. */
+FN path_item gather_path(__global const settings *frame, __global const uint *path, uint path_capacity, uint index, int *is_valid) {
     uint first = state_of_path(frame, index);
     path_item p = load_path(path, path_capacity, first);
     for (uint branch = 1; branch < states_per_path(frame); ++branch) {
@@ -75,7 +76,57 @@ FN path_item gather_path(__global const settings *frame, __global const uint *pa
         RENDER_PASS_FIELDS(ADD_BRANCH, path)
         if (HAS_AOVS) p.albedo = add(p.albedo, LOAD_FIELD(path, spectrum, albedo, path, path_capacity, first + branch));
     }
+    *is_valid = is_finite(p.L) & (max_component(p.L) <= MOST_RADIANCE);
+    p.L = choose(*is_valid, p.L, uniform_spectrum(0.0f));
+    RENDER_PASS_FIELDS(BLACKEN, path)
     return p;
+}
+/* Whether the pixel gets a sample by it. */
+FN int is_sample(path_item p, int is_valid) { return !((p.weight == 0.0f) & is_black(p.L) & is_valid); }
+FN spectrum light_of_path(path_item p) { return HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L; }
+
+#define KEEP(q, type, name, FEATURE) if (HAS_##FEATURE) f.name = choose(is_added, f.name, before.name);
+
+/* Adds camera path `index` to the fields of a pixel. Straight-line. */
+FN void resolve_path(__global const settings *frame, color_tables color_set, __global const uint *path, uint path_capacity, uint index,
+                     __global uint *film, uint pixels, size_t pixel) {
+    int is_valid;
+    path_item p = gather_path(frame, path, path_capacity, index, &is_valid);
+    sampled_wavelengths colors = path_wavelengths(color_set, p.seed, p.sample);
+    rgb color = color_of_light(light_of_path(p), colors, frame);
+    float scale = exposure_scale(color, frame);
+
+    film_item before = load_film(film, pixels, pixel), f = before;
+    f.invalid += is_valid ? 0u : 1u;
+    f = add_sample(f, p, mul(color, scale), colors, frame);
+    if (HAS_RENDER_PASSES) f = add_passes(f, p, HAS_IMPORTANCE ? p.importance * scale : scale, colors, frame);
+    int is_added = is_sample(p, is_valid);
+    FILM_FIELDS(KEEP, film)
+    store_film(film, pixels, pixel, f);
+}
+
+/* What features keep behind the fields of a pixel. */
+#define HAS_MORE_THAN_FIELDS (HAS_SPECTRAL_FILM || HAS_GROUPS || HAS_FIREFLIES || HAS_CRYPTO_OBJECT || HAS_CRYPTO_MATERIAL)
+FN void resolve_features(__global const settings *frame, color_tables color_set, matte_tables mattes, __global const uint *path,
+                         uint path_capacity, uint index, __global uint *film, uint pixels, size_t pixel) {
+    int is_valid;
+    path_item p = gather_path(frame, path, path_capacity, index, &is_valid);
+    if (!is_sample(p, is_valid)) return;
+    sampled_wavelengths colors = path_wavelengths(color_set, p.seed, p.sample);
+    spectrum light = light_of_path(p);
+    rgb color = color_of_light(light, colors, frame);
+    float scale = exposure_scale(color, frame), exposed = HAS_IMPORTANCE ? p.importance * scale : scale;
+
+    if (HAS_SPECTRAL_FILM) add_to_buckets(film, film_words, pixels, pixel, frame, colors, mul(mul(light, scale), p.weight));
+    size_t groups = film_words + BUCKET_WORDS * frame->bucket_count, bands = groups + GROUP_WORDS * LIGHT_GROUP_COUNT;
+    add_groups(film, groups, pixels, pixel, path, path_capacity, state_of_path(frame, index), states_per_path(frame),
+               is_valid ? exposed : 0.0f, p.weight, colors, frame);
+    color = mul(color, scale);
+    if (HAS_FIREFLIES) add_to_bands(film, bands, pixels, pixel, luminance(color), mul(color, p.weight));
+    size_t objects = bands + (HAS_FIREFLIES ? GROUP_WORDS * BRIGHTNESS_BANDS : 0);
+    if (HAS_CRYPTO_OBJECT) add_to_mattes(film, objects, pixels, pixel, mattes.object_matte_ids[p.object], p.weight);
+    size_t materials = objects + (HAS_CRYPTO_OBJECT ? MATTE_WORDS * MATTE_SLOTS : 0);
+    if (HAS_CRYPTO_MATERIAL) add_to_mattes(film, materials, pixels, pixel, mattes.material_matte_ids[p.material], p.weight);
 }
 
 #define RESOLVE_FILM(TABLE, ARGUMENT) \
@@ -84,38 +135,23 @@ FN path_item gather_path(__global const settings *frame, __global const uint *pa
     ARGUMENT(__global uint *, film) ARGUMENT(__global const layer_range *, block_layers) ARGUMENT(uint, block_log2_width) \
     ARGUMENT(uint, block_log2_height)
 TRACING_STAGE(resolve_film, RESOLVE_FILM) {
+    /* Paths may have been cut short. If not, no stage before this one has been */
+    if (is_interrupted(stop)) return;
     color_tables color_set = BIND_COLORS;
-    uint log2_pixels = block_log2_width + block_log2_height;
-    for (size_t pixel = first_slot; pixel < SLOTS_END; ++pixel) {
-        /* Paths may have been cut short. If not, no stage before this one has been */
-        if (is_interrupted(stop)) return;
-        film_item f = load_film(film, count, pixel);
-        layer_range range = block_layers[pixel >> log2_pixels];
-        for (uint s = range.first; s < range.first + range.layers; ++s) {
-            uint index = first_path + (s << log2_pixels) + ((uint)pixel & ((1u << log2_pixels) - 1u));
-            path_item p = gather_path(frame, path, path_capacity, index);
-            if (p.weight == 0.0f && is_black(p.L)) continue;
-            int is_valid = is_finite(p.L) && max_component(p.L) <= MOST_RADIANCE;
-            if (!is_valid) {
-                p.L = uniform_spectrum(0.0f);
-                RENDER_PASS_FIELDS(BLACKEN, path)
-                f.invalid += 1;
-            }
-            sampled_wavelengths colors = path_wavelengths(color_set, p.seed, p.sample);
-            exposure e = expose(HAS_IMPORTANCE ? mul(p.L, p.importance) : p.L, colors, frame);
-            f = add_sample(f, p, e.color, colors, frame);
-            float exposed = HAS_IMPORTANCE ? p.importance * e.scale : e.scale;
-            if (HAS_RENDER_PASSES) f = add_passes(f, p, exposed, colors, frame);
-            add_groups(film, film_words + BUCKET_WORDS * frame->bucket_count, count, pixel, path, path_capacity,
-                       state_of_path(frame, index), states_per_path(frame), is_valid ? exposed : 0.0f, p.weight, colors, frame);
-            size_t bands = film_words + BUCKET_WORDS * frame->bucket_count + GROUP_WORDS * LIGHT_GROUP_COUNT;
-            if (HAS_FIREFLIES) add_to_bands(film, bands, count, pixel, luminance(e.color), mul(e.color, p.weight));
-            size_t mattes = bands + (HAS_FIREFLIES ? GROUP_WORDS * BRIGHTNESS_BANDS : 0);
-            if (HAS_CRYPTO_OBJECT) add_to_mattes(film, mattes, count, pixel, object_matte_ids[p.object], p.weight);
-            if (HAS_CRYPTO_OBJECT) mattes += MATTE_WORDS * MATTE_SLOTS;
-            if (HAS_CRYPTO_MATERIAL) add_to_mattes(film, mattes, count, pixel, material_matte_ids[p.material], p.weight);
-            if (HAS_SPECTRAL_FILM) add_to_buckets(film, film_words, count, pixel, frame, colors, mul(e.light, p.weight));
+    matte_tables mattes = BIND_MATTES;
+    uint log2_pixels = block_log2_width + block_log2_height, within = (1u << log2_pixels) - 1u;
+    size_t last = SLOTS_END, end;
+
+    /* Pixels of one block have neighbouring paths in each layer */
+    for (size_t start = first_slot; start < last; start = end) {
+        end = min(last, (start | within) + 1u);
+        layer_range range = block_layers[start >> log2_pixels];
+        for (uint layer = range.first; layer < range.first + range.layers; ++layer) {
+            uint first = first_path + (layer << log2_pixels) + ((uint)start & within);
+            EACH_SLOT_FROM(start, end - start, pixel)
+                resolve_path(frame, color_set, path, path_capacity, first + (uint)(pixel - start), film, count, pixel);
+            for (size_t pixel = start; HAS_MORE_THAN_FIELDS && pixel < end; ++pixel)
+                resolve_features(frame, color_set, mattes, path, path_capacity, first + (uint)(pixel - start), film, count, pixel);
         }
-        store_film(film, count, pixel, f);
     }
 }

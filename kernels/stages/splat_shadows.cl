@@ -10,7 +10,8 @@
 /* Adds light to a pixel, as the sensor sees it, in units of SPLAT_UNIT over splat_scale. */
 FN void add_splat(__global uint *splat, size_t pixels, size_t pixel, __global const settings *frame, sampled_wavelengths colors, spectrum L,
                   uint render_pass, random_stream *numbers) {
-    rgb color = mul(expose(L, colors, frame).color, frame->splat_scale);
+    rgb color = color_of_light(L, colors, frame);
+    color = mul(color, exposure_scale(color, frame) * frame->splat_scale);
     float largest = max1(fabs(color.r), max1(fabs(color.g), fabs(color.b)));
     if (!(largest < MOST_SPLAT) || !is_finite(largest)) { add_to_splat(splat, pixels, splat_lost, pixel, 1); return; }
     long red = splat_units(color.r * SPLAT_UNITS, next_random(numbers)), green = splat_units(color.g * SPLAT_UNITS, next_random(numbers)),

@@ -63,6 +63,8 @@ std::vector<VectorCase> cases() {
          "ActiveTransform EndTime Rotate 30 0 1 0 ActiveTransform All Camera \"perspective\"\n"},
         {"shade_misses", "shade_misses", "LightSource \"infinite\" \"rgb L\" [ 1 1 1 ]\nShape \"sphere\"\n"},
         {"shade_emitters", "shade_emitters", lamp},
+        {"resolve_film", "resolve_film", lamp},
+        {"resolve_film_with_auxiliary_channels", "resolve_film", lamp, "Film \"gbuffer\"\n"},
         {"shade_hits_diffuse", "shade_hits diffuse", sphereOf("\"diffuse\"")},
         {"shade_hits_with_an_environment_guide", "shade_hits diffuse", "LightSource \"infinite\"\n" + sphereOf("\"diffuse\"")},
         {"shade_hits_diffuse_transmission", "shade_hits diffuse_transmission", sphereOf("\"diffusetransmission\"")},
