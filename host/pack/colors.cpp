@@ -16,7 +16,11 @@ namespace {
 float toFloat(double x) { return static_cast<float>(x); }
 
 /// A sigmoid argument at which the sigmoid is 1, so that only the curve counts.
-constexpr float saturated = 1e6f;
+constexpr float saturated = SATURATED;
+
+/// Curves in all up to which smooth spectra become curves, too: the device reads them faster than it computes them, while its caches hold
+/// them (120 KB).
+constexpr size_t mostCurves = 64;
 
 }  // namespace
 
@@ -38,8 +42,19 @@ color ColorPacker::smooth(glm::dvec3 rgb, ColorSpace space, double factor, uint 
     const auto [found, isNew] = smooth_.try_emplace({rgb.x, rgb.y, rgb.z, space});
     if (isNew)
         found->second = space == ColorSpace::srgb && smooth_.size() > few ? tabulatedReflectance(rgb) : upliftReflectance(rgb, space);
+    if (const std::optional<uint> product = smoothCurve(found->second, curve)) return {0, 0, saturated, toFloat(factor), *product};
     const glm::dvec3 c = found->second.c;
     return {toFloat(c.x), toFloat(c.y), toFloat(c.z), toFloat(factor), curve};
+}
+
+std::optional<uint> ColorPacker::smoothCurve(const SmoothReflectance& shape, uint factor) {
+    const auto key = std::tuple(shape.c.x, shape.c.y, shape.c.z, factor);
+    if (const auto known = smoothCurves_.find(key); known != smoothCurves_.end()) return known->second;
+    if (curves_.size() >= mostCurves) return std::nullopt;
+    DenseCurve product;
+    for (size_t i = 0; i < product.size(); ++i)
+        product[i] = shape(SHORTEST_WAVELENGTH + static_cast<double>(i)) * tables_.curves[factor * CURVE_WORDS + i];
+    return smoothCurves_[key] = this->curve(product);
 }
 
 /// The same for any non-negative colour: scaled to the middle of the sigmoid's range, like pbrt-v4's unbounded spectra.

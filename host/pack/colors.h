@@ -6,6 +6,7 @@
 #include "pack/context.h"
 
 #include <map>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -46,6 +47,8 @@ public:
 
 private:
     uint curve(const DenseCurve& curve);
+    /// The curve that is the product of a smooth spectrum and another curve; none where there are many curves.
+    std::optional<uint> smoothCurve(const SmoothReflectance& shape, uint factor);
     uint response(const std::array<glm::dvec3, wavelengthCount>& response);
     color curveColor(const DenseCurve& curve, double factor);
     color smooth(glm::dvec3 rgb, ColorSpace space, double factor, uint curve);
@@ -54,6 +57,7 @@ private:
     const PackContext& context_;
     ColorTables& tables_;
     std::map<DenseCurve, uint> curves_;                                                   ///< -> `curves`
+    std::map<std::tuple<double, double, double, uint>, uint> smoothCurves_;               ///< by coefficients and the other curve
     std::map<std::tuple<double, double, double, ColorSpace>, SmoothReflectance> smooth_;  ///< of colours seen before
 };
 

@@ -44,6 +44,8 @@ typedef struct {
     float scale;         /* with SPECTRAL: a factor */
     uint curve;          /* with SPECTRAL: another factor, one of `curves` */
 } color;
+/* c2 of a colour that is its curve alone: there, with c0 and c1 of 0, the smooth spectrum is 1. */
+#define SATURATED 1e6f
 
 /* Rows of an affine map between two spaces: p' = (dot(row_x.xyz, p) + row_x.w, ...). */
 typedef struct { float xx, xy, xz, xw, yx, yy, yz, yw, zx, zy, zz, zw; } affine;

@@ -17,6 +17,7 @@
     F(q, uint,     path,       ALWAYS)       /* index of its path state */ \
     F(q, uint,     seed,       ALWAYS)       /* hash of its pixel: selects the random sequence */ \
     F(q, uint,     sample,     ALWAYS)       /* index in that sequence */ \
+    F(q, float,    wavelength, SPECTRAL)     /* in [0, 1): its wavelengths follow from it (sample_wavelengths) */ \
     F(q, uint,     depth,      ALWAYS)       /* scattering events so far (no null interfaces); where rays split, in its lower half */ \
     F(q, spectrum, beta,       ALWAYS)       /* throughput: contribution of the path so far over its density */ \
     F(q, float,    time,       MOTION)       /* in [0, 1], from start to end of all motion */ \
@@ -83,8 +84,7 @@
 /* A ray that left the scene: filled by route_intersections, drained by shade_misses. Dense. */
 #define MISS_FIELDS(F, q) \
     F(q, uint,     path,       ALWAYS) \
-    F(q, uint,     seed,       SPECTRAL) \
-    F(q, uint,     sample,     SPECTRAL) \
+    F(q, float,    wavelength, SPECTRAL)     /* as in ray */ \
     F(q, uint,     depth,      ALWAYS) \
     F(q, spectrum, beta,       ALWAYS) \
     F(q, spectrum, r_u,        MEDIA) \
@@ -123,8 +123,7 @@
 /* What persists from camera to film, by path index. A path has one item in a queue (where rays
    split, each has a state of its own), so stages add to L without atomics. LIGHT_GROUPS: the light of each group follows. */
 #define PATH_FIELDS(F, q) \
-    F(q, uint,     seed,       SPECTRAL) \
-    F(q, uint,     sample,     SPECTRAL) \
+    F(q, float,    wavelength, SPECTRAL)     /* as in ray */ \
     F(q, spectrum, L,          ALWAYS)       /* radiance so far */    RENDER_PASS_FIELDS(F, q) \
     F(q, float,    weight,     ALWAYS)       /* filter weight of this sample; 0: outside the image */ \
     F(q, float,    importance, IMPORTANCE)   /* film response to a radiance of 1 */ \

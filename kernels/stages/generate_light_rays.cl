@@ -39,7 +39,8 @@ TRACING_STAGE(generate_light_rays, GENERATE_LIGHT_RAYS) {
         ray_item r = begin_path(frame, at.x, at.y, at.sample, first_path + of_batch);
         r.seed = hash_uint(r.seed, LIGHT_PATH_SEED);
         r.has_nonspecular_vertex = 1u;  /* the auxiliary channels show nothing of it */
-        sampled_wavelengths colors = path_wavelengths(color_set, r.seed, r.sample);
+        r.wavelength = wavelength_number(color_set.wavelengths, r.seed, r.sample);
+        sampled_wavelengths colors = path_wavelengths(color_set, r.wavelength);
         emission e = sample_emission(light_set, emission_aliases, colors, frame->emission_count, r.seed, r.sample);
         r = leave_light(g, tables, colors, r, e);
         r.vertex = r.o;

@@ -11,7 +11,7 @@
 #include "shade/ray_tree.clh"
 
 #define GENERATE_RAYS(TABLE, ARGUMENT) \
-    CAMERA_TABLES(TABLE) \
+    CAMERA_TABLES(TABLE) COLOR_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global uint *, ray) ARGUMENT(__global uint *, path) BATCH_ARGUMENTS(ARGUMENT) \
     ARGUMENT(uint, begun) ARGUMENT(uint, first_path) ARGUMENT(uint, first)
 STAGE(generate_rays, GENERATE_RAYS) {
@@ -19,7 +19,7 @@ STAGE(generate_rays, GENERATE_RAYS) {
     FOR_EACH_SLOT_OF_GROUP(i, count) {
         uint of_batch = begun + (uint)i;
         pixel_sample at = LOCATE_PATH(of_batch);  /* in_image: 0 beyond the edge of the image, and behind the last path of the batch */
-        camera_path p = start_path(tables, frame, at.x, at.y, at.sample, first_path + of_batch, at.in_image);
+        camera_path p = start_path(tables, wavelengths, frame, at.x, at.y, at.sample, first_path + of_batch, at.in_image);
         store_ray(ray, capacity, first + i, p.ray);
         /* At p.ray.path. Where rays do not split that is first_path + begun + i, computed so that the compiler sees neighbours */
         size_t state = state_to_start(p.ray.path, first_path, begun + i);

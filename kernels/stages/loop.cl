@@ -115,7 +115,7 @@ TRACING_STAGE(loop, LOOP) {
         to.capacity = capacity; to.path_capacity = path_capacity; to.slot = slot; to.shading_passes = shading_passes;
 
         pixel_sample at = LOCATE_PATH(slot);
-        camera_path started = start_path(camera_set, frame, at.x, at.y, at.sample, slot, at.in_image);
+        camera_path started = start_path(camera_set, wavelengths, frame, at.x, at.y, at.sample, slot, at.in_image);
         store_path(path, path_capacity, started.ray.path, started.path);
         clear_groups(path, path_capacity, started.ray.path);
         to.rays = 1;

@@ -92,7 +92,7 @@ FN void resolve_path(__global const settings *frame, color_tables color_set, __g
                      __global uint *film, uint pixels, size_t pixel) {
     int is_valid;
     path_item p = gather_path(frame, path, path_capacity, index, &is_valid);
-    sampled_wavelengths colors = path_wavelengths(color_set, p.seed, p.sample);
+    sampled_wavelengths colors = path_wavelengths(color_set, p.wavelength);
     rgb color = color_of_light(light_of_path(p), colors, frame);
     float scale = exposure_scale(color, frame);
 
@@ -112,7 +112,7 @@ FN void resolve_features(__global const settings *frame, color_tables color_set,
     int is_valid;
     path_item p = gather_path(frame, path, path_capacity, index, &is_valid);
     if (!is_sample(p, is_valid)) return;
-    sampled_wavelengths colors = path_wavelengths(color_set, p.seed, p.sample);
+    sampled_wavelengths colors = path_wavelengths(color_set, p.wavelength);
     spectrum light = light_of_path(p);
     rgb color = color_of_light(light, colors, frame);
     float scale = exposure_scale(color, frame), exposed = HAS_IMPORTANCE ? p.importance * scale : scale;

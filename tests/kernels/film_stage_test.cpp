@@ -125,18 +125,18 @@ TEST(ResolveFilm, FillsBuckets) {
                                                    .type = "spectrum",
                                                    .body = R"(
         color_tables set = BIND_COLORS;
-        result = path_wavelengths(set, seed, sample).lambda;)",
-                                                   .inputs = {"uint seed", "uint sample"},
+        result = path_wavelengths(set, number).lambda;)",
+                                                   .inputs = {"float number"},
                                                    .tables = "COLOR_TABLES(TABLE)",
                                                    .features = Features::everything()});
     StageBench bench(scene, paths, true, side * side);
     bench.set(wholeImage, side, side);
     bench.run("generate_rays", paths);
     QueueWords states = bench.read("path");
-    std::vector<uint> seeds, samples_;
+    std::vector<float> numbers;
     std::vector<double> expected(side * side * 7);
-    for (size_t i = 0; i < paths; ++i) { seeds.push_back(states.get<uint>("seed", i)); samples_.push_back(states.get<uint>("sample", i)); }
-    const std::vector<Four> lambda = wavelengths.with(DeviceScene(testContext(), scene), seeds, samples_);
+    for (size_t i = 0; i < paths; ++i) numbers.push_back(states.get<float>("wavelength", i));
+    const std::vector<Four> lambda = wavelengths.with(DeviceScene(testContext(), scene), numbers);
     for (size_t i = 0; i < paths; ++i) {
         const size_t pixel = i % (side * side);
         const float value = static_cast<float>(i + 1), bright = pixel == 3 ? 1e9f : 1, weight = pixel == 5 ? -0.5f : 2.0f;
