@@ -1,9 +1,8 @@
 #include "pack/missed_light.h"
 
-#include "kind_features.h"
 #include "kinds/light_kind.h"
+#include "pack/smooth_bsdfs.h"
 #include "pack/tables.h"
-#include "eikonal/stages.h"
 
 #include <fmt/format.h>
 
@@ -22,12 +21,6 @@ static std::string firstUse(const PackedScene& packed, Feature feature) {
 
 /// Which smooth surfaces count. Light paths end at subsurface bodies.
 enum class Smooth { any, bodies, others };
-
-/// BSDFs of smooth surfaces.
-struct SmoothBsdf { Feature feature; next_queue queue; const char* what; };
-constexpr SmoothBsdf smoothBsdfs[] = {{KindFeature::BSDF_SPECULAR_DIELECTRIC, next_specular_dielectric, "clear glass"},
-                                      {KindFeature::BSDF_SPECULAR_CONDUCTOR, next_specular_conductor, "a mirror"},
-                                      {KindFeature::BSDF_THIN_DIELECTRIC, next_thin_dielectric, "a pane"}};
 
 /// Whether a material with that BSDF is, or is not, that of a subsurface body.
 static bool hasMaterial(const PackedScene& packed, next_queue queue, bool ofBody) {

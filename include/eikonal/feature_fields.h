@@ -42,7 +42,8 @@
     F(q, uint,     number,     MERGING_OR_CONNECTIONS) /* of the pixel that it began for: y * width + x */ \
     F(q, uint,     pass,       MERGING_OR_CONNECTIONS) /* which sample of that pixel it is */
 #define LIGHT_PATH_HIT_FIELDS(F, q) \
-    F(q, float,    merging,    MERGING)      /* density of merging here, per density of arriving from either side; 0: none merge */
+    F(q, float,    merging,    MERGING)      /* density of merging here, per density of arriving from either side; 0: none merge */ \
+    F(q, float,    merging_chance, MERGING)  /* probability that a path that comes here has a hit that merges (merging_chance.clh) */
 #define LIGHT_PATH_MISS_FIELDS(F, q) \
     F(q, float,    d_vc,       LIGHT_PATHS)  /* as in ray */
 #define LIGHT_PATH_EMISSION_FIELDS(F, q) \

@@ -31,6 +31,7 @@ typedef struct {
     uint transmits;      /* 1: light passes through the surface, so both sides are lit */
     uint is_clear;       /* 1: light passes nearly straight through: a null interface or a dielectric; survey paths do */
     uint disperses;      /* 1: it has an input_hero; paths that hit it terminate their secondary wavelengths */
+    uint is_delta;       /* 1: its BSDF is a delta distribution */
 } material;
 
 /* A body with a diffusion profile (kernels/shade/diffusion.clh). */

@@ -5,12 +5,13 @@
 #include "light/emission.clh"
 #include "stages/queue.clh"
 #include "stages/stage.clh"
+#include "trace/merging_chance.clh"
 #include "trace/route_items.clh"
 #include "trace/segments.clh"
 
 /* At its first hit, a light path learns how densely paths from the camera go the other way, at last. */
 FN hit_item arrive_from_light(scene_tables scene, __global const alias_entry *emission_aliases, hit_item h, ray_item r, float distance) {
-    sampled_wavelengths colors = path_wavelengths(scene.colors, r.seed, r.sample);
+    sampled_wavelengths colors = path_wavelengths(scene.colors, r.wavelength);
     emission e = sample_emission(scene.lights, emission_aliases, colors, scene.frame->emission_count, r.seed, r.sample);
     uint guide = HAS_ENVIRONMENT_GUIDE ? guide_map(scene.lights, h.p, choice_normal(h)) : 0u;
     float direct = direct_density(scene.lights, colors, e, h.p, h.wo, distance, guide);
@@ -69,11 +70,13 @@ COUNTING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
             continue;
         }
         material m = scene.materials.materials[f.material];
+        float chance = HAS_MERGING ? merging_chance(scene.geometry, scene.tables, scene.materials, f, s) : 1.0f;
         s = perturb_normal(scene.tables, m, s);
         hit_item h = aim_nowhere(make_hit(scene.geometry, r, f, s, m));
         h.render_pass = pass_of_light_path(r.depth);
         /* Where nothing from the camera is comparable, the path ends: its hit has no throughput */
         h = arrive(frame, scene.geometry, h, r, f, m);
+        h.merging_chance = chance;
         if (ends_light_paths(scene.geometry, f, m)) h.beta = uniform_spectrum(0.0f);
         else if (r.depth == 0u) h = arrive_from_light(scene, emission_aliases, h, r, distance);
         store_hit_and_bsdf(hit, capacity, slot, scene.tables, scene.colors, scene.materials, m, h, s);

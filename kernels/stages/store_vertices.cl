@@ -24,7 +24,7 @@ COUNTING_STAGE(store_vertices, STORE_VERTICES) {
         if (!stores_hit(frame, h)) continue;
         vertex_item v = new_vertex();
         v.p = h.p; v.ng = h.ng; v.wo = h.wo;
-        v.beta = mul(h.beta, 1.0f / kept_share(h.depth));
+        v.beta = mul(h.beta, 1.0f / (kept_share(h.depth) * h.merging_chance));
         v.r_u = h.r_u;
         v.d_vcm = h.d_vcm; v.d_vc = h.d_vc;
         v.secondary_terminated = h.secondary_terminated;

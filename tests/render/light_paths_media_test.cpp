@@ -62,6 +62,16 @@ INSTANTIATE_TEST_SUITE_P(
                          "", 256}),
     [](const auto& info) { return info.param.name; });
 
+/// Light that turns back thirty times: the frame of a direction is not made of the one before, or errors of their lengths would grow.
+TEST(LightPathsInADeepMedium, GiveTheImageOfPathsFromTheCamera) {
+    View v = view();
+    v.samples = 256;
+    v.maxDepth = 29;
+    const std::string text = sceneText(v, panel + body("\"string type\" \"homogeneous\" \"rgb sigma_s\" [10 10 10] \"rgb sigma_a\" "
+                                                       "[.2 .2 .2] \"float g\" -.9", globe));
+    expectSameLight(text, withIntegrator("\"bdpt\"", text));
+}
+
 /// At wavelengths, a path samples distances for one of them and counts for all.
 TEST(LightPathsInMediaAtWavelengths, GiveTheImageOfPathsFromTheCamera) {
     View v = view();

@@ -5,6 +5,8 @@
 
 #include "pack/light_vertices.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace eikonal {
@@ -13,6 +15,26 @@ namespace {
 /// Merges within a radius that is small beside all edges of the room.
 std::string merging(const std::string& text, const std::string& radius = ".03") {
     return withIntegrator("\"sppm\" \"float radius\" " + radius, text);
+}
+
+/// An icosahedron with the normals of a ball. Light that grazes one of its faces does not graze the next.
+std::string icosahedron() {
+    const double golden = (1 + std::sqrt(5.)) / 2, s = 1 / std::sqrt(1 + golden * golden);
+    std::vector<glm::dvec3> corners;
+    for (double a : {-s, s})
+        for (double b : {-s * golden, s * golden}) corners.insert(corners.end(), {{a, b, 0}, {0, a, b}, {b, 0, a}});
+    std::string points, normals, indices;
+    for (const glm::dvec3& c : corners) {
+        points += fmt::format("{} {} {}  ", .6 * c.x, .6 * c.y + .8, .6 * c.z);
+        normals += fmt::format("{} {} {}  ", c.x, c.y, c.z);
+    }
+    const auto areNeighbours = [&](size_t i, size_t j) { return glm::length(corners[i] - corners[j]) < 2.01 * s; };
+    for (size_t i = 0; i < corners.size(); ++i)
+        for (size_t j = i + 1; j < corners.size(); ++j)
+            for (size_t k = j + 1; k < corners.size(); ++k)
+                if (areNeighbours(i, j) && areNeighbours(j, k) && areNeighbours(i, k)) indices += fmt::format("{} {} {}  ", i, j, k);
+    return fmt::format(R"(Material "diffuse" Shape "trianglemesh" "point3 P" [{}] "normal N" [{}] "integer indices" [{}])", points, normals,
+                       indices);
 }
 
 struct Case {
@@ -37,6 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"a_leaf", panel + ball("\"diffusetransmission\" \"rgb reflectance\" [.3 .3 .3] \"rgb transmittance\" [.5 .4 .3]")},
                     Case{"vertex_normals", panel + R"(Material "diffuse" Shape "trianglemesh"
                          "point3 P" [-.8 .3 .3  .8 .3 .3  0 1.6 .6] "normal N" [-1 0 -1  1 0 -1  0 1 -.5])"},
+                    Case{"facets_that_look_round", panel + icosahedron()},
                     Case{"a_sky", "LightSource \"infinite\" \"rgb L\" [.4 .5 .6]\n" + ball("\"diffuse\"")},
                     Case{"a_spot", "LightSource \"spot\" \"rgb I\" [9 8 7] \"point3 from\" [.4 1.9 -.4] \"float coneangle\" 40\n" +
                                        ball("\"diffuse\"")},
@@ -50,14 +73,15 @@ INSTANTIATE_TEST_SUITE_P(
 /// scattered by the floor, and passes the surface again. `maxdepth` 3 leaves out what returns to the floor.
 struct Pool {
     static constexpr double eta = 1.33, reflectance = .5, height = 2, depth = 1;
-    static std::string text(const std::string& light, int samples) {
+    static constexpr const char* matte = "Material \"diffuse\" \"rgb reflectance\" [.5 .5 .5]\n";
+    static std::string text(const std::string& light, int samples, const std::string& floor = matte, const std::string& alpha = "") {
         View v;
         v.lookAt = "0 9 0  0 0 0  0 0 1";
         v.fov = .5;
         v.samples = samples;
         v.maxDepth = 3;
-        return sceneText(v, light + R"(Material "diffuse" "rgb reflectance" [.5 .5 .5]
-            Shape "bilinearmesh" "point3 P" [-3 -1 -3  3 -1 -3  -3 -1 3  3 -1 3]
+        return sceneText(v, light + floor + R"(
+            Shape "bilinearmesh" "point3 P" [-3 -1 -3  3 -1 -3  -3 -1 3  3 -1 3] )" + alpha + R"(
             Material "dielectric" "float eta" 1.33 Shape "bilinearmesh" "point3 P" [-3 0 3  3 0 3  -3 0 -3  3 0 -3])");
     }
     /// What is seen of an irradiance at the floor. Radiance that leaves water is spread over more directions.
@@ -66,17 +90,18 @@ struct Pool {
 };
 
 /// radius: within which the floor is lit evenly.
-void expectOnlyMergingFinds(const std::string& light, const std::string& radius, double radiance) {
-    const std::string few = Pool::text(light, 16);
+void expectOnlyMergingFinds(const std::string& light, const std::string& radius, double radiance, const std::string& floor = Pool::matte,
+                            const std::string& alpha = "", double mostError = .03) {
+    const std::string few = Pool::text(light, 16, floor, alpha);
     EXPECT_EQ(estimate(render(few).image).mean.g, 0);
     EXPECT_EQ(estimate(render(withIntegrator("\"bdpt\"", few)).image).mean.g, 0);
-    const Rendered merged = render(merging(Pool::text(light, 4096), radius));
+    const Rendered merged = render(merging(Pool::text(light, 4096, floor, alpha), radius));
     /* All pixels see one point, so they share light paths: the error is that between passes, as each pixel tells */
     double variance = 0;
     for (const float v : merged.image.variance) variance += static_cast<double>(v) / static_cast<double>(merged.image.pixelCount());
     EXPECT_EQ(merged.invalid.count, 0u);
     EXPECT_NEAR(estimate(merged.image).mean.g, radiance, standardErrors * std::sqrt(variance) + 3e-3 * radiance);
-    EXPECT_LT(std::sqrt(variance), .03 * radiance) << "too few samples to tell";
+    EXPECT_LT(std::sqrt(variance), mostError * radiance) << "too few samples to tell";
 }
 
 /// A light at a point: rays of a small angle a arrive at the distance a (height + depth / eta) from the middle.
@@ -84,6 +109,17 @@ TEST(MergingInAPool, FindsASpotlight) {
     const double irradiance = 4 * Pool::transmittance() / std::pow(Pool::height + Pool::depth / Pool::eta, 2);
     expectOnlyMergingFinds("LightSource \"spot\" \"rgb I\" [4 4 4] \"point3 from\" [0 2 0] \"point3 to\" [0 0 0]\n", ".2",
                            Pool::radiance(irradiance));
+}
+/// Of the floor a share is there, for paths from both ends: what is seen is that share, not its square.
+TEST(MergingInAPool, CountsAShareOfTheFloorOnce) {
+    const std::string light = "LightSource \"distant\" \"rgb L\" [4 4 4] \"point3 from\" [0 1 0] \"point3 to\" [0 0 0]\n";
+    const double whole = Pool::radiance(4 * Pool::transmittance());
+    expectOnlyMergingFinds(light, ".6", .3 * whole, Pool::matte, "\"float alpha\" .3", .1);
+    const std::string materials = R"(MakeNamedMaterial "matte" "string type" "diffuse" "rgb reflectance" [.5 .5 .5]
+        MakeNamedMaterial "mirror" "string type" "conductor" "float roughness" 0
+        MakeNamedMaterial "half" "string type" "mix" "string materials" ["matte" "mirror"] "float amount" .5 )";
+    expectOnlyMergingFinds(light, ".6", .25 * whole, materials + R"(MakeNamedMaterial "quarter" "string type" "mix"
+        "string materials" ["mirror" "half"] "float amount" .5 NamedMaterial "quarter")", "", .1);
 }
 /// The sun: the floor is lit as evenly as the water.
 TEST(MergingInAPool, FindsTheSun) {
