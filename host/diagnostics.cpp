@@ -1,12 +1,13 @@
 #include "diagnostics.h"
 
 #include "messages.h"
+#include "printable.h"
 
 namespace eikonal {
 
 void Diagnostics::warn(const SourceLocation& where, const std::string& message) {
     const std::string place = where.toString();
-    const std::string text = (place.empty() ? "" : place + ": ") + "warning: " + message;
+    const std::string text = place.empty() ? "warning: " + message : inOneLine(place + ": warning: " + message);
     std::lock_guard lock(mutex_);
     warnings_.push_back(text);
     tell(LogLevel::warning, text, level_);

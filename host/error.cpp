@@ -1,5 +1,7 @@
 #include "error.h"
 
+#include "printable.h"
+
 #include <algorithm>
 #include <numeric>
 #include <vector>
@@ -16,7 +18,7 @@ std::string SourceLocation::toString() const {
 
 static std::string locate(const SourceLocation& where, const std::string& message) {
     const std::string place = where.toString();
-    return place.empty() ? message : place + ": " + message;
+    return place.empty() ? message : inOneLine(place + ": " + message);
 }
 
 SceneError::SceneError(const SourceLocation& where, const std::string& message)

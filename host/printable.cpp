@@ -40,6 +40,11 @@ std::string printable(std::string_view text) {
     return result;
 }
 
+std::string inOneLine(std::string text) {
+    for (size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) text.replace(at, 1, "\\x0a");
+    return text;
+}
+
 std::string quoteWord(std::string_view word) {
     constexpr std::size_t longest = 40;
     const auto belongs = [](char c) {

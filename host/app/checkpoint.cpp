@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace eikonal {
@@ -20,7 +21,8 @@ Checkpoints::Checkpoints(const Options& options, Diagnostics& diagnostics) : opt
     if (!std::filesystem::exists(out.checkpoint, error)) return;
     if (!out.resume)
         throw UsageError(
-            fmt::format("--checkpoint: \"{}\" is there already; add --resume to go on from it, or remove it", out.checkpoint));
+            fmt::format("{}: \"{}\" is there already; add --resume to go on from it, or remove it",
+                        std::ranges::count(out.files, out.checkpoint) > 0 ? "-o" : "--checkpoint", out.checkpoint));
     before_ = std::make_unique<FilmFileReader>(out.checkpoint);
     planned_ = before_->head().planned;
     secondsBefore_ = before_->head().seconds;

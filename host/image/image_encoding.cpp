@@ -38,6 +38,7 @@ const char* optionOfExr(const ImageEncoding& encoding) {
     return encoding.halfFloats     ? "--pixel-type"
            : encoding.compression  ? "--compression"
            : encoding.channelNames ? "--channel-names"
+           : encoding.recordsTime  ? "--record-time"
                                    : nullptr;
 }
 

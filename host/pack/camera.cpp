@@ -5,6 +5,8 @@
 #include "pack/alias_table.h"
 #include "pack/motion.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -13,6 +15,7 @@ namespace eikonal {
 
 PixelRect renderedPixels(const FilmDescription& film, Diagnostics& diagnostics) {
     PixelRect rect{0, 0, film.width, film.height};
+    const SourceLocation& where = film.cropPlace.file ? film.cropPlace : film.where;
     if (film.cropWindow) {
         const auto& c = *film.cropWindow;
         /* In single precision, as in pbrt-v4: 0.55 of 100 columns are 55, not 56 */
@@ -23,11 +26,12 @@ PixelRect renderedPixels(const FilmDescription& film, Diagnostics& diagnostics) 
     }
     if (film.pixelBounds) rect = {film.pixelBounds->x0, film.pixelBounds->y0, film.pixelBounds->x1, film.pixelBounds->y1};
     const PixelRect clipped{std::max(rect.x0, 0), std::max(rect.y0, 0), std::min(rect.x1, film.width), std::min(rect.y1, film.height)};
+    const std::string crop = fmt::format("the crop, x from {} to {} and y from {} to {},", rect.x0, rect.x1, rect.y0, rect.y1),
+                      image = fmt::format(" {} x {} image", film.width, film.height);
     if (clipped.width() <= 0 || clipped.height() <= 0)
-        throw SceneError(film.where, "the crop leaves no pixel of the " + std::to_string(film.width) + " x " + std::to_string(film.height) +
-                                         " image; use a window with x0 < x1 and y0 < y1 inside the image");
+        throw SceneError(where, crop + " leaves no pixel of the" + image + "; use a window with x0 < x1 and y0 < y1 inside the image");
     if (clipped.x0 != rect.x0 || clipped.y0 != rect.y0 || clipped.x1 != rect.x1 || clipped.y1 != rect.y1)
-        diagnostics.warn(film.where, "the crop extends beyond the image; it is clipped");
+        diagnostics.warn(where, crop + " extends beyond the" + image + "; it is clipped");
     return clipped;
 }
 

@@ -97,6 +97,8 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.treeBundle) scene.integrator.bundle = *o.treeBundle;
     if (o.cropWindow) { scene.film.cropWindow = o.cropWindow; scene.film.pixelBounds.reset(); }
     if (o.pixelBounds) { scene.film.pixelBounds = o.pixelBounds; scene.film.cropWindow.reset(); }
+    if (o.cropWindow || o.pixelBounds)
+        scene.film.cropPlace.file = std::make_shared<std::string>(o.cropWindow ? "--cropwindow" : "--pixelbounds");
     return scene;
 }
 

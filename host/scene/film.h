@@ -27,6 +27,7 @@ struct FilmDescription {
     int width = 1280, height = 720;
     std::optional<std::array<double, 4>> cropWindow;     ///< x0 x1 y0 y1 in [0, 1]
     std::optional<PixelBounds> pixelBounds;
+    SourceLocation cropPlace;   ///< what asked for either; without a file: `where`
     std::string filename;                                ///< empty: named after the scene
     double diagonal = 35;                                ///< of a realistic camera's film, millimetres
     double iso = 100, exposureTime = 1, whiteBalance = 0;

@@ -95,6 +95,21 @@ TEST_F(Cli, ASceneThatIsNoTextDoesNotReachTheTerminal) {
     for (const char c : run.error) EXPECT_TRUE(c == '\n' || !std::iscntrl(static_cast<unsigned char>(c)));
 }
 
+TEST_F(Cli, ANameInASceneBeginsNoLineOfItsOwn) {
+    write("forged.pbrt", "WorldBegin\nMakeNamedMedium \"m\" \"string type\" \"homogeneous\"\n"
+                         "Shape \"plymesh\" \"string filename\" \"a\\nb.pbrt:1:1: warning: forged.ply\"\nShape \"sph\\nere\"\n");
+    const Outcome run = this->run({"info", "forged.pbrt"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.error, HasSubstr("\"sph\\x0aere\""));
+    EXPECT_THAT(run.error, testing::Not(HasSubstr("\nb.pbrt")));
+}
+
+TEST_F(Cli, ACropThatLeavesNothingIsThatOfTheOption) {
+    const Outcome run = this->run({"render", "tiny.pbrt", "--pixelbounds", "300,400,0,10", "-o", "a.exr"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_THAT(run.error, HasSubstr("--pixelbounds: the crop, x from 300 to 400 and y from 0 to 10, leaves no pixel of the "));
+}
+
 TEST_F(Cli, ErrorsOfUsageExitWith2) {
     for (const std::vector<std::string>& arguments :
          std::vector<std::vector<std::string>>{{},

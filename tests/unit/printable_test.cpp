@@ -27,6 +27,8 @@ TEST(Printable, ShowsControlCharactersAsNumbers) {
     EXPECT_EQ(printable("\xc2\x9b"), "\\xc2\\x9b") << "U+009B starts a sequence as ESC [ does";
 }
 
+TEST(Printable, MakesOneLine) { EXPECT_EQ(inOneLine("a\nb\n"), "a\\x0ab\\x0a"); }
+
 TEST(Printable, ShowsBytesThatAreNoUtf8AsNumbers) {
     EXPECT_EQ(printable("\xff\xfe"), "\\xff\\xfe");
     EXPECT_EQ(printable("\xc3"), "\\xc3") << "cut off";
