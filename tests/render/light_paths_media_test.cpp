@@ -65,10 +65,10 @@ INSTANTIATE_TEST_SUITE_P(
 /// Light that turns back thirty times: the frame of a direction is not made of the one before, or errors of their lengths would grow.
 TEST(LightPathsInADeepMedium, GiveTheImageOfPathsFromTheCamera) {
     View v = view();
-    v.samples = 256;
+    v.samples = 768;
     v.maxDepth = 29;
-    const std::string text = sceneText(v, panel + body("\"string type\" \"homogeneous\" \"rgb sigma_s\" [10 10 10] \"rgb sigma_a\" "
-                                                       "[.2 .2 .2] \"float g\" -.9", globe));
+    const std::string medium = "\"string type\" \"homogeneous\" \"rgb sigma_s\" [10 10 10] \"rgb sigma_a\" [.2 .2 .2] \"float g\" -.9";
+    const std::string text = sceneText(v, lamp("Translate 2 3 -3 Shape \"sphere\" \"float radius\" .4") + body(medium, globe));
     expectSameLight(text, withIntegrator("\"bdpt\"", text));
 }
 
