@@ -108,7 +108,7 @@ Tile parseTile(const std::string& option, const std::string& text) {
 
 double parseDuration(const std::string& option, const std::string& text) {
     if (const auto seconds = durationIn(text)) return *seconds;
-    refuse(option, "a time greater than 0, like 90s, 10m or 1h", text);
+    refuse(option, "a time greater than 0 in seconds, minutes or hours, like 90s, 10m or 1h", text);
 }
 
 DisplayAddress parseDisplayAddress(const std::string& option, const std::string& text) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <regex>
 #include <sstream>
 
 namespace eikonal {
@@ -79,6 +80,14 @@ std::vector<std::string> inOurSpelling(const Parser& parser, std::vector<std::st
 
 }  // namespace
 
+/// What the parser says of a wrong command line, in the words of our other messages.
+static std::string inOurWords(const std::string& problem) {
+    static const std::regex repeated(R"((--?[a-z-]+): At Most 1 required but received (\d+))");
+    std::smatch found;
+    return std::regex_match(problem, found, repeated) ? fmt::format("{} is given {} times; give it once", found[1].str(), found[2].str())
+                                                      : problem;
+}
+
 Options parseOptions(const std::vector<std::string>& arguments) {
     Parser parser;
     Options& options = parser.options;
@@ -99,7 +108,7 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         options.text = std::string(version.what()) + "\n";
         return options;
     } catch (const CLI::ParseError& error) {
-        throw UsageError(fmt::format("{}\n{}", error.what(), getHelp));
+        throw UsageError(fmt::format("{}\n{}", inOurWords(error.what()), getHelp));
     }
 
     const CLI::App* command = &parser.app;

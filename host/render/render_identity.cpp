@@ -12,12 +12,17 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 
 namespace eikonal {
 namespace {
 
 using Values = RenderIdentity::Values;
 using Json = nlohmann::ordered_json;
+
+/// The name of the setting that lists the fields of the film.
+constexpr const char* keptOfPixels = "kept of each pixel";
 
 Values tablesOf(const PackedScene& scene) {
     Values all;
@@ -101,7 +106,7 @@ Values settingsOf(const Session& session, const SessionOptions& options, const F
             {"colour", packed.features.has(Feature::SPECTRAL) ? "spectral" : "rgb"},
             {"filter", nameOf(scene.filter)},
             {"film", nameOf(scene.film)},
-            {"kept of each pixel", channels},
+            {keptOfPixels, channels},
             {"contraction", device.contraction ? "on" : "off"},
             {"math flags", mathFlags.empty() ? "as shipped" : mathFlags},
             {"build options", device.buildOptions}};
@@ -169,8 +174,25 @@ RenderIdentity identityFromJson(const std::string& text, const std::string& name
     }
 }
 
+/// The first words of a list that another one lacks.
+static std::string onlyIn(const std::string& list, const std::string& other) {
+    constexpr size_t most = 5;
+    const auto wordsOf = [](const std::string& text) {
+        std::istringstream stream(text);
+        return std::vector<std::string>{std::istream_iterator<std::string>(stream), {}};
+    };
+    const std::vector<std::string> known = wordsOf(other);
+    std::vector<std::string> words = wordsOf(list);
+    std::erase_if(words, [&](const std::string& word) { return std::ranges::count(known, word) > 0; });
+    if (words.size() > most) { words.resize(most); words.push_back("..."); }
+    return words.empty() ? "nothing" : fmt::format("{}", fmt::join(words, " "));
+}
+
 std::vector<std::string> partDifferences(const RenderIdentity& here, const RenderIdentity& there, const std::string& name) {
     std::vector<std::string> found = compare(here.settings, there.settings, [&](auto&& what, auto&& value, auto&& other) {
+        if (what == keptOfPixels)
+            return fmt::format("{} (--aov, --fireflies): only here {}; only in {} {}", what, onlyIn(value, other), name,
+                               onlyIn(other, value));
         return fmt::format("{} is \"{}\" here and \"{}\" in {}", what, value, other, name);
     });
     if (here.samples != there.samples)

@@ -262,6 +262,8 @@ INSTANTIATE_TEST_SUITE_P(Options, BadValues, testing::Values(
     BadValue{"render a.pbrt --pixelbounds 0,1,0,1 --cropwindow 0,1,0,1", "give one of them"},
     BadValue{"render a.pbrt --sampler sobl", "independent, paddedsobol, sobol, zsobol, not \"sobl\"; did you mean sobol?"},
     BadValue{"render a.pbrt --time-limit 0", "--time-limit takes a time greater than 0"},
+    BadValue{"render a.pbrt --time-limit 1ms", "in seconds, minutes or hours, like 90s"},
+    BadValue{"render a.pbrt --spp 1 --spp 2", "--spp is given 2 times; give it once"},
     BadValue{"render a.pbrt --time-limit nan", "not \"nan\""},
     BadValue{"render a.pbrt --time-limit inf", "not \"inf\""},
     BadValue{"render a.pbrt --aov albdo", "did you mean albedo?"},
