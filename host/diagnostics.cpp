@@ -7,7 +7,7 @@ namespace eikonal {
 
 void Diagnostics::warn(const SourceLocation& where, const std::string& message) {
     const std::string place = where.toString();
-    const std::string text = place.empty() ? "warning: " + message : inOneLine(place + ": warning: " + message);
+    const std::string text = inOneLine((place.empty() ? "" : place + ": ") + "warning: " + message);
     std::lock_guard lock(mutex_);
     warnings_.push_back(text);
     tell(LogLevel::warning, text, level_);

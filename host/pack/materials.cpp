@@ -31,7 +31,7 @@ void MaterialPacker::pack(const Material& description, PackedMaterial& m, bool r
     m.transmits = inputs.transmits() && !isForced ? 1 : 0;
     m.is_clear = inputs.isClear() && !isForced ? 1 : 0;
     m.disperses = inputs.disperses() ? 1 : 0;
-    m.is_delta = isSmoothBsdf(h) ? 1 : 0;
+    m.is_delta = isSmoothBsdf(h) && !isForced ? 1 : 0;
     m.input_count = static_cast<uint>(in_.tables.material_inputs.size()) - m.first_input;
     requireBsdf(h, inputs.why());
     if (m.transmits) inputs.require(Feature::TRANSMISSION);

@@ -13,7 +13,7 @@
 namespace eikonal {
 
 /// A material before it is packed.
-constexpr material blankMaterial{next_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0, 0, 0};
+constexpr material blankMaterial{next_none, 0, 0, NONE, NONE, NONE, NONE, NONE, NONE, NONE, NONE, 0, 0, 0, 0};
 
 /// Packs only the materials that are used, so that no stage runs without need.
 class MaterialPacker {

@@ -191,7 +191,7 @@ static std::string onlyIn(const std::string& list, const std::string& other) {
 std::vector<std::string> partDifferences(const RenderIdentity& here, const RenderIdentity& there, const std::string& name) {
     std::vector<std::string> found = compare(here.settings, there.settings, [&](auto&& what, auto&& value, auto&& other) {
         if (what == keptOfPixels)
-            return fmt::format("{} (--aov, --fireflies): only here {}; only in {} {}", what, onlyIn(value, other), name,
+            return fmt::format("{} (by --aov, --fireflies and others): only here {}; only in {} {}", what, onlyIn(value, other), name,
                                onlyIn(other, value));
         return fmt::format("{} is \"{}\" here and \"{}\" in {}", what, value, other, name);
     });

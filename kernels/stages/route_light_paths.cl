@@ -70,7 +70,7 @@ COUNTING_STAGE(route_light_paths, ROUTE_LIGHT_PATHS) {
             continue;
         }
         material m = scene.materials.materials[f.material];
-        float chance = HAS_MERGING ? merging_chance(scene.geometry, scene.tables, scene.materials, f, s) : 1.0f;
+        float chance = HAS_MERGING ? merging_chance(scene.geometry, scene.tables, scene.materials, r, f, s) : 1.0f;
         s = perturb_normal(scene.tables, m, s);
         hit_item h = aim_nowhere(make_hit(scene.geometry, r, f, s, m));
         h.render_pass = pass_of_light_path(r.depth);

@@ -127,7 +127,7 @@ TEST_F(Checkpoint, OfAnotherRenderIsRefused) {
     };
     EXPECT_THAT(refusal({"--seed", "7"}), HasSubstr("seed is \"7\" here and \"0\" in c.film"));
     EXPECT_THAT(refusal({"--resolution", "20x10"}), HasSubstr("image is \"20 x 10\" here and \"16 x 12\" in c.film"));
-    EXPECT_THAT(refusal({"--fireflies", "reweight"}), HasSubstr("kept of each pixel (--aov, --fireflies): only here bands"));
+    EXPECT_THAT(refusal({"--fireflies", "reweight"}), HasSubstr("kept of each pixel (by --aov, --fireflies and others): only here bands"));
     EXPECT_THAT(refusal({"--sampler", "sobol"}), HasSubstr("sampler is \"sobol\" here and \"independent\" in c.film"));
     EXPECT_THAT(refusal({"--max-depth", "2"}), HasSubstr("maximum depth is \"2\" here and \"5\" in c.film"));
 

@@ -76,6 +76,17 @@ TEST(MergingOnFacets, GivesTheImageOfPathsFromTheCamera) {
     expectSameLight(text, merging(text, ".3"), 5e-3);
 }
 
+/// Mirrors and mixes that an option makes diffuse have vertices like all diffuse surfaces.
+TEST(MergingOnMirrorsMadeDiffuse, GivesTheImageOfPathsFromTheCamera) {
+    const std::string mixes = R"(MakeNamedMaterial "matte" "string type" "diffuse"
+        MakeNamedMaterial "mirror" "string type" "conductor" "float roughness" 0
+        MakeNamedMaterial "half" "string type" "mix" "string materials" ["matte" "mirror"] "float amount" .5
+        AttributeBegin NamedMaterial "half" Translate -.5 .4 .3 Shape "sphere" "float radius" .3 AttributeEnd )";
+    const std::string text = sceneWith(view(), "Option \"forcediffuse\" true",
+                                       room + panel + mixes + ball("\"conductor\" \"float roughness\" 0"));
+    expectSameLight(text, merging(text), 5e-3);
+}
+
 /// The floor of a pool under still water, lit from above and seen from above, both at right angles: the light passes the surface, is
 /// scattered by the floor, and passes the surface again. `maxdepth` 3 leaves out what returns to the floor.
 struct Pool {
