@@ -17,7 +17,8 @@ namespace {
 #define STRUCT_MEMBERS(M) \
     M(material, next_queue) M(material, first_input) M(material, input_count) M(material, displacement) M(material, normal_map) \
     M(material, mix_a) M(material, mix_b) \
-    M(material, mix_amount) M(material, disperses) M(material, is_delta) M(material, regular) M(material_input, texture) M(material_input, slot) \
+    M(material, mix_amount) M(material, disperses) \
+    M(material, is_delta) M(material, regular) M(material_input, texture) M(material_input, slot) \
     M(material_input, kind) M(material_input, count) M(material_input, value) M(color, c0) M(color, c1) M(color, c2) M(color, scale) \
     M(color, curve) \
     M(settings, view) M(settings, pixel_filter) M(settings, width) M(settings, height) M(settings, seed) \
