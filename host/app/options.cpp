@@ -78,15 +78,15 @@ std::vector<std::string> inOurSpelling(const Parser& parser, std::vector<std::st
     return withOurSpelling(std::move(words), optionsOf(command));
 }
 
-}  // namespace
-
 /// What the parser says of a wrong command line, in the words of our other messages.
-static std::string inOurWords(const std::string& problem) {
+std::string inOurWords(const std::string& problem) {
     static const std::regex repeated(R"((--?[a-z-]+): At Most 1 required but received (\d+))");
     std::smatch found;
     return std::regex_match(problem, found, repeated) ? fmt::format("{} is given {} times; give it once", found[1].str(), found[2].str())
                                                       : problem;
 }
+
+}  // namespace
 
 Options parseOptions(const std::vector<std::string>& arguments) {
     Parser parser;

@@ -15,9 +15,6 @@ namespace {
 
 float toFloat(double x) { return static_cast<float>(x); }
 
-/// A sigmoid argument at which the sigmoid is 1, so that only the curve counts.
-constexpr float saturated = SATURATED;
-
 /// Curves in all up to which smooth spectra become curves, too: the device reads them faster than it computes them, while its caches hold
 /// them (120 KB).
 constexpr size_t mostCurves = 64;
@@ -32,17 +29,17 @@ uint ColorPacker::curve(const DenseCurve& curve) {
     return found->second;
 }
 
-color ColorPacker::curveColor(const DenseCurve& c, double factor) { return {0, 0, saturated, toFloat(factor), curve(c)}; }
+color ColorPacker::curveColor(const DenseCurve& c, double factor) { return {0, 0, SATURATED, toFloat(factor), curve(c)}; }
 
 /// A smooth spectrum of a colour whose components are in [0, 1], times `factor`, times a curve.
 color ColorPacker::smooth(glm::dvec3 rgb, ColorSpace space, double factor, uint curve) {
-    if (rgb.x == rgb.y && rgb.y == rgb.z) return {0, 0, saturated, toFloat(rgb.x * factor), curve};
+    if (rgb.x == rgb.y && rgb.y == rgb.z) return {0, 0, SATURATED, toFloat(rgb.x * factor), curve};
     /* The first few colours are fitted exactly; many, as in grids, come from a table, which is faster */
     constexpr size_t few = 256;
     const auto [found, isNew] = smooth_.try_emplace({rgb.x, rgb.y, rgb.z, space});
     if (isNew)
         found->second = space == ColorSpace::srgb && smooth_.size() > few ? tabulatedReflectance(rgb) : upliftReflectance(rgb, space);
-    if (const std::optional<uint> product = smoothCurve(found->second, curve)) return {0, 0, saturated, toFloat(factor), *product};
+    if (const std::optional<uint> product = smoothCurve(found->second, curve)) return {0, 0, SATURATED, toFloat(factor), *product};
     const glm::dvec3 c = found->second.c;
     return {toFloat(c.x), toFloat(c.y), toFloat(c.z), toFloat(factor), curve};
 }
@@ -61,7 +58,7 @@ std::optional<uint> ColorPacker::smoothCurve(const SmoothReflectance& shape, uin
 color ColorPacker::unbounded(glm::dvec3 rgb, ColorSpace space, double factor, uint curve) {
     rgb = glm::max(rgb, 0.0);
     const double scale = 2 * std::max({rgb.x, rgb.y, rgb.z});
-    if (!(scale > 0)) return {0, 0, saturated, 0, curve};
+    if (!(scale > 0)) return {0, 0, SATURATED, 0, curve};
     return smooth(rgb / scale, space, scale * factor, curve);
 }
 
@@ -77,7 +74,7 @@ color packRgb(glm::dvec3 rgb) { return {toFloat(rgb.x), toFloat(rgb.y), toFloat(
 color packNumber(double value) { return {0, 0, 0, toFloat(value), 0}; }
 
 color ColorPacker::constant(double value) const {
-    if (context_.spectral) return {0, 0, saturated, toFloat(value), 0};
+    if (context_.spectral) return {0, 0, SATURATED, toFloat(value), 0};
     color c = packRgb(glm::dvec3(value));
     c.scale = toFloat(value);
     return c;
@@ -139,7 +136,7 @@ void ColorPacker::appendTexels(Table<float>& table, const std::vector<glm::vec3>
             table.insert(table.end(), {t.x, t.y, t.z});
             continue;
         }
-        if (t.x == t.y && t.y == t.z) { table.insert(table.end(), {0, 0, saturated, t.x}); continue; }
+        if (t.x == t.y && t.y == t.z) { table.insert(table.end(), {0, 0, SATURATED, t.x}); continue; }
         const float scale = 2 * std::max({t.x, t.y, t.z});
         const glm::vec3 c(tabulatedReflectance(glm::dvec3(t) / double(scale)).c);
         table.insert(table.end(), {c.x, c.y, c.z, scale});

@@ -6,14 +6,13 @@
 #include "names.h"
 #include "read/formats/input_files.h"
 #include "render/table_hash.h"
+#include "split.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
-#include <sstream>
 
 namespace eikonal {
 namespace {
@@ -144,6 +143,16 @@ std::vector<std::string> compare(const Values& here, const Values& there, Senten
     return found;
 }
 
+/// The first words of a list that another one lacks.
+std::string onlyIn(const std::string& list, const std::string& other) {
+    constexpr size_t most = 5;
+    const std::vector<std::string> known = split(other, ' ');
+    std::vector<std::string> words = split(list, ' ');
+    std::erase_if(words, [&](const std::string& word) { return std::ranges::count(known, word) > 0; });
+    if (words.size() > most) { words.resize(most); words.push_back("..."); }
+    return words.empty() ? "nothing" : fmt::format("{}", fmt::join(words, " "));
+}
+
 }  // namespace
 
 RenderIdentity identityOf(const Session& session, const SessionOptions& options, const Film& film) {
@@ -172,20 +181,6 @@ RenderIdentity identityFromJson(const std::string& text, const std::string& name
     } catch (const Json::exception& error) {
         throw Error(ExitCode::scene, fmt::format("{}: is damaged: {}", name, error.what()));
     }
-}
-
-/// The first words of a list that another one lacks.
-static std::string onlyIn(const std::string& list, const std::string& other) {
-    constexpr size_t most = 5;
-    const auto wordsOf = [](const std::string& text) {
-        std::istringstream stream(text);
-        return std::vector<std::string>{std::istream_iterator<std::string>(stream), {}};
-    };
-    const std::vector<std::string> known = wordsOf(other);
-    std::vector<std::string> words = wordsOf(list);
-    std::erase_if(words, [&](const std::string& word) { return std::ranges::count(known, word) > 0; });
-    if (words.size() > most) { words.resize(most); words.push_back("..."); }
-    return words.empty() ? "nothing" : fmt::format("{}", fmt::join(words, " "));
 }
 
 std::vector<std::string> partDifferences(const RenderIdentity& here, const RenderIdentity& there, const std::string& name) {
