@@ -45,6 +45,23 @@ TEST_F(Bench, CountsRealRaysOnly) {
     EXPECT_EQ(occupancy("route_intersections"), occupancy("intersect_rays"));
 }
 
+// In a closed white ball, paths have all their events. The ray after the last one is for emitters and skies: without them it is not traced.
+TEST_F(Bench, LastRaysAreTracedWhereTheyCanFindLight) {
+    const auto raysOfPath = [&](const std::string& light) {
+        write("ball.pbrt", R"(Integrator "path" "integer maxdepth" 3 Sampler "independent" "integer pixelsamples" 16
+            Film "rgb" "string filename" "ball.exr" "integer xresolution" 16 "integer yresolution" 16
+            Camera "perspective" WorldBegin )" + light + R"( Material "diffuse" "rgb reflectance" [1 1 1]
+            Shape "sphere" "float radius" 2)");
+        const Outcome run = this->run({"bench", "ball.pbrt", "--json", "bench.json", "--roulette-depth", "100"});
+        EXPECT_EQ(run.status, 0) << run.error;
+        const auto json = nlohmann::json::parse(read(path("bench.json")));
+        return json.at("rays").get<double>() / json.at("paths").get<double>();
+    };
+    EXPECT_EQ(raysOfPath("LightSource \"point\""), 3);
+    EXPECT_EQ(raysOfPath("LightSource \"infinite\""), 4);
+    EXPECT_EQ(raysOfPath("AreaLightSource \"diffuse\" \"bool twosided\" true"), 4);
+}
+
 // Independent samples: four times as many have a quarter of the variance. 192 pixels and 8 seeds know each to about 6 %.
 TEST_F(Bench, EfficiencyIsOfTheVarianceBetweenSeeds) {
     const auto few = bench({"--efficiency", "--repeats", "8", "--sampler", "independent", "--spp", "16"});

@@ -34,6 +34,20 @@ TEST(Furnace, AClosedDiffuseSphereAroundAPointLightIsOne) {
         Material "diffuse" "rgb reflectance" [.5 .5 .5] Shape "sphere")"), surfaces()), 1, 0.003);
 }
 
+// A ball that glows with L = 1 and reflects rho = 1/2: each bounce finds rho times the light of the one before.
+TEST(Furnace, AGlowingBallHasTheLightOfItsBounces) {
+    View view;
+    view.lookAt = ".3 -.2 -.4  0 0 1  0 1 0";
+    view.fov = 90;
+    double expected = 1;
+    for (int bounces : {1, 2, 3, 4}) {
+        view.maxDepth = bounces;
+        expected += std::pow(0.5, bounces);
+        expectRadiance(render(sceneText(view, R"(Material "diffuse" "rgb reflectance" [.5 .5 .5]
+            AreaLightSource "diffuse" "rgb L" [1 1 1] "bool twosided" true Shape "sphere")")), expected, 0.001);
+    }
+}
+
 // Radiance 1 from everywhere solves the transport equation for whatever reflects or transmits everything.
 TEST(Furnace, WhiteDiffuse) { expectRadiance(underWhiteSky("Material \"diffuse\" \"rgb reflectance\" [1 1 1]"), 1, 0.002); }
 
