@@ -76,6 +76,8 @@ TEST_F(PbrtShapes, subdividedMeshes) {
         "5 0 3 5] ";
     EXPECT_EQ(shape(octahedron).mesh->indices.size(), 3u * 8 * 64);
     EXPECT_EQ(shape(octahedron + "\"integer levels\" 0").mesh->indices.size(), 3u * 8);
+    EXPECT_EQ(shape(octahedron + "\"integer levels\" -1").mesh->indices.size(), 3u * 8) << "as in pbrt-v4";
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"integer levels\" is -1; it counts as 0, since it must be in [0, inf)")));
     EXPECT_THAT(errorOfWorld("Shape " + octahedron + "\"integer levels\" 12"),
                 HasSubstr("\"integer levels\" is 12, which makes more than 33554432 triangles of this mesh; 11 would work"));
     EXPECT_THAT(errorOfWorld("Shape \"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0]"), HasSubstr("needs the vertices of its faces"));
