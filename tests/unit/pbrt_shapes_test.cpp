@@ -162,6 +162,15 @@ TEST_F(PbrtShapes, plyFilesWithMoreThanTheirHeaderSays) {
     EXPECT_EQ(world(mesh).shapes.size(), 1u);
     EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("warning: \""), HasSubstr("more.ply\" has more data than the element counts of "
                                                                                 "its header say: line 14 and what follows are skipped"))));
+    std::string bytes =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\nproperty uchar y\nproperty uchar z\nelement face 1\n"
+        "property list uchar uchar vertex_indices\nend_header\n";
+    for (const char byte : {0, 0, 0, 1, 0, 0, 1, 1, 0, 3, 0, 1, 2}) bytes += byte;
+    write("bytes.ply", bytes + std::string("\n\0", 2));
+    const std::string binary = "Shape \"plymesh\" \"string filename\" \"bytes.ply\" ";
+    EXPECT_THAT(warningsOfWorld(binary), IsEmpty());
+    write("bytes.ply", bytes + "\3\2\1");
+    EXPECT_THAT(warningsOfWorld(binary), ElementsAre(HasSubstr("its header say: its last 3 bytes are skipped")));
 }
 
 TEST_F(PbrtShapes, tangents) {
