@@ -129,6 +129,7 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     else if (command == &parser.app)
         throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
     if (options.command == Command::render && !options.scenes.empty()) options.scene.path = options.scenes.front();
+    options.scene.hasPreset = options.preset;
     chooseFilm(options);
     chooseFrames(options);
     checkTogether(parser, command);
