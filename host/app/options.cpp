@@ -130,6 +130,7 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
     if (options.command == Command::render && !options.scenes.empty()) options.scene.path = options.scenes.front();
     options.scene.hasPreset = options.preset;
+    options.output.encoding.isShown = options.watch.page;
     chooseFilm(options);
     chooseFrames(options);
     checkTogether(parser, command);

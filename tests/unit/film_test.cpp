@@ -204,9 +204,9 @@ TEST_F(Film, everyFormatHasTheSamePicture) {
 TEST_F(Film, floatFormatsAreNotToneMapped) {
     FilmImage image(2, 1);
     image.color = {{100, 2, .01f}, {0, 50, 1}};
-    writeImage(path("a.pfm"), image, metadata, {.toneMapping = {.exposure = 3}});
+    writeImage(path("a.pfm"), image, metadata, {.exposure = 3});
     EXPECT_EQ(readImage(path("a.pfm")).image.color, image.color);
-    writeImage(path("a.hdr"), image, metadata, {.toneMapping = {.exposure = 3}});
+    writeImage(path("a.hdr"), image, metadata, {.exposure = 3});
     EXPECT_NEAR(readImage(path("a.hdr")).image.color[0].x, 100, .5);
 }
 

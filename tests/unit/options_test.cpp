@@ -108,8 +108,8 @@ TEST(Options, ValuesOfEveryKindAreRead) {
     EXPECT_EQ(o.output.timeLimit, 1.5);
     EXPECT_TRUE(o.output.aovs.albedo && o.output.aovs.depth);
     EXPECT_FALSE(o.output.aovs.normal || o.output.aovs.variance || o.output.aovs.sampleCount);
-    EXPECT_EQ(o.output.encoding.toneMapping.curve, ToneCurve::filmic);
-    EXPECT_EQ(o.output.encoding.toneMapping.exposure, -1);
+    EXPECT_EQ(o.output.encoding.curve, ToneCurve::filmic);
+    EXPECT_EQ(o.output.encoding.exposure, -1);
     EXPECT_EQ(o.device.wavePaths, 4096u);
     EXPECT_EQ(o.device.localSize, 32u);
     EXPECT_EQ(o.device.itemsPerWorkItem, 8u);

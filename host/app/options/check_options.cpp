@@ -20,8 +20,11 @@ namespace eikonal {
 /// The extension of film files.
 static constexpr const char* filmExtension = ".film";
 
+static bool writesFilms(Command command) { return command == Command::render || command == Command::merge || command == Command::submit; }
+
 void chooseFilm(Options& o) {
     OutputOptions& out = o.output;
+    if (!writesFilms(o.command)) return;
     const auto isFilm = [](const std::string& file) { return file.ends_with(filmExtension); };
     const auto films = std::ranges::count_if(out.files, isFilm);
     if (films + !out.checkpoint.empty() > 1) throw UsageError("-o and --checkpoint name more than one film; one is enough");
@@ -77,15 +80,17 @@ static void checkSubmittedFrames(const Options& o) {
 /// Each image is to be of a format.
 static void checkFormats(const Options& o) {
     if (o.command == Command::trade) return;  // -o is a page
-    const auto check = [](const std::string& option, const std::string& file, const ImageEncoding& encoding) {
+    const auto check = [](const std::string& option, const std::string& file, const ImageEncoding& encoding, const char* more) {
         const std::string problem = isFolder(file) ? "" : unknownFormat(file, encoding);
-        if (!problem.empty()) throw UsageError(fmt::format("{} {}: cannot write it: {}", option, file, problem));
+        if (!problem.empty()) throw UsageError(fmt::format("{} {}: cannot write it: {}{}", option, file, problem, more));
     };
     for (const std::string& file : o.output.files)
-        if (!isStandardStream(file)) check("-o", file, o.output.encoding);
-    if (!o.heatMap.empty()) check("--heat-map", o.heatMap, {});
+        if (!isStandardStream(file)) check("-o", file, o.output.encoding, writesFilms(o.command) ? ", and film for a part" : "");
+    if (!o.heatMap.empty()) check("--heat-map", o.heatMap, {}, "");
     const bool areNamed = std::ranges::none_of(o.output.files, [](const std::string& file) { return isFolder(file); });
-    if (!o.output.files.empty() && areNamed) checkEncoding(imageFiles(o.output.files, o.output.encoding), o.output.encoding);
+    const bool makesNoImage = !o.output.hasImage && writesFilms(o.command);
+    if ((!o.output.files.empty() && areNamed) || makesNoImage)
+        checkEncoding(imageFiles(o.output.files, o.output.encoding), o.output.encoding);
 }
 
 /// Standard output holds one thing.
