@@ -112,6 +112,12 @@ static void checkStandardStreams(const Options& o) {
         throw UsageError("--write-partial-images writes the image several times, and standard output holds one; give -o a file");
 }
 
+/// Whether the command has the option, and the user gave it.
+static bool isGiven(const CLI::App* command, const std::string& name) {
+    const CLI::Option* option = command->get_option_no_throw(name);
+    return option && option->count() > 0;
+}
+
 void checkTogether(const Parser& parser, const CLI::App* command) {
     const Options& o = parser.options;
     const bool needsScene = o.command == Command::render || o.command == Command::info || o.command == Command::bench ||
@@ -141,6 +147,11 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
     if (o.command == Command::submit) checkSubmittedFrames(o);
     checkStandardStreams(o);
     checkFormats(o);
+    const bool writesAtIntervals = !o.output.checkpoint.empty() || o.output.partialImages || o.command == Command::submit;
+    if (isGiven(command, "--checkpoint-every") && !writesAtIntervals)
+        throw UsageError("--checkpoint-every is of checkpoints; name one, --checkpoint FILE, or add --write-partial-images");
+    if (o.output.partialImages && !o.output.hasImage)
+        throw UsageError("--write-partial-images is of images, and only a film is written; add an image: -o image.exr");
     if (o.output.resume && o.output.checkpoint.empty())
         throw UsageError("--resume goes on from a checkpoint; name it: --checkpoint FILE --resume");
     if (o.scene.cropWindow && o.scene.pixelBounds)
