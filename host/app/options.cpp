@@ -55,7 +55,8 @@ std::vector<std::string> optionsOfGroups(const CLI::App* command, const std::vec
         if (option->count() == 0 || option->get_positional() || !std::ranges::count(groups, option->get_group()) || name == "--outfile")
             continue;
         const bool isFlag = option->get_items_expected_max() == 0;
-        for (const std::string& value : option->results()) words.push_back(isFlag ? name : name + "=" + value);
+        for (const std::string& value : option->results())
+            if (!value.empty()) words.push_back(isFlag ? name : name + "=" + value);
     }
     return words;
 }
@@ -78,12 +79,39 @@ std::vector<std::string> inOurSpelling(const Parser& parser, std::vector<std::st
     return withOurSpelling(std::move(words), optionsOf(command));
 }
 
+/// The long names of an option, or the one that it has.
+std::vector<std::string> namesOf(const CLI::App* command, const std::string& name) {
+    std::vector<std::string> names;
+    if (const CLI::Option* option = command ? command->get_option_no_throw(name) : nullptr)
+        for (const std::string& each : option->get_lnames()) names.push_back("--" + each);
+    return names.empty() ? std::vector{name} : names;
+}
+
 /// What the parser says of a wrong command line, in the words of our other messages.
-std::string inOurWords(const std::string& problem) {
+std::string inOurWords(const std::string& problem, const CLI::App* command) {
     static const std::regex repeated(R"((--?[a-z-]+): At Most 1 required but received (\d+))");
+    static const std::regex valueless(R"((--?[a-z-]+): 1 required (.+) missing)");
+    static const std::regex flagWithValue(R"(Could not convert: (--?[a-z-]+) = .*)");
+    static const std::regex dependent(R"((--?[a-z-]+) requires (--?[a-z-]+))");
     std::smatch found;
-    return std::regex_match(problem, found, repeated) ? fmt::format("{} is given {} times; give it once", found[1].str(), found[2].str())
-                                                      : problem;
+    if (std::regex_match(problem, found, repeated)) {
+        const std::vector<std::string> names = namesOf(command, found[1].str());
+        return fmt::format("{} {} {} times; give it once", fmt::join(names, " and "),
+                           names.size() > 1 ? "are the same option, given" : "is given", found[2].str());
+    }
+    if (std::regex_match(problem, found, valueless)) return fmt::format("{0} needs a value: {0} {1}", found[1].str(), found[2].str());
+    if (std::regex_match(problem, found, flagWithValue)) return found[1].str() + " takes no value";
+    if (std::regex_match(problem, found, dependent)) return fmt::format("{} needs {}; add it", found[1].str(), found[2].str());
+    return problem;
+}
+
+/// Refuses an empty value, such as that of a variable of the shell that is not set, where it is the name of something.
+void refuseEmpty(const CLI::App* command) {
+    for (const CLI::Option* option : command->get_options())
+        if (option->get_type_name() != freeText && std::ranges::count(option->results(), ""))
+            throw UsageError(option->get_positional()
+                                 ? fmt::format("{} {} is empty; give a name", command->get_name(), option->get_name(true))
+                                 : fmt::format("{} takes {}, not \"\"", option->get_name(), option->get_type_name()));
 }
 
 }  // namespace
@@ -108,7 +136,8 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         options.text = std::string(version.what()) + "\n";
         return options;
     } catch (const CLI::ParseError& error) {
-        throw UsageError(fmt::format("{}\n{}", inOurWords(error.what()), getHelp));
+        const auto chosen = parser.app.get_subcommands();
+        throw UsageError(fmt::format("{}\n{}", inOurWords(error.what(), chosen.empty() ? nullptr : chosen.front()), getHelp));
     }
 
     const CLI::App* command = &parser.app;
@@ -129,6 +158,9 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     else if (command == &parser.app)
         throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
     if (options.command == Command::render && !options.scenes.empty()) options.scene.path = options.scenes.front();
+    refuseEmpty(command);
+    options.scene.hasPreset = options.preset;
+    options.output.encoding.isShown = options.watch.page;
     chooseFilm(options);
     chooseFrames(options);
     checkTogether(parser, command);

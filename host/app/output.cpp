@@ -81,28 +81,54 @@ void checkIsApart(const std::string& output, const Options& options) {
             throw UsageError(fmt::format("{} and -o both name \"{}\"; one would overwrite the other", option, output));
 }
 
-void selectAovs(FilmImage& image, const Aovs& aovs) {
-    if (!aovs.emission) image.emission.clear();
-    if (!aovs.direct) image.direct.clear();
-    if (!aovs.indirect) image.indirect.clear();
-    if (!aovs.volume) image.volume.clear();
-    if (!aovs.lightGroups) image.lightGroups.clear();
+/// Calls visit(member of Aovs, values) for each vector of channels that --aov names.
+template <class Image, class Visit>
+static void forAovs(Image& image, Visit visit) {
+    visit(&Aovs::emission, image.emission);
+    visit(&Aovs::direct, image.direct);
+    visit(&Aovs::indirect, image.indirect);
+    visit(&Aovs::volume, image.volume);
+    visit(&Aovs::lightGroups, image.lightGroups);
+    visit(&Aovs::albedo, image.albedo);
+    visit(&Aovs::normal, image.normal);
+    visit(&Aovs::geometricNormal, image.geometricNormal);
+    visit(&Aovs::position, image.position);
+    visit(&Aovs::uv, image.uv);
+    visit(&Aovs::depthSlope, image.depthSlope);
+    visit(&Aovs::motion, image.motion);
+    visit(&Aovs::depth, image.depth);
+    visit(&Aovs::object, image.object);
+    visit(&Aovs::material, image.material);
+    visit(&Aovs::variance, image.variance);
+    visit(&Aovs::sampleCount, image.sampleCount);
+}
+
+/// Whether --aov asks for a layer of Cryptomatte of this name.
+static bool isAsked(const Aovs& aovs, const std::string& layer) {
     const auto& [objects, materials] = cryptomatteLayerNames;
-    std::erase_if(image.cryptomattes, [&](const CryptomatteLayer& layer) {
-        return (layer.name == objects && !aovs.cryptoObject) || (layer.name == materials && !aovs.cryptoMaterial);
+    return (layer != objects || aovs.cryptoObject) && (layer != materials || aovs.cryptoMaterial);
+}
+
+void selectAovs(FilmImage& image, const Aovs& aovs) {
+    forAovs(image, [&](bool Aovs::*asked, auto& values) {
+        if (!(aovs.*asked)) values.clear();
     });
-    if (!aovs.albedo) image.albedo.clear();
-    if (!aovs.normal) image.normal.clear();
-    if (!aovs.geometricNormal) image.geometricNormal.clear();
-    if (!aovs.position) image.position.clear();
-    if (!aovs.uv) image.uv.clear();
-    if (!aovs.depthSlope) image.depthSlope.clear();
-    if (!aovs.motion) image.motion.clear();
-    if (!aovs.depth) image.depth.clear();
-    if (!aovs.object) image.object.clear();
-    if (!aovs.material) image.material.clear();
-    if (!aovs.variance) image.variance.clear();
-    if (!aovs.sampleCount) image.sampleCount.clear();
+    std::erase_if(image.cryptomattes, [&](const CryptomatteLayer& layer) { return !isAsked(aovs, layer.name); });
+}
+
+const char* missingAov(const FilmImage& image, const Aovs& aovs) {
+    Aovs missing;
+    forAovs(image, [&](bool Aovs::*asked, auto& values) { missing.*asked = aovs.*asked && values.empty(); });
+    missing.variance = missing.variance && image.sampleVariance.empty();  // in pbrt's spelling
+    const auto& [objects, materials] = cryptomatteLayerNames;
+    const auto hasLayer = [&](const char* name) {
+        return std::ranges::any_of(image.cryptomattes, [&](const CryptomatteLayer& layer) { return layer.name == name; });
+    };
+    missing.cryptoObject = aovs.cryptoObject && !hasLayer(objects);
+    missing.cryptoMaterial = aovs.cryptoMaterial && !hasLayer(materials);
+    for (const AovName& each : aovNames)
+        if (missing.*each.asked) return each.name;
+    return nullptr;
 }
 
 }  // namespace eikonal

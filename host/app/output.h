@@ -25,5 +25,7 @@ void checkIsNoInput(const std::string& output, const std::vector<std::string>& s
 void checkIsApart(const std::string& output, const Options& options);
 /// Drops the channels that are not in `aovs`.
 void selectAovs(FilmImage& image, const Aovs& aovs);
+/// The name of a channel that is in `aovs` and not in the image; null: none.
+const char* missingAov(const FilmImage& image, const Aovs& aovs);
 
 }  // namespace eikonal

@@ -138,8 +138,8 @@ static SampleRange samplesToTake(const OutputOptions& out, unsigned wanted) {
     if (!out.samples) return {0, wanted};
     if (const auto* share = std::get_if<SampleShare>(&*out.samples)) {
         if (share->count > leavesOf(wanted))
-            throw UsageError(fmt::format("--samples: a pixel has {} samples, {} in a part at least, so they make at most {} parts, not {}",
-                                         wanted, leafSamples, leavesOf(wanted), share->count));
+            throw UsageError(fmt::format("--samples: a pixel has {} samples, {} in a part at least, so they make at most {} part{}, not {}",
+                                         wanted, leafSamples, leavesOf(wanted), leavesOf(wanted) == 1 ? "" : "s", share->count));
         return rangeOf(wanted, *share);
     }
     const SampleRange samples = std::get<SampleRange>(*out.samples);
@@ -221,8 +221,9 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     const Stopwatch writeTime;
     if (session.profile().paths == 0 && isComplete) tellResult(o.output.checkpoint + " has all samples: nothing is left to render", o.log);
     std::exception_ptr unsaved;  // the image is worth writing all the same
+    const bool isFilmNew = !o.output.checkpoint.empty() && session.profile().paths > 0;
     try {
-        if (session.profile().paths > 0) checkpoints.save(*film, result.planned, renderSeconds);
+        if (isFilmNew) checkpoints.save(*film, result.planned, renderSeconds);
     } catch (const Error&) { unsaved = std::current_exception(); }
     std::optional<FilmTotals> totals = film->totals();
     ImageReport report = output.report(*totals, checkpoints.secondsBefore() + renderSeconds);
@@ -244,7 +245,7 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     const double writeSeconds = writeTime.seconds();
     std::vector<std::string> names;
     for (const std::string& file : files) names.push_back(isStandardStream(file) ? "standard output" : file);
-    if (!o.output.checkpoint.empty() && !unsaved) names.push_back(checkpoints.path());
+    if (isFilmNew && !unsaved) names.push_back(checkpoints.path());
     if (!names.empty()) tellResult(fmt::format("wrote {} in {:.1f} s", fmt::join(names, " and "), session.seconds()), o.log);
     for (const std::string& file : files) written.emplace(file, jobName(o.scene));
     if (o.output.stats)
@@ -254,7 +255,7 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     if (o.json) {
         summary.files = files;
         summary.frame = o.scene.frame;
-        if (!unsaved) summary.checkpoint = checkpoints.path();
+        if (isFilmNew && !unsaved) summary.checkpoint = checkpoints.path();
         summary.isComplete = isComplete;
         summary.endedBy = endedBy;
         summary.status = unsaved || output.undenoised() ? static_cast<int>(ExitCode::scene) : status;

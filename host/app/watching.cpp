@@ -32,7 +32,7 @@ Watching::Watching(const Options& options, Diagnostics& diagnostics) : options_(
         display_.emplace(*watch.display, fmt::format("{} ({})", jobName(options.scene), ::getpid()),
                          [&diagnostics](const std::string& problem) { diagnostics.warn({}, problem); });
     if (!watch.page) return;
-    page_.emplace(watch, options.output.encoding.toneMapping);
+    page_.emplace(watch, options.output.encoding.toneMapping());
     page_->render().update([&](LiveState& state) {
         state.scene = options.scene.path;
         state.metric = nameIn(errorMetricNames, options.output.errorMetric);

@@ -142,6 +142,7 @@ std::vector<std::string> chooseDevices(const std::vector<DeviceInfo>& list, cons
         return {wanted};
     }
     for (const std::string& part : parts) {
+        if (part.empty()) throw DeviceError(fmt::format("--device {}: a name is empty; write names with commas between them", wanted));
         const DeviceInfo device = chooseDevice(list, part);
         const std::string index = std::to_string(indexOf(list, device));
         if (std::ranges::find(chosen, index) != chosen.end())

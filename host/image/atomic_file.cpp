@@ -1,6 +1,7 @@
 #include "image/atomic_file.h"
 
 #include "error.h"
+#include "shell_word.h"
 
 #include <fmt/format.h>
 
@@ -104,7 +105,8 @@ void checkPlace(const std::string& path, const fs::path& place) {
     const fs::path folder = folderOf(place);
     const fs::file_status status = fs::status(place, error);
     if (fs::is_directory(status)) fail(path, "it is a folder");
-    if (!fs::is_directory(folder, error)) fail(path, fmt::format("there is no folder \"{}\"", folder.string()));
+    if (!fs::is_directory(folder, error))
+        fail(path, fmt::format("there is no folder \"{}\"; make it: mkdir -p {}", folder.string(), shellWord(folder.string())));
     if (fs::exists(status) && !fs::is_regular_file(status)) fail(path, "it is not a regular file");
     if (fs::exists(status) && ::access(place.c_str(), W_OK) != 0) fail(path, std::strerror(errno));
 }

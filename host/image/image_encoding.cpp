@@ -42,6 +42,15 @@ const char* optionOfExr(const ImageEncoding& encoding) {
                                    : nullptr;
 }
 
+/// The option that asks for what only integer formats have; null: none.
+const char* optionOfIntegers(const ImageEncoding& encoding) {
+    const bool needsToneMapping = !encoding.isShown;
+    return encoding.bits                            ? "--bit-depth"
+           : needsToneMapping && encoding.curve    ? "--tonemap"
+           : needsToneMapping && encoding.exposure ? "--exposure"
+                                                    : nullptr;
+}
+
 }  // namespace
 
 std::vector<const char*> imageFormatNames() {
@@ -74,22 +83,27 @@ bool holdsChannels(const std::string& path, const ImageEncoding& encoding) {
 }
 
 void checkEncoding(const std::vector<std::string>& files, const ImageEncoding& encoding) {
+    const char* const ofImages = optionOfExr(encoding) ? optionOfExr(encoding) : optionOfIntegers(encoding);
+    if (files.empty() && ofImages)
+        throw UsageError(fmt::format("{} is for images, and only a film is written; add `-o FILE.png` or `-o FILE.exr`, or give it to "
+                                     "merge", ofImages));
     const bool hasExr = std::ranges::any_of(files, [&](const std::string& file) { return holdsChannels(file, encoding); });
     if (const char* option = optionOfExr(encoding); option && !hasExr)
         throw UsageError(fmt::format("{} is for EXR files, and {} {}; add `-o FILE.exr`", option, fmt::join(files, ", "),
                                      files.size() == 1 ? "is none" : "are none"));
-    if (!encoding.bits) return;
+    const char* const ofIntegers = optionOfIntegers(encoding);
+    if (!ofIntegers) return;
     bool hasIntegers = false;
     for (const std::string& file : files) {
         const ImageFormat* format = findImageFormat(file, encoding);
         if (!format || format->content != ImageContent::screen) continue;
         hasIntegers = true;
-        if (*encoding.bits > format->mostBits)
+        if (encoding.bits.value_or(0) > format->mostBits)
             throw UsageError(fmt::format("--bit-depth {}: {} holds {} bits; png and tif hold 16", *encoding.bits, file, format->mostBits));
     }
     if (!hasIntegers)
-        throw UsageError(fmt::format("--bit-depth is for integer formats, and {} {}; add `-o FILE.png`, or see --pixel-type",
-                                     fmt::join(files, ", "), files.size() == 1 ? "has floats" : "have floats"));
+        throw UsageError(fmt::format("{} is for integer formats, and {} {}; add `-o FILE.png`{}", ofIntegers, fmt::join(files, ", "),
+                                     files.size() == 1 ? "has floats" : "have floats", encoding.bits ? ", or see --pixel-type" : ""));
 }
 
 }  // namespace eikonal

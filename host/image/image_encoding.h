@@ -28,12 +28,16 @@ inline constexpr std::pair<const char*, ChannelNames> channelNamesNames[] = {{"e
 /// How an image becomes a file. Unset: what the format has by default.
 struct ImageEncoding {
     std::string format;                         ///< the extension that names it, "exr"; empty: that of the file's name
-    ToneMapping toneMapping;                    ///< of integer formats
+    std::optional<ToneCurve> curve;             ///< integer formats; unset: clamp
+    std::optional<double> exposure;             ///< integer formats, in stops; unset: 0
     std::optional<bool> halfFloats;             ///< exr: floats of 16 bits; unset: FilmImage::halfFloats
     std::optional<ExrCompression> compression;  ///< exr; unset: zip
     std::optional<ChannelNames> channelNames;   ///< exr; unset: eikonal
     std::optional<int> bits;                    ///< integer formats: 8 or 16; unset: the format's own
     bool recordsTime = false;                   ///< store Metadata::renderSeconds, so that no two files of a render are equal
+    bool isShown = false;                       ///< a page (--view) also shows the image, tone-mapped
+
+    ToneMapping toneMapping() const { return {curve.value_or(ToneCurve::clamp), exposure.value_or(0)}; }
 };
 
 enum class ImageContent { layers, linear, screen };  ///< all channels; linear colour; tone-mapped integers
@@ -62,7 +66,8 @@ std::string chosenExtension(const ImageEncoding& encoding);
 bool holdsChannels(const std::string& path, const ImageEncoding& encoding = {});
 
 /// Throws a UsageError that says what would work if the encoding asks for something that these files do not have: 16 bits where an integer
-/// format has 8; what only an EXR has, without any EXR; bits of integers without any file of integers.
+/// format has 8; what only an EXR has, without any EXR; bits or tone mapping of integers without any file of integers. Without any file:
+/// if it asks for anything.
 void checkEncoding(const std::vector<std::string>& files, const ImageEncoding& encoding);
 
 }  // namespace eikonal

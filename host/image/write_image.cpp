@@ -171,7 +171,7 @@ void writeImage(const std::string& path, const FilmImage& image, const Metadata&
         return;
     }
     EncodedImage file = describe(format, image, metadata, encoding);
-    if (format.content == ImageContent::screen) file.values = toneMapped(image, encoding.toneMapping);
+    if (format.content == ImageContent::screen) file.values = toneMapped(image, encoding.toneMapping());
     else addChannels(file, format, image, encoding);
     store(path, encode(path, format, file));
 }

@@ -29,6 +29,8 @@ struct MaterialKind {
     std::array<const char*, 2> metalIndices{};
     /// Whether it is a surface of its own, with a displacement and a normal map.
     bool isSurface = true;
+    /// Whether light inside is followed by one of several methods (Material::method).
+    bool hasMethods = false;
 };
 
 /* One for each kind, defined in the kind's file. */

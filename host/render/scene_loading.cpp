@@ -1,12 +1,14 @@
 #include "render/scene_loading.h"
 
 #include "kinds/integrator_kind.h"
+#include "kinds/material_kind.h"
 #include "read/obj/obj.h"
 #include "read/pbrt/read_pbrt.h"
 #include "standard_stream.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 namespace eikonal {
@@ -59,6 +61,23 @@ static Scene loadPbrt(const SceneOptions& o, Diagnostics& diagnostics) {
     return scene;
 }
 
+/// Warns of options that change nothing in this scene, with its integrator.
+static void warnOfOptionsWithoutEffect(const SceneOptions& o, const Scene& scene, Diagnostics& diagnostics) {
+    const IntegratorKind& kind = *scene.integrator.kind;
+    const auto warn = [&](const char* option, const std::string& why) {
+        diagnostics.warn({}, fmt::format("{} has no effect here: {}", option, why));
+    };
+    const bool choosesLights = samplesLights(scene.integrator) && kind.countsMaterials();
+    const std::string noTree = fmt::format("it is for integrator \"whitted\", not for \"{}\"", kind.name),
+                      noLights = fmt::format("integrator \"{}\" does not sample lights", kind.name);
+    if (o.treeThreshold && !kind.splitsRays) warn("--threshold", noTree);
+    if (o.treeBundle && !kind.splitsRays) warn("--bundle", noTree);
+    if (o.lightSampler && !choosesLights) warn("--light-sampler", noLights);
+    if (o.environmentGuide && !choosesLights) warn("--environment-guide", noLights);
+    if (o.subsurface && !o.hasPreset && std::ranges::none_of(scene.materials, [](const Material& m) { return m.kind->hasMethods; }))
+        warn("--subsurface", "the scene has no material \"subsurface\"");
+}
+
 bool isObj(const std::string& path) { return kindOf(path) == ".obj"; }
 
 Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
@@ -89,10 +108,7 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.regularize) scene.integrator.regularize = *o.regularize;
     if (o.maxComponentValue) scene.film.maxComponentValue = *o.maxComponentValue;
     if (o.reweightsFireflies) scene.film.reweightsFireflies = *o.reweightsFireflies;
-    for (const auto& [option, isGiven] : {std::pair("--threshold", o.treeThreshold.has_value()), {"--bundle", o.treeBundle.has_value()}})
-        if (isGiven && !scene.integrator.kind->splitsRays)
-            diagnostics.warn({}, fmt::format("{} has no effect here: it is for integrator \"whitted\", not for \"{}\"", option,
-                                                     scene.integrator.kind->name));
+    warnOfOptionsWithoutEffect(o, scene, diagnostics);
     if (o.treeThreshold) scene.integrator.threshold = *o.treeThreshold;
     if (o.treeBundle) scene.integrator.bundle = *o.treeBundle;
     if (o.cropWindow) { scene.film.cropWindow = o.cropWindow; scene.film.pixelBounds.reset(); }

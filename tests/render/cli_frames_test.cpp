@@ -124,6 +124,28 @@ TEST_F(Frames, ThatAreThereAreSkipped) {
     }
 }
 
+/// A whole image of something else than the options ask for is rendered again: it lacks a layer, or shows another part.
+TEST_F(Frames, ThatAreThereInAnotherFormAreRenderedAgain) {
+    const auto render = [&](Words more) {
+        more.insert(more.begin(), {"render", "tiny.pbrt", "--spp", "2", "--skip-existing"});
+        const Outcome outcome = run(more);
+        EXPECT_EQ(outcome.status, 0) << outcome.error;
+        return outcome.error;
+    };
+    const Words layers{"-o", "a.exr", "--aov", "all,cryptomatte,lightgroups"};
+    render({"-o", "a.exr", "--aov", "depth,cryptoObject"});
+    EXPECT_THAT(render(layers), HasSubstr("a.exr is rendered again: it has no layer \"albedo\""));
+    EXPECT_THAT(render(layers), HasSubstr("skipped tiny.pbrt"));
+    EXPECT_THAT(render({"-o", "a.exr", "--aov", "depth"}), HasSubstr("skipped tiny.pbrt"));
+    EXPECT_THAT(render({"-o", "a.exr", "--aov", "all", "--channel-names", "pbrt"}), HasSubstr("skipped tiny.pbrt"));
+    const Words part{"-o", "b.exr", "--pixelbounds", "2,6,2,6"}, small{"-o", "b.png", "--resolution", "16x12", "--cropwindow", "0,0.5,0,1"};
+    render({"-o", "b.exr"});
+    EXPECT_THAT(render(part), HasSubstr("b.exr is rendered again: it shows another part of the image"));
+    EXPECT_THAT(render(part), HasSubstr("skipped tiny.pbrt"));
+    EXPECT_THAT(render(small), HasSubstr("b.png is rendered again: it shows another part of the image"));
+    EXPECT_THAT(render(small), HasSubstr("skipped tiny.pbrt"));
+}
+
 /// Each frame has a film of its own, from which it goes on.
 TEST_F(Frames, HaveCheckpointsOfTheirOwn) {
     writeMovingScene();

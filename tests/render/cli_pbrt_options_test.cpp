@@ -46,6 +46,14 @@ TEST_F(Cli, SaysWhichOptionsHaveNoEffect) {
     EXPECT_THAT(reported({"--threshold", ".1"}), HasSubstr("--threshold has no effect here: it is for integrator \"whitted\""));
     EXPECT_THAT(reported({"--bundle", "8"}), HasSubstr("--bundle has no effect here"));
     EXPECT_THAT(reported({"--bundle", "8", "--integrator", "whitted"}), testing::Not(HasSubstr("no effect")));
+    EXPECT_THAT(reported({"--subsurface", "diffusion"}), HasSubstr("--subsurface has no effect here: the scene has no material"));
+    EXPECT_THAT(reported({"--quality", "reference"}), testing::Not(HasSubstr("no effect"))) << "a preset is for all scenes";
+    for (const char* option : {"--light-sampler=power", "--environment-guide=never"}) {
+        EXPECT_THAT(reported({option, "--integrator", "ambientocclusion"}),
+                    HasSubstr("has no effect here: integrator \"ambientocclusion\" does not sample lights"));
+        EXPECT_THAT(reported({option, "--integrator", "randomwalk"}), HasSubstr("has no effect here"));
+        EXPECT_THAT(reported({option, "--integrator", "path"}), testing::Not(HasSubstr("no effect")));
+    }
     EXPECT_THAT(reported({"--guiding", "on"}), HasSubstr("too little to learn from so few paths"));
 }
 

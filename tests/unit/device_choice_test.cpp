@@ -55,6 +55,8 @@ TEST(DeviceChoice, TakesSeveral) {
     EXPECT_THAT(chooseDevices(list, "beta,0"), ElementsAre("2", "0"));
     EXPECT_THAT(chooseDevices(list, "alpha"), ElementsAre("alpha"));
     EXPECT_THAT(chooseDevices(list, ""), ElementsAre(""));
+    for (const char* gap : {",", "alpha,", ",beta"})
+        EXPECT_THAT([&] { chooseDevices(list, gap); }, testing::ThrowsMessage<DeviceError>(HasSubstr("a name is empty"))) << gap;
     const auto errorOfSeveral = [&](const std::vector<DeviceInfo>& devices, const char* wanted) -> std::string {
         try {
             return std::to_string(chooseDevices(devices, wanted).size());

@@ -204,9 +204,9 @@ TEST_F(Film, everyFormatHasTheSamePicture) {
 TEST_F(Film, floatFormatsAreNotToneMapped) {
     FilmImage image(2, 1);
     image.color = {{100, 2, .01f}, {0, 50, 1}};
-    writeImage(path("a.pfm"), image, metadata, {.toneMapping = {.exposure = 3}});
+    writeImage(path("a.pfm"), image, metadata, {.exposure = 3});
     EXPECT_EQ(readImage(path("a.pfm")).image.color, image.color);
-    writeImage(path("a.hdr"), image, metadata, {.toneMapping = {.exposure = 3}});
+    writeImage(path("a.hdr"), image, metadata, {.exposure = 3});
     EXPECT_NEAR(readImage(path("a.hdr")).image.color[0].x, 100, .5);
 }
 
@@ -262,7 +262,8 @@ TEST_F(Film, saysWhatWouldWork) {
     EXPECT_EQ(errorOf(path("a.exr")), "no error");
     EXPECT_EQ(errorOf(path("a.xyz")), "cannot write \"" + path("a.xyz") + "\": the extension \".xyz\" is not known" + known);
     EXPECT_EQ(errorOf(path("a")), "cannot write \"" + path("a") + "\": its name has no extension" + known);
-    EXPECT_EQ(errorOf(path("b/a.exr")), "cannot write \"" + path("b/a.exr") + "\": there is no folder \"" + path("b") + "\"");
+    EXPECT_EQ(errorOf(path("b/a.exr")), "cannot write \"" + path("b/a.exr") + "\": there is no folder \"" + path("b") +
+                                            "\"; make it: mkdir -p " + path("b"));
     std::filesystem::create_directory(path("c.exr"));
     EXPECT_EQ(errorOf(path("c.exr")), "cannot write \"" + path("c.exr") + "\": it is a folder");
     ASSERT_EQ(::mkfifo(path("pipe.exr").c_str(), 0600), 0);

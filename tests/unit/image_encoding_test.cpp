@@ -170,5 +170,22 @@ TEST(CheckEncoding, SaysWhatWouldHaveWorked) {
               "--bit-depth is for integer formats, and a.exr has floats; add `-o FILE.png`, or see --pixel-type");
 }
 
+/// Tone mapping changes integer formats, and the page that --view shows.
+TEST(CheckEncoding, ToneMappingNeedsIntegers) {
+    const ImageEncoding filmic{.curve = ToneCurve::filmic}, brighter{.exposure = 1};
+    for (const char* file : {"a.png", "a.jpg", "a.tif"})
+        for (const ImageEncoding& encoding : {filmic, brighter}) EXPECT_EQ(problemOf({"a.exr", file}, encoding), "none") << file;
+    EXPECT_EQ(problemOf({"a.exr", "b.hdr"}, filmic), "--tonemap is for integer formats, and a.exr, b.hdr have floats; add `-o FILE.png`");
+    EXPECT_EQ(problemOf({"a.pfm"}, brighter), "--exposure is for integer formats, and a.pfm has floats; add `-o FILE.png`");
+    EXPECT_EQ(problemOf({"a.exr"}, {.exposure = 1, .isShown = true}), "none");
+    EXPECT_EQ(problemOf({"a.png"}, {.curve = ToneCurve::clamp, .bits = 8}), "none");
+}
+
+TEST(CheckEncoding, AFilmAloneIsNoImage) {
+    EXPECT_EQ(problemOf({}, {}), "none");
+    EXPECT_THAT(problemOf({}, {.bits = 16}), HasSubstr("--bit-depth is for images, and only a film is written"));
+    EXPECT_THAT(problemOf({}, {.compression = ExrCompression::piz}), HasSubstr("--compression is for images"));
+}
+
 }  // namespace
 }  // namespace eikonal

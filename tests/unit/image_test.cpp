@@ -127,6 +127,10 @@ TEST_F(Image, onlyTheFormatsOfTheListAreRead) {
     EXPECT_EQ(errorOf(write("a.tga", "P6 1 1 255\nabc")), "no error") << "a name says nothing";
     EXPECT_THAT(errorOf(write("a.jpg", "version https://git-lfs.github.com/spec/v1")), HasSubstr("git lfs pull"));
     EXPECT_THAT(errorOf(write("a.hdr", "")), HasSubstr("it is empty"));
+    for (const std::string scale : {"nan", "0", "-0.0", "inf", "x"})
+        EXPECT_THAT(errorOf(write("a.pfm", "PF\n1 1\n" + scale + "\n123456789012")), HasSubstr("its scale is ")) << scale;
+    EXPECT_THAT(errorOf(write("a.pfm", "PF\n10 10\n-1\n123456789012")), HasSubstr("ends before its pixels are complete"));
+    EXPECT_EQ(errorOf(write("a.pfm", "PF\n1 1\n-2\n123456789012")), "no error");
     EXPECT_THAT(errorOf("/dev/zero"), HasSubstr("it is not a file, but a device or a pipe"));
 
     std::string bmp = read(save("a.bmp", 2, 2, rgb, TypeDesc::UINT8, colors_));

@@ -84,7 +84,7 @@ TEST_F(ObjMaterials, thatRefractAreGlass) {
         EXPECT_EQ(scene.shapes[0].alpha.value.value(), 1) << statements;
     }
     loadMaterial("illum 7\nNi 1.5\nTf 1 .2 .2\n");
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.mtl:4: warning: colored transmission")));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.mtl:4:1: warning: colored transmission")));
 }
 
 // What is see-through but has a color of its own is covered only in part: d, or 1 - Tr. Where both stand, d counts: exporters disagree
@@ -155,7 +155,7 @@ TEST_F(ObjMaterials, findImagesBesideTheLibrary) {
     writeImage("wood.ppm");
     const Scene scene = loadMaterial("map_Kd \"C:\\work\\textures\\wood.ppm\"\n");
     EXPECT_EQ(scene.images.at(0).path, path("wood.ppm"));
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.mtl:2: warning: there is no file \"C:\\work\\textures\\wood.ppm\"; ")));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.mtl:2:8: warning: there is no file \"C:\\work\\textures\\wood.ppm\"; ")));
 }
 
 // A file that is there under nearly the same name is a guess: a warning, and under --strict an error. The name itself is none.
@@ -167,7 +167,7 @@ TEST_F(ObjMaterials, warnOfFilesUnderOtherNames) {
         EXPECT_THAT(warnings_,
                     ElementsAre(HasSubstr("there is no file \"" + name + "\"; \"" + path("tex/Wood.ppm") + "\" is read instead")));
         EXPECT_THAT(strictErrorIn("mtllib model.mtl\nusemtl m\n" + square + "vt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n"),
-                    AllOf(HasSubstr("model.mtl:2: there is no file \"" + name), HasSubstr("(an error because of --strict)")));
+                    AllOf(HasSubstr("model.mtl:2:8: there is no file \"" + name), HasSubstr("(an error because of --strict)")));
     }
     loadMaterial("map_Kd tex/Wood.ppm\n");
     EXPECT_THAT(warnings_, IsEmpty());
@@ -175,8 +175,8 @@ TEST_F(ObjMaterials, warnOfFilesUnderOtherNames) {
     write("Other.mtl", "newmtl m\nKd 1 0 0\n");
     const std::string content = "mtllib other.MTL\nusemtl m\n" + square + "f 1 2 3\n";
     load(content);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:1: warning: there is no file \"other.MTL\"; ")));
-    EXPECT_THAT(strictErrorIn(content), HasSubstr("model.obj:1: there is no file \"other.MTL\"; "));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:1:8: warning: there is no file \"other.MTL\"; ")));
+    EXPECT_THAT(strictErrorIn(content), HasSubstr("model.obj:1:8: there is no file \"other.MTL\"; "));
 }
 
 // Faces without a material are grey, which is said once: before any usemtl, of a material that is not there, and without a library.
@@ -189,10 +189,10 @@ TEST_F(ObjMaterials, thatAreMissingAreGreyWithAWarning) {
         EXPECT_THAT(strictErrorIn(content), AllOf(HasSubstr("model.obj:" + place + ": " + message), HasSubstr("--strict")));
     };
     write("model.mtl", "newmtl m\nKd 1 0 0\n");
-    expectWarning(faces, "5", "faces have no material (\"usemtl\"); they are grey");
-    expectWarning("mtllib model.mtl\n" + faces, "6", "faces have no material (\"usemtl\"); they are grey");
-    expectWarning("usemtl wood\n" + faces, "1", "there is no material \"wood\"; its faces are grey");
-    expectWarning("mtllib gone.mtl\nusemtl wood\n" + faces, "1",
+    expectWarning(faces, "5:1", "faces have no material (\"usemtl\"); they are grey");
+    expectWarning("mtllib model.mtl\n" + faces, "6:1", "faces have no material (\"usemtl\"); they are grey");
+    expectWarning("usemtl wood\n" + faces, "1:1", "there is no material \"wood\"; its faces are grey");
+    expectWarning("mtllib gone.mtl\nusemtl wood\n" + faces, "1:8",
                   "there is no material library \"gone.mtl\"; faces without a material are grey");
 }
 
@@ -231,11 +231,12 @@ TEST_F(ObjMaterials, haveAlphaBumpAndNormalMaps) {
 TEST_F(ObjMaterials, warnOfWhatIsMissingOrUnknown) {
     const Scene noLibrary = load("mtllib a.mtl b.mtl\n" + square + "usemtl x\nf 1 2 3\n");
     EXPECT_EQ(materialOf(noLibrary).kind, &diffuse_material);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:1: warning: there is no material library \"a.mtl\""), HasSubstr("\"b.mtl\"")));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:1:8: warning: there is no material library \"a.mtl\""),
+                                       HasSubstr("model.obj:1:14: warning: there is no material library \"b.mtl\"")));
     write("model.mtl", "newmtl m\nKd 1 1 1\nwobble 3\n");
     load("mtllib model.mtl\n" + square + "usemtl n\nf 1 2 3\nusemtl m\nf 1 2 4\n");
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:6: warning: there is no material \"n\""),
-                                       HasSubstr("model.mtl:3: warning: \"wobble\" is not supported")));
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:6:1: warning: there is no material \"n\""),
+                                       HasSubstr("model.mtl:3:1: warning: \"wobble\" is not supported")));
     writeImage("grey.ppm");
     loadMaterial("map_Kd -t .1 .1 .1 grey.ppm\n");
     EXPECT_THAT(warnings_, Contains(HasSubstr("the option \"-t .1 .1 .1\" is not supported")));
@@ -282,11 +283,11 @@ TEST_F(ObjMaterials, warnOfASecondOneWithTheirName) {
     const std::string faces = square + "usemtl x\nf 1 2 3\n";
     const Scene scene = load("mtllib a.mtl a.mtl\n" + faces);
     EXPECT_EQ(color(materialOf(scene), "reflectance"), glm::dvec3(1, 0, 0));
-    const std::string message = "material \"x\" is there already, at " + path("a.mtl") + ":1; that one counts, and this one is skipped";
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.mtl:3: warning: " + message)));
-    EXPECT_THAT(strictErrorIn("mtllib a.mtl\n" + faces), HasSubstr("a.mtl:3: material \"x\" is there already"));
+    const std::string message = "material \"x\" is there already, at " + path("a.mtl") + ":1:1; that one counts, and this one is skipped";
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("a.mtl:3:1: warning: " + message)));
+    EXPECT_THAT(strictErrorIn("mtllib a.mtl\n" + faces), HasSubstr("a.mtl:3:1: material \"x\" is there already"));
     load("mtllib b.mtl c.mtl\n" + square + "usemtl y\nf 1 2 3\n");
-    EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("c.mtl:2: warning: material \"y\""), HasSubstr("b.mtl:1; that one counts"))));
+    EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("c.mtl:2:1: warning: material \"y\""), HasSubstr("b.mtl:1:1; that one counts"))));
 }
 
 TEST_F(ObjMaterials, warnOfStatementsWithoutAMaterial) {
@@ -309,7 +310,7 @@ TEST_F(ObjMaterials, warnOfALibraryWithoutAny) {
     write("part.obj", square + "f 1 2 3\n");
     const std::string content = "mtllib part.obj\n" + square + "usemtl m\nf 1 2 3\n";
     load(content);
-    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:1: warning: the material library \"" + path("part.obj") +
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("model.obj:1:8: warning: the material library \"" + path("part.obj") +
                                                  "\" has no material (\"newmtl NAME\")"),
                                        HasSubstr("there is no material \"m\"")));
     EXPECT_THAT(strictErrorIn(content), HasSubstr("has no material (\"newmtl NAME\") (an error because of --strict)"));
@@ -317,17 +318,18 @@ TEST_F(ObjMaterials, warnOfALibraryWithoutAny) {
 
 TEST_F(ObjMaterials, saysWhereTheyAreWrong) {
     const auto errorIn = [&](const std::string& statements) { return errorOf([&] { loadMaterial(statements); }); };
-    EXPECT_EQ(errorIn("Kd 1 0\n"), "model.mtl:2: \"Kd\" needs three numbers, and has 2");
+    EXPECT_EQ(errorIn("Kd 1 0\n"), "model.mtl:2:1: \"Kd\" needs three numbers, and has 2");
     EXPECT_EQ(errorIn("Kd red\n"), "model.mtl:2:4: \"red\" is not a finite number");
     EXPECT_EQ(errorIn("Kd nan 0 0\n"), "model.mtl:2:4: \"nan\" is not a finite number");
     EXPECT_EQ(errorIn("kd 1e50 0 0\n"), "model.mtl:2:4: \"1e50\" is too large: single precision ends at about 3.4e38");
-    EXPECT_EQ(errorIn("KD xyz 1 1 1 1\n"), "model.mtl:2: \"KD\" as \"xyz\" cannot be read; give red, green and blue");
+    EXPECT_EQ(errorIn("KD xyz 1 1 1 1\n"), "model.mtl:2:4: \"KD\" as \"xyz\" cannot be read; give red, green and blue");
     EXPECT_EQ(errorIn("Ns\n"), "no error");  // Ns counts only where there is a highlight
-    EXPECT_EQ(errorIn("Kd .5 .5 .5\nKs 1 1 1\nNs\n"), "model.mtl:4: \"Ns\" needs a number");
-    EXPECT_EQ(errorIn("map_Kd -s 2 2 2\n"), "model.mtl:2: \"map_Kd\" names no image");
+    EXPECT_EQ(errorIn("Kd .5 .5 .5\nKs 1 1 1\nNs\n"), "model.mtl:4:1: \"Ns\" needs a number");
+    EXPECT_EQ(errorIn("map_Kd -bm\n"), "model.mtl:2:8: \"-bm\" needs 1 more word");
+    EXPECT_EQ(errorIn("map_Kd -s 2 2 2\n"), "model.mtl:2:1: \"map_Kd\" names no image");
     writeImage("wood.ppm");
     EXPECT_EQ(errorIn("map_Kd wod.ppm\nmap_Ks stone.png\nKs 1 1 1\n"),
-              "model.mtl:2: there is no image \"wod.ppm\"; did you mean \"wood.ppm\"?\nmodel.mtl:3: there is no image \"stone.png\"");
+              "model.mtl:2:8: there is no image \"wod.ppm\"; did you mean \"wood.ppm\"?\nmodel.mtl:3:8: there is no image \"stone.png\"");
 }
 
 }  // namespace

@@ -109,9 +109,9 @@ TEST_F(ObjTest, leavesOutTrianglesWithoutArea) {
 TEST_F(ObjTest, warnsOnceOfWhatItDoesNotRender) {
     load("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nl 1 2\nl 2 3\np 1\nsurf 0 1 0 1 1 2 3\nhello\nf 1 2 3\n");
     EXPECT_THAT(geometryWarnings(),
-                ElementsAre(HasSubstr("model.obj:1: warning: the colors of vertices"), HasSubstr("model.obj:4: warning: lines"),
-                            HasSubstr("model.obj:6: warning: points"), HasSubstr("model.obj:7: warning: free-form"),
-                            HasSubstr("model.obj:8: warning: \"hello\" is not a statement")));
+                ElementsAre(HasSubstr("model.obj:1:1: warning: the colors of vertices"), HasSubstr("model.obj:4:1: warning: lines"),
+                            HasSubstr("model.obj:6:1: warning: points"), HasSubstr("model.obj:7:1: warning: free-form"),
+                            HasSubstr("model.obj:8:1: warning: \"hello\" is not a statement")));
 }
 
 TEST_F(ObjTest, warnsOfNamesThatAreNotThere) {
@@ -136,7 +136,7 @@ TEST_F(ObjTest, saysWhereAFileIsWrong) {
         EXPECT_EQ(errorIn("v " + std::string(word) + " 0 0\nf 1 1 1\n"),
                   "model.obj:1:3: \"" + std::string(word) + "\" is too large: single precision ends at about 3.4e38");
     EXPECT_EQ(errorIn("v 0 0 0\nvn 0 nan 0\n"), "model.obj:2:6: \"nan\" is not a finite number");
-    EXPECT_EQ(errorIn(square + "f 1 2 3\nv 1 2"), "model.obj:6: \"v\" needs 3 numbers, and has 2");
+    EXPECT_EQ(errorIn(square + "f 1 2 3\nv 1 2"), "model.obj:6:1: \"v\" needs 3 numbers, and has 2");
     EXPECT_EQ(errorIn(square + "f 0 1 2\n"), "model.obj:5:3: \"0\" is not a corner of a face: position/texture/normal, numbered from 1");
     EXPECT_EQ(errorIn(square + "f 1/2/3/4 1 2\n"), "model.obj:5:3: \"1/2/3/4\" has more than three parts");
     EXPECT_EQ(errorIn(square + "f -5 -3 -2\n"), "model.obj:5:3: \"-5\" counts back beyond the first of 4");
@@ -146,7 +146,7 @@ TEST_F(ObjTest, saysWhereAFileIsWrong) {
     EXPECT_EQ(errorIn(square + "f 1 \\\n2 \\\nx\n"),
               "model.obj:5:9: \"x\" is not a corner of a face: position/texture/normal, numbered from 1");
     EXPECT_THAT(errorIn(square + "f 1 2\n"), HasSubstr("a face needs three corners"));
-    EXPECT_EQ(errorIn(square + std::string("f 1 2 3\n\0", 9)), "model.obj:6: a byte is zero: this is not a text file");
+    EXPECT_EQ(errorIn(square + std::string("f 1 2 3\n\0", 9)), "model.obj:6:1: a byte is zero: this is not a text file");
     Diagnostics silent(LogLevel::silent);
     EXPECT_EQ(errorOf([&] { readObj(path("absent.obj"), {}, silent); }), "absent.obj: cannot be opened: No such file or directory");
 }

@@ -108,8 +108,8 @@ TEST(Options, ValuesOfEveryKindAreRead) {
     EXPECT_EQ(o.output.timeLimit, 1.5);
     EXPECT_TRUE(o.output.aovs.albedo && o.output.aovs.depth);
     EXPECT_FALSE(o.output.aovs.normal || o.output.aovs.variance || o.output.aovs.sampleCount);
-    EXPECT_EQ(o.output.encoding.toneMapping.curve, ToneCurve::filmic);
-    EXPECT_EQ(o.output.encoding.toneMapping.exposure, -1);
+    EXPECT_EQ(o.output.encoding.curve, ToneCurve::filmic);
+    EXPECT_EQ(o.output.encoding.exposure, -1);
     EXPECT_EQ(o.device.wavePaths, 4096u);
     EXPECT_EQ(o.device.localSize, 32u);
     EXPECT_EQ(o.device.itemsPerWorkItem, 8u);
@@ -250,7 +250,20 @@ INSTANTIATE_TEST_SUITE_P(Options, BadValues, testing::Values(
     BadValue{"render a.pbrt --spp 0", "--spp takes a whole number of at least 1, not \"0\""},
     BadValue{"render a.pbrt --spp 1.5", "--spp takes a whole number of at least 1, not \"1.5\""},
     BadValue{"render a.pbrt --spp 99999999999", "not \"99999999999\""},
-    BadValue{"render a.pbrt --spp", "--spp"},
+    BadValue{"render a.pbrt --spp", "--spp needs a value: --spp N\n"},
+    BadValue{"render a.pbrt --port 80", "--port needs --view; add it"},
+    BadValue{"render a.pbrt --stats=banana", "--stats takes no value"},
+    BadValue{"render a.pbrt --max-error 1 --target-error 2",
+             "--target-error and --max-error are the same option, given 2 times; give it once"},
+    BadValue{"render a.pbrt --device=", "--device needs a value: --device NAME|INDEX|all"},
+    BadValue{"render a.pbrt --checkpoint-every 9s", "name one, --checkpoint FILE, or add --write-partial-images"},
+    BadValue{"render a.pbrt -o a.film --write-partial-images", "only a film is written"},
+    BadValue{"denoise a.exr -o a.film", "the extension \".film\" is not known"},
+    BadValue{"render a.pbrt --tonemap clmp", "--tonemap is one of clamp, reinhard, filmic, not \"clmp\"; did you mean clamp?"},
+    BadValue{"submit a.pbrt --engine slurm -o a.film --exposure 1", "only a film is written"},
+    BadValue{"render a.pbrt -o a.film --exposure 1", "--exposure is for images, and only a film is written"},
+    BadValue{"render a.pbrt -o a.xyz",
+             "the extension \".xyz\" is not known; known are exr hdr pfm png jpg jpeg tif tiff tga bmp webp, and film"},
     BadValue{"render a.pbrt --seed x", "--seed takes a whole number, not \"x\""},
     BadValue{"render a.pbrt --nthreads 0", "--nthreads takes a whole number from 1 to 4096"},
     BadValue{"render a.pbrt --resolution 640", "like 800x600, not \"640\""},
@@ -306,6 +319,28 @@ INSTANTIATE_TEST_SUITE_P(Commands, BadValues, testing::Values(
     BadValue{"render a.pbrt --pixel 3,4", "try --pixelbounds x,x+1,y,y+1"},
     BadValue{"render a.pbrt --upgrade", "pbrt --upgrade old.pbrt > scene.pbrt"},
     BadValue{"render a.pbrt --interactive", "try --view"}));
+
+TEST(Options, IntervalsAreOfCheckpointsAndOfImages) {
+    for (const char* line : {"render a.pbrt --checkpoint a.film", "render a.pbrt --write-partial-images", "render a.pbrt -o a.film",
+                             "submit a.pbrt --engine slurm"})
+        EXPECT_EQ(parse(line + std::string(" --checkpoint-every 9s")).output.checkpointEvery, 9) << line;
+}
+
+/// As of a variable of the shell that is not set.
+TEST(Options, NamesAreNotEmptyAndTextForTheCompilerMayBe) {
+    const auto problemOf = [](const std::vector<std::string>& words) -> std::string {
+        try {
+            parseOptions(words);
+            return "none";
+        } catch (const UsageError& error) { return error.what(); }
+    };
+    for (const char* option : {"--checkpoint", "--log-file", "--device", "--outfile", "--dump-kernels"})
+        EXPECT_THAT(problemOf({"eikonal", "render", "a.pbrt", option, ""}), HasSubstr(option + std::string(" takes "))) << option;
+    EXPECT_EQ(problemOf({"eikonal", "bench", "a.pbrt", "--json", ""}), "--json takes FILE, not \"\"");
+    EXPECT_EQ(problemOf({"eikonal", "merge", "", "-o", "a.exr"}), "merge PART is empty; give a name");
+    EXPECT_EQ(problemOf({"eikonal", "render", "a.pbrt", "--build-options", ""}), "none");
+    EXPECT_THAT(parseOptions({"eikonal", "submit", "a.pbrt", "--engine", "slurm", "--build-options", ""}).passedOn, testing::IsEmpty());
+}
 
 TEST(Options, OtherCommands) {
     EXPECT_EQ(parse("--list-devices").command, Command::listDevices);

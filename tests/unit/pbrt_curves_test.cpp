@@ -75,6 +75,13 @@ TEST_F(PbrtCurves, AWidthThatBothEndsReplaceIsWarnedOf) {
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"float width\" is ignored: nothing here uses it")));
 }
 
+TEST_F(PbrtCurves, AWidthOfZeroIsWarnedOf) {
+    curve(seven + "\"float width\" 0");
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("shape \"curve\" has a width of 0, so it is not seen")));
+    curve(seven + "\"float width0\" 0 \"float width1\" 1");
+    EXPECT_THAT(warnings_, IsEmpty());
+}
+
 TEST_F(PbrtCurves, errors) {
     EXPECT_THAT(error(""), HasSubstr("needs its control points, \"point3 P\""));
     EXPECT_THAT(error("\"point3 P\" [0 0 0 1 0 0 2 0 0 3 0 0 4 0 0]"),

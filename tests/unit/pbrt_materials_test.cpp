@@ -27,6 +27,13 @@ TEST_F(PbrtMaterials, defaults) {
     EXPECT_EQ(value(material("\"dielectric\""), "eta"), 1.5);
     EXPECT_EQ(value(material("\"thindielectric\""), "eta"), 1.5);
     EXPECT_EQ(value(material("\"diffusetransmission\""), "transmittance"), .25);
+    EXPECT_THAT(warnings_, IsEmpty());
+    material("\"diffusetransmission\" \"rgb reflectance\" [.6 .1 .7] \"rgb transmittance\" [.4 .9 .3]");
+    EXPECT_THAT(warnings_, IsEmpty());
+    material("\"diffusetransmission\" \"rgb reflectance\" [.6 .1 .7] \"rgb transmittance\" [.3 .95 .3]");
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("add up to more than 1: as in pbrt-v4, the material sends out more light")));
+    material("\"diffusetransmission\" \"float scale\" 2.1");
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("add up to more than 1")));
     const Material coated = material("\"coateddiffuse\"");
     const std::map<std::string, double> expected = {{"reflectance", .5}, {"uroughness", 0}, {"vroughness", 0},
                                                     {"thickness", .01},  {"eta", 1.5},      {"g", 0},

@@ -35,6 +35,16 @@ TEST_F(PbrtMedia, homogeneous) {
     EXPECT_EQ(m.g, -.5);
 }
 
+/// As in pbrt-v4, a medium emits in proportion to its absorption, which is 1 unless it is given.
+TEST_F(PbrtMedia, whatDoesNotAbsorbDoesNotShine) {
+    medium("\"homogeneous\" \"rgb Le\" [1 1 1]");
+    EXPECT_THAT(warnings_, IsEmpty());
+    medium("\"homogeneous\" \"rgb Le\" [1 1 1] \"rgb sigma_a\" [0 0 0]");
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("medium \"m\" emits no light, as in pbrt-v4: only what absorbs shines")));
+    medium("\"homogeneous\" \"rgb sigma_a\" [0 0 0]");
+    EXPECT_THAT(warnings_, IsEmpty());
+}
+
 TEST_F(PbrtMedia, presetsAreMeasurements) {
     expectNear(medium("\"homogeneous\" \"string preset\" \"Skin1\" \"float scale\" 10").sigmaA.albedo(), {.32, 1.7, 4.8});
     EXPECT_EQ(medium("\"homogeneous\" \"string preset\" \"Skin3\"").sigmaS.value(), 1);

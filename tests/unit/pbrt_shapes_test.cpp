@@ -76,6 +76,8 @@ TEST_F(PbrtShapes, subdividedMeshes) {
         "5 0 3 5] ";
     EXPECT_EQ(shape(octahedron).mesh->indices.size(), 3u * 8 * 64);
     EXPECT_EQ(shape(octahedron + "\"integer levels\" 0").mesh->indices.size(), 3u * 8);
+    EXPECT_EQ(shape(octahedron + "\"integer levels\" -1").mesh->indices.size(), 3u * 8) << "as in pbrt-v4";
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("\"integer levels\" is -1; it counts as 0, since it must be in [0, inf)")));
     EXPECT_THAT(errorOfWorld("Shape " + octahedron + "\"integer levels\" 12"),
                 HasSubstr("\"integer levels\" is 12, which makes more than 33554432 triangles of this mesh; 11 would work"));
     EXPECT_THAT(errorOfWorld("Shape \"loopsubdiv\" \"point3 P\" [0 0 0 1 0 0 0 1 0]"), HasSubstr("needs the vertices of its faces"));
@@ -160,6 +162,15 @@ TEST_F(PbrtShapes, plyFilesWithMoreThanTheirHeaderSays) {
     EXPECT_EQ(world(mesh).shapes.size(), 1u);
     EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("warning: \""), HasSubstr("more.ply\" has more data than the element counts of "
                                                                                 "its header say: line 14 and what follows are skipped"))));
+    std::string bytes =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\nproperty uchar y\nproperty uchar z\nelement face 1\n"
+        "property list uchar uchar vertex_indices\nend_header\n";
+    for (const char byte : {0, 0, 0, 1, 0, 0, 1, 1, 0, 3, 0, 1, 2}) bytes += byte;
+    write("bytes.ply", bytes + std::string("\n\0", 2));
+    const std::string binary = "Shape \"plymesh\" \"string filename\" \"bytes.ply\" ";
+    EXPECT_THAT(warningsOfWorld(binary), IsEmpty());
+    write("bytes.ply", bytes + "\3\2\1");
+    EXPECT_THAT(warningsOfWorld(binary), ElementsAre(HasSubstr("its header say: its last 3 bytes are skipped")));
 }
 
 TEST_F(PbrtShapes, tangents) {

@@ -169,7 +169,11 @@ void expectBinaryMesh(const PlyMesh& mesh) {
 
 TEST_F(Ply, readsLittleEndian) { expectBinaryMesh(load(binaryMesh(false))); }
 TEST_F(Ply, readsBigEndian) { expectBinaryMesh(load(binaryMesh(true))); }
-TEST_F(Ply, mayHaveBytesAfterItsBinaryData) { EXPECT_EQ(load(binaryMesh(false) + "x").firstUnreadLine, 0u); }
+TEST_F(Ply, notesBytesAfterItsBinaryData) {
+    EXPECT_EQ(load(binaryMesh(false) + "x").unreadBytes, 1u);
+    EXPECT_EQ(load(binaryMesh(true) + "0\n").unreadBytes, 2u);
+    EXPECT_EQ(load(binaryMesh(false) + "\r\n").unreadBytes, 0u);
+}
 
 TEST_F(Ply, readsCompressedFiles) {
     const std::string content = binaryMesh(false);

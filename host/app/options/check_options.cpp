@@ -20,8 +20,11 @@ namespace eikonal {
 /// The extension of film files.
 static constexpr const char* filmExtension = ".film";
 
+static bool writesFilms(Command command) { return command == Command::render || command == Command::merge || command == Command::submit; }
+
 void chooseFilm(Options& o) {
     OutputOptions& out = o.output;
+    if (!writesFilms(o.command)) return;
     const auto isFilm = [](const std::string& file) { return file.ends_with(filmExtension); };
     const auto films = std::ranges::count_if(out.files, isFilm);
     if (films + !out.checkpoint.empty() > 1) throw UsageError("-o and --checkpoint name more than one film; one is enough");
@@ -77,15 +80,17 @@ static void checkSubmittedFrames(const Options& o) {
 /// Each image is to be of a format.
 static void checkFormats(const Options& o) {
     if (o.command == Command::trade) return;  // -o is a page
-    const auto check = [](const std::string& option, const std::string& file, const ImageEncoding& encoding) {
+    const auto check = [](const std::string& option, const std::string& file, const ImageEncoding& encoding, const char* more) {
         const std::string problem = isFolder(file) ? "" : unknownFormat(file, encoding);
-        if (!problem.empty()) throw UsageError(fmt::format("{} {}: cannot write it: {}", option, file, problem));
+        if (!problem.empty()) throw UsageError(fmt::format("{} {}: cannot write it: {}{}", option, file, problem, more));
     };
     for (const std::string& file : o.output.files)
-        if (!isStandardStream(file)) check("-o", file, o.output.encoding);
-    if (!o.heatMap.empty()) check("--heat-map", o.heatMap, {});
+        if (!isStandardStream(file)) check("-o", file, o.output.encoding, writesFilms(o.command) ? ", and film for a part" : "");
+    if (!o.heatMap.empty()) check("--heat-map", o.heatMap, {}, "");
     const bool areNamed = std::ranges::none_of(o.output.files, [](const std::string& file) { return isFolder(file); });
-    if (!o.output.files.empty() && areNamed) checkEncoding(imageFiles(o.output.files, o.output.encoding), o.output.encoding);
+    const bool makesNoImage = !o.output.hasImage && writesFilms(o.command);
+    if ((!o.output.files.empty() && areNamed) || makesNoImage)
+        checkEncoding(imageFiles(o.output.files, o.output.encoding), o.output.encoding);
 }
 
 /// Standard output holds one thing.
@@ -105,6 +110,12 @@ static void checkStandardStreams(const Options& o) {
             fmt::format("the image and {} would both go to standard output; give -o a file", out.stats ? "--stats" : "--json"));
     if (out.partialImages)
         throw UsageError("--write-partial-images writes the image several times, and standard output holds one; give -o a file");
+}
+
+/// Whether the command has the option, and the user gave it.
+static bool isGiven(const CLI::App* command, const std::string& name) {
+    const CLI::Option* option = command->get_option_no_throw(name);
+    return option && option->count() > 0;
 }
 
 void checkTogether(const Parser& parser, const CLI::App* command) {
@@ -136,6 +147,11 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
     if (o.command == Command::submit) checkSubmittedFrames(o);
     checkStandardStreams(o);
     checkFormats(o);
+    const bool writesAtIntervals = !o.output.checkpoint.empty() || o.output.partialImages || o.command == Command::submit;
+    if (isGiven(command, "--checkpoint-every") && !writesAtIntervals)
+        throw UsageError("--checkpoint-every is of checkpoints; name one, --checkpoint FILE, or add --write-partial-images");
+    if (o.output.partialImages && !o.output.hasImage)
+        throw UsageError("--write-partial-images is of images, and only a film is written; add an image: -o image.exr");
     if (o.output.resume && o.output.checkpoint.empty())
         throw UsageError("--resume goes on from a checkpoint; name it: --checkpoint FILE --resume");
     if (o.scene.cropWindow && o.scene.pixelBounds)

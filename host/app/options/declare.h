@@ -18,6 +18,8 @@ inline constexpr int unlimited = std::numeric_limits<int>::max();
 /// Groups of --help that several files name.
 inline constexpr const char *sceneGroup = "Scene (overrides the file)", *objGroup = "Camera of an OBJ", *deviceGroup = "Device",
                             *framesGroup = "Frames", *imageGroup = "Image", *partsGroup = "Checkpoints and parts";
+/// The type of values that may be empty.
+inline constexpr const char* freeText = "TEXT";
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Lets completion offer `words`, which are kept as the name of a validator that accepts everything.

@@ -20,10 +20,12 @@ void addEncoding(CLI::App* app, OutputOptions& out) {
     value(app, "--format", out.encoding.format, "NAME", "Format of the image, whatever its name ends with; `-o -` needs it",
           oneOf<std::string>(std::move(formats)))
         ->group(group);
-    auto* tonemap =
-        value(app, "--tonemap", out.encoding.toneMapping.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
-              [](const std::string&, const std::string& text) { return toneCurve(text); });
-    offer(tonemap, toneCurveNames())->group(group);
+    static const std::vector<std::string> curveNames = toneCurveNames();
+    std::vector<std::pair<const char*, ToneCurve>> curves;
+    for (const std::string& name : curveNames) curves.emplace_back(name.c_str(), toneCurve(name));
+    value(app, "--tonemap", out.encoding.curve, "NAME", "For integer formats: clamp (default), reinhard, filmic",
+          oneOf<ToneCurve>(std::move(curves)))
+        ->group(group);
     value(app, "--bit-depth", out.encoding.bits, "N", "For integer formats: bits of a channel, 8 or 16 (default: 16 for tif, else 8)",
           oneOf<int>({{"8", 8}, {"16", 16}}))
         ->group(group);
@@ -42,7 +44,7 @@ void addEncoding(CLI::App* app, OutputOptions& out) {
     app->add_flag("--record-time", out.encoding.recordsTime,
                   "Store the seconds of rendering in the file, so that two runs write different ones")
         ->group(group);
-    value(app, "--exposure", out.encoding.toneMapping.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))
+    value(app, "--exposure", out.encoding.exposure, "STOPS", "For integer formats: 1 is twice as bright", number(-infinity))
         ->group(group);
 }
 

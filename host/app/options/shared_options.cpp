@@ -64,7 +64,7 @@ void addDevice(CLI::App* app, Options& o) {
         ->group(group);
     app->add_option("--build-options", d.buildOptions,
                     "Additional options for the OpenCL compiler, such as --build-options=-cl-fast-relaxed-math")
-        ->type_name("TEXT")
+        ->type_name(freeText)
         ->group(group);
 }
 

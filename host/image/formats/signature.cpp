@@ -1,14 +1,19 @@
 #include "image/formats/signature.h"
 
+#include "printable.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <vector>
 
@@ -82,6 +87,16 @@ std::string problemOfBmp(const unsigned char* start) {
                        compression, bits);
 }
 
+/// Why OpenImageIO should not see a PFM file; empty if it may. It multiplies all values by the scale of the header.
+std::string problemOfPfm(std::string_view text) {
+    std::istringstream header{std::string(text.substr(2))};
+    std::string columns, rows, scale;
+    header >> columns >> rows >> scale;
+    const double value = std::strtod(scale.c_str(), nullptr);
+    if (scale.empty() || (std::isfinite(value) && value != 0)) return {};
+    return fmt::format("its scale is {}; it must be a number other than 0", quoteWord(scale));
+}
+
 /// Whether a TGA file that is compressed by run lengths has all of its pixels.
 bool hasAllRuns(std::ifstream& file, std::size_t pixels, std::size_t bytesOfPixel) {
     std::vector<char> skipped(128 * bytesOfPixel);
@@ -134,7 +149,10 @@ ImageSignature recognizeImage(const std::string& path) {
     for (const Format& format : formats) {
         if (text.size() < format.offset || !text.substr(format.offset).starts_with(format.signature)) continue;
         if (!format.plugin) return {nullptr, fmt::format("it is {}; {}", format.name, readable)};
-        if (std::string problem = format.plugin == "bmp"sv ? problemOfBmp(start.data()) : ""; !problem.empty()) return {nullptr, problem};
+        const std::string problem = format.plugin == "bmp"sv         ? problemOfBmp(start.data())
+                                    : format.name == "a PFM image"sv ? problemOfPfm(text)
+                                                                     : "";
+        if (!problem.empty()) return {nullptr, problem};
         return {format.plugin, {}};
     }
     const std::uintmax_t size = std::filesystem::file_size(path, error);

@@ -3,6 +3,8 @@
 #include "kinds/material_packing.h"
 #include "kinds/material_reading.h"
 
+#include <functional>
+
 namespace eikonal {
 
 static const MaterialDirective directives[] = {
@@ -12,6 +14,13 @@ static const MaterialDirective directives[] = {
 static void read(const pbrt::MaterialReading& in, Material& material) {
     const double scale = in.arguments.number("scale");
     for (auto& [name, input] : material.inputs) input = in.textures.scaled(input, scale);
+    const Input &reflectance = material.inputs.at("reflectance"), &transmittance = material.inputs.at("transmittance");
+    if (reflectance.texture != none || transmittance.texture != none) return;
+    const Spectrum sum = combineSpectra(std::plus<>(), reflectance.value.clampedToUnit(), transmittance.value.clampedToUnit());
+    constexpr double withinRounding = 1 - 1e-6;
+    if (!(sum * withinRounding).isReflectance())
+        in.reading.diagnostics.warn(in.arguments.where(), "\"reflectance\" and \"transmittance\" add up to more than 1: as in pbrt-v4, the "
+                                                          "material sends out more light than it receives");
 }
 
 static next_queue pack(InputWriter& in) {

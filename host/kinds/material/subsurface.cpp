@@ -23,6 +23,6 @@ static void read(const pbrt::MaterialReading& in, Material& material) {
 
 static next_queue pack(InputWriter& in) { return dielectric_material.pack(in); }
 
-const MaterialKind subsurface_material{.directives = directives, .read = read, .pack = pack};
+const MaterialKind subsurface_material{.directives = directives, .read = read, .pack = pack, .hasMethods = true};
 
 }  // namespace eikonal

@@ -71,7 +71,7 @@ const LightTraits triangle_light{.packElement = packLight, .bound = boundLight};
 static const ShapeDirective directives[] = {
     {"trianglemesh", "integers indices; point3s P; normals N; vector3s S; point2s uv; integers faceIndices", readTriangles},
     {"plymesh", "file filename; floattexture displacement; float edgelength = 1 in (0, inf)", readPly},
-    {"loopsubdiv", "integers indices; point3s P; integer levels = 3; string scheme = loop in {loop}", readSubdivided},
+    {"loopsubdiv", "integers indices; point3s P; integer levels = 3 clamped to [0, inf); string scheme = loop in {loop}", readSubdivided},
 };
 
 const ShapeTraits triangle_shape{.directives = directives, .corners = 3, .bound = meshBounds, .pack = pack, .lightKindOf = lightKindOf};

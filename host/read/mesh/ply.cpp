@@ -155,6 +155,7 @@ PlyMesh parse(std::span<const char> bytes) {
     PlyMesh result;
     if (const std::string_view rest = values.unreadText(); !rest.empty())
         result.firstUnreadLine = lineAt({bytes.data(), bytes.size()}, bytes.size() - rest.size());
+    result.unreadBytes = values.unreadBytes();
     result.droppedFaces = faces.dropped;
     if (!faces.quads.empty()) {
         result.quads = std::make_shared<Mesh>(faces.triangles.empty() ? std::move(mesh) : mesh);

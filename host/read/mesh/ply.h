@@ -16,6 +16,7 @@ struct PlyMesh {
     std::shared_ptr<Mesh> quads;      ///< faces with four corners, as bilinear patches: the file's corners 0 1 3 2
     std::size_t droppedFaces = 0;     ///< skipped faces, with fewer than three corners
     std::size_t firstUnreadLine = 0;  ///< of a text file: the line of what follows its last element; 0 if that is blank
+    std::size_t unreadBytes = 0;      ///< of a binary file: bytes after its last element; 0 if they are blank
 };
 
 /// All faces as triangles, as pbrt-v4 does for displacement: patches are split from corner 0 to corner 3 (of a bilinear patch: to (1, 1)).

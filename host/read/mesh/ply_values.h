@@ -58,6 +58,12 @@ public:
         return {at_, end_};
     }
 
+    /// How many bytes follow binary data; 0 if they are blank, such as a line's end, or the data is text.
+    std::size_t unreadBytes() const {
+        const bool isBlank = std::all_of(at_, end_, [](char c) { return isSpace(c) || c == 0; });
+        return format_ == Format::ascii || isBlank ? 0 : static_cast<std::size_t>(end_ - at_);
+    }
+
 private:
     [[noreturn]] static void throwTruncated() { throw ReadProblem{"is truncated: it ends before its last element"}; }
 

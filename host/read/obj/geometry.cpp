@@ -90,7 +90,7 @@ private:
     }
 
     void parseLibraryName() {
-        if (lines_.words().size() > 1) geometry_.libraries.push_back({lines_.rest(1), lines_.where()});
+        if (lines_.words().size() > 1) geometry_.libraries.push_back({lines_.rest(1), lines_.where(1)});
         else diagnostics_.unsupported("obj mtllib", lines_.where(0), "\"mtllib\" needs the name of a material library; it is skipped");
     }
 
@@ -106,7 +106,7 @@ private:
         object_ = object;
         material_ = material;
         const auto [entry, isNew] = groups_.try_emplace({object, material}, static_cast<std::uint32_t>(geometry_.groups.size()));
-        if (isNew) geometry_.groups.push_back({object, material, lines_.line()});
+        if (isNew) geometry_.groups.push_back({object, material, lines_.where()});
         group_ = entry->second;
         hasGroup_ = true;
     }

@@ -24,9 +24,9 @@ struct ObjFace {
 };
 
 /// The faces of an object that share a material. Objects are named by "o", or by "g" in a file without any "o".
-struct ObjGroup { std::string object, material; int line = 0; };
+struct ObjGroup { std::string object, material; SourceLocation where; };
 
-/// A file name after mtllib.
+/// A file name after mtllib, or several.
 struct ObjLibrary { std::string name; SourceLocation where; };
 
 struct ObjGeometry {

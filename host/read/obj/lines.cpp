@@ -42,9 +42,11 @@ std::string numberProblem(std::string_view word) {
 ObjLines::ObjLines(std::string_view text, std::shared_ptr<const std::string> file) : text_(text), file_(std::move(file)) {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
     const std::size_t zero = text_.find('\0');
-    if (zero != text_.npos)
-        throw SceneError({file_, static_cast<int>(std::ranges::count(text_.substr(0, zero), '\n')) + 1, 0},
-                         "a byte is zero: this is not a text file");
+    if (zero == text_.npos) return;
+    const std::string_view before = text_.substr(0, zero);
+    const std::size_t lineBegin = before.rfind('\n') + 1;  // 0 in the first line, where rfind finds none
+    throw SceneError({file_, static_cast<int>(std::ranges::count(before, '\n')) + 1, static_cast<int>(zero - lineBegin) + 1},
+                     "a byte is zero: this is not a text file");
 }
 
 SourceLocation ObjLines::whereBefore(int line, std::size_t i) {

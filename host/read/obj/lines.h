@@ -23,9 +23,8 @@ public:
     /// The text from word i to the end of the line, trimmed, including a comment, because names may contain spaces and #.
     std::string rest(std::size_t i) const;
 
-    SourceLocation where() const { return {file_, line_, 0}; }
     /// The place of word i. In joined lines, columns count from the beginning of the first line.
-    SourceLocation where(std::size_t i) const;
+    SourceLocation where(std::size_t i = 0) const;
     /// The place of word i of a line that next() has gone to before. Goes there.
     SourceLocation whereBefore(int line, std::size_t i);
     int line() const { return line_; }

@@ -51,7 +51,9 @@ void applyOption(MtlTexture& texture, const MtlMaterial::Statement& statement, s
     const std::vector<std::string> values(statement.words.begin() + static_cast<std::ptrdiff_t>(first),
                                           statement.words.begin() + static_cast<std::ptrdiff_t>(first + count));
     const auto number = [&](std::size_t i) { return numberIn(statement, first + i); };
-    const auto asWritten = [&] { return fmt::format("{} {}", name, fmt::join(values, " ")); };
+    const auto ignore = [&] {
+        texture.ignored.emplace_back(fmt::format("{} {}", name, fmt::join(values, " ")), statement.places[first - 1]);
+    };
     if (name == "-s") texture.scale = {number(0), values.size() > 1 ? number(1) : 1};
     else if (name == "-o") texture.offset = {number(0), values.size() > 1 ? number(1) : 0};
     else if (name == "-mm") { texture.base = number(0); texture.gain = number(1); }
@@ -59,10 +61,10 @@ void applyOption(MtlTexture& texture, const MtlMaterial::Statement& statement, s
     else if (name == "-clamp") texture.clamp = values[0] == "on";
     else if (name == "-t") {
         if (std::ranges::any_of(std::views::iota(std::size_t(0), count), [&](std::size_t i) { return number(i) != 0; }))
-            texture.ignored.push_back(asWritten());
+            ignore();
     } else if (name == "-imfchan") {
-        if (values[0] != "m" && values[0] != "l") texture.ignored.push_back(asWritten());
-    } else if (name == "-type" || name == "-colorspace" || (name == "-cc" && values[0] == "on")) texture.ignored.push_back(asWritten());
+        if (values[0] != "m" && values[0] != "l") ignore();
+    } else if (name == "-type" || name == "-colorspace" || (name == "-cc" && values[0] == "on")) ignore();
     // -blendu, -blendv, -boost and -texres configure filtering, which the renderer decides.
 }
 
@@ -100,7 +102,7 @@ std::optional<glm::dvec3> MtlMaterial::color(const std::string& keyword) const {
     const Statement& statement = found->second;
     const std::vector<std::string>& words = statement.words;
     if (!words.empty() && (words[0] == "spectral" || words[0] == "xyz"))
-        throw SceneError(statement.where,
+        throw SceneError(statement.places[0],
                          fmt::format("\"{}\" as \"{}\" cannot be read; give red, green and blue", statement.keyword, words[0]));
     if (words.size() == 1) return glm::dvec3(numberIn(statement, 0));
     if (words.size() < 3)
@@ -115,13 +117,14 @@ std::optional<MtlTexture> MtlMaterial::texture(const std::string& keyword) const
     const std::vector<std::string>& words = statement.words;
 
     // Options come before or after the name; the remaining text, with spaces, is the name.
-    MtlTexture texture{.where = statement.where};
+    MtlTexture texture;
     std::size_t searchFrom = 0, nameBegin = std::string::npos, nameEnd = 0;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const auto option = std::ranges::find(options, words[i], &Option::name);
         const std::size_t at = statement.rest.find(words[i], searchFrom);
         searchFrom = at + words[i].size();
         if (option == options.end()) {
+            if (nameBegin == std::string::npos) texture.where = statement.places[i];
             nameBegin = std::min(nameBegin, at);
             nameEnd = searchFrom;
             continue;
@@ -135,7 +138,8 @@ std::optional<MtlTexture> MtlMaterial::texture(const std::string& keyword) const
         }
         const std::size_t count = i + 1 - first;
         if (count < option->least)
-            throw SceneError(statement.where, fmt::format("\"{}\" needs {} more words", option->name, option->least));
+            throw SceneError(statement.places[first - 1], fmt::format("\"{}\" needs {} more word{}", option->name, option->least,
+                                                                      option->least == 1 ? "" : "s"));
         applyOption(texture, statement, option->name, first, count);
     }
     if (nameBegin == std::string::npos) throw SceneError(statement.where, fmt::format("\"{}\" names no image", statement.keyword));

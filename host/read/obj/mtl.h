@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace eikonal {
@@ -17,12 +18,12 @@ namespace eikonal {
 /// The image of a map_... statement, with its options.
 struct MtlTexture {
     std::string file;                        ///< without quotes; folders as written
-    SourceLocation where;
+    SourceLocation where;                    ///< the file's name
     glm::dvec2 scale{1}, offset{0};          ///< -s -o: texture coordinates are multiplied by scale, then moved by offset
     bool clamp = false;                      ///< -clamp on
     double bumpMultiplier = 1;               ///< -bm
     double base = 0, gain = 1;               ///< -mm: a value v becomes base + gain v
-    std::vector<std::string> ignored;        ///< unsupported options: "-t 1 1 1"
+    std::vector<std::pair<std::string, SourceLocation>> ignored;  ///< unsupported options: "-t 1 1 1"
 };
 
 /// A material: its statements by lower-case keyword ("kd", "map_kd"); of repeated keywords, the last.
@@ -35,7 +36,7 @@ public:
         std::string keyword;                   ///< as written
         std::vector<std::string> words;        ///< after the keyword
         std::string rest;                      ///< all of them
-        SourceLocation where;                  ///< the line
+        SourceLocation where;                  ///< the keyword
         std::vector<SourceLocation> places{};  ///< of the words
     };
     std::map<std::string, Statement> statements;

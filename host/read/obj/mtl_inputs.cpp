@@ -28,8 +28,8 @@ int MtlInputs::addImage(ImageFile image) {
 std::optional<std::pair<MtlTexture, ImageFile>> MtlInputs::image(const std::string& keyword, ColorEncoding encoding) {
     auto texture = mtl_.texture(keyword);
     if (!texture) return {};
-    for (const std::string& option : texture->ignored)
-        diagnostics_.unsupported("mtl " + option.substr(0, option.find(' ')), texture->where,
+    for (const auto& [option, where] : texture->ignored)
+        diagnostics_.unsupported("mtl " + option.substr(0, option.find(' ')), where,
                                  fmt::format("the option \"{}\" is not supported", option));
     const std::string path = files_.allowsMissing() ? files_.find(texture->file, texture->where)
                                                     : files_.require(texture->file, texture->where);

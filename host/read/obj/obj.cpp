@@ -22,8 +22,6 @@
 namespace eikonal {
 namespace {
 
-using FileName = std::shared_ptr<const std::string>;
-
 std::string_view textOf(const std::vector<char>& bytes) { return {bytes.data(), bytes.size()}; }
 
 void checkOptions(const ObjOptions& options) {
@@ -57,10 +55,12 @@ private:
         if (readFile(files_.find(library.name, library.where), library.where)) return;
         std::istringstream names(library.name);
         for (std::string name; names >> name;) {
-            if (readFile(files_.find(name, library.where), library.where)) continue;
+            SourceLocation where = library.where;
+            where.column += static_cast<int>((names.eof() ? library.name.size() : static_cast<std::size_t>(names.tellg())) - name.size());
+            if (readFile(files_.find(name, where), where)) continue;
             isIncomplete_ = true;
             diagnostics_.unsupported(
-                "obj library " + name, library.where,
+                "obj library " + name, where,
                 fmt::format("there is no material library \"{}\"; faces without a material are grey", name));
         }
     }
@@ -110,7 +110,7 @@ std::map<std::string, double> textureSizes(const ObjGeometry& geometry, const Ob
     return sizes;
 }
 
-void addShapes(Scene& scene, const ObjGeometry& geometry, const ObjMeshes& meshes, const Library& library, const FileName& file,
+void addShapes(Scene& scene, const ObjGeometry& geometry, const ObjMeshes& meshes, const Library& library,
                MissingFiles missing, Diagnostics& diagnostics) {
     const std::map<std::string, double> sizes = textureSizes(geometry, meshes);
     std::map<const MtlMaterial*, ObjMaterial> materials;
@@ -119,7 +119,7 @@ void addShapes(Scene& scene, const ObjGeometry& geometry, const ObjMeshes& meshe
         const ObjGroup& group = geometry.groups[g];
         const ObjMesh& mesh = meshes.groups[g];
         if (!mesh.mesh) continue;
-        const SourceLocation where{file, group.line, 0};
+        const SourceLocation& where = group.where;
         const MtlMaterial* mtl = library.find(group.material, where);
         if (!materials.contains(mtl))
             materials[mtl] = mtl ? addMaterial(scene, *mtl, sizes.at(group.material), files, diagnostics) : addDefaultMaterial(scene);
@@ -188,7 +188,7 @@ Scene readObj(const std::string& path, const ObjOptions& options, Diagnostics& d
     scene.name = sceneName(path);
     scene.integrator.maxDepth = 10;
     scene.sampler.pixelSamples = 64;
-    addShapes(scene, geometry, meshes, Library(geometry.libraries, diagnostics), file, options.missingFiles,
+    addShapes(scene, geometry, meshes, Library(geometry.libraries, diagnostics), options.missingFiles,
               diagnostics);
     View view;
     placeCamera(scene, options, view);

@@ -66,6 +66,9 @@ std::shared_ptr<Curve> readCurve(Reading& reading, const Arguments& arguments) {
 
     const auto widthOf = [&](const char* end) { return arguments.has(end) ? arguments.number(end) : arguments.number("width"); };
     const double width0 = widthOf("width0"), width1 = widthOf("width1");
+    if (width0 == 0 && width1 == 0)
+        reading.unsupported("curve without width", arguments.whereOf(arguments.has("width0") ? "width0" : "width"),
+                            title + " has a width of 0, so it is not seen");
     const auto widthAt = [&](size_t i) { return std::abs(glm::mix(width0, width1, static_cast<double>(i) / static_cast<double>(count))); };
     for (size_t i = 0; i < count; ++i) {
         const glm::vec3* p = &points[basis == "bspline" ? i : i * static_cast<size_t>(degree)];

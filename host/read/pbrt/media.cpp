@@ -51,6 +51,9 @@ void MediumRegistry::define(const std::string& name, const GraphicsState& state,
     if (hasPlace && !isInvertible(state.transform))
         throw SceneError(where, "the medium's transform cannot be inverted; is there a Scale of 0?");
     if (!isComplete) return;
+    if (emissionOf(medium) != MediumEmission::none && medium.sigmaA.albedo() == glm::dvec3(0))
+        reading_.diagnostics.warn(where, "medium \"" + name + "\" emits no light, as in pbrt-v4: only what absorbs shines, and its "
+                                         "\"sigma_a\" is 0");
     arguments.reportUnused();
     entries_[number].index = static_cast<int>(reading_.scene.media.size());
     reading_.scene.media.push_back(std::move(medium));

@@ -92,6 +92,10 @@ void PlyFiles::load() {
             reading_.unsupported("ply rest " + files_[i].path, files_[i].where,
                                  "\"" + files_[i].path + "\" has more data than the element counts of its header say: line " +
                                      std::to_string(line) + " and what follows are skipped");
+        if (const size_t bytes = files_[i].mesh.unreadBytes)
+            reading_.unsupported("ply rest " + files_[i].path, files_[i].where,
+                                 "\"" + files_[i].path + "\" has more data than the element counts of its header say: its last " +
+                                     std::to_string(bytes) + (bytes == 1 ? " byte is skipped" : " bytes are skipped"));
     }
 }
 

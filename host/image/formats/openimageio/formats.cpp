@@ -50,6 +50,7 @@ private:
     bool read(TypeDesc type, void* values) {
         const bool succeeds = input_->read_image(0, 0, 0, spec().nchannels, type, values);
         error_ = input_->geterror();
+        if (!succeeds && error_.empty()) error_ = "it is damaged, or ends before its pixels are complete";
         /* OpenImageIO reports success for these when pixels are missing */
         const bool isTiff = input_->format_name() == std::string_view("tiff");
         const bool isCut = isTiff ? !error_.empty() : error_.find("Premature end") != error_.npos;
