@@ -3,6 +3,7 @@
 #include "app/output.h"
 #include "diagnostics.h"
 #include "error.h"
+#include "image/denoise.h"
 #include "image/image_file.h"
 #include "messages.h"
 #include "pack/camera.h"
@@ -41,6 +42,14 @@ static bool hasPart(const FilmImage& image, const std::string& file, const Scene
     return isAtPlace && image.columns() == part->width() && image.rows() == part->height();
 }
 
+/// Whether Intel Open Image Denoise is there. Without it, a frame that is rendered again stays noisy.
+static bool canDenoise() {
+    try {
+        const Denoiser denoiser(1);
+        return true;
+    } catch (const Error&) { return false; }
+}
+
 /// Why a file is no whole image as these options ask for: it is damaged, has another size than --resolution, other pixels than --cropwindow
 /// or --pixelbounds, fewer samples than --spp, lacks a layer of --aov or --denoise, or says that its render was ended early, which EXR and
 /// PNG files do. Empty: it is one.
@@ -53,7 +62,7 @@ static std::string whyNotWhole(const std::string& file, const Options& options) 
         const OutputOptions& out = options.output;
         if (const char* missing = holdsChannels(file, out.encoding) ? missingAov(there.image, out.aovs) : nullptr)
             return fmt::format("it has no layer \"{}\"", missing);
-        if (out.denoise && holdsChannels(file, out.encoding) && there.image.noisy.empty()) return "it is not denoised";
+        if (out.denoise && holdsChannels(file, out.encoding) && there.image.noisy.empty() && canDenoise()) return "it is not denoised";
         const auto& samples = there.metadata.samples;
         if (samples && options.scene.spp && *samples < *options.scene.spp && !out.targetError)
             return fmt::format("it has {} of {} samples per pixel", *samples, *options.scene.spp);

@@ -151,6 +151,7 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         if (all.size() > words.size()) {
             Options whole = parseOptions(all);
             whole.commandLine = options.commandLine;
+            whole.scene.isSubsurfaceOfPreset = !isGiven(command, "--subsurface");
             return whole;
         }
     }
@@ -159,8 +160,8 @@ Options parseOptions(const std::vector<std::string>& arguments) {
         throw UsageError(fmt::format("nothing to do; try `eikonal render scene.pbrt -o image.exr`\n{}", getHelp));
     if (options.command == Command::render && !options.scenes.empty()) options.scene.path = options.scenes.front();
     refuseEmpty(command);
-    options.scene.hasPreset = options.preset;
     options.output.encoding.isShown = options.watch.page;
+    if (options.quiet) options.log = std::min(options.log, LogLevel::error);
     chooseFilm(options);
     chooseFrames(options);
     checkTogether(parser, command);
@@ -171,7 +172,6 @@ Options parseOptions(const std::vector<std::string>& arguments) {
     options.passedToFrames = optionsOfGroups(command, {framesGroup});
     std::erase_if(options.passedToFrames, [](const std::string& word) { return word.starts_with("--frames="); });
     if (options.command == Command::trade && options.wishes.empty()) options.wishes = usualWishes();
-    if (options.quiet) options.log = std::min(options.log, LogLevel::error);
     return options;
 }
 

@@ -255,7 +255,8 @@ int renderScene(const Options& o, OpenDevices& devices, WrittenImages& written) 
     if (o.json) {
         summary.files = files;
         summary.frame = o.scene.frame;
-        if (isFilmNew && !unsaved) summary.checkpoint = checkpoints.path();
+        const bool hasFilm = isFilmNew || (!o.output.checkpoint.empty() && report.samples.fewest > 0);
+        if (hasFilm && !unsaved) summary.checkpoint = checkpoints.path();
         summary.isComplete = isComplete;
         summary.endedBy = endedBy;
         summary.status = unsaved || output.undenoised() ? static_cast<int>(ExitCode::scene) : status;

@@ -16,7 +16,7 @@ namespace eikonal {
 /// How a render went, beside what its session knows.
 struct RunSummary {
     std::vector<std::string> files;        ///< images that were written
-    std::string checkpoint;                ///< that was written; empty: none
+    std::string checkpoint;                ///< that holds the samples; empty: none
     bool isComplete = true;                ///< no samples are missing
     int endedBy = 0;                       ///< a signal, or 0
     int status = 0;                        ///< exit status

@@ -51,6 +51,17 @@ const char* optionOfIntegers(const ImageEncoding& encoding) {
                                                     : nullptr;
 }
 
+/// An option that only images have, and the extension of such an image.
+struct OfImages {
+    const char* option;     ///< null: none is given
+    std::string extension;
+};
+OfImages optionOfImages(const ImageEncoding& encoding) {
+    if (const char* option = optionOfExr(encoding)) return {option, "exr"};
+    if (const char* option = optionOfIntegers(encoding)) return {option, "png"};
+    return {encoding.format.empty() ? nullptr : "--format", encoding.format};
+}
+
 }  // namespace
 
 std::vector<const char*> imageFormatNames() {
@@ -83,10 +94,9 @@ bool holdsChannels(const std::string& path, const ImageEncoding& encoding) {
 }
 
 void checkEncoding(const std::vector<std::string>& files, const ImageEncoding& encoding) {
-    const char* const ofImages = optionOfExr(encoding) ? optionOfExr(encoding) : optionOfIntegers(encoding);
-    if (files.empty() && ofImages)
-        throw UsageError(fmt::format("{} is for images, and only a film is written; add `-o FILE.png` or `-o FILE.exr`, or give it to "
-                                     "merge", ofImages));
+    if (const OfImages of = optionOfImages(encoding); files.empty() && of.option)
+        throw UsageError(fmt::format("{} is for images, and only a film is written; add `-o FILE.{}`, or give it to merge", of.option,
+                                     of.extension));
     const bool hasExr = std::ranges::any_of(files, [&](const std::string& file) { return holdsChannels(file, encoding); });
     if (const char* option = optionOfExr(encoding); option && !hasExr)
         throw UsageError(fmt::format("{} is for EXR files, and {} {}; add `-o FILE.exr`", option, fmt::join(files, ", "),

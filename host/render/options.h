@@ -45,7 +45,7 @@ struct SceneOptions {
     std::optional<int> turntable;                     ///< OBJ only: frames of a full turn of the camera about the model, > 0
     MissingFiles missingFiles = MissingFiles::error;
     bool strict = false;
-    bool hasPreset = false;                           ///< --quality chose some, which may have no effect in a scene
+    bool isSubsurfaceOfPreset = false;                ///< chosen by --quality; it may have no effect in a scene
 };
 
 /// Where and how kernels run.

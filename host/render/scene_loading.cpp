@@ -74,7 +74,7 @@ static void warnOfOptionsWithoutEffect(const SceneOptions& o, const Scene& scene
     if (o.treeBundle && !kind.splitsRays) warn("--bundle", noTree);
     if (o.lightSampler && !choosesLights) warn("--light-sampler", noLights);
     if (o.environmentGuide && !choosesLights) warn("--environment-guide", noLights);
-    if (o.subsurface && !o.hasPreset && std::ranges::none_of(scene.materials, [](const Material& m) { return m.kind->hasMethods; }))
+    if (o.subsurface && !o.isSubsurfaceOfPreset && std::ranges::none_of(scene.materials, [](const Material& m) { return m.kind->hasMethods; }))
         warn("--subsurface", "the scene has no material \"subsurface\"");
 }
 

@@ -131,6 +131,7 @@ TEST_F(Image, onlyTheFormatsOfTheListAreRead) {
         EXPECT_THAT(errorOf(write("a.pfm", "PF\n1 1\n" + scale + "\n123456789012")), HasSubstr("its scale is ")) << scale;
     EXPECT_THAT(errorOf(write("a.pfm", "PF\n10 10\n-1\n123456789012")), HasSubstr("ends before its pixels are complete"));
     EXPECT_EQ(errorOf(write("a.pfm", "PF\n1 1\n-2\n123456789012")), "no error");
+    EXPECT_EQ(errorOf(write("a.pfm", "PF # 3 3\n# by a tool\n1 1\n# scale\n-2\n123456789012")), "no error");
     EXPECT_THAT(errorOf("/dev/zero"), HasSubstr("it is not a file, but a device or a pipe"));
 
     std::string bmp = read(save("a.bmp", 2, 2, rgb, TypeDesc::UINT8, colors_));

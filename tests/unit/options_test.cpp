@@ -256,7 +256,9 @@ INSTANTIATE_TEST_SUITE_P(Options, BadValues, testing::Values(
     BadValue{"render a.pbrt --max-error 1 --target-error 2",
              "--target-error and --max-error are the same option, given 2 times; give it once"},
     BadValue{"render a.pbrt --device=", "--device needs a value: --device NAME|INDEX|all"},
-    BadValue{"render a.pbrt --checkpoint-every 9s", "name one, --checkpoint FILE, or add --write-partial-images"},
+    BadValue{"render a.pbrt -o a.film --denoise", "--denoise is of images, and only a film is written"},
+    BadValue{"render a.pbrt -o a.film --format png", "--format is for images, and only a film is written; add `-o FILE.png`"},
+    BadValue{"render a.pbrt -o a.film --compression zip", "--compression is for images, and only a film is written; add `-o FILE.exr`"},
     BadValue{"render a.pbrt -o a.film --write-partial-images", "only a film is written"},
     BadValue{"denoise a.exr -o a.film", "the extension \".film\" is not known"},
     BadValue{"render a.pbrt --tonemap clmp", "--tonemap is one of clamp, reinhard, filmic, not \"clmp\"; did you mean clamp?"},
@@ -324,6 +326,21 @@ TEST(Options, IntervalsAreOfCheckpointsAndOfImages) {
     for (const char* line : {"render a.pbrt --checkpoint a.film", "render a.pbrt --write-partial-images", "render a.pbrt -o a.film",
                              "submit a.pbrt --engine slurm"})
         EXPECT_EQ(parse(line + std::string(" --checkpoint-every 9s")).output.checkpointEvery, 9) << line;
+}
+
+TEST(Options, AnIntervalOfNothingIsWarnedOf) {
+    testing::internal::CaptureStderr();
+    parse("render a.pbrt --checkpoint-every 9s");
+    EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::HasSubstr("--checkpoint-every has no effect here"));
+    testing::internal::CaptureStderr();
+    parse("render a.pbrt --checkpoint-every 9s --quiet");
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST(Options, SubsurfaceIsOfThePresetUnlessTheUserGaveIt) {
+    EXPECT_TRUE(parse("render a.pbrt --quality draft").scene.isSubsurfaceOfPreset);
+    EXPECT_FALSE(parse("render a.pbrt --quality draft --subsurface randomwalk").scene.isSubsurfaceOfPreset);
+    EXPECT_FALSE(parse("render a.pbrt --subsurface randomwalk").scene.isSubsurfaceOfPreset);
 }
 
 /// As of a variable of the shell that is not set.

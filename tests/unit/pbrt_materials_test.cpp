@@ -29,6 +29,7 @@ TEST_F(PbrtMaterials, defaults) {
     EXPECT_EQ(value(material("\"diffusetransmission\""), "transmittance"), .25);
     EXPECT_THAT(warnings_, IsEmpty());
     material("\"diffusetransmission\" \"rgb reflectance\" [.6 .1 .7] \"rgb transmittance\" [.4 .9 .3]");
+    material("\"diffusetransmission\" \"spectrum reflectance\" [400 .7 700 .2] \"spectrum transmittance\" [400 .3 700 .8]");
     EXPECT_THAT(warnings_, IsEmpty());
     material("\"diffusetransmission\" \"rgb reflectance\" [.6 .1 .7] \"rgb transmittance\" [.3 .95 .3]");
     EXPECT_THAT(warnings_, ElementsAre(HasSubstr("add up to more than 1: as in pbrt-v4, the material sends out more light")));

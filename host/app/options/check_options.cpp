@@ -7,6 +7,7 @@
 #include "error.h"
 #include "image/image_file.h"
 #include "image/seed_variance.h"
+#include "messages.h"
 #include "standard_stream.h"
 
 #include <fmt/format.h>
@@ -112,8 +113,7 @@ static void checkStandardStreams(const Options& o) {
         throw UsageError("--write-partial-images writes the image several times, and standard output holds one; give -o a file");
 }
 
-/// Whether the command has the option, and the user gave it.
-static bool isGiven(const CLI::App* command, const std::string& name) {
+bool isGiven(const CLI::App* command, const std::string& name) {
     const CLI::Option* option = command->get_option_no_throw(name);
     return option && option->count() > 0;
 }
@@ -149,7 +149,10 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
     checkFormats(o);
     const bool writesAtIntervals = !o.output.checkpoint.empty() || o.output.partialImages || o.command == Command::submit;
     if (isGiven(command, "--checkpoint-every") && !writesAtIntervals)
-        throw UsageError("--checkpoint-every is of checkpoints; name one, --checkpoint FILE, or add --write-partial-images");
+        tell(LogLevel::warning, "--checkpoint-every has no effect here; name a checkpoint, --checkpoint FILE, or add --write-partial-images",
+             o.log);
+    if (o.output.denoise && !o.output.hasImage && writesFilms(o.command))
+        throw UsageError("--denoise is of images, and only a film is written; add an image: -o image.exr, or give it to merge");
     if (o.output.partialImages && !o.output.hasImage)
         throw UsageError("--write-partial-images is of images, and only a film is written; add an image: -o image.exr");
     if (o.output.resume && o.output.checkpoint.empty())

@@ -30,7 +30,10 @@ void declareSubmit(Parser& parser);
 /// The long names of a command's options.
 std::vector<std::string> optionsOf(const CLI::App* app);
 
-/// Throws a UsageError for options that do not go together.
+/// Whether the command has the option, and the user gave it.
+bool isGiven(const CLI::App* command, const std::string& name);
+
+/// Throws a UsageError for options that do not go together. Warns of those without effect.
 void checkTogether(const Parser& parser, const CLI::App* command);
 /// Among the files of -o, one may be a film, which is then the checkpoint. A part of an image makes no image unless one is named.
 void chooseFilm(Options& o);

@@ -90,10 +90,15 @@ std::string problemOfBmp(const unsigned char* start) {
 /// Why OpenImageIO should not see a PFM file; empty if it may. It multiplies all values by the scale of the header.
 std::string problemOfPfm(std::string_view text) {
     std::istringstream header{std::string(text.substr(2))};
-    std::string columns, rows, scale;
-    header >> columns >> rows >> scale;
+    std::string scale;
+    for (int words = 0; words < 3 && header >> scale;) {
+        const bool isComment = scale.starts_with('#');
+        if (isComment) std::getline(header, scale);
+        words += isComment ? 0 : 1;
+    }
+    if (!header) return {};
     const double value = std::strtod(scale.c_str(), nullptr);
-    if (scale.empty() || (std::isfinite(value) && value != 0)) return {};
+    if (std::isfinite(value) && value != 0) return {};
     return fmt::format("its scale is {}; it must be a number other than 0", quoteWord(scale));
 }
 

@@ -53,7 +53,7 @@ void MediumRegistry::define(const std::string& name, const GraphicsState& state,
     if (!isComplete) return;
     if (emissionOf(medium) != MediumEmission::none && medium.sigmaA.albedo() == glm::dvec3(0))
         reading_.diagnostics.warn(where, "medium \"" + name + "\" emits no light, as in pbrt-v4: only what absorbs shines, and its "
-                                         "\"sigma_a\" is 0");
+                                         "\"sigma_a\" times its \"scale\" is 0");
     arguments.reportUnused();
     entries_[number].index = static_cast<int>(reading_.scene.media.size());
     reading_.scene.media.push_back(std::move(medium));
