@@ -74,7 +74,8 @@ static void warnOfOptionsWithoutEffect(const SceneOptions& o, const Scene& scene
     if (o.treeBundle && !kind.splitsRays) warn("--bundle", noTree);
     if (o.lightSampler && !choosesLights) warn("--light-sampler", noLights);
     if (o.environmentGuide && !choosesLights) warn("--environment-guide", noLights);
-    if (o.subsurface && !o.isSubsurfaceOfPreset && std::ranges::none_of(scene.materials, [](const Material& m) { return m.kind->hasMethods; }))
+    const bool hasBodies = std::ranges::any_of(scene.materials, [](const Material& m) { return m.kind->hasMethods; });
+    if (o.subsurface && !o.isSubsurfaceOfPreset && !hasBodies)
         warn("--subsurface", "the scene has no material \"subsurface\"");
 }
 

@@ -149,8 +149,8 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
     checkFormats(o);
     const bool writesAtIntervals = !o.output.checkpoint.empty() || o.output.partialImages || o.command == Command::submit;
     if (isGiven(command, "--checkpoint-every") && !writesAtIntervals)
-        tell(LogLevel::warning, "--checkpoint-every has no effect here; name a checkpoint, --checkpoint FILE, or add --write-partial-images",
-             o.log);
+        tell(LogLevel::warning,
+             "--checkpoint-every has no effect here; name a checkpoint, --checkpoint FILE, or add --write-partial-images", o.log);
     if (o.output.denoise && !o.output.hasImage && writesFilms(o.command))
         throw UsageError("--denoise is of images, and only a film is written; add an image: -o image.exr, or give it to merge");
     if (o.output.partialImages && !o.output.hasImage)
