@@ -115,7 +115,8 @@ TEST(ExtremeMedia, EveryOpticalDepthIsFiniteAndRight) {
         for (const double depth : {0., 1e-12, 1e-3, 1., 20., 1e3, 1e6, 1e9}) {
             const PackedScene packed = sceneWith(
                 kind,
-                fmt::format("\"rgb sigma_a\" [ {0} 0 {1} ] \"rgb sigma_s\" [ {0} {0} 0 ] \"rgb Le\" [ 1 1 1 ] ", depth, depth * 1e-3) +
+                fmt::format("\"rgb sigma_a\" [ {0} 0 {1} ] \"rgb sigma_s\" [ {0} {0} 0 ] ", depth, depth * 1e-3) +
+                    (depth > 0 ? "\"rgb Le\" [ 1 1 1 ] " : "") +
                     (kind == "homogeneous"
                          ? ""
                          : "\"integer nx\" 2 \"point3 p0\" [ -1 -1 -1 ] \"point3 p1\" [ 1 1 1 ] \"float density\" [ 1 1 ]"));
