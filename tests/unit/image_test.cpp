@@ -131,6 +131,9 @@ TEST_F(Image, onlyTheFormatsOfTheListAreRead) {
         EXPECT_THAT(errorOf(write("a.pfm", "PF\n1 1\n" + scale + "\n123456789012")), HasSubstr("its scale is ")) << scale;
     EXPECT_THAT(errorOf(write("a.pfm", "PF\n10 10\n-1\n123456789012")), HasSubstr("ends before its pixels are complete"));
     EXPECT_EQ(errorOf(write("a.pfm", "PF\n1 1\n-2\n123456789012")), "no error");
+    /* A comment of any length, so that the part of the file that is looked at may end within the scale */
+    for (const size_t length : {40, 48, 49, 50, 1008, 1009, 1010, 1011, 1012})
+        EXPECT_EQ(errorOf(write("a.pfm", "PF\n#" + std::string(length, '-') + "\n1 1\n-2.00\n123456789012")), "no error") << length;
     EXPECT_EQ(errorOf(write("a.pfm", "PF # 3 3\n# by a tool\n1 1\n# scale\n-2\n123456789012")), "no error");
     EXPECT_THAT(errorOf("/dev/zero"), HasSubstr("it is not a file, but a device or a pipe"));
 

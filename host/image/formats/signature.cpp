@@ -26,11 +26,44 @@ using namespace std::string_view_literals;
 
 constexpr const char* readable = "EXR, PNG, JPEG, HDR, PFM, PNM, TGA, TIFF, BMP and WebP are read";
 
+std::uint32_t littleEndian(const unsigned char* bytes, int count) {
+    std::uint32_t value = 0;
+    while (count-- > 0) value = value << 8 | bytes[count];
+    return value;
+}
+
+std::string problemOfBmp(std::string_view text) {
+    if (text.size() < 34) return {};  // OpenImageIO says what is missing
+    const unsigned char* start = reinterpret_cast<const unsigned char*>(text.data());
+    if (littleEndian(start + 14, 4) < 40) return {};  // OS/2's header, which has no compression
+    const std::uint32_t bits = littleEndian(start + 28, 2), compression = littleEndian(start + 30, 4);
+    constexpr std::uint32_t none = 0, masks = 3;
+    if (compression == none || (compression == masks && (bits == 16 || bits == 32))) return {};
+    return fmt::format("it is a BMP image with compression {} and {} bits a pixel; such images are read only without compression",
+                       compression, bits);
+}
+
+/// OpenImageIO multiplies all values by the scale of the header.
+std::string problemOfPfm(std::string_view text) {
+    std::istringstream header{std::string(text.substr(2))};
+    std::string scale;
+    for (int words = 0; words < 3 && header >> scale;) {
+        const bool isComment = scale.starts_with('#');
+        if (isComment) std::getline(header, scale);
+        words += isComment ? 0 : 1;
+    }
+    if (!header.good()) return {};  // the scale is not complete
+    const double value = std::strtod(scale.c_str(), nullptr);
+    if (std::isfinite(value) && value != 0) return {};
+    return fmt::format("its scale is {}; it must be a number other than 0", quoteWord(scale));
+}
+
 struct Format {
     std::string_view signature;
     std::size_t offset;
     const char* plugin;  ///< OpenImageIO's name; null: not read
     const char* name;
+    std::string (*problem)(std::string_view start) = nullptr;  ///< why OpenImageIO should not see such a file; empty if it may
 };
 
 constexpr Format formats[] = {
@@ -38,8 +71,8 @@ constexpr Format formats[] = {
     {"\x89PNG\r\n\x1a\n"sv, 0, "png", "a PNG image"},
     {"\xff\xd8\xff"sv, 0, "jpeg", "a JPEG image"},
     {"#?"sv, 0, "hdr", "an HDR image"},
-    {"PF"sv, 0, "pnm", "a PFM image"},
-    {"Pf"sv, 0, "pnm", "a PFM image"},
+    {"PF"sv, 0, "pnm", "a PFM image", problemOfPfm},
+    {"Pf"sv, 0, "pnm", "a PFM image", problemOfPfm},
     {"P1"sv, 0, "pnm", "a PNM image"},
     {"P2"sv, 0, "pnm", "a PNM image"},
     {"P3"sv, 0, "pnm", "a PNM image"},
@@ -50,7 +83,7 @@ constexpr Format formats[] = {
     {"MM\0*"sv, 0, "tiff", "a TIFF image"},
     {"II+\0"sv, 0, "tiff", "a TIFF image"},
     {"MM\0+"sv, 0, "tiff", "a TIFF image"},
-    {"BM"sv, 0, "bmp", "a BMP image"},
+    {"BM"sv, 0, "bmp", "a BMP image", problemOfBmp},
     {"WEBP"sv, 8, "webp", "a WebP image"},
     {"GIF8"sv, 0, nullptr, "a GIF image"},
     {"8BPS"sv, 0, nullptr, "a Photoshop image"},
@@ -70,37 +103,6 @@ constexpr Format formats[] = {
     {"<?xml"sv, 0, nullptr, "an XML file"},
     {"version https://git-lfs"sv, 0, nullptr, "a placeholder of Git LFS; fetch the file itself with \"git lfs pull\""},
 };
-
-std::uint32_t littleEndian(const unsigned char* bytes, int count) {
-    std::uint32_t value = 0;
-    while (count-- > 0) value = value << 8 | bytes[count];
-    return value;
-}
-
-/// Why OpenImageIO should not see a BMP file; empty if it may.
-std::string problemOfBmp(const unsigned char* start) {
-    if (littleEndian(start + 14, 4) < 40) return {};  // OS/2's header, which has no compression
-    const std::uint32_t bits = littleEndian(start + 28, 2), compression = littleEndian(start + 30, 4);
-    constexpr std::uint32_t none = 0, masks = 3;
-    if (compression == none || (compression == masks && (bits == 16 || bits == 32))) return {};
-    return fmt::format("it is a BMP image with compression {} and {} bits a pixel; such images are read only without compression",
-                       compression, bits);
-}
-
-/// Why OpenImageIO should not see a PFM file; empty if it may. It multiplies all values by the scale of the header.
-std::string problemOfPfm(std::string_view text) {
-    std::istringstream header{std::string(text.substr(2))};
-    std::string scale;
-    for (int words = 0; words < 3 && header >> scale;) {
-        const bool isComment = scale.starts_with('#');
-        if (isComment) std::getline(header, scale);
-        words += isComment ? 0 : 1;
-    }
-    if (!header) return {};
-    const double value = std::strtod(scale.c_str(), nullptr);
-    if (std::isfinite(value) && value != 0) return {};
-    return fmt::format("its scale is {}; it must be a number other than 0", quoteWord(scale));
-}
 
 /// Whether a TGA file that is compressed by run lengths has all of its pixels.
 bool hasAllRuns(std::ifstream& file, std::size_t pixels, std::size_t bytesOfPixel) {
@@ -146,7 +148,7 @@ ImageSignature recognizeImage(const std::string& path) {
     if (!std::filesystem::is_regular_file(path, error)) return {nullptr, "it is not a file, but a device or a pipe"};
     std::ifstream file(path, std::ios::binary);
     if (!file) return {nullptr, std::strerror(errno)};
-    std::array<unsigned char, 64> start{};
+    std::array<unsigned char, 1024> start{};  // headers may have comments
     file.read(reinterpret_cast<char*>(start.data()), start.size());
     const std::string_view text(reinterpret_cast<const char*>(start.data()), static_cast<std::size_t>(file.gcount()));
     if (text.empty()) return {nullptr, "it is empty"};
@@ -154,10 +156,7 @@ ImageSignature recognizeImage(const std::string& path) {
     for (const Format& format : formats) {
         if (text.size() < format.offset || !text.substr(format.offset).starts_with(format.signature)) continue;
         if (!format.plugin) return {nullptr, fmt::format("it is {}; {}", format.name, readable)};
-        const std::string problem = format.plugin == "bmp"sv         ? problemOfBmp(start.data())
-                                    : format.name == "a PFM image"sv ? problemOfPfm(text)
-                                                                     : "";
-        if (!problem.empty()) return {nullptr, problem};
+        if (const std::string problem = format.problem ? format.problem(text) : ""; !problem.empty()) return {nullptr, problem};
         return {format.plugin, {}};
     }
     const std::uintmax_t size = std::filesystem::file_size(path, error);
