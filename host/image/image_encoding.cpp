@@ -45,10 +45,10 @@ const char* optionOfExr(const ImageEncoding& encoding) {
 /// The option that asks for what only integer formats have; null: none.
 const char* optionOfIntegers(const ImageEncoding& encoding) {
     const bool needsToneMapping = !encoding.isShown;
-    return encoding.bits                            ? "--bit-depth"
+    return encoding.bits                           ? "--bit-depth"
            : needsToneMapping && encoding.curve    ? "--tonemap"
            : needsToneMapping && encoding.exposure ? "--exposure"
-                                                    : nullptr;
+                                                   : nullptr;
 }
 
 /// An option that only images have, and the extension of such an image.

@@ -78,7 +78,7 @@ static void checkSubmittedFrames(const Options& o) {
     if (o.output.files.empty()) throw UsageError("submit needs to know where the frames go: -o image.####.exr, or -o FOLDER/");
 }
 
-/// Each image is to be of a format.
+/// Each image is to be of a format, and options of images are to have one.
 static void checkFormats(const Options& o) {
     if (o.command == Command::trade) return;  // -o is a page
     const auto check = [](const std::string& option, const std::string& file, const ImageEncoding& encoding, const char* more) {
@@ -92,6 +92,10 @@ static void checkFormats(const Options& o) {
     const bool makesNoImage = !o.output.hasImage && writesFilms(o.command);
     if ((!o.output.files.empty() && areNamed) || makesNoImage)
         checkEncoding(imageFiles(o.output.files, o.output.encoding), o.output.encoding);
+    if (makesNoImage && o.output.denoise)
+        throw UsageError("--denoise is of images, and only a film is written; add an image: -o image.exr, or give it to merge");
+    if (makesNoImage && o.output.partialImages)
+        throw UsageError("--write-partial-images is of images, and only a film is written; add an image: -o image.exr");
 }
 
 /// Standard output holds one thing.
@@ -151,10 +155,6 @@ void checkTogether(const Parser& parser, const CLI::App* command) {
     if (isGiven(command, "--checkpoint-every") && !writesAtIntervals)
         tell(LogLevel::warning,
              "--checkpoint-every has no effect here; name a checkpoint, --checkpoint FILE, or add --write-partial-images", o.log);
-    if (o.output.denoise && !o.output.hasImage && writesFilms(o.command))
-        throw UsageError("--denoise is of images, and only a film is written; add an image: -o image.exr, or give it to merge");
-    if (o.output.partialImages && !o.output.hasImage)
-        throw UsageError("--write-partial-images is of images, and only a film is written; add an image: -o image.exr");
     if (o.output.resume && o.output.checkpoint.empty())
         throw UsageError("--resume goes on from a checkpoint; name it: --checkpoint FILE --resume");
     if (o.scene.cropWindow && o.scene.pixelBounds)
