@@ -24,6 +24,10 @@ struct Binning {
             scale[axis] = axis < 3 && extent[axis] > 1e-30f ? 0.9999f * static_cast<float>(bins) / extent[axis] : 0.f;
     }
     int4 operator()(const Reference& r) const { return __builtin_convertvector((r.centroid() - offset) * scale, int4); }
+    /// The bin on one axis.
+    int on(int axis, const Reference& r) const {
+        return static_cast<int>((r.box.low[axis] + r.box.high[axis] - offset[axis]) * scale[axis]);
+    }
 };
 
 /// Counts and bounds of each bin.
@@ -94,18 +98,17 @@ static Cut bestCut(const Bins& in, const Binning& binning) {
 
 static Bins fillBins(std::span<const Reference> references, const Range& range, const Binning& binning) {
     Bins all(binning.bins);
-    if (range.size() < parallelSize) {
-        all.add(references.subspan(range.begin, range.size()), binning);
-        return all;
-    }
-    /* Minima, maxima and counts do not depend on the order of the reduction */
-    return tbb::parallel_reduce(
-        tbb::blocked_range<uint>(range.begin, range.end, parallelSize / 4), all,
-        [&](const tbb::blocked_range<uint>& part, Bins bins) {
-            bins.add(references.subspan(part.begin(), part.size()), binning);
-            return bins;
-        },
-        [&](Bins a, const Bins& b) { a.add(b, binning.bins); return a; });
+    if (range.size() < parallelSize) all.add(references.subspan(range.begin, range.size()), binning);
+    else
+        /* Minima, maxima and counts do not depend on the order of the reduction */
+        all = tbb::parallel_reduce(
+            tbb::blocked_range<uint>(range.begin, range.end, parallelSize / 4), all,
+            [&](const tbb::blocked_range<uint>& part, Bins bins) {
+                bins.add(references.subspan(part.begin(), part.size()), binning);
+                return bins;
+            },
+            [&](Bins a, const Bins& b) { a.add(b, binning.bins); return a; });
+    return all;
 }
 
 Range measureRange(std::span<const Reference> references, uint begin, uint end) {
@@ -139,8 +142,8 @@ std::pair<Range, Range> splitByCost(std::span<Reference> references, const Range
     Range left, right;
     uint low = range.begin, high = range.end;
     for (;;) {
-        while (low < high && binning(references[low])[cut.axis] < cut.bin) left.include(references[low++]);
-        while (low < high && binning(references[high - 1])[cut.axis] >= cut.bin) right.include(references[--high]);
+        while (low < high && binning.on(cut.axis, references[low]) < cut.bin) left.include(references[low++]);
+        while (low < high && binning.on(cut.axis, references[high - 1]) >= cut.bin) right.include(references[--high]);
         if (low == high) break;
         std::swap(references[low], references[high - 1]);
     }

@@ -13,10 +13,13 @@ constexpr float nodeCost = 1, blockCost = 1, elementCost = 1, instanceCost = 4;
 /// Below this many splits ranges are split in halves, which bounds the recursion.
 constexpr int deepest = 64;
 
-/// A node of the binary tree over single references. Parents come before their children.
+/// Ranges of so few triangles are not split: smaller leaves are not faster (docs/performance.md).
+constexpr uint unsplitTriangles = 3;
+
+/// A node of the binary tree over references. Parents come before their children.
 struct BinaryNode {
     Range range;
-    uint left = 0, right = 0;                  ///< 0: a single reference
+    uint left = 0, right = 0;                  ///< 0: not split
     /// cost[i]: lowest cost of its references as at most i children of a wide node (1 <= i <= 7).
     std::array<float, BVH_WIDTH> cost;
     /// share[i]: how many of i children go to the left subtree (0: same as for i - 1; for i = 1: a leaf, or a node if not 0).
@@ -47,7 +50,7 @@ private:
     uint grow(const Range& range, bool halves, int depth = 0) {
         const uint at = static_cast<uint>(nodes_.size());
         nodes_.emplace_back().range = range;
-        if (range.size() == 1) return at;
+        if (range.size() == 1 || (range.size() <= unsplitTriangles && range.kinds == 1u << leaf_triangles)) return at;
         const auto [left, right] = halves || depth > deepest ? splitInHalves(references_, range) : splitByCost(references_, range);
         const uint l = grow(left, halves, depth + 1), r = grow(right, halves, depth + 1);
         nodes_[at].left = l;
