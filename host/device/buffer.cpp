@@ -84,6 +84,24 @@ void Buffer::read(const Context& context, void* data, size_t bytes, size_t offse
     check(clEnqueueReadBuffer(context.queue(), memory_, CL_TRUE, offset, bytes, data, 0, nullptr, nullptr), "reading from a buffer");
 }
 
+void Buffer::enqueueWrite(const Context& context, const void* data, size_t bytes) {
+    check(clEnqueueWriteBuffer(context.queue(), memory_, CL_FALSE, 0, bytes, data, 0, nullptr, nullptr), "writing to a buffer");
+}
+
+void* Buffer::map(const Context& context, Owned<cl_event, clReleaseEvent>& ready) {
+    cl_int status = CL_SUCCESS;
+    cl_event event = nullptr;
+    void* const memory =
+        clEnqueueMapBuffer(context.queue(), memory_, CL_FALSE, CL_MAP_READ | CL_MAP_WRITE, 0, size_, 0, nullptr, &event, &status);
+    check(status, "mapping a buffer");
+    ready = Owned<cl_event, clReleaseEvent>(event);
+    return memory;
+}
+
+void Buffer::unmap(const Context& context, void* memory) {
+    check(clEnqueueUnmapMemObject(context.queue(), memory_, memory, 0, nullptr, nullptr), "unmapping a buffer");
+}
+
 void Buffer::clear(const Context& context, size_t offset, size_t bytes) {
     /* Writes zeros instead of clEnqueueFillBuffer: Oclgrind 21.10 treats memory that was filled, or partly written, as uninitialised */
     static const std::array<char, 4096> few{};

@@ -40,6 +40,12 @@ public:
     /// Copies to and from the device; these calls block.
     void write(const Context& context, const void* data, size_t bytes, size_t offset = 0);
     void read(const Context& context, void* data, size_t bytes, size_t offset = 0) const;
+    /// Enqueues a copy to the device. The data must not change before the queue has come to it.
+    void enqueueWrite(const Context& context, const void* data, size_t bytes);
+    /// Enqueues making the buffer host memory, to read and write from event `ready` on. On a CPU nothing is copied.
+    void* map(const Context& context, Owned<cl_event, clReleaseEvent>& ready);
+    /// Enqueues giving mapped memory back to the device.
+    void unmap(const Context& context, void* memory);
     /// Sets `bytes` bytes from `offset` on to zero, in queue order; does not block.
     void clear(const Context& context, size_t offset, size_t bytes);
 

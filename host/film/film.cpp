@@ -35,9 +35,9 @@ void Film::needNodes(size_t count) {
     while (nodes_.size() < count) nodes_.push_back(allocatePlanes(pixels_, layout_.words));
 }
 
-void Film::upload(const Context& context, Buffer& buffer, const Batch& batch) {
+void Film::copyTo(std::span<uint> blocks, const Batch& batch) const {
     const size_t pixels = batch.pixels(), words = static_cast<size_t>(layout_.words);
-    staged_.assign(pixels * words, 0u);
+    std::ranges::fill(blocks, 0u);
     for (size_t block = 0; block < batch.blocks.size(); ++block) {
         const Block& b = batch.blocks[block];
         if (b.firstSample == leafBegin(b.firstSample)) continue;
@@ -46,22 +46,16 @@ void Film::upload(const Context& context, Buffer& buffer, const Batch& batch) {
         for (size_t word = 0; word < words; ++word)
             for (int y = part.y0; y < part.y1; ++y)
                 std::copy_n(&node[word * plane() + index(part.x0, y)], part.width(),
-                            &staged_[word * pixels + block * batch.size.pixels() + static_cast<size_t>(y - part.y0) * batch.size.width()]);
+                            &blocks[word * pixels + block * batch.size.pixels() + static_cast<size_t>(y - part.y0) * batch.size.width()]);
     }
-    buffer.write(context, staged_.data(), staged_.size() * sizeof(uint));
-}
-
-void Film::download(const Context& context, const Buffer& buffer, const Batch& batch) {
-    staged_.resize(batch.pixels() * static_cast<size_t>(layout_.words));
-    buffer.read(context, staged_.data(), staged_.size() * sizeof(uint));
 }
 
 /// Joins row y of a block, whose samples are all in one leaf, to the earlier nodes.
-void Film::keepRow(const Batch& batch, size_t block, int y) {
+void Film::keepRow(std::span<uint> blocks, const Batch& batch, size_t block, int y) {
     const Block& b = batch.blocks[block];
     const PixelRect part = b.within(pixels_, batch.size);
     const size_t width = static_cast<size_t>(part.width()), stagedStride = batch.pixels();
-    const PixelRow<uint> row{&staged_[block * batch.size.pixels() + static_cast<size_t>(y - part.y0) * batch.size.width()], stagedStride};
+    const PixelRow<uint> row{&blocks[block * batch.size.pixels() + static_cast<size_t>(y - part.y0) * batch.size.width()], stagedStride};
     const auto rowOf = [&](size_t node) { return PixelRow<uint>{&nodes_[node][index(part.x0, y)], plane()}; };
 
     SampleRange range{leafBegin(b.firstSample), b.firstSample + b.samples};
@@ -78,7 +72,7 @@ void Film::keepRow(const Batch& batch, size_t block, int y) {
     std::fill_n(&taken_[index(part.x0, y)], width, range.end);
 }
 
-void Film::keep(const Batch& batch) {
+void Film::keep(std::span<uint> blocks, const Batch& batch) {
     /* Rows may be kept at the same time, but the leaves of one pixel follow one another */
     std::map<std::pair<int, int>, std::vector<size_t>> blocksAt;
     for (size_t block = 0; block < batch.blocks.size(); ++block) {
@@ -87,12 +81,12 @@ void Film::keep(const Batch& batch) {
         needNodes(nodesUntil(leafBegin(b.firstSample)).size() + 1);
     }
     std::vector<std::pair<const std::vector<size_t>*, int>> rows;
-    for (const auto& [place, blocks] : blocksAt) {
-        const PixelRect part = batch.blocks[blocks.front()].within(pixels_, batch.size);
-        for (int y = part.y0; y < part.y1; ++y) rows.emplace_back(&blocks, y);
+    for (const auto& [place, those] : blocksAt) {
+        const PixelRect part = batch.blocks[those.front()].within(pixels_, batch.size);
+        for (int y = part.y0; y < part.y1; ++y) rows.emplace_back(&those, y);
     }
     tbb::parallel_for(size_t(0), rows.size(), [&](size_t i) {
-        for (const size_t block : *rows[i].first) keepRow(batch, block, rows[i].second);
+        for (const size_t block : *rows[i].first) keepRow(blocks, batch, block, rows[i].second);
     });
 }
 

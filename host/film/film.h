@@ -2,7 +2,6 @@
 // The film in host memory: what has been added up of the samples of each pixel, by the nodes of sample_nodes.h. The device holds some
 // blocks of it at a time, so an image may be as large as host memory.
 
-#include "device/buffer.h"
 #include "film/batch.h"
 #include "film/join_sums.h"
 #include "film/splats.h"
@@ -31,12 +30,11 @@ public:
     int words() const { return layout_.words; }
     const QueueLayout& layout() const { return layout_; }
 
-    /// Copies a batch's pixels to a buffer that holds its blocks one after the other: those of a leaf that has begun.
-    void upload(const Context& context, Buffer& buffer, const Batch& batch);
-    /// Waits for such a buffer, and reads it. The film does not change before keep().
-    void download(const Context& context, const Buffer& buffer, const Batch& batch);
-    /// Takes over what download() has read: the batch's samples are now part of the film.
-    void keep(const Batch& batch);
+    /// Copies a batch's pixels to `blocks`, block after block: those of a leaf that has begun; the others are 0. Word w of pixel i of the
+    /// batch is blocks[w * batch.pixels() + i].
+    void copyTo(std::span<uint> blocks, const Batch& batch) const;
+    /// Takes over such pixels, to which the batch's samples have been added; overwrites them.
+    void keep(std::span<uint> blocks, const Batch& batch);
 
     unsigned firstSample() const { return firstSample_; }
     /// The end of the samples taken of each pixel, row by row; also of those that do not count because they missed the lens.
@@ -69,7 +67,7 @@ private:
     size_t rowStart(int word, int y) const { return static_cast<size_t>(word) * plane() + index(pixels_.x0, y); }
     std::vector<SampleRange> nodesUntil(unsigned end) const { return nodesOf({firstSample_, end}); }
     void needNodes(size_t count);
-    void keepRow(const Batch& batch, size_t block, int y);
+    void keepRow(std::span<uint> blocks, const Batch& batch, size_t block, int y);
 
     const PackedScene& scene_;
     PixelRect pixels_;
@@ -79,7 +77,6 @@ private:
     std::vector<std::shared_ptr<uint[]>> nodes_;   ///< of node k: word w of pixel i is [w * plane + i]
     std::vector<unsigned> taken_;
     std::shared_ptr<SplatSums> splats_;
-    std::vector<uint> staged_;                     ///< pixels of a batch, on their way to or from the device
 };
 
 }  // namespace eikonal

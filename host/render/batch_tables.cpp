@@ -1,6 +1,5 @@
 #include "render/batch_tables.h"
 
-#include "eikonal/batch.h"
 
 namespace eikonal {
 
@@ -12,25 +11,29 @@ BatchTables::BatchTables(const Context& context) : layers_(context, 0, "layers o
     for (const char* name : {"block_log2_width", "block_log2_height", "end_x", "end_y"}) bindings_.set(name, 0u);
 }
 
-/// Writes `elements` into a buffer, enlarging it if necessary.
+/// Enqueues writing `elements` into a buffer, enlarging it if necessary.
 template <class T> static void replace(const Context& context, Buffer& buffer, const std::vector<T>& elements, const char* what) {
     const size_t bytes = elements.size() * sizeof(T);
-    if (buffer.size() < bytes) buffer = Buffer(context, bytes, what);
-    buffer.write(context, elements.data(), bytes);
+    if (buffer.size() < bytes) {
+        context.finish();   // it may be in use
+        buffer = Buffer(context, bytes, what);
+    }
+    buffer.enqueueWrite(context, elements.data(), bytes);
 }
 
 void BatchTables::write(const Context& context, const Batch& batch, int endX, int endY) {
-    std::vector<layer> layers;
-    std::vector<layer_range> ranges;
+    hostLayers_.clear();
+    hostRanges_.clear();
     for (const Block& b : batch.blocks) {
-        ranges.push_back({static_cast<uint>(layers.size()), b.samples});
-        for (unsigned s = 0; s < b.samples; ++s) layers.push_back({static_cast<uint>(b.x), static_cast<uint>(b.y), b.firstSample + s});
+        hostRanges_.push_back({static_cast<uint>(hostLayers_.size()), b.samples});
+        for (unsigned s = 0; s < b.samples; ++s)
+            hostLayers_.push_back({static_cast<uint>(b.x), static_cast<uint>(b.y), b.firstSample + s});
     }
-    replace(context, layers_, layers, "layers of a wave");
-    replace(context, ranges_, ranges, "layers of blocks");
+    replace(context, layers_, hostLayers_, "layers of a wave");
+    replace(context, ranges_, hostRanges_, "layers of blocks");
     bindings_.set("batch_layers", layers_);
     bindings_.set("block_layers", ranges_);
-    bindings_.set("layer_count", static_cast<cl_uint>(layers.size()));
+    bindings_.set("layer_count", static_cast<cl_uint>(hostLayers_.size()));
     bindings_.set("block_log2_width", static_cast<cl_uint>(batch.size.log2Width));
     bindings_.set("block_log2_height", static_cast<cl_uint>(batch.size.log2Height));
     bindings_.set("end_x", static_cast<cl_uint>(endX));

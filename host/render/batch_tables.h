@@ -2,6 +2,7 @@
 // The tables that describe a batch to kernels.
 
 #include "device/kernel.h"
+#include "eikonal/batch.h"
 #include "film/batch.h"
 
 namespace eikonal {
@@ -11,11 +12,13 @@ class BatchTables {
 public:
     /// An empty batch.
     explicit BatchTables(const Context& context);
-    /// Replaces the batch; blocks until the tables are written. endX, endY: pixels from there on are outside the image.
+    /// Enqueues replacing the batch, whose paths must have ended. endX, endY: pixels from there on are outside the image.
     void write(const Context& context, const Batch& batch, int endX, int endY);
     const Bindings& bindings() const { return bindings_; }
 
 private:
+    std::vector<layer> hostLayers_;          ///< these two are written in queue order, so they stay
+    std::vector<layer_range> hostRanges_;
     Buffer layers_, ranges_;
     Bindings bindings_;
 };

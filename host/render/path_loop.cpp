@@ -46,6 +46,8 @@ void PathLoop::trace(const BatchStream& stream) {
         splitting_.clearStates(context_, path_);
         bindings_.set("count", paths);
         profile_.add("loop", paths, loop_.launch(context_, {&scene_.bindings(), &bindings_, &tables_.bindings()}, paths, shape_.group()));
+        context_.flush();
+        stream.meanwhile();
         context_.finish();
         if (stopFlag().isRaised()) return;
         stream.traced(*batch);

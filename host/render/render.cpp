@@ -2,6 +2,7 @@
 
 #include "render/adaptive.h"
 #include "render/batch_dealer.h"
+#include "render/film_blocks.h"
 #include "render/light_pass.h"
 #include "render/passes.h"
 
@@ -137,7 +138,7 @@ private:
 
     /// What one device does of that.
     void traceOn(const RenderDevice& device, BatchDealer& dealer) {
-        Buffer blocks;
+        FilmBlocks blocks(*device.context);   // of the last batch, until they are in the film
         const auto next = [&]() -> std::optional<Batch> {
             const std::lock_guard lock(mutex_);
             if (isToStop()) return {};
@@ -145,11 +146,17 @@ private:
         };
         const auto traced = [&](const Batch& batch) {
             std::unique_lock lock(mutex_);
+            endBatch(device, dealer, blocks);
             while (dealer.stateOf(device.tracer) == BatchDealer::State::waiting) changed_.wait(lock);
-            const bool isReady = dealer.stateOf(device.tracer) == BatchDealer::State::ready;
-            if (isReady && resolve(device, batch, blocks)) finishBatch(device, dealer, batch);
-            else dealer.lose(device.tracer);
-            changed_.notify_all();
+            if (dealer.stateOf(device.tracer) == BatchDealer::State::ready) resolve(device, batch, blocks);
+            else {
+                dealer.lose(device.tracer);
+                changed_.notify_all();
+            }
+        };
+        const auto meanwhile = [&] {
+            const std::lock_guard lock(mutex_);
+            endBatch(device, dealer, blocks);
         };
         /* However this ends, no other device may wait for what this one still holds */
         struct AtEnd {
@@ -160,7 +167,8 @@ private:
             dealer.loseAll(device.tracer);
             changed_.notify_all();
         }};
-        device.tracer->trace({next, traced, film_.pixels().x1, film_.pixels().y1});
+        device.tracer->trace({next, traced, film_.pixels().x1, film_.pixels().y1, {}, meanwhile});
+        meanwhile();
     }
 
     /// Traces the light paths of all samples up to `lights` that the film lacks, and a pass of paths from the camera.
@@ -201,16 +209,24 @@ private:
         return stopped_;
     }
 
-    /// Adds the paths of a batch to the film. Returns false, and changes nothing, if the device was interrupted.
-    bool resolve(const RenderDevice& device, const Batch& batch, Buffer& blocks) {
-        const size_t bytes = static_cast<size_t>(batch.pixels()) * static_cast<size_t>(film_.words()) * sizeof(uint);
-        if (blocks.size() < bytes) blocks = Buffer(*device.context, bytes, "blocks of the film");
-        film_.upload(*device.context, blocks, batch);
-        device.tracer->resolve(batch, blocks);
-        film_.download(*device.context, blocks, batch);
-        if (device.tracer->stopFlag().isRaised()) return false;   // resolve_film may have left pixels as they were
-        film_.keep(batch);
-        return true;
+    /// Enqueues: adds the paths of a batch to its pixels.
+    void resolve(const RenderDevice& device, const Batch& batch, FilmBlocks& blocks) {
+        const Buffer& film = blocks.upload(film_, batch);
+        device.tracer->resolve(batch, film);
+        blocks.startDownload();
+    }
+
+    /// Waits for the batch that is being resolved, if any: it is in the film then, or lost if the device was interrupted.
+    void endBatch(const RenderDevice& device, BatchDealer& dealer, FilmBlocks& blocks) {
+        if (!blocks.batch()) return;
+        const std::span<uint> pixels = blocks.wait();
+        if (device.tracer->stopFlag().isRaised()) dealer.lose(device.tracer);   // resolve_film may have left pixels as they were
+        else {
+            film_.keep(pixels, *blocks.batch());
+            finishBatch(device, dealer, *blocks.batch());
+        }
+        blocks.end();
+        changed_.notify_all();
     }
 
     /// Counts a batch that is in the film.

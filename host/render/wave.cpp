@@ -29,7 +29,7 @@ void Wave::trace(const BatchStream& stream) {
     counter_.begin();
     unsigned rays = generate(each_sample, 0, stream);   // pixels -> ray, path
     while (!batches_.empty()) {
-        const WaveCounts counts = intersect(rays, each_intersection);   // ray -> intersection -> hit | scatter | ... | next ray
+        const WaveCounts counts = intersect(rays, each_intersection, stream);   // ray -> intersection -> hit | scatter | ... | next ray
         rays = shade(counts);                           // miss, emission -> path;  hit, scatter -> next ray, shadow;  shadow -> path
         queues_.swapRays();                             // next ray -> ray
         if (isInterrupted()) break;
@@ -53,7 +53,7 @@ void Wave::traceLights(const BatchStream& stream, const Buffer& splat, const Pix
     counter_.begin();
     unsigned rays = generate(each_light_sample, 0, stream);           // pixels -> ray
     while (!batches_.empty()) {
-        const WaveCounts counts = intersect(rays, each_light_intersection);   // ray -> intersection -> hit
+        const WaveCounts counts = intersect(rays, each_light_intersection, stream);   // ray -> intersection -> hit
         rays = shadeLights(counts, splats);                           // hit -> next ray, shadow, cached, vertex;  shadow -> splat
         queues_.swapRays();
         if (isInterrupted()) break;
@@ -88,14 +88,14 @@ unsigned Wave::generate(uint over, unsigned slots, const BatchStream& stream) {
 
 /// Intersects all rays and routes them to the next queues, by the stage over `routed`: each_intersection or each_light_intersection.
 /// Returns the number of items in each queue.
-WaveCounts Wave::intersect(unsigned slots, uint routed) {
+WaveCounts Wave::intersect(unsigned slots, uint routed, const BatchStream& stream) {
     traced_ = slots;
     if (!slots) return {};
     counter_.clear();
     for (const Stage& stage : stages_.over(each_ray)) launcher_.launch(stage, {0, slots});
     counter_.startReading();   // routing runs meanwhile
     for (const Stage& stage : stages_.over(routed)) launcher_.launch(stage, {0, slots});
-    return counter_.wait();
+    return counter_.wait(stream.meanwhile);
 }
 
 /// Shades the items of all queues, and traces the shadow rays. Returns the slots of the next ray queue that may hold a ray.

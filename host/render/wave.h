@@ -39,7 +39,7 @@ public:
 
 private:
     unsigned generate(uint over, unsigned slots, const BatchStream& stream);
-    WaveCounts intersect(unsigned slots, uint routed);
+    WaveCounts intersect(unsigned slots, uint routed, const BatchStream& stream);
     unsigned shade(const WaveCounts& counts);
     void connect(const Segments& segments);
     unsigned shadeLights(const WaveCounts& counts, const Bindings& splat);

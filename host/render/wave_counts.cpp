@@ -43,8 +43,9 @@ void WaveCounter::startReading() {
     arrived_ = Owned<cl_event, clReleaseEvent>(done);
 }
 
-WaveCounts WaveCounter::wait() {
+WaveCounts WaveCounter::wait(const std::function<void()>& meanwhile) {
     context_.flush();
+    meanwhile();
     const cl_event arrived = arrived_;
     check(clWaitForEvents(1, &arrived), "waiting for the counts");
     addShadowRays();

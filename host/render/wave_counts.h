@@ -5,6 +5,7 @@
 #include "render/stages.h"
 
 #include <array>
+#include <functional>
 #include <span>
 
 namespace eikonal {
@@ -43,8 +44,8 @@ public:
     void clear();
     /// Starts copying the counts to the host. Commands enqueued later run meanwhile.
     void startReading();
-    /// Submits all enqueued commands, and waits for the counts.
-    WaveCounts wait();
+    /// Submits all enqueued commands, calls `meanwhile`, and waits for the counts.
+    WaveCounts wait(const std::function<void()>& meanwhile);
     /// Waits for the shadow ray count of the last bounce.
     void end();
 
