@@ -1,20 +1,20 @@
 #include "pack/alias_table.h"
 
+#include <algorithm>
 #include <numeric>
 #include <stdexcept>
 
 namespace eikonal {
 
-Table<alias_entry> makeAliasTable(const std::vector<double>& weights) {
+/// Of weights whose sum is known.
+static void fillTable(std::span<alias_entry> table, std::span<const double> weights, double sum) {
+    /* Reused, since scenes have many small tables */
+    thread_local std::vector<double> scaled;
+    thread_local std::vector<size_t> small, large;
     const size_t n = weights.size();
-    double sum = 0;
-    for (double w : weights) {
-        if (!(w >= 0)) throw std::logic_error("a weight of an alias table is negative");
-        sum += w;
-    }
-    Table<alias_entry> table(n);
-    std::vector<double> scaled(n);
-    std::vector<size_t> small, large;
+    scaled.resize(n);
+    small.clear();
+    large.clear();
     for (size_t i = 0; i < n; ++i) {
         const double p = sum > 0 ? weights[i] / sum : 1.0 / static_cast<double>(n);
         table[i].pmf = static_cast<float>(p);
@@ -29,22 +29,34 @@ Table<alias_entry> makeAliasTable(const std::vector<double>& weights) {
         scaled[l] -= 1 - scaled[s];
         if (scaled[l] < 1) { large.pop_back(); small.push_back(l); }
     }
-    for (const std::vector<size_t>& rest : {small, large})
-        for (size_t i : rest) { table[i].keep = 1; table[i].other = static_cast<uint>(i); }
+    for (const std::vector<size_t>* rest : {&small, &large})
+        for (const size_t i : *rest) { table[i].keep = 1; table[i].other = static_cast<uint>(i); }
+}
+
+static double sumOf(std::span<const double> weights) {
+    if (std::ranges::any_of(weights, [](double w) { return !(w >= 0); })) throw std::logic_error("a weight of an alias table is negative");
+    return std::accumulate(weights.begin(), weights.end(), 0.0);
+}
+
+Table<alias_entry> makeAliasTable(std::span<const double> weights) {
+    Table<alias_entry> table(weights.size());
+    fillTable(table, weights, sumOf(weights));
     return table;
 }
 
-Table<alias_entry> makeAliasSquare(std::span<const double> weights, size_t side) {
+void fillAliasSquare(std::span<alias_entry> square, std::span<const double> weights, size_t side) {
     std::vector<double> rows;
-    Table<alias_entry> columns;
     for (size_t y = 0; y < side; ++y) {
         const std::span<const double> row = weights.subspan(y * side, side);
-        rows.push_back(std::accumulate(row.begin(), row.end(), 0.0));
-        const Table<alias_entry> aliases = makeAliasTable({row.begin(), row.end()});
-        columns.insert(columns.end(), aliases.begin(), aliases.end());
+        rows.push_back(sumOf(row));
+        fillTable(square.subspan((1 + y) * side, side), row, rows.back());
     }
-    Table<alias_entry> square = makeAliasTable(rows);
-    square.insert(square.end(), columns.begin(), columns.end());
+    fillTable(square.first(side), rows, sumOf(rows));
+}
+
+Table<alias_entry> makeAliasSquare(std::span<const double> weights, size_t side) {
+    Table<alias_entry> square(side + side * side);
+    fillAliasSquare(square, weights, side);
     return square;
 }
 

@@ -44,7 +44,7 @@ double seenBy(std::span<const double> pairs) {
 }
 
 void writeMap(LightTables& tables, size_t map, std::span<const double> weights) {
-    std::ranges::copy(makeAliasSquare(weights, GUIDE_SIDE), tables.guide_aliases.begin() + static_cast<long>(map * GUIDE_MAP_ENTRIES));
+    fillAliasSquare(std::span(tables.guide_aliases).subspan(map * GUIDE_MAP_ENTRIES, GUIDE_MAP_ENTRIES), weights, GUIDE_SIDE);
 }
 
 /// Where no light is visible, every density is zero: light samples would be wasted. BSDF samples find what the survey missed.
@@ -72,10 +72,15 @@ size_t cellOf(std::span<const float> edges, const vec3& p) {
 
 /// Sets the ends of the intervals along an axis so that all hold the same number of points.
 void cutAxis(std::span<float> edges, size_t axis, std::span<const vec3> points) {
-    std::vector<float> sorted;
-    for (const vec3& p : points) sorted.push_back(coordinate(p, axis));
-    std::ranges::sort(sorted);
-    for (size_t e = 0; e < intervals - 1; ++e) edges[axis * intervals + e] = sorted[(e + 1) * sorted.size() / intervals];
+    std::vector<float> along;
+    for (const vec3& p : points) along.push_back(coordinate(p, axis));
+    auto rest = along.begin();
+    for (size_t e = 0; e < intervals - 1; ++e) {
+        const auto end = along.begin() + static_cast<std::ptrdiff_t>((e + 1) * along.size() / intervals);
+        std::nth_element(rest, end, along.end());
+        edges[axis * intervals + e] = *end;
+        rest = end;
+    }
 }
 
 /// The points of one face of a cell, by index.
@@ -175,7 +180,7 @@ double learnGuide(LightTables& tables, std::span<const vec3> points, std::span<c
     writeMap(tables, 0, exitsOf(tables, exits));
 
     /* How much of it each place receives */
-    for (size_t axis = 0; axis < 3; ++axis) cutAxis(tables.guide_edges, axis, points);
+    tbb::parallel_for(size_t{0}, size_t{3}, [&](size_t axis) { cutAxis(tables.guide_edges, axis, points); });
     std::vector<Group> groups = groupPoints(tables.guide_edges, points, normals, options.hasAllDirections);
     std::ranges::stable_sort(groups, std::greater(), [](const Group& g) { return g.members.size(); });
     const size_t rays = options.rays - exitRays;

@@ -133,7 +133,7 @@ size_t learnPathGuide(LightTables& tables, std::span<const GuideRecord> records,
                 weightsOf(records, std::span(members[face]).subspan(leaf.begin, leaf.end - leaf.begin));
             if (!(std::accumulate(weights.begin(), weights.end(), 0.0) > 0)) return;
             tables.path_guide_nodes[leaf.node].next = static_cast<uint>(first + k);
-            std::ranges::copy(makeAliasSquare(weights, side), tables.path_guide_aliases.begin() + static_cast<long>((first + k) * entries));
+            fillAliasSquare(std::span(tables.path_guide_aliases).subspan((first + k) * entries, entries), weights, side);
         });
     }
     return maps;

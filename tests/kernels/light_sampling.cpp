@@ -51,7 +51,7 @@ std::vector<LightResult> sample(const PackedScene& scene, vec3 p, const std::vec
 PackedScene sceneOf(const light& l) {
     PackedScene scene;
     scene.tables.lights = {l};
-    scene.tables.light_aliases = makeAliasTable({1});
+    scene.tables.light_aliases = makeAliasTable(std::vector{1.0});
     scene.tables.frame.resize(1);
     return scene;
 }

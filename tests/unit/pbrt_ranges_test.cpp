@@ -122,8 +122,8 @@ TEST_F(PbrtRanges, WhatAScaleOfZeroLeavesNothingOfIsLeftOut) {
 
 // However a light comes to take light away, it does not change how others are chosen.
 TEST_F(PbrtRanges, ALightOfNegativePowerLeavesTheOthersAlone) {
-    EXPECT_THROW(makeAliasTable({1, -0.5}), std::logic_error);
-    EXPECT_THROW(makeAliasTable({1, std::nan("")}), std::logic_error);
+    EXPECT_THROW(makeAliasTable(std::vector{1, -0.5}), std::logic_error);
+    EXPECT_THROW(makeAliasTable(std::vector{1, std::nan("")}), std::logic_error);
     Scene scene = world("LightSource \"point\" LightSource \"point\"");
     scene.lights.at(1).scale = -1;
     Diagnostics diagnostics(LogLevel::silent);
