@@ -2,6 +2,7 @@
 #include "tracers.h"
 
 #include "device/layout.h"
+#include "pack/scene_constants.h"
 #include "eikonal/scene.h"
 #include "eikonal/stages.h"
 
@@ -34,6 +35,7 @@ DeviceTracer::DeviceTracer(const Context& context, const BenchMesh& mesh, const 
     settings.features = features_;
     settings.constants = {
         {"LOCAL_SIZE", shape.localSize}, {"ITEMS_PER_WORK_ITEM", shape.itemsPerWorkItem}, {"WIDENS_GROUPS", context.device().widensGroups}};
+    SceneConstants{}.forEach([&](const char* name, int number) { settings.constants[name] = number; });
     intersect_ = Kernel(compiler.build("#include \"stages/intersect_rays.cl\"\n", "intersect_rays", settings));
     occlude_ = Kernel(compiler.build("#include \"stages/test_shadows.cl\"\n", "test_shadows", settings));
 }
