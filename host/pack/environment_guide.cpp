@@ -1,6 +1,6 @@
 #include "pack/environment_guide.h"
 
-#include "pack/alias_table.h"
+#include "pack/guide_map.h"
 #include "pack/guide_openings.h"
 #include "pack/guide_place.h"
 
@@ -43,13 +43,17 @@ double seenBy(std::span<const double> pairs) {
     return seen;
 }
 
+std::span<uint> wordsOf(LightTables& tables, size_t map) {
+    return std::span(tables.guide_sums).subspan(map * GUIDE_MAP_WORDS, GUIDE_MAP_WORDS);
+}
+
 void writeMap(LightTables& tables, size_t map, std::span<const double> weights) {
-    fillAliasSquare(std::span(tables.guide_aliases).subspan(map * GUIDE_MAP_ENTRIES, GUIDE_MAP_ENTRIES), weights, GUIDE_SIDE);
+    writeGuideMap(wordsOf(tables, map), weights);
 }
 
 /// Where no light is visible, every density is zero: light samples would be wasted. BSDF samples find what the survey missed.
 void writeDarkMap(LightTables& tables, size_t map) {
-    std::fill_n(tables.guide_aliases.begin() + static_cast<long>(map * GUIDE_MAP_ENTRIES), GUIDE_MAP_ENTRIES, alias_entry{1, 0, 0});
+    writeDarkGuideMap(wordsOf(tables, map));
 }
 
 /// Weights for places without a map: the rays that left through each opening.
@@ -144,7 +148,7 @@ std::vector<std::vector<double>> shareWithNeighbors(const std::vector<Group>& gr
 void packUnlearnedGuide(LightTables& tables) {
     tables.guide_edges.assign(3 * intervals, FAR_AWAY);
     tables.guide_maps.assign(cells * GUIDE_FACES, 0);
-    tables.guide_aliases.resize(GUIDE_MAP_ENTRIES);
+    tables.guide_sums.resize(GUIDE_MAP_WORDS);
     writeDarkMap(tables, 0);
     tables.guide_box = {{0, 0, 0}, {1, 1, 1}};
     packNoGuideOpenings(tables);
@@ -188,7 +192,7 @@ double learnGuide(LightTables& tables, std::span<const vec3> points, std::span<c
     const std::vector<float> weights = survey.weigh(
         tables, representativesOf(groups, points, normals, std::clamp(rays / (groups.size() * openings / 2), fewestPoints, mostPoints)));
     const std::vector<std::vector<double>> shared = shareWithNeighbors(groups, weights);
-    tables.guide_aliases.resize((1 + groups.size()) * GUIDE_MAP_ENTRIES);
+    tables.guide_sums.resize((1 + groups.size()) * GUIDE_MAP_WORDS);
     tbb::parallel_for(size_t{0}, groups.size(), [&](size_t i) {
         const size_t map = 1 + i;
         tables.guide_maps[groups[i].place] = static_cast<uint>(map);

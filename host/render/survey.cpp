@@ -113,7 +113,7 @@ void surveyEnvironment(const Context& context, DeviceScene& scene, const PackedS
     if (share == 0 || (share > openShare && !packed.isAlwaysGuided)) return;
     scene.replace(context, "guide_edges", guide.guide_edges);
     scene.replace(context, "guide_maps", guide.guide_maps);
-    scene.replace(context, "guide_aliases", guide.guide_aliases);
+    scene.replace(context, "guide_sums", guide.guide_sums);
     scene.replace(context, "guide_texels", guide.guide_texels);
     sampleEnvironments(context, scene, packed);
 }

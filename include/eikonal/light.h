@@ -77,14 +77,16 @@ typedef struct {
    A box encloses what paths reach. Rectangles on its sides, the openings, are where rays leave it without meeting a surface; there are
    GUIDE_OPENINGS of them, smaller where more rays leave. Space is cut into GUIDE_INTERVALS^3 cells; each cell has GUIDE_FACES
    maps: for surfaces whose normal is nearest to +x, -x, +y, -y, +z, -z, and for points that look into all directions. A map has a
-   probability for each opening, kept as the alias tables of a square of GUIDE_SIDE^2: one entry a row, then the entries of each row. The
-   map of a place that sees no opening has density 0 everywhere. */
+   probability for each opening, in units of one in GUIDE_UNITS: it consists of the sums of those of the openings before each. GUIDE_SIDE
+   openings are a row. First come the sums before each row, then those before each opening, two in a word, the lower half first; so a map is
+   in few cache lines. The map of a place that sees no opening has GUIDE_UNITS everywhere: density 0. */
 #define GUIDE_INTERVALS 16
 #define GUIDE_FACES 7
 #define GUIDE_ALL_DIRECTIONS 6
 #define GUIDE_SIDE 8
 #define GUIDE_OPENINGS (GUIDE_SIDE * GUIDE_SIDE)
-#define GUIDE_MAP_ENTRIES (GUIDE_SIDE + GUIDE_OPENINGS)
+#define GUIDE_MAP_WORDS ((GUIDE_SIDE + GUIDE_OPENINGS) / 2)
+#define GUIDE_UNITS 65535
 
 /* Each side of the box is cut into GUIDE_TEXELS^2 texels: side 2 axis + (0 the low one, 1 the high one), then rows along the later of the
    other two axes. */

@@ -109,7 +109,7 @@ typedef struct {
     /* ENVIRONMENT_GUIDE: upper cell bounds along x, then y, then z: GUIDE_INTERVALS each, ascending; the last is FAR_AWAY */ \
     T(float,          guide_edges) \
     T(uint,           guide_maps)            /* map index of each cell and face: x fastest, then y, z, face */ \
-    T(alias_entry,    guide_aliases)         /* GUIDE_MAP_ENTRIES per map */ \
+    T(uint,           guide_sums)            /* GUIDE_MAP_WORDS per map */ \
     T(vec3,           guide_box)             /* its low corner, and its size */ \
     T(guide_opening,  guide_openings)        /* GUIDE_OPENINGS */ \
     T(uint,           guide_texels)          /* GUIDE_BOX_TEXELS: the opening of each texel, or NONE */ \

@@ -1,8 +1,8 @@
 // The environment guide on the device: samples leave through the openings as a map says, and points find the map that was learnt for them.
 
 #include "device_function.h"
-#include "pack/alias_table.h"
 #include "pack/environment_guide.h"
+#include "pack/guide_map.h"
 #include "pack/guide_openings.h"
 #include "random_inputs.h"
 #include "statistics.h"
@@ -29,7 +29,7 @@ PackedScene guidedScene() {
     packGuideOpenings(scene.tables, exits);
     std::vector<double> weights;
     for (int i = 0; i < GUIDE_OPENINGS; ++i) weights.push_back(1 + i % 5);
-    std::ranges::copy(makeAliasSquare(weights, GUIDE_SIDE), scene.tables.guide_aliases.begin());
+    writeGuideMap(scene.tables.guide_sums, weights);
     return scene;
 }
 
@@ -58,10 +58,9 @@ TEST(EnvironmentGuide, SamplesFollowTheMap) {
     const PackedScene scene = guidedScene();
     Random random(71);
     const auto u = generate(65536, [&] { return random.square(); });
-    const alias_entry* entries = scene.tables.guide_aliases.data();
     std::vector<double> expected;
     for (size_t i = 0; i < GUIDE_OPENINGS; ++i)
-        expected.push_back(double{entries[i / GUIDE_SIDE].pmf} * entries[GUIDE_SIDE + i].pmf * static_cast<double>(u.size()));
+        expected.push_back(openingProbability(scene.tables.guide_sums, i) * static_cast<double>(u.size()));
     for (const vec3& p : {vec3{0, 0.5f, 5}, vec3{-1.99f, 0.01f, 9.9f}}) {
         std::vector<double> counts(GUIDE_OPENINGS, 0);
         int apart = 0;
@@ -97,8 +96,7 @@ TEST(EnvironmentGuide, DensityIntegratesToOne) {
     EXPECT_NEAR(integral({0.5f, 0.5f, 5}), 1, 0.02);
     double far = 0;
     for (size_t i = 0; i < GUIDE_OPENINGS; ++i)
-        if (scene.tables.guide_openings[i].n.x == 0)
-            far += double{scene.tables.guide_aliases[i / GUIDE_SIDE].pmf} * scene.tables.guide_aliases[GUIDE_SIDE + i].pmf;
+        if (scene.tables.guide_openings[i].n.x == 0) far += openingProbability(scene.tables.guide_sums, i);
     EXPECT_GT(far, 0.3);
     EXPECT_LT(far, 0.9);
     EXPECT_NEAR(integral({-4, 0.5f, 5}), far, 0.05);

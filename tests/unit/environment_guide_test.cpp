@@ -1,11 +1,13 @@
 // What the environment guide learns of a scene: where the light of a sky enters, and how much of it comes in.
 
 #include "pack/environment_guide.h"
+#include "pack/guide_map.h"
 #include "pack/guide_openings.h"
 
 #include <glm/glm.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <random>
@@ -17,15 +19,14 @@ constexpr size_t manyRays = 1 << 20;
 
 /// The probability of an opening in a map.
 double pmfOf(const SceneTables& tables, uint map, size_t opening) {
-    const alias_entry* entries = tables.guide_aliases.data() + size_t{map} * GUIDE_MAP_ENTRIES;
-    return double{entries[opening / GUIDE_SIDE].pmf} * entries[GUIDE_SIDE + opening].pmf;
+    return openingProbability(std::span(tables.guide_sums).subspan(size_t{map} * GUIDE_MAP_WORDS, GUIDE_MAP_WORDS), opening);
 }
 double totalOf(const SceneTables& tables, uint map) {
     double total = 0;
     for (size_t i = 0; i < GUIDE_OPENINGS; ++i) total += pmfOf(tables, map, i);
     return total;
 }
-uint mapsOf(const SceneTables& tables) { return static_cast<uint>(tables.guide_aliases.size() / GUIDE_MAP_ENTRIES); }
+uint mapsOf(const SceneTables& tables) { return static_cast<uint>(tables.guide_sums.size() / GUIDE_MAP_WORDS); }
 
 glm::dvec3 vectorOf(const vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -85,6 +86,32 @@ struct Floor {
 /// A window in the ceiling.
 bool isWindow(glm::dvec3 q) { return q.z > 0.99 && q.x > 0.25 && q.x < 0.5 && q.y > 0.5 && q.y < 0.75; }
 bool throughWindow(glm::dvec3, glm::dvec3 q) { return isWindow(q); }
+
+// A map has the probabilities of its weights to a unit, but for the largest, which takes what rounding leaves; what weighs little has a unit, and what weighs nothing has
+// none, wherever it is. A dark map has no probability at all.
+TEST(EnvironmentGuide, MapsHoldTheirWeights) {
+    std::vector<double> weights(GUIDE_OPENINGS);
+    for (size_t i = 0; i < weights.size(); ++i) weights[i] = i % 3 == 0 ? 0 : i % 7 == 1 ? 1e-9 : 0.5 + static_cast<double>(i);
+    weights[GUIDE_OPENINGS - 2] = weights[GUIDE_OPENINGS - 1] = 0;
+    double total = 0;
+    for (const double w : weights) total += w;
+    std::vector<uint> map(GUIDE_MAP_WORDS, 12345u);
+    writeGuideMap(map, weights);
+    double sum = 0;
+    constexpr double unit = 1.0 / GUIDE_UNITS;
+    const auto largest = static_cast<size_t>(std::ranges::max_element(weights) - weights.begin());
+    for (size_t i = 0; i < weights.size(); ++i) {
+        const double p = openingProbability(map, i);
+        sum += p;
+        if (weights[i] == 0) EXPECT_EQ(p, 0) << i;
+        else EXPECT_GE(p, 0.999 * unit) << i;
+        EXPECT_NEAR(p, weights[i] / total, (i == largest ? GUIDE_OPENINGS : 1) * unit) << i;
+    }
+    EXPECT_NEAR(sum, 1, 1e-12);
+
+    writeDarkGuideMap(map);
+    for (size_t i = 0; i < weights.size(); ++i) EXPECT_EQ(openingProbability(map, i), 0);
+}
 
 TEST(EnvironmentGuide, HasNoDensityBeforeItLearns) {
     SceneTables tables;
@@ -172,8 +199,7 @@ TEST(EnvironmentGuide, IsTheSameForTheSamePoints) {
     EXPECT_EQ(a.guide_maps, b.guide_maps);
     EXPECT_EQ(a.guide_edges, b.guide_edges);
     EXPECT_EQ(a.guide_texels, b.guide_texels);
-    ASSERT_EQ(a.guide_aliases.size(), b.guide_aliases.size());
-    for (size_t i = 0; i < a.guide_aliases.size(); ++i) ASSERT_EQ(a.guide_aliases[i].pmf, b.guide_aliases[i].pmf);
+    EXPECT_EQ(a.guide_sums, b.guide_sums);
 }
 
 // Without points the guide is as it was, and so it is in a room that no light comes into.

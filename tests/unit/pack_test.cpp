@@ -492,7 +492,7 @@ TEST_F(Pack, ALongRenderHasAnEnvironmentGuide) {
     EXPECT_TRUE(guided.features.has(Feature::ENVIRONMENT_GUIDE) && guided.features.has(Feature::LIGHTS));
     EXPECT_EQ(guided.tables.lights.at(0).pmf, 0);
     EXPECT_EQ(guided.tables.light_aliases.size(), 1u);
-    EXPECT_EQ(guided.tables.guide_aliases.size(), size_t{GUIDE_MAP_ENTRIES});
+    EXPECT_EQ(guided.tables.guide_sums.size(), size_t{GUIDE_MAP_WORDS});
     EXPECT_FALSE(withSamples("\"volpath\"", 1).features.has(Feature::ENVIRONMENT_GUIDE));
     for (const char* other : {"\"whitted\"", "\"randomwalk\"", "\"simplepath\" \"bool samplelights\" false", "\"ambientocclusion\"",
                               "\"volpath\" \"string lightsampler\" \"bvh\""})
