@@ -24,7 +24,7 @@ struct Binning {
             scale[axis] = axis < 3 && extent[axis] > 1e-30f ? 0.9999f * static_cast<float>(bins) / extent[axis] : 0.f;
     }
     int4 operator()(const Reference& r) const { return __builtin_convertvector((r.centroid() - offset) * scale, int4); }
-    /// The bin on one axis.
+    /// The bin on one axis, to the bit: partitioning must agree with the counts.
     int on(int axis, const Reference& r) const {
         return static_cast<int>((r.box.low[axis] + r.box.high[axis] - offset[axis]) * scale[axis]);
     }
@@ -98,8 +98,9 @@ static Cut bestCut(const Bins& in, const Binning& binning) {
 
 static Bins fillBins(std::span<const Reference> references, const Range& range, const Binning& binning) {
     Bins all(binning.bins);
-    if (range.size() < parallelSize) all.add(references.subspan(range.begin, range.size()), binning);
-    else
+    if (range.size() < parallelSize) {
+        all.add(references.subspan(range.begin, range.size()), binning);
+    } else {
         /* Minima, maxima and counts do not depend on the order of the reduction */
         all = tbb::parallel_reduce(
             tbb::blocked_range<uint>(range.begin, range.end, parallelSize / 4), all,
@@ -108,6 +109,7 @@ static Bins fillBins(std::span<const Reference> references, const Range& range, 
                 return bins;
             },
             [&](Bins a, const Bins& b) { a.add(b, binning.bins); return a; });
+    }
     return all;
 }
 

@@ -13,7 +13,7 @@ constexpr float nodeCost = 1, blockCost = 1, elementCost = 1, instanceCost = 4;
 /// Below this many splits ranges are split in halves, which bounds the recursion.
 constexpr int deepest = 64;
 
-/// Ranges of so few triangles are not split: smaller leaves are not faster (docs/performance.md).
+/// Ranges of so few triangles are not split: smaller leaves do not lower the expected cost (docs/performance.md).
 constexpr uint unsplitTriangles = 3;
 
 /// A node of the binary tree over references. Parents come before their children.

@@ -46,7 +46,7 @@ public:
     void* map(const Context& context, Owned<cl_event, clReleaseEvent>& ready);
     /// Enqueues giving mapped memory back to the device.
     void unmap(const Context& context, void* memory);
-    /// Sets `bytes` bytes from `offset` on to zero, in queue order; does not block.
+    /// Sets `bytes` bytes from `offset` on to zero, in queue order. Blocks if they are more than 4096.
     void clear(const Context& context, size_t offset, size_t bytes);
 
 private:

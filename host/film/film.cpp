@@ -27,7 +27,7 @@ Film::Film(const PackedScene& scene, const Features& features, unsigned firstSam
       firstSample_(firstSample) {
     needNodes(1);
     taken_.resize(plane(), firstSample);
-    if (scene.features.has(Feature::LIGHT_PATHS) && scene.frame().emission_count > 0) 
+    if (scene.features.has(Feature::LIGHT_PATHS) && scene.frame().emission_count > 0)
         splats_ = std::make_shared<SplatSums>(pixels_, features.has(Feature::RENDER_PASSES));
 }
 

@@ -6,11 +6,15 @@
 
 namespace eikonal {
 
+/// Memory that several tables use one after the other.
+struct Scratch {
+    std::vector<double> scaled;
+    std::vector<size_t> small, large;
+};
+
 /// Of weights whose sum is known.
-static void fillTable(std::span<alias_entry> table, std::span<const double> weights, double sum) {
-    /* Reused, since scenes have many small tables */
-    thread_local std::vector<double> scaled;
-    thread_local std::vector<size_t> small, large;
+static void fillTable(std::span<alias_entry> table, std::span<const double> weights, double sum, Scratch& scratch) {
+    auto& [scaled, small, large] = scratch;
     const size_t n = weights.size();
     scaled.resize(n);
     small.clear();
@@ -40,18 +44,20 @@ static double sumOf(std::span<const double> weights) {
 
 Table<alias_entry> makeAliasTable(std::span<const double> weights) {
     Table<alias_entry> table(weights.size());
-    fillTable(table, weights, sumOf(weights));
+    Scratch scratch;
+    fillTable(table, weights, sumOf(weights), scratch);
     return table;
 }
 
 void fillAliasSquare(std::span<alias_entry> square, std::span<const double> weights, size_t side) {
     std::vector<double> rows;
+    Scratch scratch;
     for (size_t y = 0; y < side; ++y) {
         const std::span<const double> row = weights.subspan(y * side, side);
         rows.push_back(sumOf(row));
-        fillTable(square.subspan((1 + y) * side, side), row, rows.back());
+        fillTable(square.subspan((1 + y) * side, side), row, rows.back(), scratch);
     }
-    fillTable(square.first(side), rows, sumOf(rows));
+    fillTable(square.first(side), rows, sumOf(rows), scratch);
 }
 
 Table<alias_entry> makeAliasSquare(std::span<const double> weights, size_t side) {

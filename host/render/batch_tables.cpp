@@ -1,6 +1,5 @@
 #include "render/batch_tables.h"
 
-
 namespace eikonal {
 
 BatchTables::BatchTables(const Context& context) : layers_(context, 0, "layers of a wave"), ranges_(context, 0, "layers of blocks") {
@@ -14,10 +13,7 @@ BatchTables::BatchTables(const Context& context) : layers_(context, 0, "layers o
 /// Enqueues writing `elements` into a buffer, enlarging it if necessary.
 template <class T> static void replace(const Context& context, Buffer& buffer, const std::vector<T>& elements, const char* what) {
     const size_t bytes = elements.size() * sizeof(T);
-    if (buffer.size() < bytes) {
-        context.finish();   // it may be in use
-        buffer = Buffer(context, bytes, what);
-    }
+    if (buffer.size() < bytes) buffer = Buffer(context, bytes, what);
     buffer.enqueueWrite(context, elements.data(), bytes);
 }
 

@@ -40,14 +40,20 @@ bool DeviceTeam::runOn(std::span<const RenderDevice> devices, const std::functio
         failed.push_back(device.tracer);
         if (dropped_) dropped_(device, why);
     };
+    /* Commands in flight may read and write host memory that goes with the error. If this fails as well, the first error says why */
+    const auto drain = [](const RenderDevice& device) { clFinish(device.context->queue()); };
     const auto workOn = [&](const RenderDevice& device) {
         try {
             work(device);
             device.context->finish();
-        } catch (const DeviceError& why) { fail(device, why); } catch (...) {
+        } catch (const DeviceError& why) {
+            drain(device);
+            fail(device, why);
+        } catch (...) {
+            for (const StopFlag* flag : flags) flag->raise();
+            drain(device);
             const std::lock_guard lock(mutex);
             error = std::current_exception();
-            for (const StopFlag* flag : flags) flag->raise();
         }
     };
     {

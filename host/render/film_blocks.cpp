@@ -1,5 +1,7 @@
 #include "render/film_blocks.h"
 
+#include <utility>
+
 namespace eikonal {
 
 FilmBlocks::~FilmBlocks() {
@@ -8,16 +10,16 @@ FilmBlocks::~FilmBlocks() {
 }
 
 const Buffer& FilmBlocks::upload(const Film& film, const Batch& batch) {
-    batch_ = batch;
     words_ = static_cast<size_t>(batch.pixels()) * static_cast<size_t>(film.words());
     const size_t bytes = words_ * sizeof(uint);
-    if (!mapped_ || buffer_.size() < bytes) {
-        if (mapped_) buffer_.unmap(context_, mapped_);
+    if (buffer_.size() < bytes) {
+        if (mapped_) buffer_.unmap(context_, std::exchange(mapped_, nullptr));
         buffer_ = Buffer(context_, bytes, "blocks of the film");
         startDownload();
     }
     film.copyTo(wait(), batch);
     buffer_.unmap(context_, std::exchange(mapped_, nullptr));
+    batch_ = batch;
     return buffer_;
 }
 

@@ -5,7 +5,6 @@
 #include "film/film.h"
 
 #include <optional>
-#include <utility>
 #include <span>
 
 namespace eikonal {
@@ -20,7 +19,8 @@ public:
 
     /// The batch that is on its way, if any.
     const std::optional<Batch>& batch() const { return batch_; }
-    /// Copies the pixels of a batch as they are now to a buffer, block after block, and enqueues the rest. None must be on its way.
+    /// Copies a batch's pixels as they are now into the buffer, block after block, and enqueues handing it to the device. None must be on
+    /// its way.
     const Buffer& upload(const Film& film, const Batch& batch);
     /// Enqueues the way back.
     void startDownload();

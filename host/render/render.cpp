@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <numeric>
 #include <utility>
@@ -29,6 +30,7 @@ public:
         pixels_ = static_cast<double>(taken.size());
         paths_ = pathsBefore_ = std::accumulate(taken.begin(), taken.end(), 0.0) - pixels_ * film.firstSample();
         samples_ = *std::ranges::min_element(taken);
+        for (const RenderDevice& d : devices) blocks_.try_emplace(d.tracer, *d.context);
     }
 
     RenderResult run() {
@@ -138,15 +140,15 @@ private:
 
     /// What one device does of that.
     void traceOn(const RenderDevice& device, BatchDealer& dealer) {
-        FilmBlocks blocks(*device.context);   // of the last batch, until they are in the film
+        FilmBlocks& blocks = blocks_.at(device.tracer);   // of the last batch, until they are in the film
         const auto next = [&]() -> std::optional<Batch> {
             const std::lock_guard lock(mutex_);
             if (isToStop()) return {};
             return dealer.deal(device.tracer);
         };
         const auto traced = [&](const Batch& batch) {
-            std::unique_lock lock(mutex_);
             endBatch(device, dealer, blocks);
+            std::unique_lock lock(mutex_);
             while (dealer.stateOf(device.tracer) == BatchDealer::State::waiting) changed_.wait(lock);
             if (dealer.stateOf(device.tracer) == BatchDealer::State::ready) resolve(device, batch, blocks);
             else {
@@ -154,10 +156,7 @@ private:
                 changed_.notify_all();
             }
         };
-        const auto meanwhile = [&] {
-            const std::lock_guard lock(mutex_);
-            endBatch(device, dealer, blocks);
-        };
+        const auto meanwhile = [&] { endBatch(device, dealer, blocks); };
         /* However this ends, no other device may wait for what this one still holds */
         struct AtEnd {
             std::function<void()> run;
@@ -220,6 +219,7 @@ private:
     void endBatch(const RenderDevice& device, BatchDealer& dealer, FilmBlocks& blocks) {
         if (!blocks.batch()) return;
         const std::span<uint> pixels = blocks.wait();
+        const std::lock_guard lock(mutex_);
         if (device.tracer->stopFlag().isRaised()) dealer.lose(device.tracer);   // resolve_film may have left pixels as they were
         else {
             film_.keep(pixels, *blocks.batch());
@@ -258,6 +258,7 @@ private:
     std::mutex mutex_;                      ///< of all that several devices change, the film above all
     std::condition_variable changed_;       ///< a batch is in the film, or lost
     const std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    std::map<const Tracer*, FilmBlocks> blocks_;
     std::optional<LightPass> lights_;
     bool stopped_ = false;
     bool isPlanned_ = false;                ///< adaptive sampling has planned the samples

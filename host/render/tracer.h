@@ -35,7 +35,7 @@ struct BatchStream {
     int endX = 0, endY = 0;                       ///< no pixel from there on
     /// If set, a wave calls it after every bounce of a stream of one batch. False: the rays are dropped.
     std::function<bool(const Bounced&)> watch = {};
-    std::function<void()> meanwhile = [] {};      ///< called often, when the device has work: what the host can do in that time
+    std::function<void()> meanwhile = [] {};      ///< called when the device has work: what the host can do in that time; may throw
 };
 
 class Tracer {
