@@ -51,7 +51,7 @@ struct ErrorEstimate {
 };
 ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, ErrorMetric metric);
 
-/// "error 2.1 % (relmse-root), with 95 % probability 1.8 to 2.4 %; not reliable: ...".
+/// "error about 2.1 % (relmse-root), 95 % within 1.8 to 2.4 %; not reliable: ...".
 std::string describe(const ErrorEstimate& estimate, ErrorMetric metric);
 
 }  // namespace eikonal

@@ -7,7 +7,7 @@
 
 namespace eikonal {
 
-/// Why no light paths are traced in this scene, as a clause: "its camera is spherical". Empty: they are.
+/// Why no light paths are traced in this scene, as a clause: "its film keeps spectra". Empty: they are.
 std::string lightPathObstacle(const PackContext& context);
 
 /// Has light paths traced, because of `why`. Before the lights are packed.

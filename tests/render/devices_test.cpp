@@ -16,10 +16,12 @@ constexpr const char* lamp = "AttributeBegin AreaLightSource \"diffuse\" \"rgb L
 constexpr const char* balls = "Material \"diffuse\" \"rgb reflectance\" [.8 .5 .3] Shape \"sphere\" \"float radius\" .8 Material "
                               "\"dielectric\" Translate 1.2 0 0 Shape \"sphere\" \"float radius\" 0.4";
 
+constexpr unsigned meanwhile = 1u << 16, never = meanwhile - 1;
+
 /// What a device does, until it fails.
 class FailingTracer : public Tracer {
 public:
-    /// Fails when it has traced so many batches.
+    /// Fails when it has traced so many batches; with `meanwhile` added, when it has asked the host so often to work meanwhile.
     FailingTracer(Tracer& tracer, unsigned batches) : tracer_(tracer), left_(batches) {}
     unsigned mostPaths() const override { return tracer_.mostPaths(); }
     const StopFlag& stopFlag() const override { return tracer_.stopFlag(); }
@@ -34,8 +36,13 @@ private:
     BatchStream failing(BatchStream stream) {
         stream.traced = [this, traced = stream.traced](const Batch& batch) {
             if (left_ == 0) throw DeviceError("lost");
-            --left_;
+            if (!(left_ & meanwhile)) --left_;
             traced(batch);
+        };
+        stream.meanwhile = [this, work = stream.meanwhile] {
+            if (left_ == meanwhile) throw DeviceError("lost");
+            if (left_ & meanwhile) --left_;
+            work();
         };
         return stream;
     }
@@ -43,7 +50,6 @@ private:
     unsigned left_;
 };
 
-constexpr unsigned never = ~0u;
 
 struct Shared {
     FilmImage image;
@@ -108,10 +114,14 @@ TEST_F(Devices, AreReplacedByTheOthersWhenTheyFail) {
         expectSame(scene(), {never, batches}, 1);
         expectSame(scene(), {batches, never}, 1);
         expectSame(scene(), {batches, never, batches + 2}, 2);
+        expectSame(scene(), {never, meanwhile + batches}, 1);   // while a batch is on its way to the film
     }
 }
 
-TEST_F(Devices, FailTogether) { EXPECT_THROW(share(scene(), {3, 2}), DeviceError); }
+TEST_F(Devices, FailTogether) {
+    EXPECT_THROW(share(scene(), {3, 2}), DeviceError);
+    EXPECT_THROW(share(scene(), {meanwhile + 6}), DeviceError);
+}
 
 TEST_F(Devices, ShareLightPaths) {
     PackedScene both = scene("Integrator \"bdpt\" \"integer maxdepth\" 4");
