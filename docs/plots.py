@@ -70,7 +70,7 @@ def efficiency():
                      line(axis(min(row.values())), y, axis(max(row.values())), y, 0.8, ' stroke-opacity="0.5"')]
         elements += [mark(peers[name][0], axis(ratio), y) for name, ratio in row.items()]
     elements.append(text(385, bottom + 28, "our efficiency over theirs", "middle"))
-    return svg(680, bottom + 36, "Efficiency of Eikonal over that of five other renderers, on nine scenes", elements)
+    return svg(680, bottom + 36, "Efficiency of Eikonal over that of four other renderers, on nine scenes", elements)
 
 
 def table(script):

@@ -12,7 +12,8 @@ class BatchTables {
 public:
     /// An empty batch.
     explicit BatchTables(const Context& context);
-    /// Enqueues replacing the batch, whose paths must have ended: its tables are written then. endX, endY: pixels from there on are outside the image.
+    /// Enqueues replacing the batch, whose paths must have ended: its tables are written then.
+    /// endX, endY: pixels from there on are outside the image.
     void write(const Context& context, const Batch& batch, int endX, int endY);
     const Bindings& bindings() const { return bindings_; }
 

@@ -87,8 +87,8 @@ struct Floor {
 bool isWindow(glm::dvec3 q) { return q.z > 0.99 && q.x > 0.25 && q.x < 0.5 && q.y > 0.5 && q.y < 0.75; }
 bool throughWindow(glm::dvec3, glm::dvec3 q) { return isWindow(q); }
 
-// A map has the probabilities of its weights to a unit, but for the largest, which takes what rounding leaves; what weighs little has a unit, and what weighs nothing has
-// none, wherever it is. A dark map has no probability at all.
+// A map has the probabilities of its weights to a unit, but for the largest, which takes what rounding leaves; what weighs little has a
+// unit, and what weighs nothing has none, wherever it is. A dark map has no probability at all.
 TEST(EnvironmentGuide, MapsHoldTheirWeights) {
     std::vector<double> weights(GUIDE_OPENINGS);
     for (size_t i = 0; i < weights.size(); ++i) weights[i] = i % 3 == 0 ? 0 : i % 7 == 1 ? 1e-9 : 0.5 + static_cast<double>(i);
