@@ -79,7 +79,8 @@ ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, E
     e.low = e.error / factor;
     e.high = e.error * factor;
     e.isKnown = sums.brightness == 0 || hasSquares(mean, metric);
-    if (sums.fewest < 4) e.doubt = fmt::format("a pixel has only {} sample{}", sums.fewest, sums.fewest == 1 ? "" : "s");
+    if (sums.fewest == 0) e.doubt = "a pixel has no sample";
+    else if (sums.fewest < 4) e.doubt = fmt::format("a pixel has only {} sample{}", sums.fewest, sums.fewest == 1 ? "" : "s");
     else if (sums.brightness == 0) e.doubt = "no sample has found light";
     else if (!e.isKnown) e.doubt = "luminances are too large or too small for their squares in single precision";
     else if (ofPixels > mostVariance && sums.pixels > leastPixels) e.doubt = "very few pixels hold most of it";

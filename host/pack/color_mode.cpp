@@ -73,7 +73,7 @@ std::string firstMeasured(MeasuredInputs& inputs, const std::vector<Thing>& thin
     return {};
 }
 
-std::string percent(double error) { return error > 1 ? "more than 100 %" : fmt::format("{:.2g} %", 100 * error); }
+std::string percent(double error) { return error > 0.994 ? "100 % or more" : fmt::format("{:.2g} %", 100 * error); }
 
 }  // namespace
 
