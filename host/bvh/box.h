@@ -59,11 +59,12 @@ struct Range {
     uint kinds = 0;  ///< bit k: contains elements of leaf kind k
 
     uint size() const { return end - begin; }
+    bool holdsOnly(leaf_kind kind) const { return kinds == 1u << kind; }
     void include(const Reference& r) { box.grow(r.box); centroids.grow(r.centroid()); kinds |= 1u << r.kind(); }
     void include(const Range& r) { box.grow(r.box); centroids.grow(r.centroids); kinds |= r.kinds; }
     /// Whether it fits into one leaf: not larger than a leaf's capacity, and all of one kind.
     bool fitsLeaf() const {
-        if (kinds == 1u << leaf_instances) return size() == 1;
+        if (holdsOnly(leaf_instances)) return size() == 1;
         return size() <= BVH_WIDTH && std::has_single_bit(kinds);
     }
 };

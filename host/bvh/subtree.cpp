@@ -50,7 +50,7 @@ private:
     uint grow(const Range& range, bool halves, int depth = 0) {
         const uint at = static_cast<uint>(nodes_.size());
         nodes_.emplace_back().range = range;
-        if (range.size() == 1 || (range.size() <= unsplitTriangles && range.kinds == 1u << leaf_triangles)) return at;
+        if (range.size() == 1 || (range.size() <= unsplitTriangles && range.holdsOnly(leaf_triangles))) return at;
         const auto [left, right] = halves || depth > deepest ? splitInHalves(references_, range) : splitByCost(references_, range);
         const uint l = grow(left, halves, depth + 1), r = grow(right, halves, depth + 1);
         nodes_[at].left = l;
@@ -60,8 +60,8 @@ private:
 
     float leafCost(const Range& range) const {
         if (!range.fitsLeaf()) return std::numeric_limits<float>::max();
-        if (range.kinds == 1u << leaf_triangles) return blockCost;
-        return range.kinds == 1u << leaf_instances ? instanceCost : elementCost * static_cast<float>(range.size());
+        if (range.holdsOnly(leaf_triangles)) return blockCost;
+        return range.holdsOnly(leaf_instances) ? instanceCost : elementCost * static_cast<float>(range.size());
     }
 
     /* The lowest cost as at most i children, from those of both subtrees */

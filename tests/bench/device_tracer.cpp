@@ -2,9 +2,9 @@
 #include "tracers.h"
 
 #include "device/layout.h"
-#include "pack/scene_constants.h"
 #include "eikonal/scene.h"
 #include "eikonal/stages.h"
+#include "pack/scene_constants.h"
 
 #include <chrono>
 #include <cstring>

@@ -50,7 +50,6 @@ private:
     unsigned left_;
 };
 
-
 struct Shared {
     FilmImage image;
     std::vector<std::uint64_t> paths;   ///< that each device has traced
