@@ -1,3 +1,4 @@
+#include "bvh/child_order.h"
 #include "bvh/build.h"
 
 #include "bvh/split.h"
@@ -166,6 +167,7 @@ static void join(BvhTables& tables, Piece& top, uint root) {
                 const auto& [box, child] = piece.children[lane];
                 setChild(node, static_cast<int>(lane), box, moved(child.part.root, child));
             }
+            orderChildren(node);
             tables.nodes[&piece == &top && n == 0 ? root : piece.firstNode + n] = node;
         }
         std::copy(from.triangleLines.begin(), from.triangleLines.end(), tables.triangleLines.begin() + piece.firstLine);

@@ -55,4 +55,7 @@ struct BvhRoot {
 BvhRoot buildBvh(BvhTables& appendTo, std::span<const TriangleRange> triangles, std::span<const BoxedElement> others,
                  const BvhOptions& options = {});
 
+/// How many rays a work-item traverses in turns where scenes have so many elements (kernels/trace/interleaved.clh).
+constexpr int interleavedRays(size_t elements) { return elements > 64 ? 4 : 2; }
+
 }  // namespace eikonal

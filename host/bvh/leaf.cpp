@@ -100,6 +100,7 @@ bvh_node emptyNode() {
             node.bounds[2 * axis + 1][lane] = -10 * farthest;
         }
         node.child[lane] = NONE;
+        node.order[lane] = 0x76543210u;
     }
     return node;
 }

@@ -1,5 +1,6 @@
 #include "pack/pack.h"
 
+#include "bvh/build.h"
 #include "kinds/integrator_kind.h"
 #include "pack/cached_hits.h"
 #include "pack/camera.h"
@@ -127,6 +128,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
     packExposure(scene.film, frame);
     if (scene.film.reweightsFireflies) context.require(Feature::FIREFLIES, "--fireflies");
     packed.constants.environments = static_cast<int>(packed.tables.environments.size());
+    packed.constants.interleavedRays = interleavedRays(packed.tables.element_shapes.size());
 
     SceneCounts& counts = packed.counts;
     counts.objects = scene.objects.size();

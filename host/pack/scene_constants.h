@@ -14,7 +14,8 @@ namespace eikonal {
     C(MEASURED_FACET_STEPS,      measuredFacetSteps,      0)  /* in the longest side of the grids that facets are sampled from */ \
     C(MEASURED_BRIGHTNESS_STEPS, measuredBrightnessSteps, 0)  /* in the longest side of the brightness grids */ \
     C(LIGHT_GROUP_COUNT,         lightGroups,             0)  /* number of light groups whose light the film keeps apart */ \
-    C(ENERGY_TABLES,             energyTables,            1)  /* size of `energy_tables`, at least 1 */
+    C(ENERGY_TABLES,             energyTables,            1)  /* size of `energy_tables`, at least 1 */ \
+    C(INTERLEAVED_RAYS,          interleavedRays,         4)  /* how many rays a work-item traverses in turns, at least 1 */
 
 struct SceneConstants {
 #define MEMBER(MACRO, name, value) int name = value;

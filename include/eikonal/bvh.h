@@ -14,10 +14,13 @@ CONTRACT_BEGIN
 #define BOX_PADDING 0x1p-20f
 
 /* child[i]: an inner node (its index), or a leaf (kind, count and first packed, see below); NONE: no child (its box is empty).
-   SoA bounds: bounds[0..5] = x low, x high, y low, y high, z low, z high, of eight children each. */
+   SoA bounds: bounds[0..5] = x low, x high, y low, y high, z low, z high, of eight children each.
+   order[o]: the children as rays of octant o should visit them, the last one first: eight numbers of children, four bits each, from the
+   lowest on. Bit a of o: the rays run down axis a. */
 typedef struct {
     float bounds[6][BVH_WIDTH];
     uint child[BVH_WIDTH];
+    uint order[BVH_WIDTH];
 } bvh_node;
 
 /* A leaf reference: bit 31 set, kind (enum leaf_kind) in bits 29-30, count - 1 in bits 26-28, first in bits 0-25:

@@ -33,9 +33,11 @@ DeviceTracer::DeviceTracer(const Context& context, const BenchMesh& mesh, const 
     Compiler compiler(context, findKernelFolders(), "");
     BuildSettings settings;
     settings.features = features_;
-    settings.constants = {
-        {"LOCAL_SIZE", shape.localSize}, {"ITEMS_PER_WORK_ITEM", shape.itemsPerWorkItem}, {"WIDENS_GROUPS", context.device().widensGroups}};
-    SceneConstants{}.forEach([&](const char* name, int number) { settings.constants[name] = number; });
+    settings.constants = {{"LOCAL_SIZE", shape.localSize},
+                          {"ITEMS_PER_WORK_ITEM", shape.itemsPerWorkItem},
+                          {"WIDENS_GROUPS", context.device().widensGroups}};
+    const SceneConstants constants{.interleavedRays = shape.interleavedRays};
+    constants.forEach([&](const char* name, int number) { settings.constants[name] = number; });
     intersect_ = Kernel(compiler.build("#include \"stages/intersect_rays.cl\"\n", "intersect_rays", settings));
     occlude_ = Kernel(compiler.build("#include \"stages/test_shadows.cl\"\n", "test_shadows", settings));
 }

@@ -27,7 +27,7 @@ private:
     double buildSeconds_ = 0;
 };
 
-struct TracerShape { int localSize = 1, itemsPerWorkItem = 64; };   ///< as the renderer has it on a CPU (StageShape)
+struct TracerShape { int localSize = 1, itemsPerWorkItem = 64, interleavedRays = 4; };   ///< as the renderer has it on a CPU (StageShape)
 
 /// Our tree over a mesh, on an OpenCL device.
 class DeviceTracer {

@@ -169,6 +169,7 @@ int main(int argc, char** argv) {
     app.add_option("--width", options.width, "of the square image of primary rays");
     app.add_option("--local-size", options.shape.localSize);
     app.add_option("--items-per-work-item", options.shape.itemsPerWorkItem, "slots that a work-item handles");
+    app.add_option("--interleaved-rays", options.shape.interleavedRays, "rays that a work-item traverses in turns");
     app.add_option("--device", options.device, "as eikonal takes it");
     app.add_flag("--robust", options.robust, "Embree's robust mode, as watertight as ours");
     app.add_flag("--high", options.high, "Embree's spatial splits");
@@ -179,7 +180,8 @@ int main(int argc, char** argv) {
     nlohmann::json report{{"device", context.device().name},
                           {"robust", options.robust},
                           {"local_size", options.shape.localSize},
-                          {"items_per_work_item", options.shape.itemsPerWorkItem}};
+                          {"items_per_work_item", options.shape.itemsPerWorkItem},
+                          {"interleaved_rays", options.shape.interleavedRays}};
     for (const std::string& name : options.scenes) runScene(context, name, options, report);
     if (options.json) fmt::print("{}\n", report.dump(2));
 }

@@ -50,7 +50,7 @@ namespace {
     M(motion, start) M(motion, end) M(motion, start_rotation) M(motion, end_rotation) M(motion, angle) M(motion, centre) \
     M(lens_element, z) M(lens_element, radius) M(lens_element, aperture) M(lens_element, eta) \
     M(pupil_bounds, low_x) M(pupil_bounds, low_y) M(pupil_bounds, high_x) M(pupil_bounds, high_y) \
-    M(bvh_node, bounds) M(bvh_node, child) M(triangle_line, words) \
+    M(bvh_node, bounds) M(bvh_node, child) M(bvh_node, order) M(triangle_line, words) \
     M(texture_instruction, kind) M(texture_instruction, mapping) M(texture_instruction, flags) M(texture_instruction, image) \
     M(texture_instruction, value) \
     M(texture_instruction, texture_from_scene) M(texture_program, first) M(texture_program, count) \
