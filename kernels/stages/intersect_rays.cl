@@ -5,10 +5,6 @@
 #include "trace/interleaved.clh"
 #include "stages/stage.clh"
 
-#define INTERSECT_RAYS(TABLE, ARGUMENT) \
-    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) INTERRUPT_TABLES(TABLE) \
-    ARGUMENT(__global const uint *, ray) ARGUMENT(__global uint *, intersection)
-
 /* Dead rays hit nothing. */
 FN int begin_ray(traversal *w, __global const uint *ray, __global uint *intersection, uint capacity, __global const uint *stop, uint i) {
     if (LOAD_FIELD(ray, float, t_max, ray, capacity, i) < 0.0f || is_interrupted(stop)) {
@@ -22,6 +18,10 @@ FN int begin_ray(traversal *w, __global const uint *ray, __global uint *intersec
 
 #define BEGIN_RAY(w, i) begin_ray(w, ray, intersection, capacity, stop, i)
 #define END_RAY(w) store_intersection(intersection, capacity, (w)->slot, intersection_of(&(w)->best))
+
+#define INTERSECT_RAYS(TABLE, ARGUMENT) \
+    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) INTERRUPT_TABLES(TABLE) \
+    ARGUMENT(__global const uint *, ray) ARGUMENT(__global uint *, intersection)
 TRACING_STAGE(intersect_rays, INTERSECT_RAYS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;

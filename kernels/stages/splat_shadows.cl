@@ -73,13 +73,14 @@ FN void end_ray(const traversal *w, geometry g, texture_tables tables, medium_ta
               s.render_pass, &place.numbers);
 }
 
+#define BEGIN_RAY(w, i) begin_ray(w, g, tables, color_set, camera_set, frame, image, shadow, capacity, stop, i, &tested)
+#define END_RAY(w) end_ray(w, g, tables, medium_set, color_set, camera_set, frame, image, shadow, capacity, splat)
+
 #define SPLAT_SHADOWS(TABLE, ARGUMENT) \
     GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE) CAMERA_TABLES(TABLE) \
     ARGUMENT(__global const settings *, frame) ARGUMENT(__global const uint *, shadow) ARGUMENT(__global uint *, splat) \
     ARGUMENT(uint, splat_x) ARGUMENT(uint, splat_y) ARGUMENT(uint, splat_width) ARGUMENT(uint, splat_height) \
     ARGUMENT(__global uint *, shadow_count)
-#define BEGIN_RAY(w, i) begin_ray(w, g, tables, color_set, camera_set, frame, image, shadow, capacity, stop, i, &tested)
-#define END_RAY(w) end_ray(w, g, tables, medium_set, color_set, camera_set, frame, image, shadow, capacity, splat)
 TRACING_STAGE(splat_shadows, SPLAT_SHADOWS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;

@@ -3,10 +3,6 @@
 #include "trace/test_shadow.clh"
 #include "stages/stage.clh"
 
-#define TEST_SHADOWS(TABLE, ARGUMENT) \
-    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE) \
-    ARGUMENT(__global const uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(__global uint *, shadow_count)
-
 FN int begin_ray(traversal *w, geometry g, texture_tables tables, color_tables colors, __global const uint *shadow, uint capacity,
                   __global const uint *stop, uint i, uint *tested) {
     if (is_interrupted(stop) || LOAD_FIELD(shadow, float, t_max, shadow, capacity, i) < 0.0f) return 0;
@@ -25,6 +21,10 @@ FN void end_ray(const traversal *w, geometry g, texture_tables tables, medium_ta
 
 #define BEGIN_RAY(w, i) begin_ray(w, g, tables, color_set, shadow, capacity, stop, i, &tested)
 #define END_RAY(w) end_ray(w, g, tables, medium_set, color_set, shadow, capacity, path, path_capacity)
+
+#define TEST_SHADOWS(TABLE, ARGUMENT) \
+    GEOMETRY_TABLES(TABLE) TEXTURE_TABLES(TABLE) MEDIUM_TABLES(TABLE) COLOR_TABLES(TABLE) \
+    ARGUMENT(__global const uint *, shadow) ARGUMENT(__global uint *, path) ARGUMENT(__global uint *, shadow_count)
 TRACING_STAGE(test_shadows, TEST_SHADOWS) {
     geometry g = BIND_GEOMETRY;
     texture_tables tables = BIND_TEXTURES;
