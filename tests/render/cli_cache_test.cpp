@@ -2,7 +2,9 @@
 
 #include "cli.h"
 
+#include "bvh/build.h"
 #include "feature_set.h"
+#include "pack/scene_constants.h"
 #include "test_paths.h"
 
 #include <gmock/gmock.h>
@@ -63,7 +65,8 @@ TEST_F(Cli, AWorkerCompilesEveryKernelThatASceneNeeds) {
     for (const auto& feature : info.at("features"))
         bits.at(static_cast<size_t>(featureNamed(feature.at("name")))) = '1';
     const Environment own{{"EIKONAL_CACHE_DIR", path("cache")}};
-    EXPECT_EQ(run({"compile-kernels", bits, "0", "0", "1"}, own).status, 0);
+    const std::string constants = SceneConstants{.interleavedRays = interleavedRays(1)}.text();
+    EXPECT_EQ(run({"compile-kernels", bits, constants, "0", "1"}, own).status, 0);
     EXPECT_THAT(run({"render", "tiny.pbrt", "--stats"}, own).out, HasSubstr(" 0 compiled, "));
 }
 
