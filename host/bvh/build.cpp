@@ -1,6 +1,6 @@
-#include "bvh/child_order.h"
 #include "bvh/build.h"
 
+#include "bvh/child_order.h"
 #include "bvh/split.h"
 #include "bvh/subtree.h"
 #include "error.h"

@@ -25,7 +25,7 @@ struct TriangleRange {
     uint firstElement;
 };
 
-/// A node whose children no ray can enter.
+/// A node without children: rays from within 1e24 of it enter none of its boxes.
 bvh_node emptyNode();
 
 /// All hierarchies of a scene. Node 0 is the root of the world and always exists, so an empty scene is valid.

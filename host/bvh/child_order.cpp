@@ -4,7 +4,7 @@
 
 namespace eikonal {
 
-/* Far children come first, and of equal ones the later. Missing children are wherever their empty boxes put them: no ray hits those. */
+/* Far children come first, and of equal ones the later. Missing children are wherever their empty boxes put them. */
 static uint orderByDistance(const std::array<float, BVH_WIDTH>& distance) {
     uint order = 0;
     for (uint i = 0; i < BVH_WIDTH; ++i) {

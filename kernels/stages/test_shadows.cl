@@ -4,13 +4,13 @@
 #include "stages/stage.clh"
 
 FN int begin_ray(traversal *w, geometry g, texture_tables tables, color_tables colors, __global const uint *shadow, uint capacity,
-                  __global const uint *stop, uint i, uint *tested) {
+                 __global const uint *stop, uint i, uint *tested) {
     if (is_interrupted(stop) || LOAD_FIELD(shadow, float, t_max, shadow, capacity, i) < 0.0f) return 0;
     ++*tested;
     return begin_shadow(w, g, tables, colors, load_shadow(shadow, capacity, i));
 }
 FN void end_ray(const traversal *w, geometry g, texture_tables tables, medium_tables media, color_tables colors,
-                 __global const uint *shadow, uint capacity, __global uint *path, uint path_capacity) {
+                __global const uint *shadow, uint capacity, __global uint *path, uint path_capacity) {
     if (w->found) return;
     shadow_item s = load_shadow(shadow, capacity, w->slot);
     spectrum L = unblocked_light(g, tables, media, colors, s);

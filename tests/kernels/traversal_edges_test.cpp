@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace eikonal {
 namespace {
@@ -18,6 +19,49 @@ TEST(TraversalEdges, AnEmptySceneIsMissed) {
     for (const Hit& h : trace(scene, rays)) { EXPECT_EQ(h.element, NONE); EXPECT_EQ(h.t, FAR_AWAY); }
     const auto dark = blocked(scene, rays);
     EXPECT_EQ(std::count(dark.begin(), dark.end(), true), 0);
+}
+
+/// Boxes of missing children are hit from farther away than they are large, and nothing is there. Numbers that are no distances end, too.
+TEST(TraversalEdges, RaysFromNowhereEnd) {
+    const float far = 1e26f, farthest = 3e38f, nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    std::vector<Ray> rays;
+    for (const float x : {far, -far, farthest, nan, inf, -inf})
+        for (int axis = 0; axis < 3; ++axis) {
+            Ray from{{0.1f, 0.2f, 0.3f}, {0, 0, 1}}, along{{0.1f, 0.2f, 0.3f}, {0.6f, 0, 0.8f}};
+            (axis == 0 ? from.o.x : axis == 1 ? from.o.y : from.o.z) = x;
+            (axis == 0 ? along.d.x : axis == 1 ? along.d.y : along.d.z) = x;
+            rays.insert(rays.end(), {from, along});
+        }
+    const auto usual = randomRays(100, 75);
+    rays.insert(rays.end(), usual.begin(), usual.end());
+    for (const Scene& s : {triangleScene(), mixedScene(), instancedScene()}) {
+        const PackedScene scene = pack(s);
+        const auto want = trace(scene, usual), got = trace(scene, rays);
+        for (size_t i = 0; i < usual.size(); ++i) EXPECT_EQ(got[rays.size() - usual.size() + i].t, want[i].t) << i;
+        EXPECT_EQ(blocked(scene, rays).size(), rays.size());
+    }
+}
+
+/// How many rays a work-item follows in turns changes nothing.
+TEST(TraversalEdges, TurnsDoNotMatter) {
+    const auto rays = randomRays(2000, 76);
+    for (const Scene& s : {triangleScene(), mixedScene(), instancedScene()}) {
+        PackedScene scene = pack(s);
+        scene.constants.interleavedRays = 1;
+        const auto want = trace(scene, rays);
+        const auto dark = blocked(scene, rays);
+        for (const int count : {2, 3, 4, 7}) {
+            scene.constants.interleavedRays = count;
+            const auto got = trace(scene, rays);
+            for (size_t i = 0; i < rays.size(); ++i) {
+                ASSERT_EQ(got[i].t, want[i].t) << count << ", ray " << i;
+                ASSERT_EQ(got[i].element, want[i].element) << count << ", ray " << i;
+                ASSERT_EQ(got[i].instance, want[i].instance) << count << ", ray " << i;
+                ASSERT_EQ(got[i].u, want[i].u) << count << ", ray " << i;
+            }
+            EXPECT_EQ(blocked(scene, rays), dark) << count;
+        }
+    }
 }
 
 /// Triangles without area change nothing: points, needles with two equal corners, three corners on a line.

@@ -1,6 +1,7 @@
 // The acceleration structure as the host builds it: what must hold for any input.
 
 #include "bvh/build.h"
+#include "bvh/child_order.h"
 #include "bvh/padding.h"
 #include "leaf_triangles.h"
 
@@ -87,6 +88,14 @@ Census inspect(const BvhTables& tables, const BvhRoot& root, const Soup& soup) {
         const bvh_node& node = tables.nodes[index];
         ++seen.nodes;
         seen.depth = std::max(seen.depth, depth);
+        for (const uint order : node.order) {
+            uint listed = 0;
+            for (int i = 0; i < BVH_WIDTH; ++i) listed |= 1u << (order >> 4 * i & 15);
+            EXPECT_EQ(listed, 0xffu);
+        }
+        bvh_node ordered = node;
+        orderChildren(ordered);
+        EXPECT_TRUE(std::ranges::equal(ordered.order, node.order));
         for (int lane = 0; lane < BVH_WIDTH; ++lane) {
             const uint child = node.child[lane];
             if (child == NONE) {

@@ -1,7 +1,7 @@
 // The order in which rays of an octant visit the children of a node.
 
-#include "bvh/child_order.h"
 #include "bvh/build.h"
+#include "bvh/child_order.h"
 
 #include <gtest/gtest.h>
 
