@@ -76,12 +76,12 @@ static Hierarchies packParts(const PackContext& context, PackedScene& packed) {
 
 /// Says what an image lacks if another integrator renders the scene than the one that it names.
 static void warnOfStandIn(const IntegratorDescription& integrator, const PackedScene& packed, Diagnostics& diagnostics) {
-    if (integrator.standsFor.empty()) return;
+    if (integrator.standsFor.name.empty()) return;
     const std::vector<std::string> missed = missedLight(packed);
     diagnostics.unsupported("integrator", integrator.where,
-                            fmt::format("integrator \"{}\" is not available; \"{}\" is used instead{}", integrator.standsFor,
+                            fmt::format("integrator \"{}\" is not available; \"{}\" is used instead{}", integrator.standsFor.name,
                                         integrator.kind->name,
-                                        missed.empty() ? ", which converges to the same image"
+                                        missed.empty() ? ", which " + integrator.standsFor.result
                                                        : fmt::format(". In this scene {}", fmt::join(missed, "; "))));
 }
 

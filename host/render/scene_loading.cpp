@@ -92,7 +92,7 @@ Scene loadScene(const SceneOptions& o, Diagnostics& diagnostics) {
     if (o.sampler) scene.sampler.kind = *o.sampler;
     if (o.integrator) {
         scene.integrator.kind = o.integrator;
-        scene.integrator.standsFor.clear();
+        scene.integrator.standsFor = {};
     }
     if (o.subsurface)
         for (Material& m : scene.materials) m.method = *o.subsurface;

@@ -49,9 +49,15 @@ struct Roulette {
 struct IntegratorKind;
 extern const IntegratorKind volpath_integrator;
 
+/// An integrator that is not available and for which another one is used.
+struct StandIn {
+    std::string name;                      ///< of the integrator that is not available; empty: there is none
+    std::string result;                    ///< what the other one makes of the scene, a clause without its subject
+};
+
 struct IntegratorDescription {
     const IntegratorKind* kind = &volpath_integrator;
-    std::string standsFor;                 ///< the integrator that the scene names, if this one replaces it; otherwise empty
+    StandIn standsFor;                     ///< if the scene names an integrator that this one replaces
     int maxDepth = 5;                      ///< the most scattering events on a path
     std::optional<Roulette> roulette;      ///< unset: chosen for the scene by pilot paths (render/roulette_pilot.h)
     bool regularize = false;

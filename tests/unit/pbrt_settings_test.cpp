@@ -178,7 +178,7 @@ TEST_F(PbrtSettings, integrators) {
     EXPECT_TRUE(read("\"path\" \"bool regularize\" true").regularize);
     for (const IntegratorKind* kind : integratorKindList()) {
         EXPECT_EQ(read('"' + std::string(kind->name) + '"').kind, kind) << kind->name;
-        EXPECT_EQ(read('"' + std::string(kind->name) + '"').standsFor, "") << kind->name;
+        EXPECT_EQ(read('"' + std::string(kind->name) + '"').standsFor.name, "") << kind->name;
     }
     EXPECT_EQ(read("\"simplevolpath\"").kind, &volpath_integrator);
     EXPECT_THAT(warnings_, IsEmpty());
@@ -214,7 +214,7 @@ TEST_F(PbrtSettings, integratorsThatAreNotRenderedAreRemembered) {
     for (const auto& [name, instead] :
          {std::pair("mlt", &vcm_integrator), {"lightpath", &bdpt_integrator}, {"function", &volpath_integrator}}) {
         const IntegratorDescription read = settings("Integrator \"" + std::string(name) + "\" \"integer maxdepth\" 7").integrator;
-        EXPECT_EQ(read.standsFor, name);
+        EXPECT_EQ(read.standsFor.name, name);
         EXPECT_EQ(read.kind, instead);
         EXPECT_EQ(read.maxDepth, 7);
     }

@@ -17,7 +17,7 @@ void Settings::applyIntegrator(const Arguments& arguments) {
     const Kind& kind = arguments.kind();
     integrator.where = arguments.where();
     integrator.kind = integratorKindList()[static_cast<size_t>(kind.value)];
-    if (kind.standIn) integrator.standsFor = kind.name;
+    if (kind.standIn) integrator.standsFor = {kind.name, kind.standIn};
     if (kind.rule("maxdepth")) integrator.maxDepth = arguments.integer("maxdepth");
     if (kind.rule("lightsampler") && arguments.has("lightsampler")) applyLightSampler(arguments);
     /* An integrator that is replaced shares "regularize" with the one that replaces it; another name of one has no parameters */
