@@ -2,7 +2,9 @@
 
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cstdint>
+#include <mutex>
 
 namespace eikonal {
 
@@ -22,5 +24,40 @@ void* mapPages(std::size_t bytes, PageSize size) {
 }
 
 void unmapPages(void* pages, std::size_t bytes) { ::munmap(pages, wholePages(bytes)); }
+
+namespace {
+
+/// Pages that allocations are taken from, one behind the other.
+class SharedPages {
+public:
+    static constexpr std::size_t size = 4 * largePage, alignment = 128;
+    static_assert(size >= worthPages);
+
+    SharedPages() : memory_(static_cast<char*>(mapPages(size, PageSize::large))) {}
+    ~SharedPages() { if (memory_) unmapPages(memory_, size); }
+    SharedPages(const SharedPages&) = delete;
+
+    bool hasRoomFor(std::size_t bytes) const { return memory_ && bytes <= size - used_; }
+    void* take(std::size_t bytes) {
+        void* const taken = memory_ + used_;
+        used_ = std::min(size, (used_ + bytes + alignment - 1) / alignment * alignment);
+        return taken;
+    }
+
+private:
+    char* memory_;
+    std::size_t used_ = 0;
+};
+
+}  // namespace
+
+std::shared_ptr<void> sharePages(std::size_t bytes) {
+    static std::mutex mutex;
+    static std::shared_ptr<SharedPages> current;
+    const std::lock_guard lock(mutex);
+    if (!current || !current->hasRoomFor(bytes)) current = std::make_shared<SharedPages>();
+    if (!current->hasRoomFor(bytes)) return nullptr;
+    return {current, current->take(bytes)};
+}
 
 }  // namespace eikonal

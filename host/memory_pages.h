@@ -2,6 +2,7 @@
 // Large allocations, mapped from and returned to the system directly.
 
 #include <cstddef>
+#include <memory>
 #include <new>
 #include <utility>
 #include <vector>
@@ -21,6 +22,10 @@ inline constexpr std::size_t worthPages = 2 * largePage;
 void* mapPages(std::size_t bytes, PageSize size);
 /// Frees memory from mapPages; `bytes` as given there.
 void unmapPages(void* pages, std::size_t bytes);
+
+/// Allocates `bytes` < worthPages zeroed bytes, aligned to two cache lines, in large pages that other such allocations share; null if there
+/// is not enough memory. The pages are freed with the last allocation in them. Thread-safe.
+std::shared_ptr<void> sharePages(std::size_t bytes);
 
 /// Whether resize() leaves new elements of this type uninitialised. Only for tables that many threads fill, so that each page is first
 /// touched by the thread that fills it.

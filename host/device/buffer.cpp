@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstring>
 #include <memory>
+#include <utility>
 
 namespace eikonal {
 
@@ -23,25 +25,25 @@ static cl_mem wrap(const Context& context, void* memory, size_t bytes) {
     return status == CL_SUCCESS ? buffer : nullptr;
 }
 
-/// Whether to place a buffer in our own pages: on a CPU, which uses host memory, and if the buffer is large.
-static bool liesInPages(const Context& context, size_t bytes) { return context.device().isCpu && bytes >= worthPages; }
+using Pages = std::shared_ptr<void>;
 
-/// A zeroed buffer in our own pages, which are freed with it; null on failure.
-static cl_mem allocateInPages(const Context& context, size_t bytes, PageSize pageSize) {
-    struct Pages {
-        void* memory;
-        size_t bytes;
-        ~Pages() { unmapPages(memory, bytes); }
-    };
+/// Zeroed memory in pages of its own, or for a small buffer in large ones that it shares; null if there is not enough.
+static Pages allocatePages(size_t bytes, PageSize pageSize) {
+    if (bytes < worthPages) return sharePages(bytes);
     void* const memory = mapPages(bytes, pageSize);
-    if (!memory) return nullptr;
-    auto pages = std::make_unique<Pages>(memory, bytes);
-    const cl_mem buffer = wrap(context, memory, bytes);
+    return memory ? Pages(memory, [bytes](void* pages) { unmapPages(pages, bytes); }) : nullptr;
+}
+
+/// A buffer that uses these pages, and frees them with it; null on failure.
+static cl_mem wrapPages(const Context& context, Pages pages, size_t bytes) {
+    if (!pages) return nullptr;
+    auto owned = std::make_unique<Pages>(std::move(pages));
+    const cl_mem buffer = wrap(context, owned->get(), bytes);
     if (!buffer) return nullptr;
     check(clSetMemObjectDestructorCallback(
-              buffer, [](cl_mem, void* owned) { delete static_cast<Pages*>(owned); }, pages.get()),
+              buffer, [](cl_mem, void* ownedPages) { delete static_cast<Pages*>(ownedPages); }, owned.get()),
           "passing memory to a buffer");
-    pages.release();
+    owned.release();
     return buffer;
 }
 
@@ -56,7 +58,9 @@ static cl_mem allocate(const Context& context, size_t bytes, const std::string& 
 
 Buffer::Buffer(const Context& context, size_t bytes, const std::string& what, PageSize pages)
     : size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
-    if (liesInPages(context, bytes)) memory_ = Memory(allocateInPages(context, bytes, pages));
+    /* On a CPU, which uses host memory, in our own pages; not if only a part of a small buffer may be touched */
+    if (context.device().isCpu && (bytes >= worthPages || pages == PageSize::large))
+        memory_ = Memory(wrapPages(context, allocatePages(size_, pages), size_));
     if (memory_) return;
     memory_ = Memory(allocate(context, bytes, what));
     clear(context, 0, size_);
@@ -64,6 +68,10 @@ Buffer::Buffer(const Context& context, size_t bytes, const std::string& what, Pa
 
 Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what)
     : size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
+    Pages pages = context.device().isCpu && bytes < worthPages ? sharePages(size_) : nullptr;
+    if (pages && bytes > 0) std::memcpy(pages.get(), data, bytes);
+    if (pages) memory_ = Memory(wrapPages(context, std::move(pages), size_));
+    if (memory_) return;
     memory_ = Memory(allocate(context, bytes, what));
     if (bytes > 0) write(context, data, bytes);
     else clear(context, 0, size_);

@@ -14,7 +14,7 @@ namespace eikonal {
 class Buffer {
 public:
     Buffer() = default;
-    /// A buffer of `bytes` zeros. `pages`: the page size of large buffers on a CPU. Throws a DeviceError with the size and the purpose
+    /// A buffer of `bytes` zeros. `pages`: the page size on a CPU. Throws a DeviceError with the size and the purpose
     /// `what` if the allocation fails.
     Buffer(const Context& context, size_t bytes, const std::string& what, PageSize pages = PageSize::large);
     /// A copy of `elements`.

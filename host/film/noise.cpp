@@ -78,7 +78,7 @@ ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, E
     const double factor = std::exp(1.96 * std::hypot(deviation, modelDeviation));
     e.low = e.error / factor;
     e.high = e.error * factor;
-    e.isKnown = sums.brightness == 0 || hasSquares(mean, metric);
+    e.isKnown = sums.fewest > 1 && (sums.brightness == 0 || hasSquares(mean, metric));
     if (sums.fewest == 0) e.doubt = "a pixel has no sample";
     else if (sums.fewest < 4) e.doubt = fmt::format("a pixel has only {} sample{}", sums.fewest, sums.fewest == 1 ? "" : "s");
     else if (sums.brightness == 0) e.doubt = "no sample has found light";
@@ -89,6 +89,7 @@ ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, E
 }
 
 std::string describe(const ErrorEstimate& e, ErrorMetric metric) {
+    if (!e.isKnown) return fmt::format("error not known ({}): {}", nameIn(errorMetricNames, metric), e.doubt);
     return fmt::format("error about {:.3g} % ({}), 95 % within {:.3g} to {:.3g} %{}{}", 100 * e.error, nameIn(errorMetricNames, metric),
                        100 * e.low, 100 * e.high, e.doubt.empty() ? "" : "; not reliable: ", e.doubt);
 }

@@ -47,11 +47,11 @@ double varianceScale(unsigned n, double exponent);
 struct ErrorEstimate {
     double error = 0, low = 0, high = 0;   ///< the true error is within [low, high] with a probability of about 95 %
     std::string doubt;                     ///< why the estimate is not reliable; empty: it is
-    bool isKnown = true;                   ///< false: it says nothing of the true error, since squares do not fit single precision
+    bool isKnown = true;                   ///< false: it says nothing of the true error, as doubt explains
 };
 ErrorEstimate estimateError(const NoiseSums& sums, const VarianceDecay& decay, ErrorMetric metric);
 
-/// "error about 2.1 % (relmse-root), 95 % within 1.8 to 2.4 %; not reliable: ...".
+/// "error about 2.1 % (relmse-root), 95 % within 1.8 to 2.4 %; not reliable: ...", or "error not known (relmse-root): ...".
 std::string describe(const ErrorEstimate& estimate, ErrorMetric metric);
 
 }  // namespace eikonal

@@ -89,7 +89,8 @@ TEST(EstimateError, IsInDoubtWhereFewPixelsHoldItOrNothingIsKnown) {
     bright.suspicion = std::pow(bright.pixels / 64, 2) / 4;   // as large as half of the sum of squared errors
     EXPECT_EQ(estimateError(bright, {}, ErrorMetric::relmseRoot).doubt, "single bright samples may hold most of it");
     sums.fewest = 1;
-    EXPECT_EQ(estimateError(sums, {}, ErrorMetric::relmseRoot).doubt, "a pixel has only 1 sample");
+    const ErrorEstimate unknown = estimateError(sums, {}, ErrorMetric::relmseRoot);
+    EXPECT_EQ(describe(unknown, ErrorMetric::relmseRoot), "error not known (relmse-root): a pixel has only 1 sample");
 }
 
 TEST(NoiseSums, Add) {
