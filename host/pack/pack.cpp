@@ -79,10 +79,10 @@ static void warnOfStandIn(const IntegratorDescription& integrator, const PackedS
     if (integrator.standsFor.name.empty()) return;
     const std::vector<std::string> missed = missedLight(packed);
     diagnostics.unsupported("integrator", integrator.where,
-                            fmt::format("integrator \"{}\" is not available; \"{}\" is used instead{}", integrator.standsFor.name,
-                                        integrator.kind->name,
-                                        missed.empty() ? ", which " + integrator.standsFor.result
-                                                       : fmt::format(". In this scene {}", fmt::join(missed, "; "))));
+                            fmt::format("integrator \"{}\" is not available; {}", integrator.standsFor.name,
+                                        missed.empty() ? integrator.standsFor.instead
+                                                       : fmt::format("\"{}\" is used instead. In this scene {}", integrator.kind->name,
+                                                                     fmt::join(missed, "; "))));
 }
 
 Packing packTables(const Scene& scene, Diagnostics& diagnostics) {

@@ -52,7 +52,7 @@ extern const IntegratorKind volpath_integrator;
 /// An integrator that is not available and for which another one is used.
 struct StandIn {
     std::string name;                      ///< of the integrator that is not available; empty: there is none
-    std::string result;                    ///< what the other one makes of the scene, a clause without its subject
+    std::string instead;                   ///< a clause that names the other one, and says what it makes of the scene
 };
 
 struct IntegratorDescription {

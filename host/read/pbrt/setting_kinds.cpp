@@ -22,8 +22,9 @@ constexpr const char* filmParameters =
     "in (0, inf);"
     "string sensor = cie1931; float iso = 100 in (0, inf); float whitebalance = 0 in [0, inf); float maxcomponentvalue = 0 in (0, inf); "
     "bool savefp16 = false";
-/// What the integrator that stands for another one makes of the scene.
-constexpr const char *sameImage = "converges to the same image", *sceneInstead = "renders the scene, not the function";
+constexpr const char *bdptInstead = "\"bdpt\" is used instead, which converges to the same image",
+                     *vcmInstead = "\"vcm\" is used instead, which converges to the same image",
+                     *volpathInstead = "\"volpath\" is used instead, which renders the scene, not the function";
 
 const KindTable& cameraKinds() {
     static const KindTable table = [] {
@@ -86,13 +87,13 @@ const KindTable& integratorKinds() {
         for (const IntegratorKind* kind : integratorKindList())
             add(kind->name, static_cast<int>(rows.size()), kind->parameters, kind->leastDepth < kind->mostDepth, nullptr);
         add(volpathAlias, rowOf(volpath_integrator), "", true, nullptr);
-        add("lightpath", rowOf(bdpt_integrator), "", true, sameImage);
+        add("lightpath", rowOf(bdpt_integrator), "", true, bdptInstead);
         add("mlt", rowOf(vcm_integrator),
             "integer bootstrapsamples = 100000; integer chains = 1000; integer mutationsperpixel = 100; float largestepprobability = "
             "0.3; float sigma = 0.01; bool regularize = false",
-            true, sameImage);
+            true, vcmInstead);
         add("function", rowOf(volpath_integrator), "string function = step; string filename; bool skipbad = true; string imagefilename",
-            true, sceneInstead);
+            true, volpathInstead);
         return KindTable("integrator", "", rows);
     }();
     return table;
