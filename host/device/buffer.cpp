@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cstring>
 #include <memory>
 #include <utility>
 
@@ -61,18 +60,16 @@ Buffer::Buffer(const Context& context, size_t bytes, const std::string& what, Pa
     /* On a CPU, which uses host memory, in our own pages; not if only a part of a small buffer may be touched */
     if (context.device().isCpu && (bytes >= worthPages || pages == PageSize::large))
         memory_ = Memory(wrapPages(context, allocatePages(size_, pages), size_));
-    if (memory_) return;
-    memory_ = Memory(allocate(context, bytes, what));
+    /* New pages hold zeros, but only what is written counts as initialised to Oclgrind: it sees small buffers */
+    if (memory_ && bytes >= worthPages) return;
+    if (!memory_) memory_ = Memory(allocate(context, bytes, what));
     clear(context, 0, size_);
 }
 
 Buffer::Buffer(const Context& context, const void* data, size_t bytes, const std::string& what)
     : size_(std::max(bytes, smallestBuffer)), serial_(nextSerial()) {
-    Pages pages = context.device().isCpu && bytes < worthPages ? sharePages(size_) : nullptr;
-    if (pages && bytes > 0) std::memcpy(pages.get(), data, bytes);
-    if (pages) memory_ = Memory(wrapPages(context, std::move(pages), size_));
-    if (memory_) return;
-    memory_ = Memory(allocate(context, bytes, what));
+    if (context.device().isCpu && bytes < worthPages) memory_ = Memory(wrapPages(context, sharePages(size_), size_));
+    if (!memory_) memory_ = Memory(allocate(context, bytes, what));
     if (bytes > 0) write(context, data, bytes);
     else clear(context, 0, size_);
 }
