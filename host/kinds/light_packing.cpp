@@ -2,6 +2,7 @@
 
 #include "color/luminance.h"
 #include "image/equal_area.h"
+#include "pack/motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,9 +33,15 @@ double sceneRadius(const PackContext& context) {
     return context.bounds.empty() ? 1 : std::max(context.bounds.radius() * context.space.scale, 1e-6);
 }
 
-glm::dmat3 rotationOf(const Light& d) {
-    const glm::dmat3 m(d.worldFromLight);
-    return {glm::normalize(m[0]), glm::normalize(m[1]), glm::normalize(m[2])};
+glm::dmat3 rotationOf(const PackContext& context, const Light& d) {
+    const Decomposition parts = decompose(d.worldFromLight);
+    const double reflection = glm::determinant(parts.stretch) < 0 ? -1 : 1, size = std::cbrt(glm::determinant(parts.stretch));
+    double distortion = 0;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r) distortion = std::max(distortion, std::abs(parts.stretch[c][r] / size - (c == r ? 1 : 0)));
+    if (distortion > 1e-3)
+        context.diagnostics.warn(d.where, "the transform of this light scales unequally or shears; its image is only turned and mirrored");
+    return reflection * parts.rotation;
 }
 
 double greyOf(glm::dvec3 rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }

@@ -45,8 +45,9 @@ light newPointLight(const LightPacking&, const Light&, light_kind kind);
 double intensityScale(const PackContext&);
 /// In world units; 1 for an empty scene.
 double sceneRadius(const PackContext&);
-/// The rotation from light space to scene space, without scale.
-glm::dmat3 rotationOf(const Light&);
+/// The rotation from light space to scene space, with a reflection if there is one, but without scale. Warns of unequal scales and of
+/// shear.
+glm::dmat3 rotationOf(const PackContext&, const Light&);
 inline glm::dvec3 toGlm(vec3 v) { return {v.x, v.y, v.z}; }
 
 /// An image over the sphere of directions. Throws SceneError unless it is square.

@@ -1,15 +1,16 @@
 #include "render/session.h"
 
 #include "render/render.h"
+#include "pack/light_media.h"
 #include "pack/mattes.h"
 #include "pack/pack.h"
 #include "render/scene_loading.h"
 #include "background.h"
 #include "messages.h"
 #include "wait_notice.h"
-#include "image/formats/image_formats.h"
 #include "read/formats/input_files.h"
 #include "kinds/integrator_kind.h"
+#include "kinds/light_kind.h"
 #include "kinds/medium_kind.h"
 #include "pack/cached_hits.h"
 #include "pack/integrator.h"
@@ -51,9 +52,27 @@ static void warnOfInexactFlags(const std::string& flags, Diagnostics& diagnostic
                                          flag));
 }
 
+/// Warns if the light of an environment would have to come through a medium without an end.
+static void warnOfEndlessMedium(const Scene& scene, Diagnostics& diagnostics) {
+    const auto isInfinite = [](const Light& light) { return light.kind->place == LightPlace::INFINITE; };
+    const auto light = std::ranges::find_if(scene.lights, isInfinite);
+    if (light == scene.lights.end()) return;
+    const std::optional<int> outside = LightMedia(scene).outside();
+    if (!outside || *outside == none) return;
+    const Medium& medium = scene.media[static_cast<size_t>(*outside)];
+    const bool isClear = glm::length(medium.sigmaA.albedo()) + glm::length(medium.sigmaS.albedo()) == 0;
+    if (medium.kind->variation != MediumVariation::HOMOGENEOUS || isClear) return;
+    diagnostics.warn(light->where,
+                     fmt::format("no light comes from this environment into medium \"{}\", which has no end; a \"distant\" light "
+                                 "would shine, and a shape of material \"interface\" around the scene and the camera can end the medium",
+                                 medium.name));
+}
+
 void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& diagnostics) {
     const auto emits = [](const Medium& m) { return emissionOf(m) != MediumEmission::none; };
-    if (!scene.integrator.kind->countsMaterials() || packed.counts.lights > 0) return;
+    if (!scene.integrator.kind->countsMaterials()) return;
+    if (packed.features.has(Feature::MEDIA)) warnOfEndlessMedium(scene, diagnostics);
+    if (packed.counts.lights > 0) return;
     if (packed.features.has(Feature::MEDIA) && std::ranges::any_of(scene.media, emits)) return;
     diagnostics.warn({}, "the scene has no light: the image will be black");
 }
@@ -81,12 +100,11 @@ Session::Session(const SessionOptions& options, Diagnostics& diagnostics, bool p
 Session::~Session() = default;
 
 void Session::load(bool withDevice) {
-    /* Opening a device reads a whole compiler from disk: time to read the scene meanwhile, and to load what decodes its images. The device
-       is opened on the thread that uses it: Oclgrind 21.10 keeps its memory apart for each thread */
+    /* Opening a device reads a whole compiler from disk: time to read the scene meanwhile. The device is opened on the thread that uses it:
+       Oclgrind 21.10 keeps its memory apart for each thread */
     auto loaded = inBackground([this] {
         const Stopwatch time;
         scene_ = loadScene(options_.scene, diagnostics_);
-        if (std::ranges::any_of(scene_.images, [](const ImageFile& image) { return !image.pixels; })) imageFormats();
         times_.load = time.seconds();
     });
     if (withDevice) open();

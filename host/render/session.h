@@ -47,7 +47,8 @@ struct MemoryPlan {
     size_t image = 0;       ///< beside it, once it is developed
 };
 
-/// Warns of a scene whose image will be black, because nothing in it shines and its integrator needs light.
+/// Warns of a scene whose image will be black, because nothing in it shines and its integrator needs light; and of an environment whose
+/// light is absorbed by a medium around the scene.
 void warnOfDarkness(const Scene& scene, const PackedScene& packed, Diagnostics& diagnostics);
 
 /// A scene on one or several devices, with kernels that are compiled.

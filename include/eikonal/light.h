@@ -7,8 +7,9 @@ CONTRACT_BEGIN
 /* One light, whatever its kind: a straight-line kernel reads the same words for all. Which are meaningful:
      point        p, L (intensity)
      spot         p, n (axis), cos_inner, cos_outer, L (intensity on the axis)
-     distant      n (towards the light), L (irradiance on a surface that faces it); as of all lights that are infinitely far away but
-                  those with a portal, with LIGHT_PATHS: p, radius (a sphere around the scene)
+     distant      n (towards the light), L (irradiance on a surface that faces it), extent (how far its light comes through a medium
+                  around the scene: the diameter of a sphere around all that is in it, as in pbrt-v4); as of all lights that are infinitely
+                  far away but those with a portal, with LIGHT_PATHS: p, radius (a sphere around the scene)
      triangle     p, a, b (edges from p), n, inverse_area, L
      bilinear     p, a, b, c (point(u, v) = p + u a + v b + u v c), n (in the middle), extent (1: emits on the side of du x dv, or -1), L
      sphere       p (centre), radius, inverse_area, n.x (1: emits outwards, -1: inwards), L
@@ -38,7 +39,7 @@ CONTRACT_BEGIN
     F(float,    pmf)          /* probability of being sampled, or that of the tree that it is in; 0: only BSDF sampling finds it */ \
     F(float,    inverse_area) \
     F(float,    rounding)     /* areas: distance, along the normal, by which rounding may move a sampled point off the surface */ \
-    F(float,    extent)       /* ellipsoid, disk, cylinder: how much of the circle there is, in (0, 1] */ \
+    F(float,    extent)       /* ellipsoid, disk, cylinder: how much of the circle there is, in (0, 1]; distant: a length */ \
     F(vec3,     p) \
     F(vec3,     a) \
     F(vec3,     b) \

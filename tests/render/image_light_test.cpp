@@ -1,6 +1,7 @@
 // Lights with an image, and portals.
 
 #include "lit_floor.h"
+#include "read/pbrt/read_pbrt.h"
 
 #include <fmt/format.h>
 
@@ -51,6 +52,24 @@ TEST_F(ImageLights, SendAsTheirImageSays) {
     expectRadiance(onTheFloor(lamp(0)), fromLamp);
     expectRadiance(onTheFloor(lamp(26)), fromLamp);
     expectRadiance(onTheFloor(lamp(29)), glm::dvec3(0));
+}
+
+// Only turns and reflections of space count, of which shear has its nearest; what else there is, is said.
+TEST_F(ImageLights, AreNotStretched) {
+    const auto textOf = [&](const std::string& transform) {
+        return sceneText(atTheOrigin(), "AttributeBegin " + transform + " " + slide(17) + "AttributeEnd\n" + floorShape);
+    };
+    const auto warnings = [&](const std::string& transform) {
+        Diagnostics diagnostics(LogLevel::silent);
+        packScene(readPbrtText(textOf(transform), "test.pbrt", ".", diagnostics), diagnostics);
+        return diagnostics.warnings();
+    };
+    for (const char* kept : {"", "Scale -1 1 1", "Scale -1 -1 -1 Rotate 180 0 1 0 Scale 1 -1 1"})
+        expectRadiance(render(textOf(kept), surfaces()), fromSlide);
+    EXPECT_TRUE(warnings("Rotate 30 1 2 3 Scale -2 2 2").empty());
+    ASSERT_EQ(warnings("Scale 3 1 1").size(), 1u);
+    EXPECT_NE(warnings("Scale 3 1 1")[0].find("scales unequally or shears"), std::string::npos);
+    expectRadiance(render(packScene(textOf("Scale 3 1 1"), ColorMode::automatic, Warnings::allowed), surfaces()), fromSlide);
 }
 
 // All of them at wavelengths, with a portal and a light tree.

@@ -41,6 +41,16 @@ TEST(Medium, WhatAbsorbsLeavesTheExponential) {
     expectRadiance(look(wall + medium("ink", everyColour) + ball("ink", "", 1)), Le * transmittance({.2, .5, 1}, 2), 0.02);
 }
 
+// A distant light shines through a medium around the scene from as far as a sphere around the scene is wide, as in pbrt-v4. Here that is
+// 2 sqrt(2).
+TEST(Medium, ADistantLightComesThroughTheScene) {
+    const std::string world = "LightSource \"distant\" \"rgb L\" [3 3 3] \"point3 from\" [0 0 -1] \"point3 to\" [0 0 0]\n"
+                              "MediumInterface \"ink\" \"ink\" Material \"diffuse\"\n"
+                              "Shape \"bilinearmesh\" \"point3 P\" [-1 -1 0  1 -1 0  -1 1 0  1 1 0]";
+    const std::string around = medium("ink", everyColour) + "MediumInterface \"\" \"ink\" Camera \"perspective\" \"float fov\" .02\n";
+    expectRadiance(look(world, 100, around), 3 * 0.5 / pi * transmittance({.2, .5, 1}, 4 + 2 * std::sqrt(2.0)), 0.001);
+}
+
 // At wavelengths it is Beer's law at each of them, for smooth spectra of the colours: what the eye makes of that is not the exponential of
 // three numbers. Absorbed or scattered out of the way, the hero wavelength's events stand for all four.
 TEST(Medium, ExtinctionFollowsTheSpectrumAtWavelengths) {

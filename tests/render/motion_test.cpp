@@ -2,6 +2,8 @@
 
 #include "rendering.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace eikonal {
@@ -96,6 +98,23 @@ TEST(Motion, AWhiteBallVanishes) {
 AttributeBegin ActiveTransform EndTime Translate 1 .2 -.5 Rotate 150 1 2 3 Scale 2 1 .5 ActiveTransform All Translate -.5 0 0 Shape "sphere"
     AttributeEnd)";
     expectRadiance(render(sceneText(v, world)), 1, 1e-3);
+}
+
+/// A curve that moves is in the shadow of another that moves with it, two widths away: new rays begin one width away, as on a curve that
+/// rests.
+TEST(Motion, CurvesShadeOneAnother) {
+    const auto seen = [](const std::string& motion, double shadeWidth) {
+        return render(sceneText(view(), fmt::format(R"(LightSource "distant" "rgb L" [1 1 1] "point3 from" [0 1 -1] "point3 to" [0 0 0]
+AttributeBegin {} Shape "curve" "point3 P" [-1 0 0  -.5 0 0  .5 0 0  1 0 0] "float width" .1
+    Shape "curve" "point3 P" [-1 .177 -.177  -.5 .177 -.177  .5 .177 -.177  1 .177 -.177] "float width" {} AttributeEnd)",
+                                                    motion, shadeWidth)));
+    };
+    const std::string moves = "ActiveTransform EndTime Translate 1e-5 0 0 ActiveTransform All";
+    const glm::dvec3 lit = estimate(seen("", .03).image).mean;
+    EXPECT_GT(lit.x, 0.1);
+    expectRadiance(seen(moves, .03), lit, 1e-3);
+    expectRadiance(seen("", .3), 0);
+    expectRadiance(seen(moves, .3), 0);
 }
 
 /// A camera that turns by a quarter in front of a wall that is bright on one half, black on the other: it sees the middle at half of the

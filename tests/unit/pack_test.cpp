@@ -393,6 +393,15 @@ TEST_F(Pack, DarknessIsSaid) {
     EXPECT_THAT(warningsOf("WorldBegin\n" + fog + "2" + filled), IsEmpty());
     EXPECT_THAT(warningsOf("WorldBegin\n" + fog + "2 Shape \"sphere\""), dark);
     EXPECT_THAT(warningsOf("Integrator \"ambientocclusion\"\nWorldBegin\nShape \"sphere\""), IsEmpty());
+
+    const auto inside = [&](const std::string& sigma, const std::string& light) {
+        return warningsOf("MakeNamedMedium \"m\" \"string type\" \"homogeneous\" \"rgb sigma_a\" " + sigma + " \"rgb sigma_s\" [0 0 0]\n" +
+                          "MediumInterface \"\" \"m\" Camera \"perspective\" WorldBegin " + light);
+    };
+    EXPECT_THAT(inside("[.1 0 0]", "LightSource \"infinite\""), ElementsAre(HasSubstr("into medium \"m\", which has no end")));
+    EXPECT_THAT(inside("[.1 0 0]", "LightSource \"distant\""), IsEmpty());
+    EXPECT_THAT(inside("[0 0 0]", "LightSource \"infinite\""), IsEmpty());
+    EXPECT_THAT(inside("[.1 0 0]", "LightSource \"infinite\" MediumInterface \"m\" \"\" Shape \"sphere\" \"float radius\" 9"), IsEmpty());
     EXPECT_THAT(warningsOf("WorldBegin\nAreaLightSource \"diffuse\" Shape \"sphere\""), IsEmpty());
 }
 

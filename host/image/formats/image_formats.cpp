@@ -1,5 +1,6 @@
 #include "image/formats/image_formats.h"
 
+#include "background.h"
 #include "error.h"
 #include "image/formats/signature.h"
 
@@ -20,6 +21,16 @@ static const ImageFormats& loadFormats() {
 const ImageFormats& imageFormats() {
     static const ImageFormats& formats = loadFormats();
     return formats;
+}
+
+void beginLoadingImageFormats() {
+    /* The program's end waits for the library. An error is thrown again when an image is read */
+    static const std::future<void> loading = inBackground([] {
+        try {
+            imageFormats();
+        } catch (const Error&) {
+        }
+    });
 }
 
 std::unique_ptr<ImageReader> openImage(const std::string& path, bool isAlphaApart, std::string& error) {

@@ -77,6 +77,9 @@ public:
 /// Loads the library on the first call; thread-safe. Throws Error (ExitCode::scene) if it cannot be loaded.
 const ImageFormats& imageFormats();
 
+/// Begins to load the library beside the calling thread, so that imageFormats() need not wait as long; does nothing after the first call.
+void beginLoadingImageFormats();
+
 /// Opens an image file of a format that is read (image/formats/signature.h). Null on failure, with the reason in `error`.
 std::unique_ptr<ImageReader> openImage(const std::string& path, bool isAlphaApart, std::string& error);
 

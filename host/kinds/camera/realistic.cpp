@@ -2,6 +2,7 @@
 
 #include "kinds/camera_packing.h"
 #include "pack/lens.h"
+#include "read/formats/image.h"
 #include "read/pbrt/lens_file.h"
 
 #include <algorithm>
@@ -24,11 +25,7 @@ static void read(const pbrt::CameraReading& in, CameraDescription& camera) {
     const std::optional<std::string> image = in.reading.findFile(aperture, in.arguments.whereOf("aperture"));
     if (!image) return;
     camera.aperture = ApertureShape::image;
-    camera.apertureImage = static_cast<int>(in.reading.scene.images.size());
-    ImageFile file;
-    file.path = *image;
-    file.where = in.arguments.whereOf("aperture");
-    in.reading.scene.images.push_back(file);
+    camera.apertureImage = addImage(in.reading.scene, {.path = *image, .where = in.arguments.whereOf("aperture")});
 }
 
 /// The tables of the lens, whose lengths are metres there and the camera's unit here.

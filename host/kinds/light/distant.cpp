@@ -17,6 +17,7 @@ static bool read(const pbrt::LightReading& in, Light& light) {
 static PackedLight pack(const LightPacking& in, const Light& d) {
     light l = newLight(kind_distant_light, in.colors.emission(d.spectrum, d.scale));
     l.n = toVec3(glm::normalize(transformVector(d.worldFromLight, d.from - d.to)));
+    l.extent = static_cast<float>(in.context.whole.empty() ? 0 : 2 * in.context.whole.radius() * in.context.space.scale);
     return {l, M_PI * sceneRadius(in.context) * sceneRadius(in.context) * luminanceOf(d.spectrum, d.scale)};
 }
 

@@ -25,7 +25,7 @@ static PackedLight pack(const LightPacking& in, const Light& d) {
     const double watts = d.power ? *d.power / std::max(4 * M_PI * mean, 1e-30) : 1;
     const double factor = d.scale * watts * intensityScale(in.context);
     l.L = in.colors.emission(d.spectrum, factor);
-    const glm::dmat3 m = rotationOf(d);
+    const glm::dmat3 m = rotationOf(in.context, d);
     l.a = toVec3(m[0]); l.b = toVec3(m[2]); l.n = toVec3(m[1]);
     l.resolution = static_cast<uint>(image.width);
     return {l, 4 * M_PI * mean * luminanceOf(d.spectrum, factor)};

@@ -34,7 +34,7 @@ static PackedLight pack(const LightPacking& in, const Light& d) {
     const ImageData& image = sphereImage(in.context, d);
     light l = newLight(kind_image_infinite_light, in.colors.white());
     l.resolution = static_cast<uint>(image.width);
-    const glm::dmat3 m = rotationOf(d);
+    const glm::dmat3 m = rotationOf(in.context, d);
     l.a = toVec3(m[0]); l.b = toVec3(m[1]); l.n = toVec3(m[2]);
     const double mean = addTexels(in, image, d, l);
     return {l, 4 * M_PI * M_PI * sceneRadius(in.context) * sceneRadius(in.context) * mean};

@@ -34,7 +34,7 @@ static PackedLight pack(const LightPacking& in, const Light& d) {
     const ImageData* image = d.image == none ? nullptr : &sphereImage(in.context, d);
     const glm::dvec3 x = glm::normalize(d.portal[3] - d.portal[0]), y = glm::normalize(d.portal[1] - d.portal[0]), n = glm::cross(x, y);
     warnOfWrongSide(in.context, d, n);
-    const glm::dmat3 lightFromPortal = glm::transpose(rotationOf(d)) * glm::dmat3(x, y, n);
+    const glm::dmat3 lightFromPortal = glm::transpose(image ? rotationOf(in.context, d) : glm::dmat3(1)) * glm::dmat3(x, y, n);
     const auto radianceFrom = [&](glm::dvec3 w) {
         return image ? lookUp(*image, squareFromDirection(lightFromPortal * w)) : glm::dvec3(1);
     };

@@ -31,7 +31,7 @@ static PackedLight pack(const LightPacking& in, const Light& d) {
     flux *= 4 * halfWidth * halfHeight / (static_cast<double>(image.width) * image.height);
     const double watts = d.power ? *d.power / std::max(flux, 1e-30) : 1, I = d.scale * watts * intensityScale(in.context);
     l.L = in.colors.white(I);
-    const glm::dmat3 m = rotationOf(d);
+    const glm::dmat3 m = rotationOf(in.context, d);
     l.a = toVec3(m[0] / halfWidth); l.b = toVec3(-m[1] / halfHeight); l.n = toVec3(m[2]);
     l.resolution = static_cast<uint>(image.width);
     l.rows = static_cast<uint>(image.height);

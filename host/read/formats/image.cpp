@@ -195,6 +195,14 @@ std::shared_ptr<const ImageData> loadImage(const ImageFile& file) {
     }
 }
 
+int addImage(Scene& scene, ImageFile file) {
+    const auto found = std::ranges::find(scene.images, file);
+    if (found != scene.images.end()) return static_cast<int>(found - scene.images.begin());
+    if (!file.pixels) beginLoadingImageFormats();
+    scene.images.push_back(std::move(file));
+    return static_cast<int>(scene.images.size()) - 1;
+}
+
 std::vector<std::shared_ptr<const ImageData>> loadImages(std::span<const ImageFile> files) {
     std::vector<std::shared_ptr<const ImageData>> images(files.size());
     forEachInParallel(files.size(), [&](std::size_t i) { images[i] = loadImage(files[i]); });

@@ -2,7 +2,7 @@
 // Decodes image files for textures and environments.
 
 #include "image/image_data.h"
-#include "scene/textures.h"
+#include "scene/scene.h"
 
 #include <memory>
 #include <span>
@@ -18,6 +18,9 @@ namespace eikonal {
 ///   - A file with primaries (EXR "chromaticities") is converted to those of sRGB.
 /// If the file has `pixels`, returns them. Throws SceneError at file.where, with OpenImageIO's message.
 std::shared_ptr<const ImageData> loadImage(const ImageFile& file);
+
+/// The index of a file in scene.images; a new one is added. Files without pixels make the library that decodes them load in the background.
+int addImage(Scene& scene, ImageFile file);
 
 /// Reads many files in parallel; result[i] belongs to files[i]. Throws one Error with all problems.
 std::vector<std::shared_ptr<const ImageData>> loadImages(std::span<const ImageFile> files);

@@ -219,7 +219,7 @@ private:
             for (const int part : target.mixed) onSurfaces(part, set);
     }
     void setNormalMap(int material, const ImageFile& file) {
-        const int image = addImage(file);
+        const int image = addImage(scene_, file);
         onSurfaces(material, [&](Material& target) { target.normalMap = image; });
     }
     void setDisplacement(int material, int texture) {
@@ -246,7 +246,7 @@ private:
         AreaLight light;
         if (const auto map = maximum(Le) > 0 ? image("map_ke", ColorEncoding::automatic) : std::nullopt) {
             const auto& [options, file] = *map;
-            light.image = addImage(file);
+            light.image = addImage(scene_, file);
             light.imageMapping = {
                 .uScale = options.scale.x, .vScale = options.scale.y, .uOffset = options.offset.x, .vOffset = options.offset.y};
             if (options.base != 0 || options.gain != 1)

@@ -1,6 +1,7 @@
 #include "read/obj/mtl_inputs.h"
 
 #include "kinds/texture_kind.h"
+#include "read/formats/image.h"
 
 #include <fmt/format.h>
 
@@ -16,13 +17,6 @@ Input MtlInputs::addTexture(Texture texture) {
 
 Input MtlInputs::product(const Input& a, const Input& b, bool isFloat) {
     return addTexture({.kind = &kindOf(kind_scale_texture), .name = {}, .isFloat = isFloat, .where = a.where, .operands = {a, b}});
-}
-
-int MtlInputs::addImage(ImageFile image) {
-    const auto found = std::ranges::find(scene_.images, image);
-    if (found != scene_.images.end()) return static_cast<int>(found - scene_.images.begin());
-    scene_.images.push_back(std::move(image));
-    return static_cast<int>(scene_.images.size()) - 1;
 }
 
 std::optional<std::pair<MtlTexture, ImageFile>> MtlInputs::image(const std::string& keyword, ColorEncoding encoding) {
@@ -57,7 +51,7 @@ std::optional<Input> MtlInputs::texture(const std::string& keyword, bool isFloat
     const Mapping mapping{.uScale = options.scale.x, .vScale = options.scale.y, .uOffset = options.offset.x, .vOffset = options.offset.y};
     const auto add = [&](double scale) {
         return addTexture({.kind = &kindOf(kind_imagemap_texture), .name = file.path, .isFloat = isFloat, .where = options.where,
-                           .mapping = mapping, .scale = scale, .image = addImage(file)});
+                           .mapping = mapping, .scale = scale, .image = addImage(scene_, file)});
     };
     if (options.base == 0) return add(factor * options.gain);
     // base at 0, base + gain at 1.

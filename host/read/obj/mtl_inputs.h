@@ -22,8 +22,6 @@ protected:
 
     /// The product of both.
     Input product(const Input& a, const Input& b, bool isFloat);
-    /// The index of an image in the scene; each image is added once.
-    int addImage(ImageFile image);
     /// The image that a keyword names; nothing if it names none or the file is missing. Warns of unsupported options.
     std::optional<std::pair<MtlTexture, ImageFile>> image(const std::string& keyword, ColorEncoding encoding);
     /// The texture of a keyword: factor * (base + gain * image), as -mm says.

@@ -1,6 +1,7 @@
 #include "read/pbrt/textures.h"
 
 #include "kinds/texture_reading.h"
+#include "read/formats/image.h"
 
 #include <algorithm>
 #include <list>
@@ -102,10 +103,7 @@ int TextureRegistry::textureOf(const Parameter& parameter, bool isFloat) {
 }
 
 int TextureRegistry::image(const ImageFile& file) {
-    const auto found = std::ranges::find(reading_.scene.images, file);
-    if (found != reading_.scene.images.end()) return static_cast<int>(found - reading_.scene.images.begin());
-    reading_.scene.images.push_back(file);
-    return static_cast<int>(reading_.scene.images.size()) - 1;
+    return addImage(reading_.scene, file);
 }
 
 Input TextureRegistry::scaled(const Input& input, double factor) {
