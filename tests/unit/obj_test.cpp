@@ -75,6 +75,8 @@ TEST_F(ObjTest, smoothsWithinSmoothingGroupsOnly) {
         EXPECT_LT(glm::distance(mesh.normals[i], expected), 1e-6f);
     }
     EXPECT_THAT(meshOf(flat).normals, IsEmpty());
+    /* Numbers beyond those that are kept are one group */
+    EXPECT_EQ(meshOf(load(roof + "s 1e31\n" + faces)).normals, mesh.normals);
 }
 
 // One shape for each material of each object; going back to an earlier one adds to its shape.

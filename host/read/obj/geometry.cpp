@@ -9,9 +9,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -97,7 +99,8 @@ private:
     void parseSmoothing() {
         double value = 0;
         const bool isNumber = lines_.words().size() > 1 && parseNumber(lines_.words()[1], value);
-        smoothing_ = isNumber && value > 0                                    ? static_cast<std::uint32_t>(value)
+        constexpr double most = std::numeric_limits<std::uint32_t>::max();
+        smoothing_ = isNumber && value > 0                                    ? static_cast<std::uint32_t>(std::min(value, most))
                      : lines_.words().size() > 1 && lines_.words()[1] == "on" ? 1
                                                                               : 0;
     }
