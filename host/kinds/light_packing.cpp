@@ -34,14 +34,12 @@ double sceneRadius(const PackContext& context) {
 }
 
 glm::dmat3 rotationOf(const PackContext& context, const Light& d) {
-    const Decomposition parts = decompose(d.worldFromLight);
-    const double reflection = glm::determinant(parts.stretch) < 0 ? -1 : 1, size = std::cbrt(glm::determinant(parts.stretch));
-    double distortion = 0;
-    for (int c = 0; c < 3; ++c)
-        for (int r = 0; r < 3; ++r) distortion = std::max(distortion, std::abs(parts.stretch[c][r] / size - (c == r ? 1 : 0)));
-    if (distortion > 1e-3)
+    const Transform& m = d.worldFromLight;
+    /* Matrices in files have few digits */
+    if (uniformScale(m, 1e-3) == 0)
         context.diagnostics.warn(d.where, "the transform of this light scales unequally or shears; its image is only turned and mirrored");
-    return reflection * parts.rotation;
+    const glm::dmat3 rotation = decompose(m).rotation;
+    return swapsHandedness(m) ? -rotation : rotation;
 }
 
 double greyOf(glm::dvec3 rgb) { return (rgb.x + rgb.y + rgb.z) / 3; }

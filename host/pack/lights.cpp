@@ -102,7 +102,7 @@ void LightPacker::placeInMedia() {
     const auto begin = [](const Emission& e) { return e.power > 0; };
     if (std::ranges::none_of(emitted_, begin)) return;
     const LightMedia media(context_.scene);
-    /* From far away, nothing gets through a medium without an end */
+    /* Light paths from far away do not get through a medium without an end */
     const bool isLitFromFar = !context_.hasMedia || media.outside() == none;
     for (size_t i = 0; i < emitted_.size(); ++i) {
         Emission& e = emitted_[i];

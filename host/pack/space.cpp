@@ -55,11 +55,11 @@ glm::dvec3 transformNormal(const glm::dmat4& m, glm::dvec3 n) {
 
 bool swapsHandedness(const glm::dmat4& m) { return glm::determinant(glm::dmat3(m)) < 0; }
 
-double uniformScale(const glm::dmat4& m) {
+double uniformScale(const glm::dmat4& m, double tolerance) {
     const glm::dmat3 a(m);
     const double x = glm::length(a[0]), y = glm::length(a[1]), z = glm::length(a[2]);
     const double skew = std::max({std::abs(glm::dot(a[0], a[1])), std::abs(glm::dot(a[1], a[2])), std::abs(glm::dot(a[0], a[2]))});
-    return std::max({std::abs(x - y), std::abs(y - z), skew / x}) < 1e-4 * x ? x : 0;
+    return std::max({std::abs(x - y), std::abs(y - z), skew / x}) < tolerance * x ? x : 0;
 }
 
 affine toAffine(const glm::dmat4& m) {

@@ -47,8 +47,8 @@ glm::dvec3 transformVector(const glm::dmat4& m, glm::dvec3 v);
 /// The result has unit length; zero stays zero.
 glm::dvec3 transformNormal(const glm::dmat4& m, glm::dvec3 n);
 bool swapsHandedness(const glm::dmat4& m);
-/// The scale of a transform that keeps angles, which maps spheres to spheres; 0 for any other.
-double uniformScale(const glm::dmat4& m);
+/// The scale of a transform that keeps angles, which maps spheres to spheres; 0 for any other. tolerance: relative.
+double uniformScale(const glm::dmat4& m, double tolerance = 1e-4);
 
 affine toAffine(const glm::dmat4& m);
 inline vec3 toVec3(glm::dvec3 v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }

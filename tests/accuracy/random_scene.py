@@ -1,41 +1,13 @@
 """A scene in pbrt's language, made of statements chosen at random: combinations that no author chose.
 
-Scene(seed, folder, without_coats).text(samples) is the whole file; `tags` says what is in it. It names two images, which
-make_images(folder) writes.
-Left out is what pbrt-v4 is known to render otherwise (docs/accuracy.md): parts of spheres and disks as lights, alpha on closed shapes,
-motion of mirrored objects, an environment behind a medium without an end, filters other than EWA; and coats, where it says so.
+Scene(seed, without_coats).text(samples) is the whole file; `tags` says what is in it. Its images are those of scenes/assets. Left out
+is what pbrt-v4 is known to render otherwise (docs/accuracy.md): parts of spheres and disks as lights, alpha on closed shapes, motion of
+mirrored objects, an environment behind a medium without an end, filters other than EWA; and coats, where it says so.
 """
-import array
-import math
-import random
-import struct
-import zlib
-
-from random_surfaces import RandomSurfaces
+from random_surfaces import ASSETS, RandomSurfaces
 
 BOX = "0 1 3 0 3 2 4 6 7 4 7 5 0 4 5 0 5 1 2 3 7 2 7 6 0 2 6 0 6 4 1 5 7 1 7 3"
 OCTAHEDRON = "0 2 4 2 1 4 1 3 4 3 0 4 2 0 5 1 2 5 3 1 5 0 3 5"
-
-
-def make_images(folder):
-    """pattern.png: stripes and a disk; sky.pfm: a square sky with a sun."""
-    n, r = 64, random.Random(1)
-    rows = []
-    for y in range(n):
-        row = bytearray([0])
-        for x in range(n):
-            inside = (x - 40) ** 2 + (y - 24) ** 2 < 200
-            row += bytes([230, 60, 40] if inside else [60 + 150 * (x // 8 % 2), 90 + r.randrange(40), 200 - 2 * y])
-        rows.append(bytes(row))
-    chunk = lambda kind, data: struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
-    (folder / "pattern.png").write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", n, n, 8, 2, 0, 0, 0)) +
-                                         chunk(b"IDAT", zlib.compress(b"".join(rows))) + chunk(b"IEND", b""))
-    sky = array.array("f")
-    for y in range(32):
-        for x in range(32):
-            sun = 20 * math.exp(-((x - 14) ** 2 + (y - 18) ** 2) / 6)
-            sky.extend([.3 + .01 * x + sun, .4 + .5 * sun, .9 - .01 * y + .3 * sun])
-    (folder / "sky.pfm").write_bytes(b"PF\n32 32\n-1\n" + struct.pack(f"<{len(sky)}f", *sky))
 
 
 class Scene(RandomSurfaces):
@@ -137,13 +109,13 @@ class Scene(RandomSurfaces):
             cones = self.number("coneangle", 15, 50) + self.number("conedeltaangle", 1, 14)
             self.lines.append(f'LightSource "spot"{self.emission("I", 30)} "point3 from" {above} "point3 to" [ 0 .5 0 ]{cones}')
         else:
-            file, more = ("sky.pfm", "") if kind == "goniometric" else ("pattern.png", self.number("fov", 30, 80))
+            file, more = ("sky.exr", "") if kind == "goniometric" else ("tiles.png", self.number("fov", 30, 80))
             self.lines += [f"Translate {self.uniform(-2, 2):.3g} 3.5 -3", f"Rotate {self.uniform(30, 60):.3g} 1 0 0",
-                           f'LightSource "{kind}" "string filename" "{self.folder}/{file}"' + self.number("scale", 10, 40) + more]
+                           f'LightSource "{kind}" "string filename" "{ASSETS}/{file}"' + self.number("scale", 10, 40) + more]
         self.lines.append("AttributeEnd")
 
     def sky(self):
-        image = f' "string filename" "{self.folder}/sky.pfm"' + self.number("scale", .2, .8)
+        image = f' "string filename" "{ASSETS}/sky.exr"' + self.number("scale", .2, .8)
         self.lines += ["AttributeBegin", f"Rotate {self.uniform(-180, 180):.4g} 1 .3 .2",
                        f'LightSource "infinite"{image if self.chance(.3) else self.emission("L", .6)}', "AttributeEnd"]
         self.tagged("sky")

@@ -9,12 +9,12 @@ one of two methods finds (a point light through smooth glass) is a difference, t
 if a scene does not agree.
 """
 import argparse
-import json
 import pathlib
 import shlex
 import subprocess
 import sys
 
+import gallery
 import random_scene
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -26,23 +26,26 @@ def run(command, log):
     return "" if done.returncode == 0 else f"{command[0]} ended with status {done.returncode}: {log}"
 
 
+def images_of(scene):
+    return scene.with_suffix(".ours.exr"), scene.with_suffix(".theirs.exr")
+
+
 def render_both(o, scene):
     """What failed; empty if both images are there."""
-    ours, theirs = scene.with_suffix(".ours.exr"), scene.with_suffix(".theirs.exr")
+    ours, theirs = images_of(scene)
     common = [o.program, "render", scene, "--spp", o.samples, "--quiet"]
     first = [*common, *(["--color", "spectral"] if o.pbrt else []), "-o", ours]
     second = ([o.pbrt, "--quiet", "--spp", o.samples, "--seed", 7, "--outfile", theirs, scene] if o.pbrt else
               [*common, "--seed", 7, *shlex.split(o.options), "-o", theirs])
-    return run(first, scene.with_suffix(".ours.log")) or run(second, scene.with_suffix(".theirs.log"))
+    return run(first, ours.with_suffix(".log")) or run(second, theirs.with_suffix(".log"))
 
 
 def difference(o, scene):
     """How the images differ; empty if they agree."""
-    files = [scene.with_suffix(end) for end in (".ours.exr", ".theirs.exr")]
-    found = json.loads(subprocess.run([o.program, "compare", "--json", "--scatter", *files], capture_output=True, text=True).stdout)
-    ratios = [a / b if b else 1 for a, b in zip(found["mean"], found["referenceMean"])]
-    if found["blocksOff"] == 0: return ""
-    return f"means {' '.join(f'{r:.4f}' for r in ratios)}, {found['blocksOff']} of {found['blocks']} blocks off"
+    numbers = gallery.compare(o.program, *images_of(scene), "--scatter")
+    if not numbers: return "the images cannot be compared"
+    if numbers["blocksOff"] == 0: return ""
+    return f"means {' '.join(f'{r:.4f}' for r in gallery.distances(numbers))}, {numbers['blocksOff']} of {numbers['blocks']} blocks off"
 
 
 def main():
@@ -58,10 +61,9 @@ def main():
     o = options.parse_args()
     o.folder = o.folder.resolve()
     o.folder.mkdir(parents=True, exist_ok=True)
-    random_scene.make_images(o.folder)
     differ = 0
     for seed in range(o.first, o.first + o.count):
-        made = random_scene.Scene(seed, o.folder, without_coats=bool(o.pbrt))
+        made = random_scene.Scene(seed, without_coats=bool(o.pbrt))
         scene = o.folder / f"{seed:05}.pbrt"
         scene.write_text(made.text(o.samples))
         problem = render_both(o, scene) or difference(o, scene)

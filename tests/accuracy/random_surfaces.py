@@ -1,15 +1,16 @@
 """Textures and materials in pbrt's language, chosen at random (random_scene.py)."""
+import pathlib
 import random
 
+ASSETS = pathlib.Path(__file__).resolve().parents[2] / "scenes" / "assets"
 METALS = ["Cu", "Au", "Ag", "Al"]
 
 
 class RandomSurfaces:
     """Statements of a scene, and textures and materials among them."""
 
-    def __init__(self, seed, folder, without_coats=False):
+    def __init__(self, seed, without_coats=False):
         self.random = random.Random(seed)
-        self.folder = folder
         self.lines, self.tags = [], []
         self.names = self.depth = 0
         self.moves = False
@@ -79,7 +80,7 @@ class RandomSurfaces:
                 "mix": lambda: value("tex1") + value("tex2") + amount("amount"),
                 "directionmix": lambda: value("tex1") + value("tex2") + f' "vector3 dir" {self.numbers(3, -1, 1)}',
                 "bilerp": lambda: "".join(plain(corner) for corner in ("v00", "v01", "v10", "v11")) + self.mapping(),
-                "imagemap": lambda: f' "string filename" "{self.folder}/pattern.png" "string filter" "ewa" "float maxanisotropy" 1e4' +
+                "imagemap": lambda: f' "string filename" "{ASSETS}/tiles.png" "string filter" "ewa" "float maxanisotropy" 1e4' +
                                     self.mapping() +
                                     f' "string wrap" "{self.random.choice(["repeat", "black", "clamp"])}"' + self.number("scale", .4, .9) +
                                     self.maybe(.3, lambda: ' "bool invert" true'),
@@ -104,9 +105,8 @@ class RandomSurfaces:
                 sign = lambda: -1 if not self.moves and self.chance(.2) else 1
                 self.lines.append("Scale " + " ".join(f"{sign() * self.uniform(low, high):.4g}" for _ in range(3)))
             else:
-                shear = [1, *(self.uniform(-.3, .3) for _ in range(3)), 1, *(self.uniform(-.3, .3) for _ in range(3)), 1]
-                rows = [f"{shear[0]:.4g} {shear[1]:.4g} {shear[2]:.4g} 0", f"{shear[3]:.4g} {shear[4]:.4g} {shear[5]:.4g} 0",
-                        f"{shear[6]:.4g} {shear[7]:.4g} {shear[8]:.4g} 0", "0 0 0 1"]
+                off = lambda: f"{self.uniform(-.3, .3):.4g}"
+                rows = [f"1 {off()} {off()} 0", f"{off()} 1 {off()} 0", f"{off()} {off()} 1 0", "0 0 0 1"]
                 self.lines.append(f"ConcatTransform [ {' '.join(rows)} ]")
 
     # ---- materials
