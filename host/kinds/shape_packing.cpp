@@ -5,17 +5,18 @@
 
 namespace eikonal {
 
-/// A mesh's tangents transformed by `m` and scaled by one common factor, so that the longest has unit length. Their squares are then
-/// finite, and interpolated tangents keep their directions.
-static std::vector<glm::dvec3> tangentsInReach(const Mesh& mesh, const glm::dmat4& m) {
-    std::vector<glm::dvec3> tangents;
+/// Appends a mesh's normals or tangents, transformed by `m` and scaled by one common factor so that the longest has unit length: what is
+/// interpolated between them has the direction that the transform gives to what was interpolated before. None becomes so short that its
+/// square is 0 in single precision.
+static void addVectors(Table<vec3>& result, const std::vector<glm::vec3>& vectors, const glm::dmat3& m) {
+    constexpr double shortest = 1e-15;
     double longest = 0;
-    for (const glm::vec3& t : mesh.tangents) {
-        tangents.push_back(transformVector(m, t));
-        longest = std::max(longest, glm::length(tangents.back()));
+    for (const glm::vec3& v : vectors) longest = std::max(longest, glm::length(m * glm::dvec3(v)));
+    for (const glm::vec3& v : vectors) {
+        const glm::dvec3 transformed = m * glm::dvec3(v);
+        const double length = glm::length(transformed);
+        result.push_back(toVec3(length > 0 ? transformed / length * std::max(length / longest, shortest) : glm::dvec3(0)));
     }
-    for (glm::dvec3& t : tangents) t *= longest > 0 ? 1 / longest : 0;
-    return tangents;
 }
 
 void addVertices(const ShapePacking& in) {
@@ -29,12 +30,11 @@ void addVertices(const ShapePacking& in) {
     tables.indices.insert(tables.indices.end(), mesh.indices.begin(), mesh.indices.end());
     if (!mesh.normals.empty()) {
         packed.first_normal = static_cast<uint>(tables.normals.size());
-        for (const glm::vec3& n : mesh.normals)
-            tables.normals.push_back(toVec3(transformNormal(m, n) * (s.reverseOrientation ? -1.0 : 1.0)));
+        addVectors(tables.normals, mesh.normals, normalTransform(m) * (s.reverseOrientation ? -1.0 : 1.0));
     }
     if (!mesh.tangents.empty()) {
         packed.first_tangent = static_cast<uint>(tables.tangents.size());
-        for (const glm::dvec3& t : tangentsInReach(mesh, m)) tables.tangents.push_back(toVec3(t));
+        addVectors(tables.tangents, mesh.tangents, glm::dmat3(m));
         context.require(Feature::TANGENTS, s.where.toString());
     }
     if (!mesh.uvs.empty()) {

@@ -44,11 +44,14 @@ SceneSpace spaceOf(const Box& box) {
 glm::dvec3 transformPoint(const glm::dmat4& m, glm::dvec3 p) { return glm::dvec3(m * glm::dvec4(p, 1)); }
 glm::dvec3 transformVector(const glm::dmat4& m, glm::dvec3 v) { return glm::dmat3(m) * v; }
 
-glm::dvec3 transformNormal(const glm::dmat4& m, glm::dvec3 n) {
+glm::dmat3 normalTransform(const glm::dmat4& m) {
     /* Use cofactors instead of the inverse: they give the same direction and work for singular transforms */
     const glm::dmat3 a(m);
-    const glm::dvec3 v =
-        glm::dmat3(glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1])) * n * (swapsHandedness(m) ? -1.0 : 1.0);
+    return glm::dmat3(glm::cross(a[1], a[2]), glm::cross(a[2], a[0]), glm::cross(a[0], a[1])) * (swapsHandedness(m) ? -1.0 : 1.0);
+}
+
+glm::dvec3 transformNormal(const glm::dmat4& m, glm::dvec3 n) {
+    const glm::dvec3 v = normalTransform(m) * n;
     const double length = glm::length(v);
     return length > 0 ? v / length : v;
 }

@@ -44,6 +44,8 @@ glm::dmat4 scaling(double factor);
 
 glm::dvec3 transformPoint(const glm::dmat4& m, glm::dvec3 p);
 glm::dvec3 transformVector(const glm::dmat4& m, glm::dvec3 v);
+/// The matrix whose product with a normal is the transformed normal, of another length.
+glm::dmat3 normalTransform(const glm::dmat4& m);
 /// The result has unit length; zero stays zero.
 glm::dvec3 transformNormal(const glm::dmat4& m, glm::dvec3 n);
 bool swapsHandedness(const glm::dmat4& m);

@@ -3,7 +3,9 @@ import pathlib
 import random
 
 ASSETS = pathlib.Path(__file__).resolve().parents[2] / "scenes" / "assets"
-METALS = ["Cu", "Au", "Ag", "Al"]
+METALS = ["Cu", "Au", "Ag", "Al", "CuZn", "MgO", "TiO2"]
+GLASSES = ["BK7", "BAF10", "F11", "F5", "LASF9"]
+SPACES = ["aces2065-1", "rec2020", "dci-p3"]
 
 
 class RandomSurfaces:
@@ -80,10 +82,10 @@ class RandomSurfaces:
                 "mix": lambda: value("tex1") + value("tex2") + amount("amount"),
                 "directionmix": lambda: value("tex1") + value("tex2") + f' "vector3 dir" {self.numbers(3, -1, 1)}',
                 "bilerp": lambda: "".join(plain(corner) for corner in ("v00", "v01", "v10", "v11")) + self.mapping(),
-                "imagemap": lambda: f' "string filename" "{ASSETS}/tiles.png" "string filter" "ewa" "float maxanisotropy" 1e4' +
+                "imagemap": lambda: f' "string filename" "{ASSETS}/tiles{"-height" if is_float else ""}.png" "string filter" "ewa" "float maxanisotropy" 1e4' +
                                     self.mapping() +
-                                    f' "string wrap" "{self.random.choice(["repeat", "black", "clamp"])}"' + self.number("scale", .4, .9) +
-                                    self.maybe(.3, lambda: ' "bool invert" true'),
+                                    f' "string wrap" "{self.random.choice(["repeat", "black"])}"' + self.number("scale", .4, .9) +
+                                    self.maybe(.2, lambda: ' "string encoding" "linear"') + self.maybe(.3, lambda: ' "bool invert" true'),
                 "checkerboard": lambda: value("tex1") + value("tex2") + self.mapping(),
                 "solid checkerboard": lambda: value("tex1") + value("tex2") + ' "integer dimension" 3',
                 "dots": lambda: value("inside") + value("outside") + self.mapping(),
@@ -117,6 +119,7 @@ class RandomSurfaces:
         return (one() if self.chance(.5) else two()) + self.maybe(.3, lambda: ' "bool remaproughness" false')
 
     def bumps(self):
+        if self.chance(.07): return f' "string normalmap" "{ASSETS}/{self.tagged("tiles-normal")}.png"'
         if not self.chance(.15): return ""
         noise, height = self.name(), self.name()
         self.lines.append(f'Texture "{noise}" "float" "{self.pick("fbm", "wrinkled", "windy")}"')
@@ -133,6 +136,16 @@ class RandomSurfaces:
         metal = self.random.choice(METALS)
         return f' "spectrum {prefix}eta" "metal-{metal}-eta" "spectrum {prefix}k" "metal-{metal}-k"'
 
+    def index(self):
+        if self.chance(.25): return f' "spectrum eta" "glass-{self.tagged(self.random.choice(GLASSES))}"'
+        return self.maybe(.6, lambda: self.number("eta", 1.05, 2.3))
+
+    def hair(self):
+        colour = self.pick("sigma_a", "reflectance", "eumelanin", "pheomelanin")
+        colour = self.spectrum(colour, .1, .9) if colour in ("sigma_a", "reflectance") else self.float(colour, .1, 3)
+        return (colour + self.float("beta_m", .15, .8) + self.float("beta_n", .15, .8) +
+                self.maybe(.5, lambda: self.number("eta", 1.2, 1.8)) + self.maybe(.5, lambda: self.float("alpha", 0, 6)))
+
     def material_words(self, is_part=False):
         """The kind of a material and its parameters."""
         coats = [] if self.without_coats else ["coateddiffuse", "coatedconductor"]
@@ -143,7 +156,7 @@ class RandomSurfaces:
         parameters = {
             "diffuse": lambda: self.spectrum("reflectance"),
             "diffusetransmission": lambda: self.spectrum("reflectance", .05, .45) + self.spectrum("transmittance", .05, .45),
-            "dielectric": lambda: self.maybe(.6, lambda: self.number("eta", 1.05, 2.3)) + self.maybe(.6, lambda: self.roughness(.1, .6)),
+            "dielectric": lambda: self.index() + self.maybe(.6, lambda: self.roughness(.1, .6)),
             "thindielectric": lambda: self.number("eta", 1.1, 2.2),
             "conductor": lambda: self.metal() + self.maybe(.8, lambda: self.roughness(.05, .7)),
             "coateddiffuse": lambda: self.spectrum("reflectance") + self.roughness(.02, .5) + self.number("eta", 1.1, 2.2) + self.coat(),
@@ -159,6 +172,12 @@ class RandomSurfaces:
         return name
 
     def material(self):
+        space = self.chance(.1)
+        if space: self.lines.append(f'ColorSpace "{self.tagged(self.random.choice(SPACES))}"')
+        self.material_of_space()
+        if space: self.lines.append('ColorSpace "srgb"')
+
+    def material_of_space(self):
         if self.chance(.3): return self.lines.append(f'NamedMaterial "{self.named_material()}"')
         kind, parameters = self.material_words()
         self.lines.append(f'Material "{kind}"{parameters}')

@@ -235,5 +235,27 @@ TEST(Relief, TurnsNormals) {
     }
 }
 
+/// Where the normal is interpolated (`leaning`: n = (0.6, 0, 0.8) over the same plane), the derivatives are those of the smooth surface,
+/// perpendicular to n. So a displacement without slopes gives n back.
+TEST(Relief, KeepsInterpolatedNormals) {
+    const glm::dvec3 n(0.6, 0, 0.8), u = glm::dvec3(2, 0, 0) - 1.2 * n, v(0, 3, 0);
+    constexpr uint size = 16;
+    for (const glm::dvec2& slope : {glm::dvec2(0, 0), glm::dvec2(0.8, -0.5)}) {
+        Textures t;
+        t.image(1, 1, 3, format_float, wrap_clamp, filter_nearest, {0.5f, 0.5f, 1.0f});
+        std::vector<float> heights;
+        for (uint y = 0; y < size; ++y)
+            for (uint x = 0; x < size; ++x)
+                heights.push_back(static_cast<float>(slope.x * (x + 0.5) / size + slope.y * (1 - (y + 0.5) / size)));
+        t.program({t.lookup(t.image(size, size, 1, format_float, wrap_clamp, filter_bilinear, heights))});
+        const glm::dvec3 expected = glm::normalize(glm::cross(u + slope.x * n, v + slope.y * n));
+        for (const TextureResult& r : evaluate(t.scene, {0}, {vec2{0.4f, 0.7f}}, {vec3{}})) {
+            EXPECT_NEAR(r.leaning.x, expected.x, 1e-3);
+            EXPECT_NEAR(r.leaning.y, expected.y, 1e-3);
+            EXPECT_NEAR(r.leaning.z, expected.z, 1e-3);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace eikonal

@@ -23,9 +23,11 @@ std::vector<TextureResult> evaluate(const PackedScene& scene, const std::vector<
         texture_point here = textured_point(at);
         result.value = eval_texture(tables, path_wavelengths(colors, 0u, 0u), program, &here);
         result.bumped = displace_normal(tables, program, at).ns;
-        result.mapped = map_normal(tables, 0u, at).ns;)",
+        result.mapped = map_normal(tables, 0u, at).ns;
+        at.ns = make_vec3(0.6f, 0.0f, 0.8f);
+        result.leaning = displace_normal(tables, program, at).ns;)",
          .inputs = {"uint program", "vec2 uv", "vec3 p"},
-         .declarations = "typedef struct { spectrum value; vec3 bumped, mapped; } texture_result;",
+         .declarations = "typedef struct { spectrum value; vec3 bumped, mapped, leaning; } texture_result;",
          .tables = "TEXTURE_TABLES(TABLE) COLOR_TABLES(TABLE)"});
     const DeviceScene onDevice(testContext(), scene);
     return function.with(onDevice, program, uv, p);

@@ -9,7 +9,7 @@
 
 namespace eikonal {
 
-struct TextureResult { spectrum value; vec3 bumped, mapped; };
+struct TextureResult { spectrum value; vec3 bumped, mapped, leaning; };
 
 /// Values of programs at points: program[i] at uv[i], p[i]; and the plane z = 0 with dpdu = 2 x, dpdv = 3 y bumped by the program,
 /// and turned by the normal map in image 0.

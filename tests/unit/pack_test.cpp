@@ -44,6 +44,20 @@ TEST_F(Pack, LostEnergyIsTabulatedOnRequest) {
     EXPECT_THAT(errorOfWorld("Material \"conductor\" \"float energycompensation\" 1"), HasSubstr("bool energycompensation"));
 }
 
+// A stretched mesh has the normals of a stretched instance of it: between two corners, the direction is that of the sum of the transformed
+// normals, whose lengths differ. Under a stretch by 4 along x, (0, 0, 1) stays and (1, 0, 0) becomes a quarter as long.
+TEST_F(Pack, StretchedNormalsKeepTheirShares) {
+    const std::string mesh = "Shape \"trianglemesh\" \"point3 P\" [ 0 0 0  1 0 0  0 1 0 ] \"normal N\" [ 0 0 2  2 0 0  0 0 0 ]";
+    const PackedScene scene = pack("Scale 4 1 1 " + mesh);
+    ASSERT_EQ(scene.tables.normals.size(), 3u);
+    EXPECT_FLOAT_EQ(scene.tables.normals[0].z, 1);
+    EXPECT_FLOAT_EQ(scene.tables.normals[1].x, 0.25f);
+    EXPECT_EQ(scene.tables.normals[2].z, 0);
+    /* None is so short that its square is 0 */
+    const float shortest = pack("Scale 1e30 1 1 " + mesh).tables.normals[1].x;
+    EXPECT_GT(shortest * shortest, 0);
+}
+
 // A sphere of radius 4 and relief of 0.5 is the same scene as one of radius 1 and relief of 0.125: once both are of order one, a
 // displacement of one constant is the same number of scene units.
 TEST_F(Pack, DisplacementsAreScaledWithTheScene) {
