@@ -16,7 +16,7 @@ class Scene(RandomLights):
             self.lines += ["ActiveTransform EndTime", f"Translate {self.numbers(3, -.4, .4)[2:-2]}",
                            f"Rotate {self.uniform(-40, 40):.3g} 0 1 0", "ActiveTransform All"]
             self.tagged("motion")
-        if self.chance(.25) and not self.moves:
+        if self.chance(.25) and not self.moves and not self.disperses:
             self.lines.append(f'MediumInterface "{self.medium()}" "{outside}"')
             glass = self.chance(.4)
             self.lines.append('Material "dielectric"' + self.number("eta", 1.05, 1.6) if glass else 'Material "interface"')
@@ -73,7 +73,8 @@ class Scene(RandomLights):
         self.lines += [*(f'Shape "bilinearmesh" "point3 P" {self.points(wall)}' for wall in walls), "AttributeEnd"]
 
     def text(self, samples):
-        fog = self.medium(self.tagged("homogeneous"), .06) if self.chance(.12) else ""
+        self.disperses = self.chance(.3)
+        fog = self.medium(self.tagged("homogeneous"), .06) if not self.disperses and self.chance(.15) else ""
         around = [*self.lines, f'MediumInterface "" "{fog}"'] if fog else []
         self.lines = []
         head = ['Option "rendercoordsys" "world"', *around, *self.camera()]

@@ -15,7 +15,7 @@ class RandomSurfaces:
         self.random = random.Random(seed)
         self.lines, self.tags = [], []
         self.names = self.depth = 0
-        self.moves = False
+        self.moves = self.disperses = False   # what is being made moves; the scene has glass that disperses
         self.without_coats = without_coats
 
     # ---- values: parameters as text
@@ -137,7 +137,7 @@ class RandomSurfaces:
         return f' "spectrum {prefix}eta" "metal-{metal}-eta" "spectrum {prefix}k" "metal-{metal}-k"'
 
     def index(self):
-        if self.chance(.25): return f' "spectrum eta" "glass-{self.tagged(self.random.choice(GLASSES))}"'
+        if self.disperses and self.chance(.6): return f' "spectrum eta" "glass-{self.tagged(self.random.choice(GLASSES))}"'
         return self.maybe(.6, lambda: self.number("eta", 1.05, 2.3))
 
     def hair(self):
