@@ -98,6 +98,34 @@ TEST(SpectralFilm, DispersionKeepsTheSpectrum) {
                    range, one(), "glass");
 }
 
+/// A ball of glass that disperses, with a coloured medium in it, has at each wavelength the radiance of a ball with the index of that
+/// wavelength: what chose a path while it had all its wavelengths does not count once a single one is left.
+TEST(SpectralFilm, DispersionInAColoredMediumKeepsTheSpectrum) {
+    const Range range{4, 420, 660};
+    const auto ball = [&](const std::string& eta) {
+        View v = view(range);
+        v.fov = 20;
+        v.samples = 128;
+        v.maxDepth = 40;
+        return render(sceneText(v, fmt::format(R"(LightSource "infinite" "spectrum L" [360 1 830 1]
+MakeNamedMedium "juice" "string type" "homogeneous" "spectrum sigma_a" [400 .1 700 .9] "spectrum sigma_s" [400 3 700 .3] "float g" .3
+MediumInterface "juice" ""
+Material "dielectric" {}
+Shape "sphere")", eta)));
+    };
+    const double least = 1.3, most = 2.1;   // at the ends of the spectrum's pairs
+    const auto found = bucketsOf(ball(fmt::format("\"spectrum eta\" [360 {} 760 {}]", least, most)).image);
+    for (int b = 0; b < range.buckets; ++b) {
+        const double middle = range.first + (b + 0.5) * range.width();
+        const auto [expected, error] = bucketsOf(ball(fmt::format("\"float eta\" {}", least + (most - least) * (middle - 360) / 400)).image)
+            [static_cast<size_t>(b)];
+        const auto [seen, ownError] = found[static_cast<size_t>(b)];
+        /* Across a bucket of 60 nm the radiance is not quite linear in the wavelength */
+        EXPECT_NEAR(seen, expected, standardErrors * std::hypot(error, ownError) + 3e-3 * expected) << middle << " nm";
+        EXPECT_LT(ownError, 0.01 * expected) << "too few samples to tell";
+    }
+}
+
 /// Coloured things under a lamp and a sky, with fog.
 const std::string room = R"(LightSource "infinite" "rgb L" [.2 .3 .5]
 AttributeBegin AreaLightSource "diffuse" "blackbody L" 3000 "float scale" 5 Translate 0 3 0 Rotate 90 1 0 0 Shape "disk" AttributeEnd
