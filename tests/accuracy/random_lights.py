@@ -4,6 +4,8 @@ from random_surfaces import ASSETS
 
 
 class RandomLights(RandomShapes):
+    """Media, and lights above the scene or all around it."""
+
     # ---- media
 
     def medium(self, kind=None, densest=2.5):
@@ -13,9 +15,9 @@ class RandomLights(RandomShapes):
         grid = f' "integer nx" {x} "integer ny" {y} "integer nz" {z}'
         place = ' "point3 p0" [ -1 -1 -1 ] "point3 p1" [ 1 1 1 ]'
         sigma = lambda: self.spectrum("sigma_a", 0, densest, False) + self.spectrum("sigma_s", 0, densest, False)
+        preset = lambda: f' "string preset" "{self.tagged("Skin1")}"' + self.number("scale", .2 * densest, .8 * densest)
         parameters = {
-            "homogeneous": lambda: (sigma() if self.chance(.8) else f' "string preset" "{self.tagged("Skin1")}"' +
-                                    self.number("scale", .2 * densest, .8 * densest)) + self.maybe(.25, lambda: self.rgb("Le", 0, .15 * densest)),
+            "homogeneous": lambda: (sigma() if self.chance(.8) else preset()) + self.maybe(.25, lambda: self.rgb("Le", 0, .15 * densest)),
             "uniformgrid": lambda: grid + f' "float density" {self.numbers(cells, 0, 2)}' + sigma() + place +
                                    self.maybe(.3, lambda: self.rgb("Le", 0, .4)),
             "rgbgrid": lambda: grid + f' "rgb sigma_a" {self.numbers(3 * cells, 0, 1.5)}' +

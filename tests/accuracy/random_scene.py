@@ -1,32 +1,35 @@
 """A scene in pbrt's language, made of statements chosen at random: combinations that no author chose.
 
-Scene(seed, without_coats).text(samples) is the whole file; `tags` says what is in it. Its images are those of scenes/assets. Left out
-is what pbrt-v4 is known to render otherwise (docs/accuracy.md): parts of spheres and disks as lights, alpha on closed shapes, motion of
-mirrored objects, an environment behind a medium without an end, filters other than EWA; and coats, where it says so.
+Scene(seed, without_coats).text(samples) is the whole file; `tags` says what is in it. Its images are those of scenes/assets. What
+pbrt-v4 is known to render otherwise is left out (docs/accuracy.md, "Random scenes"), as are environments behind a medium without an end.
 """
 from random_lights import RandomLights
 
 
 class Scene(RandomLights):
+    def motion(self, offset, turn, axis):
+        """Moves what follows, from where it is."""
+        return ["ActiveTransform EndTime", f"Translate {self.numbers(3, -offset, offset)[2:-2]}",
+                f"Rotate {self.uniform(-turn, turn):.3g} {axis}", "ActiveTransform All"]
+
+    def boundary(self, chance_of_glass):
+        return 'Material "dielectric"' + self.number("eta", 1.05, 1.6) if self.chance(chance_of_glass) else 'Material "interface"'
+
     def object_at(self, x, z, outside):
         self.lines += ["AttributeBegin", f"Translate {x:.3g} {self.uniform(.7, 1.3):.3g} {z:.3g}"]
         self.moves = self.chance(.12)
         self.transform()
         if self.moves:
-            self.lines += ["ActiveTransform EndTime", f"Translate {self.numbers(3, -.4, .4)[2:-2]}",
-                           f"Rotate {self.uniform(-40, 40):.3g} 0 1 0", "ActiveTransform All"]
+            self.lines += self.motion(.4, 40, "0 1 0")
             self.tagged("motion")
         if self.chance(.25) and not self.moves and not self.disperses:
-            self.lines.append(f'MediumInterface "{self.medium()}" "{outside}"')
-            glass = self.chance(.4)
-            self.lines.append('Material "dielectric"' + self.number("eta", 1.05, 1.6) if glass else 'Material "interface"')
-            inside = self.lines[-2].split('"')[1]
+            inside = self.medium()
+            self.lines += [f'MediumInterface "{inside}" "{outside}"', self.boundary(.4)]
             self.lines.append(self.box() if self.chance(.3) else 'Shape "sphere"' + self.number("radius", .7, 1))
             if self.chance(.3):
                 self.tagged("nested")
-                self.lines.append(f'MediumInterface "{self.medium("homogeneous") if self.chance(.5) else ""}" "{inside}"')
-                self.lines.append('Material "dielectric"' + self.number("eta", 1.05, 1.6) if self.chance(.6) else 'Material "interface"')
-                self.lines += ["Scale .4 .35 .4", 'Shape "sphere"']
+                innermost = self.medium("homogeneous") if self.chance(.5) else ""
+                self.lines += [f'MediumInterface "{innermost}" "{inside}"', self.boundary(.6), "Scale .4 .35 .4", 'Shape "sphere"']
         elif self.chance(.15):
             name = self.name()
             self.lines.append(f'ObjectBegin "{name}"')
@@ -34,13 +37,12 @@ class Scene(RandomLights):
             self.lines += [self.shape(), "ObjectEnd", f'ObjectInstance "{name}"', "Translate .3 .6 .5", "Scale .5 .6 .6",
                            f'ObjectInstance "{name}"']
             self.tagged("instance")
+        elif self.chance(.1):
+            self.lines += [f'Material "{self.tagged("hair")}"{self.hair()}', *(self.curve() for _ in range(6))]
         else:
-            if self.chance(.1):
-                self.lines += [f'Material "{self.tagged("hair")}"{self.hair()}', *(self.curve() for _ in range(6))]
-            else:
-                self.material()
-                if self.chance(.1): self.lines.append("ReverseOrientation")
-                self.lines.append(self.shape())
+            self.material()
+            if self.chance(.1): self.lines.append("ReverseOrientation")
+            self.lines.append(self.shape())
         self.lines.append("AttributeEnd")
         self.moves = False
 
@@ -54,8 +56,7 @@ class Scene(RandomLights):
         if kind == "spherical": eye = "0.2 1.4 -3.2"
         shutter = self.maybe(.3, lambda: self.number("shutteropen", 0, .4) + self.number("shutterclose", .5, 1))
         if kind == "perspective": more += self.maybe(.1, lambda: self.number("frameaspectratio", .8, 2))
-        moves = [f"ActiveTransform EndTime", f"Translate {self.numbers(3, -.2, .2)[2:-2]}", f"Rotate {self.uniform(-5, 5):.3g} .2 1 .1",
-                 "ActiveTransform All"] if self.chance(.1) else []
+        moves = self.motion(.2, 5, ".2 1 .1") if self.chance(.1) else []
         if moves: self.tagged("moving camera")
         mirror = ["Scale -1 1 1"] if self.chance(.2) and not moves else []
         if mirror: self.tagged("mirrored camera")

@@ -33,7 +33,8 @@ def run(command, log, is_ours):
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
     log.write_text(done.stdout + done.stderr)
     if done.returncode != 0: raise Fails(f"{command[0]} ended with status {done.returncode}: {log}", is_ours)
-    if not is_ours and "Not-a-number" in done.stderr + done.stdout: raise Fails(f"{command[0]} found values that are not numbers: {log}", False)
+    if not is_ours and "Not-a-number" in log.read_text():
+        raise Fails(f"{command[0]} found values that are not numbers: {log}", is_ours)
 
 
 def images_of(scene):

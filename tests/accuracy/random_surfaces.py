@@ -82,8 +82,8 @@ class RandomSurfaces:
                 "mix": lambda: value("tex1") + value("tex2") + amount("amount"),
                 "directionmix": lambda: value("tex1") + value("tex2") + f' "vector3 dir" {self.numbers(3, -1, 1)}',
                 "bilerp": lambda: "".join(plain(corner) for corner in ("v00", "v01", "v10", "v11")) + self.mapping(),
-                "imagemap": lambda: f' "string filename" "{ASSETS}/tiles{"-height" if is_float else ""}.png" "string filter" "ewa" "float maxanisotropy" 1e4' +
-                                    self.mapping() +
+                "imagemap": lambda: f' "string filename" "{ASSETS}/tiles{"-height" if is_float else ""}.png"' +
+                                    ' "string filter" "ewa" "float maxanisotropy" 1e4' + self.mapping() +
                                     f' "string wrap" "{self.random.choice(["repeat", "black"])}"' + self.number("scale", .4, .9) +
                                     self.maybe(.2, lambda: ' "string encoding" "linear"') + self.maybe(.3, lambda: ' "bool invert" true'),
                 "checkerboard": lambda: value("tex1") + value("tex2") + self.mapping(),

@@ -210,17 +210,22 @@ TEST(Relief, KeepsDetailsSmallerThanTheUsualStep) {
     EXPECT_LT(std::sqrt(squares / 2000), 3);
 }
 
+/// Adds program 0: a displacement that rises by `u` along u and by `v` along v.
+void addSlope(Textures& t, double u, double v) {
+    constexpr uint n = 16;
+    std::vector<float> heights;
+    for (uint y = 0; y < n; ++y)
+        for (uint x = 0; x < n; ++x) heights.push_back(static_cast<float>(u * (x + 0.5) / n + v * (1 - (y + 0.5) / n)));
+    t.program({t.lookup(t.image(n, n, 1, format_float, wrap_clamp, filter_bilinear, heights))});
+}
+
 /// Over the plane with dpdu = 2 x and dpdv = 3 y, a displacement that rises by a in u and b in v turns the normal to
 /// (dpdu + a n) x (dpdv + b n) = (-3 a, -2 b, 6); a normal map says the normal in the frame along dpdu.
 TEST(Relief, TurnsNormals) {
     Textures t;
     t.image(1, 1, 3, format_float, wrap_clamp, filter_nearest, {0.5f + 0.5f * 0.6f, 0.5f, 0.5f + 0.5f * 0.8f});
-    constexpr uint n = 16;
     const double a = 0.8, b = -0.5;
-    std::vector<float> slope;
-    for (uint y = 0; y < n; ++y)
-        for (uint x = 0; x < n; ++x) slope.push_back(static_cast<float>(a * (x + 0.5) / n + b * (1 - (y + 0.5) / n)));
-    t.program({t.lookup(t.image(n, n, 1, format_float, wrap_clamp, filter_bilinear, slope))});
+    addSlope(t, a, b);
     Random random(84);
     const auto uv = generate(500, [&] { return vec2{random.between(0.1f, 0.9f), random.between(0.1f, 0.9f)}; });
     const double length = std::sqrt(9 * a * a + 4 * b * b + 36);
@@ -239,15 +244,10 @@ TEST(Relief, TurnsNormals) {
 /// perpendicular to n. So a displacement without slopes gives n back.
 TEST(Relief, KeepsInterpolatedNormals) {
     const glm::dvec3 n(0.6, 0, 0.8), u = glm::dvec3(2, 0, 0) - 1.2 * n, v(0, 3, 0);
-    constexpr uint size = 16;
     for (const glm::dvec2& slope : {glm::dvec2(0, 0), glm::dvec2(0.8, -0.5)}) {
         Textures t;
         t.image(1, 1, 3, format_float, wrap_clamp, filter_nearest, {0.5f, 0.5f, 1.0f});
-        std::vector<float> heights;
-        for (uint y = 0; y < size; ++y)
-            for (uint x = 0; x < size; ++x)
-                heights.push_back(static_cast<float>(slope.x * (x + 0.5) / size + slope.y * (1 - (y + 0.5) / size)));
-        t.program({t.lookup(t.image(size, size, 1, format_float, wrap_clamp, filter_bilinear, heights))});
+        addSlope(t, slope.x, slope.y);
         const glm::dvec3 expected = glm::normalize(glm::cross(u + slope.x * n, v + slope.y * n));
         for (const TextureResult& r : evaluate(t.scene, {0}, {vec2{0.4f, 0.7f}}, {vec3{}})) {
             EXPECT_NEAR(r.leaning.x, expected.x, 1e-3);

@@ -12,7 +12,7 @@ namespace eikonal {
 struct TextureResult { spectrum value; vec3 bumped, mapped, leaning; };
 
 /// Values of programs at points: program[i] at uv[i], p[i]; and the plane z = 0 with dpdu = 2 x, dpdv = 3 y bumped by the program,
-/// and turned by the normal map in image 0.
+/// and turned by the normal map in image 0. leaning: bumped where the interpolated normal is (0.6, 0, 0.8).
 std::vector<TextureResult> evaluate(const PackedScene& scene, const std::vector<uint>& program, const std::vector<vec2>& uv,
                                     const std::vector<vec3>& p);
 
