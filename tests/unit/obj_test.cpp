@@ -105,7 +105,13 @@ TEST_F(ObjTest, keepsTheDetailOfModelsFarFromTheOrigin) {
 TEST_F(ObjTest, leavesOutTrianglesWithoutArea) {
     const Scene scene = load(square + "v .5 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 5\n");
     EXPECT_EQ(meshOf(scene).indices.size(), 3u);
-    EXPECT_THAT(geometryWarnings(), ElementsAre(HasSubstr("2 of 3 triangles have zero area")));
+    EXPECT_THAT(geometryWarnings(), ElementsAre(HasSubstr(":7: warning: 2 of 3 triangles have zero area")));
+}
+
+TEST_F(ObjTest, namesTheFirstFaceWithoutArea) {
+    const Scene scene = load(square + "usemtl a\nf 1 2 3\nusemtl b\nf 1 1 2\nf 1 2 3\nusemtl a\nf 1 2\n");
+    EXPECT_EQ(scene.shapes.size(), 2u);
+    EXPECT_THAT(geometryWarnings(), Contains(HasSubstr(":8: warning: 2 of 4 triangles have zero area")));
 }
 
 TEST_F(ObjTest, warnsOnceOfWhatItDoesNotRender) {

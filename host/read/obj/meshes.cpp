@@ -101,6 +101,10 @@ ObjMeshes buildMeshes(const ObjGeometry& geometry) {
     std::vector<std::vector<std::uint32_t>> facesOf(geometry.groups.size());
     for (std::uint32_t f = 0; f < geometry.faces.size(); ++f) facesOf[geometry.faces[f].group].push_back(f);
 
+    const auto skip = [&result](const ObjFace& face) {
+        ++result.degenerate;
+        if (result.firstDegenerateLine == 0 || face.line < result.firstDegenerateLine) result.firstDegenerateLine = face.line;
+    };
     Vertices vertices(geometry.positions.size());
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<glm::dvec3> polygon;
@@ -116,10 +120,10 @@ ObjMeshes buildMeshes(const ObjGeometry& geometry) {
                 polygon.push_back(geometry.positions[static_cast<std::size_t>(geometry.cornersOf(face)[i].position)] - result.offset);
             triangles.clear();
             triangulate(polygon, triangles);
-            result.degenerate += face.cornerCount < 3;
+            if (face.cornerCount < 3) skip(face);
             for (const auto& [a, b, c] : triangles) {
                 const double area = glm::length(glm::cross(polygon[b] - polygon[a], polygon[c] - polygon[a])) / 2;
-                if (!(area > 0) || !std::isfinite(area)) { ++result.degenerate; continue; }
+                if (!(area > 0) || !std::isfinite(area)) { skip(face); continue; }
                 const ObjCorner* corners = geometry.cornersOf(face);
                 for (const std::uint32_t i : {a, b, c}) mesh->indices.push_back(vertices.find(corners[i]));
                 byPosition.push_back({corners[a].position, corners[b].position, corners[c].position});

@@ -22,6 +22,7 @@ struct ObjMeshes {
     glm::dvec3 offset{0};  ///< to be added to all positions. Not zero for models far from the origin, whose details floats would lose
     std::size_t triangles = 0;
     std::size_t degenerate = 0;           ///< triangles skipped because they have no area or a position that is not finite
+    int firstDegenerateLine = 0;          ///< of the file, of the face of the first of them; 0: none
 };
 
 /// Triangulates the faces, and merges corners with the same position, texture coordinate and normal into one vertex.

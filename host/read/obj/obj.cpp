@@ -178,11 +178,12 @@ Scene readObj(const std::string& path, const ObjOptions& options, Diagnostics& d
     if (geometry.faces.empty()) throw SceneError({file, 0, 0}, "there are no faces (\"f\") in this file");
     completeNormals(geometry);
     const ObjMeshes meshes = buildMeshes(geometry);
+    const SourceLocation firstDegenerate{file, meshes.firstDegenerateLine, 0};
     if (meshes.triangles == 0)
-        throw SceneError({file, 0, 0}, "all faces have zero area: a face needs three corners that are not on one line");
+        throw SceneError(firstDegenerate, "all faces have zero area: a face needs three corners that are not on one line");
     if (meshes.degenerate > 0)
-        diagnostics.warn({file, 0, 0}, fmt::format("{} of {} triangles have zero area and are skipped", meshes.degenerate,
-                                                   meshes.degenerate + meshes.triangles));
+        diagnostics.warn(firstDegenerate, fmt::format("{} of {} triangles have zero area and are skipped, this face first",
+                                                      meshes.degenerate, meshes.degenerate + meshes.triangles));
 
     Scene scene;
     scene.name = sceneName(path);
