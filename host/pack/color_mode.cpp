@@ -88,7 +88,7 @@ std::string needOfWavelengths(const Scene& scene) {
     return {};
 }
 
-ColorChoice chooseColor(const Scene& scene, const std::vector<std::shared_ptr<const ImageData>>& images) {
+ColorChoice chooseColor(const Scene& scene, const std::vector<std::shared_ptr<const ImageData>>& images, const Box& near) {
     if (scene.colorMode == ColorMode::spectral || (scene.colorMode == ColorMode::rgb && !scene.film.spectrum))
         return {scene.colorMode == ColorMode::spectral, "--color"};
     if (scene.colorMode == ColorMode::rgb)
@@ -96,7 +96,7 @@ ColorChoice chooseColor(const Scene& scene, const std::vector<std::shared_ptr<co
                          "film \"spectral\" stores spectra, which --color rgb does not compute; use --color spectral or --color auto");
     if (std::string need = needOfWavelengths(scene); !need.empty()) return {true, std::move(need)};
     if (!scene.integrator.kind->countsMaterials()) return {false, "the integrator does not look at colours"};
-    const RgbError error = predictRgbError(scene, images);
+    const RgbError error = predictRgbError(scene, images, near);
     if (error.worst >= mostRgbError.inPart)
         return {true, fmt::format("{}: in RGB a channel could be off by up to {} (a bound that ignores visibility)", error.cause,
                                   percent(error.worst))};

@@ -3,6 +3,7 @@
 
 #include "image/image_data.h"
 #include "pack/color_choice.h"
+#include "pack/space.h"
 #include "scene/scene.h"
 
 #include <memory>
@@ -26,7 +27,8 @@ std::string needOfWavelengths(const Scene& scene);
 
 /// Renders at wavelengths what --color asks for or, with auto, what needs them and what RGB would miss by mostRgbError or more. Everything
 /// else is rendered in RGB, which is faster and has less colour noise. Depends on the scene alone, not on its resolution, its samples, or
-/// the part that is rendered. images: those of the scene. Throws a SceneError if --color rgb contradicts the film.
-ColorChoice chooseColor(const Scene& scene, const std::vector<std::shared_ptr<const ImageData>>& images);
+/// the part that is rendered. images: those of the scene. near: of its bounds (pack/scene_bounds.h). Throws a SceneError if --color rgb
+/// contradicts the film.
+ColorChoice chooseColor(const Scene& scene, const std::vector<std::shared_ptr<const ImageData>>& images, const Box& near);
 
 }  // namespace eikonal

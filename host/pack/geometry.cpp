@@ -26,6 +26,7 @@ public:
         groupOfObject_.assign(scene.objects.size(), noGroup);
         movingInObject_.resize(scene.objects.size());
         for (size_t i = 0; i < scene.objects.size(); ++i) addObject(i);
+        result_.placed.reserve(result_.placed.size() + scene.instances.size());
         for (size_t i = 0; i < scene.instances.size(); ++i)
             addInstance(world, scene.instances[i], static_cast<uint>(scene.shapes.size() + i + 1));
         return std::move(result_);
@@ -120,12 +121,19 @@ private:
     }
 
     /// Places a group in the world.
-    void place(size_t group, std::vector<Place> places, uint id, const SourceLocation& where) {
+    void place(size_t group, const std::vector<Place>& places, uint id, const SourceLocation& where) {
         if (result_.groups[group].isEmpty()) return;
-        in_.context.require(Feature::INSTANCES, where.toString());
-        if (std::any_of(places.begin(), places.end(), [](const Place& p) { return p.end.has_value(); }))
-            in_.context.require(Feature::MOTION, where.toString());
-        result_.placed.push_back({group, std::move(places), id});
+        const auto require = [&](Feature feature) {
+            if (!in_.context.has(feature)) in_.context.require(feature, where.toString());
+        };
+        require(Feature::INSTANCES);
+        PlacedGroup placed{static_cast<uint>(group), id};
+        if (std::ranges::any_of(places, [](const Place& p) { return p.end.has_value(); })) {
+            require(Feature::MOTION);
+            placed.motion = places;
+        } else
+            for (const Place& p : places) placed.worldFromGroup *= p.start;
+        result_.placed.push_back(std::move(placed));
     }
 
     const GeometryPacking& in_;

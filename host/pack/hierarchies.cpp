@@ -17,6 +17,8 @@ public:
         BvhTables bvh;
         std::vector<BvhRoot> roots;
         for (const Group& g : from_.groups) roots.push_back(g.isEmpty() ? BvhRoot{} : build(bvh, g));
+        tables_.instances.reserve(from_.placed.size());
+        world_.boxed.reserve(world_.boxed.size() + from_.placed.size());
         for (const PlacedGroup& p : from_.placed) place(p, from_.groups[p.group], roots[p.group]);
         const BvhRoot root = build(bvh, world_, true);
         tables_.nodes = std::move(bvh.nodes);
@@ -38,26 +40,26 @@ private:
 
     void place(const PlacedGroup& placed, const Group& group, const BvhRoot& root) {
         if (group.isEmpty()) return;
-        glm::dmat4 sceneFromGroup = world_.space.sceneFromWorld();
-        for (const Place& p : placed.places) sceneFromGroup *= p.start;
+        glm::dmat4 sceneFromGroup = world_.space.sceneFromWorld() * placed.worldFromGroup;
+        for (const Place& p : placed.motion) sceneFromGroup *= p.start;
         sceneFromGroup *= group.space.worldFromScene();
         instance packed{toAffine(glm::inverse(sceneFromGroup)), toAffine(sceneFromGroup), root.root, 0, 0, placed.id};
         const Box own{{root.low.x, root.low.y, root.low.z}, {root.high.x, root.high.y, root.high.z}};
-        const bool moves = std::any_of(placed.places.begin(), placed.places.end(), [](const Place& p) { return p.end.has_value(); });
-        const Box box = moves ? addMotions(packed, placed, group.space, own) : transformed(own, sceneFromGroup);
+        const bool moves = !placed.motion.empty();
+        const Box box = moves ? addMotions(packed, placed.motion, group.space, own) : transformed(own, sceneFromGroup);
         addBox(world_, box, static_cast<uint>(tables_.instances.size()), leaf_instances);
         tables_.instances.push_back(packed);
     }
 
     /// Fills in the motions of an instance; returns the bounds of its moving box in scene space.
-    Box addMotions(instance& packed, const PlacedGroup& placed, const SceneSpace& group, const Box& box) {
+    Box addMotions(instance& packed, const std::vector<Place>& places, const SceneSpace& group, const Box& box) {
         const SceneSpace& scene = world_.space;
         packed.first_motion = static_cast<uint>(tables_.motions.size());
-        packed.motion_count = static_cast<uint>(placed.places.size());
+        packed.motion_count = static_cast<uint>(places.size());
         std::vector<Motion> motions;
-        for (size_t i = 0; i < placed.places.size(); ++i) {
-            motions.push_back(placed.places[i].motion());
-            tables_.motions.push_back(motions[i].pack(i == 0 ? scene : SceneSpace{}, i + 1 == placed.places.size() ? group : SceneSpace{}));
+        for (size_t i = 0; i < places.size(); ++i) {
+            motions.push_back(places[i].motion());
+            tables_.motions.push_back(motions[i].pack(i == 0 ? scene : SceneSpace{}, i + 1 == places.size() ? group : SceneSpace{}));
         }
         Box reach = transformed(boundsInMotion(motions, transformed(box, group.worldFromScene()), from_.seen), scene.sceneFromWorld());
         /* Enlarge it by the rounding of the device's interpolated transform */

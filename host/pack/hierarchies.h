@@ -18,8 +18,12 @@ struct Place {
     Motion motion() const { return {start, end.value_or(start)}; }
 };
 
-/// A group in the world, under nested transforms, outermost first.
-struct PlacedGroup { size_t group; std::vector<Place> places; uint id; };
+/// A group in the world. There may be millions.
+struct PlacedGroup {
+    uint group, id;
+    glm::dmat4 worldFromGroup{1};   ///< if it stands still
+    std::vector<Place> motion{};    ///< if it moves: nested transforms, outermost first
+};
 
 /// The elements of all hierarchies, by their indices in the tables of a scene.
 struct Hierarchies {

@@ -97,7 +97,7 @@ Packing packTables(const Scene& scene, Diagnostics& diagnostics) {
                              fmt::format("image \"{}\" has {} values that are not finite: 0 is taken for what is no number, and 65504 "
                                          "for infinity",
                                          scene.images[i].path, images[i]->replaced));
-    packed.color = chooseColor(scene, images);
+    packed.color = chooseColor(scene, images, bounds.near);
     if (packed.color.spectral) packed.require(Feature::SPECTRAL, packed.color.why);
     const PackContext context{.scene = scene,
                               .diagnostics = diagnostics,

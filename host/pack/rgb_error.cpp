@@ -38,8 +38,8 @@ DualColor ofUnitLuminance(const DualColor& light) {
 
 class Prediction {
 public:
-    Prediction(const Scene& scene, const std::vector<std::shared_ptr<const ImageData>>& images)
-        : scene_(scene), colors_(scene, images), extents_(extentsOf(scene)) {}
+    Prediction(const Scene& scene, const std::vector<std::shared_ptr<const ImageData>>& images, const Box& near)
+        : scene_(scene), colors_(scene, images), extents_(extentsOf(scene, near)) {}
 
     RgbError make() {
         collectLights();
@@ -183,8 +183,8 @@ private:
 
 }  // namespace
 
-RgbError predictRgbError(const Scene& scene, const std::vector<std::shared_ptr<const ImageData>>& images) {
-    return Prediction(scene, images).make();
+RgbError predictRgbError(const Scene& scene, const std::vector<std::shared_ptr<const ImageData>>& images, const Box& near) {
+    return Prediction(scene, images, near).make();
 }
 
 }  // namespace eikonal

@@ -2,6 +2,7 @@
 // How far RGB rendering would be from spectral rendering, as calculated from the colours of a scene.
 
 #include "image/image_data.h"
+#include "pack/space.h"
 #include "scene/scene.h"
 
 #include <memory>
@@ -18,6 +19,7 @@ struct RgbError {
     std::string cause;        ///< what the most comes from, with its location
 };
 
-RgbError predictRgbError(const Scene& scene, const std::vector<std::shared_ptr<const ImageData>>& images);
+/// near: of the scene's bounds (pack/scene_bounds.h).
+RgbError predictRgbError(const Scene& scene, const std::vector<std::shared_ptr<const ImageData>>& images, const Box& near);
 
 }  // namespace eikonal

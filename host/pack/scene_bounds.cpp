@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
+#include <utility>
 
 namespace eikonal {
 namespace {
@@ -63,20 +64,25 @@ Box nearBox(std::span<const PlacedBox> boxes, glm::dvec3 eye) {
     if (costAt(all.center()) <= bearable * bearable) return all;
 
     /* Nested boxes: add one after the other, from the nearest to the farthest */
-    std::vector<size_t> order(boxes.size());
-    std::iota(order.begin(), order.end(), size_t{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](size_t a, size_t b) { return reachFrom(eye, boxes[a].box) < reachFrom(eye, boxes[b].box); });
-    std::vector<Box> nested;
+    std::vector<std::pair<double, size_t>> order;
+    order.reserve(boxes.size());
+    for (size_t i = 0; i < boxes.size(); ++i) order.emplace_back(reachFrom(eye, boxes[i].box), i);
+    std::ranges::sort(order);
+    std::vector<double> costs;
+    costs.reserve(boxes.size());
     double least = costAt(all.center());
     Box box;
-    for (const size_t i : order) {
+    for (const auto& [reach, i] : order) {
         box.grow(boxes[i].box);
-        nested.push_back(box);
-        if (!box.empty()) least = std::min(least, costAt(box.center()));
+        costs.push_back(box.empty() ? std::numeric_limits<double>::infinity() : costAt(box.center()));
+        least = std::min(least, costs.back());
     }
     const double most = std::max(bearable * bearable, few * few * least);
-    return *std::find_if(nested.rbegin(), nested.rend(), [&](const Box& b) { return !b.empty() && costAt(b.center()) <= most; });
+    const auto isBearable = [most](double cost) { return cost <= most; };
+    const auto last = std::find_if(costs.rbegin(), costs.rend(), isBearable);
+    box = {};
+    for (const auto& [reach, i] : std::span(order).first(static_cast<size_t>(costs.rend() - last))) box.grow(boxes[i].box);
+    return box;
 }
 
 SceneBounds boundsOf(const Scene& scene) {

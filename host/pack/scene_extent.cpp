@@ -1,7 +1,6 @@
 #include "pack/scene_extent.h"
 
 #include "kinds/shape_kind.h"
-#include "pack/scene_bounds.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,31 +27,17 @@ Extent extentOf(const Box& box, glm::dvec3 eye) {
     return {areaOf(box), sightOf(box, eye), chordOf(box)};
 }
 
-class Collector {
-public:
-    Collector(SceneExtents& extents, glm::dvec3 eye) : extents_(extents), eye_(eye) {}
-
-    void add(const Shape& shape, const Box& box) {
-        const Extent extent = extentOf(box, eye_);
-        extents_.materials[shape.material] += extent;
-        if (shape.areaLight != none) extents_.areaLights[shape.areaLight] += extent;
-        if (shape.interface && shape.interface->inside != none) extents_.media[shape.interface->inside] += extent;
-        if (!box.empty()) boxes_.push_back({box, extent.sight});
-    }
-    /// Media around the camera or outside of shapes fill the scene.
-    void finish(int surroundings) {
-        const Box whole = nearBox(boxes_, eye_);
-        if (surroundings != none) extents_.media[surroundings] += {areaOf(whole), 1, chordOf(whole)};
-        extents_.radius = whole.empty() ? 1 : std::max(whole.radius(), 1e-300);
-    }
-
-private:
-    SceneExtents& extents_;
-    glm::dvec3 eye_;
-    std::vector<PlacedBox> boxes_;
-};
+/// Adds a shape with this box that is there `count` times.
+void add(SceneExtents& extents, const Shape& shape, const Box& box, double count, glm::dvec3 eye) {
+    const Extent extent = extentOf(box, eye) * count;
+    extents.materials[shape.material] += extent;
+    if (shape.areaLight != none) extents.areaLights[shape.areaLight] += extent;
+    if (shape.interface && shape.interface->inside != none) extents.media[shape.interface->inside] += extent;
+}
 
 }  // namespace
+
+Extent Extent::operator*(double count) const { return {area * count, sight * count, chord}; }
 
 Extent& Extent::operator+=(const Extent& b) {
     area += b.area;
@@ -67,22 +52,30 @@ double sightOf(const Box& box, glm::dvec3 eye) {
     return surrounds ? 1 : std::min(seen / (4 * std::numbers::pi * std::max(distance * distance, 1e-300)), 1.0);
 }
 
-SceneExtents extentsOf(const Scene& scene) {
+SceneExtents extentsOf(const Scene& scene, const Box& near) {
     SceneExtents extents;
-    Collector all(extents, transformPoint(scene.camera.worldFromCamera, glm::dvec3(0)));
+    const glm::dvec3 eye = transformPoint(scene.camera.worldFromCamera, glm::dvec3(0));
     const auto boundOf = [](const Shape& s) { return s.kind->traits.bound(s, s.worldFromObject); };
-    for (const Shape& s : scene.shapes) all.add(s, boundOf(s));
-    std::vector<std::vector<Box>> boxes;
-    for (const Object& o : scene.objects) {
-        boxes.emplace_back();
-        for (const Shape& s : o.shapes) boxes.back().push_back(boundOf(s));
+    for (const Shape& s : scene.shapes) add(extents, s, boundOf(s), 1, eye);
+
+    std::vector<std::vector<size_t>> places(scene.objects.size());
+    for (size_t i = 0; i < scene.instances.size(); ++i) places[static_cast<size_t>(scene.instances[i].object)].push_back(i);
+    constexpr size_t mostPlaced = 1'000'000;
+    for (size_t o = 0; o < places.size(); ++o) {
+        const Object& object = scene.objects[o];
+        const size_t step = 1 + places[o].size() * object.shapes.size() / mostPlaced;
+        for (const Shape& s : object.shapes) {
+            const Box box = boundOf(s);
+            for (size_t first = 0; first < places[o].size(); first += step) {
+                const auto count = static_cast<double>(std::min(step, places[o].size() - first));
+                add(extents, s, transformed(box, scene.instances[places[o][first]].worldFromObject), count, eye);
+            }
+        }
     }
-    for (const Instance& i : scene.instances) {
-        const Object& object = scene.objects[static_cast<size_t>(i.object)];
-        for (size_t s = 0; s < object.shapes.size(); ++s)
-            all.add(object.shapes[s], transformed(boxes[static_cast<size_t>(i.object)][s], i.worldFromObject));
-    }
-    all.finish(scene.camera.medium);
+
+    /* Media around the camera or outside of shapes fill the scene */
+    if (scene.camera.medium != none) extents.media[scene.camera.medium] += {areaOf(near), 1, chordOf(near)};
+    extents.radius = near.empty() ? 1 : std::max(near.radius(), 1e-300);
     return extents;
 }
 

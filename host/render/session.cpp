@@ -168,9 +168,11 @@ void Session::pack(const Aovs& aovs, bool keepsSpectrum) {
     if (aovs.cryptoObject) packed_.require(Feature::CRYPTO_OBJECT, "--aov");
     if (aovs.cryptoMaterial) packed_.require(Feature::CRYPTO_MATERIAL, "--aov");
     packMattes(scene_, packed_);
-    scene_.shapes.clear();
-    scene_.objects.clear();
-    scene_.images.clear();
+    const auto free = [](auto& list) { std::remove_reference_t<decltype(list)>().swap(list); };
+    free(scene_.shapes);
+    free(scene_.objects);
+    free(scene_.instances);
+    free(scene_.images);
     if (aovs.lightGroups) keepLightGroups(packed_);
     if (aovs.has(AovSource::passes)) packed_.require(Feature::RENDER_PASSES, "--aov");
     const bool inMovingSpace = scene_.film.gbuffer == GBuffer::cameraSpace && packed_.features.has(Feature::CAMERA_MOTION);

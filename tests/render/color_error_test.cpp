@@ -4,6 +4,7 @@
 
 #include "diagnostics.h"
 #include "pack/rgb_error.h"
+#include "pack/scene_bounds.h"
 #include "read/pbrt/read_pbrt.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +24,8 @@ double measured(const std::string& text) {
 
 double predicted(const std::string& text) {
     Diagnostics diagnostics(LogLevel::silent, true);
-    return predictRgbError(readPbrtText(text, "test.pbrt", ".", diagnostics), {}).worst;
+    const Scene scene = readPbrtText(text, "test.pbrt", ".", diagnostics);
+    return predictRgbError(scene, {}, boundsOf(scene).near).worst;
 }
 
 std::string ball(const std::string& sun, const std::string& material) {

@@ -3,6 +3,7 @@
 #include "pack/color_mode.h"
 #include "pack/pack.h"
 #include "pack/rgb_error.h"
+#include "pack/scene_bounds.h"
 #include "read/formats/image.h"
 
 #include "color/color_set.h"
@@ -36,11 +37,11 @@ class ColorChoices : public PbrtTest {
 protected:
     RgbError errorOf(const std::string& text) {
         const Scene scene = world(text);
-        return predictRgbError(scene, loadImages(scene.images));
+        return predictRgbError(scene, loadImages(scene.images), boundsOf(scene).near);
     }
     ColorChoice choiceOf(const std::string& text) {
         const Scene scene = world(text);
-        return chooseColor(scene, loadImages(scene.images));
+        return chooseColor(scene, loadImages(scene.images), boundsOf(scene).near);
     }
 };
 
@@ -137,7 +138,7 @@ TEST_F(ColorChoices, OneColourIsTheSameInBoth) {
 // --color and the integrator may decide before colours do.
 TEST_F(ColorChoices, OptionsComeFirst) {
     Scene scene = world("LightSource \"point\" \"rgb I\" [9 1 .5]\n" + surface("[.05 .6 .1]", "0 0 0"));
-    const auto isSpectral = [&] { return chooseColor(scene, {}).spectral; };
+    const auto isSpectral = [&] { return chooseColor(scene, {}, boundsOf(scene).near).spectral; };
     EXPECT_TRUE(isSpectral());
     scene.colorMode = ColorMode::rgb;
     EXPECT_FALSE(isSpectral());

@@ -141,7 +141,14 @@ TEST_F(PbrtDirectives, filesThatMultiplyAreRefused) {
     for (int i = 0; i < 30; ++i)
         write(fmt::format("twice{}.pbrt", i), fmt::format("Include \"twice{0}.pbrt\" Include \"twice{0}.pbrt\"", i + 1));
     write("twice30.pbrt", "");
-    EXPECT_THAT(errorOfWorld("Include \"twice0.pbrt\""), HasSubstr("the scene has opened 100000 files"));
+    EXPECT_THAT(errorOfWorld("Include \"twice0.pbrt\""), HasSubstr("the scene has opened 100000 files for 0 shapes"));
+}
+
+TEST_F(PbrtDirectives, manyFilesMayPlaceManyInstances) {
+    for (int i = 0; i < 16; ++i)
+        write(fmt::format("twice{}.pbrt", i), fmt::format("Include \"twice{0}.pbrt\" Include \"twice{0}.pbrt\"", i + 1));
+    write("twice16.pbrt", "ObjectInstance \"ball\"");
+    EXPECT_EQ(world("ObjectBegin \"ball\" Shape \"sphere\" ObjectEnd Include \"twice0.pbrt\"").instances.size(), 65536u);
 }
 
 TEST_F(PbrtDirectives, compressedFilesAreReadAsTheyAre) {

@@ -106,6 +106,17 @@ std::optional<ImageFile> Reading::findImage(const std::string& name, const Sourc
     return image;
 }
 
+std::string Reading::includedText(const std::string& path) {
+    constexpr size_t longest = 1 << 16, most = 1 << 26;
+    if (const auto known = includedTexts_.find(path); known != includedTexts_.end()) return known->second;
+    std::string text = readTextFile(path);
+    if (text.size() <= longest && includedBytes_ + text.size() <= most) {
+        includedTexts_[path] = text;
+        includedBytes_ += text.size();
+    }
+    return text;
+}
+
 std::optional<std::string> Reading::findFile(const std::string& name, const SourceLocation& where) {
     if (auto found = lookFor(name, where)) return found;
     const std::vector<fs::path> candidates = candidatesFor(name, where);

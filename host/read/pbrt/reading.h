@@ -41,6 +41,9 @@ struct Reading {
     /// The same for an image that textures read. With MissingFiles::magenta, one that is missing is a magenta pixel, and is there.
     std::optional<ImageFile> findImage(const std::string& name, const SourceLocation& where);
 
+    /// The text of a file that Include or Import names (readTextFile). Short ones are kept, because a scene may name one thousands of times.
+    std::string includedText(const std::string& path);
+
     /// Reports a feature that is read but not rendered; under --strict a problem.
     void unsupported(const std::string& kind, const SourceLocation& where, const std::string& message);
 
@@ -54,6 +57,8 @@ private:
     std::vector<std::filesystem::path> candidatesFor(const std::string& name, const SourceLocation& where) const;
     bool hasFile(const std::string& name, const SourceLocation& where) const;
     std::map<std::string, std::shared_ptr<const SampledCurve>> spectrumFiles_;
+    std::map<std::string, std::string> includedTexts_;   ///< by path
+    size_t includedBytes_ = 0;                           ///< their length
 };
 
 }  // namespace eikonal::pbrt

@@ -45,6 +45,8 @@ public:
     void beginObject(const std::string& name, const SourceLocation& where);
     void endObject(const SourceLocation& where);
     bool objectIsOpen() const { return openObject_ != none; }
+    /// Shapes and instances so far.
+    size_t placedCount() const { return pending_.size() + reading_.scene.instances.size(); }
 
     /// Adds an instance of an object, which may be defined later. Throws SceneError inside an object.
     void addInstance(const std::string& name, const GraphicsState& state, const SourceLocation& where);
