@@ -14,6 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::UnorderedElementsAre;
 
 // Every spelling of the same square is the same square: two triangles, area 1, facing +z.
 TEST_F(ObjTest, readsEverySpellingOfAFace) {
@@ -149,14 +150,24 @@ TEST_F(ObjTest, saysWhereAFileIsWrong) {
     EXPECT_EQ(errorIn(square + "f 1/2/3/4 1 2\n"), "model.obj:5:3: \"1/2/3/4\" has more than three parts");
     EXPECT_EQ(errorIn(square + "f -5 -3 -2\n"), "model.obj:5:3: \"-5\" counts back beyond the first of 4");
     EXPECT_EQ(errorIn(square + "f 1 2 5\n"), "model.obj:5:7: a face has position 5, but there are 4");
-    EXPECT_EQ(errorIn(square + "f 1/1 2/1 3/1\n"), "model.obj:5:3: a face has texture coordinate 1, but there are 0");
-    EXPECT_EQ(errorIn(square + "f 1//1 2//1 3//1\n"), "model.obj:5:3: a face has normal 1, but there are 0");
+    EXPECT_EQ(errorIn(square + "vt 0 0\nf 1/1 2/1 3/2\n"), "model.obj:6:11: a face has texture coordinate 2, but there are 1");
+    EXPECT_EQ(errorIn(square + "vn 0 0 1\nf 1//1 2//1 3//2\n"), "model.obj:6:13: a face has normal 2, but there are 1");
     EXPECT_EQ(errorIn(square + "f 1 \\\n2 \\\nx\n"),
               "model.obj:5:9: \"x\" is not a corner of a face: position/texture/normal, numbered from 1");
     EXPECT_THAT(errorIn(square + "f 1 2\n"), HasSubstr("a face needs three corners"));
     EXPECT_EQ(errorIn(square + std::string("f 1 2 3\n\0", 9)), "model.obj:6:1: a byte is zero: this is not a text file");
     Diagnostics silent(LogLevel::silent);
     EXPECT_EQ(errorOf([&] { readObj(path("absent.obj"), {}, silent); }), "absent.obj: cannot be opened: No such file or directory");
+}
+
+// OpenSubdiv's shapes, for example.
+TEST_F(ObjTest, numbersOfAbsentNormalsAndTextureCoordinatesAreLeftOut) {
+    const Scene scene = load(square + "f 1 2 3\nf 1/1/1 3/1/1 4/1/1\n");
+    EXPECT_THAT(geometryWarnings(),
+                UnorderedElementsAre(HasSubstr("model.obj:6:3: warning: faces number their texture coordinates, but there are no"),
+                                     HasSubstr("model.obj:6:3: warning: faces number their normals, but there are no")));
+    EXPECT_EQ(meshOf(scene).indices.size(), 6u);
+    EXPECT_TRUE(meshOf(scene).normals.empty() && meshOf(scene).uvs.empty());
 }
 
 // Indices at and beyond the limits of 32 bits are errors, not wrap-arounds.

@@ -17,6 +17,7 @@
 #include <map>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 namespace eikonal {
 namespace {
@@ -131,8 +132,9 @@ private:
             report(std::string(keyword), quoteWord(keyword) + " is not a statement of an OBJ file");
     }
 
-    /// Positive numbers may refer to later lines, so they are checked at the end.
+    /// Positive numbers may refer to later lines, so they are checked at the end. Throws SceneError.
     void checkIndices() {
+        bool namesNormals = false, namesUvs = false;
         for (const ObjFace& face : geometry_.faces)
             for (std::uint32_t i = 0; i < face.cornerCount; ++i) {
                 const auto check = [&](int index, std::size_t count, const char* what) {
@@ -140,10 +142,19 @@ private:
                         throw SceneError(lines_.whereBefore(face.line, i + 1),
                                          fmt::format("a face has {} {}, but there are {}", what, index + 1, count));
                 };
-                const ObjCorner& corner = geometry_.cornersOf(face)[i];
+                /* Programs write numbers of normals or texture coordinates also without any */
+                const auto leaveOut = [&](int& index, bool& isKnown, const char* what) {
+                    if (index >= 0 && !std::exchange(isKnown, true))
+                        diagnostics_.unsupported(std::string("obj without ") + what, lines_.whereBefore(face.line, i + 1),
+                                                 fmt::format("faces number their {0}, but there are no {0} in this file", what));
+                    index = -1;
+                };
+                ObjCorner& corner = geometry_.corners[face.firstCorner + i];
                 check(corner.position, geometry_.positions.size(), "position");
-                check(corner.uv, geometry_.uvs.size(), "texture coordinate");
-                check(corner.normal, geometry_.normals.size(), "normal");
+                if (geometry_.uvs.empty()) leaveOut(corner.uv, namesUvs, "texture coordinates");
+                else check(corner.uv, geometry_.uvs.size(), "texture coordinate");
+                if (geometry_.normals.empty()) leaveOut(corner.normal, namesNormals, "normals");
+                else check(corner.normal, geometry_.normals.size(), "normal");
             }
     }
 

@@ -41,7 +41,7 @@ struct Reading {
     /// The same for an image that textures read. With MissingFiles::magenta, one that is missing is a magenta pixel, and is there.
     std::optional<ImageFile> findImage(const std::string& name, const SourceLocation& where);
 
-    /// The text of a file that Include or Import names (readTextFile). Short ones are kept, because a scene may name one thousands of times.
+    /// The text of a file that Include or Import names (readTextFile). Short ones are kept: a scene may name one thousands of times.
     std::string includedText(const std::string& path);
 
     /// Reports a feature that is read but not rendered; under --strict a problem.
