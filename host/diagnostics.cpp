@@ -13,12 +13,13 @@ void Diagnostics::warn(const SourceLocation& where, const std::string& message) 
     tell(LogLevel::warning, text, level_);
 }
 
+bool Diagnostics::isFirst(const std::string& kind) {
+    std::lock_guard lock(mutex_);
+    return kinds_.insert(kind).second;
+}
+
 void Diagnostics::warnOnce(const std::string& kind, const SourceLocation& where, const std::string& message) {
-    {
-        std::lock_guard lock(mutex_);
-        if (!kinds_.insert(kind).second) return;
-    }
-    warn(where, message);
+    if (isFirst(kind)) warn(where, message);
 }
 
 void Diagnostics::unsupported(const std::string& kind, const SourceLocation& where, const std::string& message) {
@@ -27,6 +28,10 @@ void Diagnostics::unsupported(const std::string& kind, const SourceLocation& whe
 }
 
 void Diagnostics::info(const std::string& message) { tell(LogLevel::info, message, level_); }
+
+void Diagnostics::infoOnce(const std::string& kind, const SourceLocation& where, const std::string& message) {
+    if (isFirst(kind)) info(where.toString() + ": " + message);
+}
 
 void Diagnostics::debug(const std::string& message) { tell(LogLevel::debug, message, level_); }
 

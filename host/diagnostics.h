@@ -30,6 +30,8 @@ public:
 
     /// A line for --log-level info.
     void info(const std::string& message);
+    /// The same, once for each `kind`, with its first place.
+    void infoOnce(const std::string& kind, const SourceLocation& where, const std::string& message);
     void debug(const std::string& message);
 
     LogLevel level() const { return level_; }
@@ -37,6 +39,9 @@ public:
     std::vector<std::string> warnings() const;
 
 private:
+    /// Of its kind; notes it.
+    bool isFirst(const std::string& kind);
+
     mutable std::mutex mutex_;
     LogLevel level_;
     bool strict_;

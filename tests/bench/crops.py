@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """What it takes to see 8 x 8 pixels of a scene, with one sample each: seconds, processor seconds and the most memory that a program has at a time.
 
-    tests/bench/crops.py [SCENE.pbrt ...] [--interior TRIANGLES] [--pbrt PBRT] [--before OTHER/eikonal]
+    tests/bench/crops.py [SCENE.pbrt ...] [--interior TRIANGLES] [--sponge LEVELS] [--pbrt PBRT] [--before OTHER/eikonal]
 
 PBRT is pbrt-v4's program, OTHER/eikonal another build of ours; all render by turns, in so many threads each, with kernels that are compiled. --interior: also
-the furnished room of interior.py. Prints medians of the repeats; the ratios are medians of those of each turn.
+the furnished room of interior.py; --sponge: also 20^LEVELS instances in nested files (instances.py). Prints medians of the repeats; the ratios are medians of those
+of each turn.
 """
 
 import argparse
@@ -17,6 +18,7 @@ import sys
 import tempfile
 import time
 
+from instances import write_sponge_of_files
 from interior import write_interior
 from report import Report
 
@@ -69,6 +71,7 @@ def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("scenes", type=pathlib.Path, nargs="*")
     options.add_argument("--interior", type=int, metavar="TRIANGLES")
+    options.add_argument("--sponge", type=int, metavar="LEVELS")
     options.add_argument("--program", type=pathlib.Path, default=ROOT / "build" / "eikonal")
     options.add_argument("--before", type=pathlib.Path)
     options.add_argument("--pbrt", type=pathlib.Path)
@@ -82,6 +85,8 @@ def main():
         scenes = [(scene, f"{scene.parent.name}/{scene.name}") for scene in o.scenes]
         if o.interior:
             scenes.append((write_interior(pathlib.Path(folder), o.interior), f"generated/interior.pbrt, {o.interior * 1e-6:.2f} M triangles"))
+        if o.sponge:
+            scenes.append((write_sponge_of_files(pathlib.Path(folder) / "sponge.pbrt", o.sponge), f"generated/sponge.pbrt, {20 ** o.sponge} instances"))
         for scene, name in scenes:
             compare(o, scene, name, pathlib.Path(folder), add)
 

@@ -39,11 +39,15 @@ def places(levels, turn):
     return found
 
 
-def instance(name, place):
+def placed(what, place):
     m, t = place
     columns = [m[i][j] for j in range(3) for i in (0, 1, 2)]
     words = [*columns[:3], 0, *columns[3:6], 0, *columns[6:], 0, *t, 1]
-    return f'TransformBegin\nConcatTransform [ {" ".join(f"{w:.7g}" for w in words)} ]\nObjectInstance "{name}"\nTransformEnd\n'
+    return f'TransformBegin\nConcatTransform [ {" ".join(f"{w:.7g}" for w in words)} ]\n{what}\nTransformEnd\n'
+
+
+def instance(name, place):
+    return placed(f'ObjectInstance "{name}"', place)
 
 
 def cubes(where, size=1.):
@@ -63,6 +67,15 @@ def write_sponge(file, levels, inner, turn=0.):
         out.write('ObjectBegin "part"\n' + cubes(places(inner, turn)) + "ObjectEnd\n")
         for place in places(levels - inner, turn):
             out.write(instance("part", place))
+    return file
+
+
+def write_sponge_of_files(file, levels):
+    """20^levels cubes, each an instance: the file of each level names that of the next smaller twenty times."""
+    for level in range(1, levels + 1):
+        inner = 'ObjectInstance "part"' if level == 1 else f'Include "level{level - 1}.pbrt"'
+        file.with_name(f"level{level}.pbrt").write_text("".join(placed(inner, place) for place in places(1, 0.)))
+    file.write_text(HEAD.format(eye="3 -4 2.6", fov=36) + 'ObjectBegin "part"\n' + cubes(places(0, 0.)) + f'ObjectEnd\nInclude "level{levels}.pbrt"\n')
     return file
 
 

@@ -144,6 +144,13 @@ TEST_F(PbrtDirectives, filesThatMultiplyAreRefused) {
     EXPECT_THAT(errorOfWorld("Include \"twice0.pbrt\""), HasSubstr("the scene has opened 100000 files for 0 shapes"));
 }
 
+TEST_F(PbrtDirectives, deprecatedDirectivesAreNotedOnce) {
+    Diagnostics diagnostics(LogLevel::info);
+    testing::internal::CaptureStderr();
+    readPbrtText("WorldBegin\nTransformBegin TransformEnd\nTransformBegin TransformEnd\n", "test.pbrt", ".", diagnostics);
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "test.pbrt:2:1: TransformBegin is deprecated; AttributeBegin does the same\n");
+}
+
 TEST_F(PbrtDirectives, manyFilesMayPlaceManyInstances) {
     for (int i = 0; i < 16; ++i)
         write(fmt::format("twice{}.pbrt", i), fmt::format("Include \"twice{0}.pbrt\" Include \"twice{0}.pbrt\"", i + 1));

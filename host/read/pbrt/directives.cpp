@@ -97,7 +97,7 @@ void mediumInterface(Parser& p, Builder& b, Where) {
 }
 
 void transformBegin(Parser&, Builder& b, Where where) {
-    b.reading.diagnostics.info(where.toString() + ": TransformBegin is deprecated; AttributeBegin does the same");
+    b.reading.diagnostics.infoOnce("TransformBegin", where, "TransformBegin is deprecated; AttributeBegin does the same");
     b.beginAttributes(where);
 }
 
