@@ -156,6 +156,7 @@ TEST_F(ObjTest, saysWhereAFileIsWrong) {
               "model.obj:5:9: \"x\" is not a corner of a face: position/texture/normal, numbered from 1");
     EXPECT_THAT(errorIn(square + "f 1 2\n"), HasSubstr("a face needs three corners"));
     EXPECT_EQ(errorIn(square + std::string("f 1 2 3\n\0", 9)), "model.obj:6:1: a byte is zero: this is not a text file");
+    EXPECT_EQ(errorIn(std::string("\xfe\xff\0v\0 ", 6)), "model.obj:1: the file is UTF-16; save it as UTF-8 or ASCII");
     Diagnostics silent(LogLevel::silent);
     EXPECT_EQ(errorOf([&] { readObj(path("absent.obj"), {}, silent); }), "absent.obj: cannot be opened: No such file or directory");
 }

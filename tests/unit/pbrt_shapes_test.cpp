@@ -154,6 +154,14 @@ TEST_F(PbrtShapes, displacedMeshes) {
     EXPECT_THAT(errorOfWorld(mesh + "\"texture displacement\" \"waves\""), HasSubstr("there is no float texture \"waves\""));
 }
 
+TEST_F(PbrtShapes, plyFilesWithUnknownLinesInTheirHeader) {
+    write("blender.ply",
+          "ply\nformat ascii 1.0\nCreated by Blender\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+          "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n");
+    EXPECT_EQ(world("Shape \"plymesh\" \"string filename\" \"blender.ply\"").shapes.size(), 1u);
+    EXPECT_THAT(warnings_, ElementsAre(HasSubstr("blender.ply\" has an unknown keyword in line 3 of its header; the line is skipped")));
+}
+
 TEST_F(PbrtShapes, plyFilesWithMoreThanTheirHeaderSays) {
     write("more.ply",
           "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"

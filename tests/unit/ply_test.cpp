@@ -100,6 +100,17 @@ TEST_F(Ply, notesTextAfterTheLastElement) {
     for (const char* blank : {"", "\n", "\n\n \t\r\n"}) EXPECT_EQ(load(polygons(vertices, 4, "3 0 1 2", 1) + blank).firstUnreadLine, 0u);
 }
 
+// Blender 2.4 wrote such files.
+TEST_F(Ply, notesUnknownLinesBeforeItsElements) {
+    const std::string text = polygons("0 0 0\n1 0 0\n1 1 0\n", 3, "3 0 1 2", 1);
+    EXPECT_EQ(load(text).skippedHeaderLine, 0);
+    const std::size_t at = text.find("element");
+    EXPECT_EQ(load(text.substr(0, at) + "Created by a program\n" + text.substr(at)).skippedHeaderLine, 3);
+    const std::size_t property = text.find("property");
+    EXPECT_EQ(errorOf(text.substr(0, property) + "Created by a program\n" + text.substr(property)),
+              "has an unknown keyword \"Created\" in line 4 of its header");
+}
+
 TEST_F(Ply, readsCarriageReturns) {
     std::string text = mixedText;
     for (std::size_t at = 0; (at = text.find('\n', at)) != text.npos; at += 2) text.replace(at, 1, "\r\n");

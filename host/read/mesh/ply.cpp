@@ -153,6 +153,7 @@ PlyMesh parse(std::span<const char> bytes) {
     cutFans(faces, mesh);
 
     PlyMesh result;
+    result.skippedHeaderLine = header.skippedLine;
     if (const std::string_view rest = values.unreadText(); !rest.empty())
         result.firstUnreadLine = lineAt({bytes.data(), bytes.size()}, bytes.size() - rest.size());
     result.unreadBytes = values.unreadBytes();

@@ -15,6 +15,7 @@ struct PlyMesh {
     std::shared_ptr<Mesh> triangles;  ///< faces with three corners, and those that polygons with five or more are cut into
     std::shared_ptr<Mesh> quads;      ///< faces with four corners, as bilinear patches: the file's corners 0 1 3 2
     std::size_t droppedFaces = 0;     ///< skipped faces, with fewer than three corners
+    int skippedHeaderLine = 0;        ///< ply::Header::skippedLine
     std::size_t firstUnreadLine = 0;  ///< of a text file: the line of what follows its last element; 0 if that is blank
     std::size_t unreadBytes = 0;      ///< of a binary file: bytes after its last element; 0 if they are blank
 };

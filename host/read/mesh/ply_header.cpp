@@ -62,6 +62,8 @@ Header parseHeader(std::string_view text) {
             Property property{std::string(word.back()), parseType(word[word.size() - 2], line).type, isList};
             if (isList) property.countType = parseType(word[2], line).type;
             header.elements.back().properties.push_back(std::move(property));
+        } else if (header.elements.empty()) {
+            header.skippedLine = line;
         } else {
             throw ReadProblem{fmt::format("has an unknown keyword \"{}\" in line {} of its header", word[0], line)};
         }

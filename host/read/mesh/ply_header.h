@@ -24,6 +24,7 @@ struct Header {
     Format format = Format::ascii;
     std::vector<Element> elements;
     std::size_t size = 0;  ///< size of the header in bytes
+    int skippedLine = 0;   ///< a line of unknown meaning before the first element; 0: none. Blender 2.4 left out the word "comment"
 
     std::string elementNames() const {
         std::string names;

@@ -13,7 +13,8 @@ namespace eikonal {
 /// Iterates over the lines of a text. Lines end with \n, \r\n or \r; a backslash at the end of a line joins the next line to it.
 class ObjLines {
 public:
-    /// The text must outlive this object and all words. Skips a byte-order mark. Throws SceneError at a zero byte, since that is not text.
+    /// The text must outlive this object and all words. Skips a byte-order mark. Throws SceneError for UTF-16, and at a zero byte,
+    /// since that is not text.
     ObjLines(std::string_view text, std::shared_ptr<const std::string> file);
 
     /// Goes to the next line with a word; returns false at the end. Comments (from a word that begins with #) are skipped.

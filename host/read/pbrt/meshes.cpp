@@ -88,6 +88,10 @@ void PlyFiles::load() {
         if (const size_t dropped = files_[i].mesh.droppedFaces)
             reading_.diagnostics.warn(files_[i].where, "\"" + files_[i].path + "\" has " + std::to_string(dropped) +
                                                            " faces with fewer than three corners, which are skipped");
+        if (const int line = files_[i].mesh.skippedHeaderLine)
+            reading_.unsupported("ply header " + files_[i].path, files_[i].where,
+                                 "\"" + files_[i].path + "\" has an unknown keyword in line " + std::to_string(line) +
+                                     " of its header; the line is skipped");
         if (const size_t line = files_[i].mesh.firstUnreadLine)
             reading_.unsupported("ply rest " + files_[i].path, files_[i].where,
                                  "\"" + files_[i].path + "\" has more data than the element counts of its header say: line " +
