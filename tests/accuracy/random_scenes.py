@@ -7,9 +7,8 @@
 
 A scene agrees if no block of 8 x 8 pixels is further off than 5 % and four standard errors (eikonal compare --scatter), or none is with
 eight times the samples. Light that only one of two methods finds (a point light through smooth glass) is a difference, too. Scenes that
-pbrt-v4 fails to render, or where it finds values that are not numbers, are counted apart, and so are given scenes that neither
-renders. FOLDER keeps scenes, images and messages. Exits
-with 1 if a scene does not agree.
+pbrt-v4 fails to render, or where it finds values that are not numbers, are counted apart, and so are given scenes that neither of us
+renders. FOLDER keeps scenes, images and messages. Exits with 1 if a scene does not agree.
 """
 import argparse
 import pathlib
@@ -54,7 +53,7 @@ def render_both(o, scene, samples, ours, theirs):
     try:
         run(first, ours.with_suffix(".log"), is_ours=True)
     except Fails:
-        if o.scenes: run(second, theirs.with_suffix(".log"), is_ours=False)
+        if o.scenes: run(second, theirs.with_suffix(".log"), is_ours=not o.pbrt)
         raise
     run(second, theirs.with_suffix(".log"), is_ours=not o.pbrt)
 
@@ -105,7 +104,7 @@ def main():
             problem = str(why)
             differ += why.is_ours
             failed += not why.is_ours
-        if problem: print(f"{scene.path.name}: {problem}" + "".join(f", {tag}" for tag in scene.tags), flush=True)
+        if problem: print(f"{scene.path.name}: {problem}" + (f"; {', '.join(scene.tags)}" if scene.tags else ""), flush=True)
     print(f"{count - failed - differ} of {count - failed} scenes agree" + (f"; pbrt-v4 failed in {failed}" if failed else ""))
     sys.exit(1 if differ else 0)
 

@@ -132,9 +132,22 @@ private:
             report(std::string(keyword), quoteWord(keyword) + " is not a statement of an OBJ file");
     }
 
+    /// Of a file without any `what`, which some programs number all the same: a warning at the first number.
+    void leaveOut(int ObjCorner::*index, const char* what) {
+        bool isFirst = true;
+        for (const ObjFace& face : geometry_.faces)
+            for (std::uint32_t i = 0; i < face.cornerCount; ++i) {
+                const int number = std::exchange(geometry_.corners[face.firstCorner + i].*index, -1);
+                if (number < 0 || !std::exchange(isFirst, false)) continue;
+                diagnostics_.unsupported(std::string("obj without ") + what, lines_.whereBefore(face.line, i + 1),
+                                         fmt::format("faces number their {0}, but there are no {0} in this file", what));
+            }
+    }
+
     /// Positive numbers may refer to later lines, so they are checked at the end. Throws SceneError.
     void checkIndices() {
-        bool namesNormals = false, namesUvs = false;
+        if (geometry_.uvs.empty()) leaveOut(&ObjCorner::uv, "texture coordinates");
+        if (geometry_.normals.empty()) leaveOut(&ObjCorner::normal, "normals");
         for (const ObjFace& face : geometry_.faces)
             for (std::uint32_t i = 0; i < face.cornerCount; ++i) {
                 const auto check = [&](int index, std::size_t count, const char* what) {
@@ -142,19 +155,10 @@ private:
                         throw SceneError(lines_.whereBefore(face.line, i + 1),
                                          fmt::format("a face has {} {}, but there are {}", what, index + 1, count));
                 };
-                /* Programs write numbers of normals or texture coordinates also without any */
-                const auto leaveOut = [&](int& index, bool& isKnown, const char* what) {
-                    if (index >= 0 && !std::exchange(isKnown, true))
-                        diagnostics_.unsupported(std::string("obj without ") + what, lines_.whereBefore(face.line, i + 1),
-                                                 fmt::format("faces number their {0}, but there are no {0} in this file", what));
-                    index = -1;
-                };
-                ObjCorner& corner = geometry_.corners[face.firstCorner + i];
+                const ObjCorner& corner = geometry_.cornersOf(face)[i];
                 check(corner.position, geometry_.positions.size(), "position");
-                if (geometry_.uvs.empty()) leaveOut(corner.uv, namesUvs, "texture coordinates");
-                else check(corner.uv, geometry_.uvs.size(), "texture coordinate");
-                if (geometry_.normals.empty()) leaveOut(corner.normal, namesNormals, "normals");
-                else check(corner.normal, geometry_.normals.size(), "normal");
+                check(corner.uv, geometry_.uvs.size(), "texture coordinate");
+                check(corner.normal, geometry_.normals.size(), "normal");
             }
     }
 

@@ -1,6 +1,7 @@
 #include "read/obj/lines.h"
 
 #include "printable.h"
+#include "read/formats/text_encoding.h"
 
 #include <fmt/format.h>
 
@@ -39,10 +40,8 @@ std::string numberProblem(std::string_view word) {
     return quoteWord(word) + (isTooLarge(word) ? " is too large: single precision ends at about 3.4e38" : " is not a finite number");
 }
 
-ObjLines::ObjLines(std::string_view text, std::shared_ptr<const std::string> file) : text_(text), file_(std::move(file)) {
-    if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
-    if (text_.starts_with("\xfe\xff") || text_.starts_with("\xff\xfe"))
-        throw SceneError({file_, 1, 0}, "the file is UTF-16; save it as UTF-8 or ASCII");
+ObjLines::ObjLines(std::string_view text, std::shared_ptr<const std::string> file)
+    : text_(withoutByteOrderMark(text, {file, 1, 0})), file_(std::move(file)) {
     const std::size_t zero = text_.find('\0');
     if (zero == text_.npos) return;
     const std::string_view before = text_.substr(0, zero);

@@ -2,6 +2,7 @@
 
 #include "error.h"
 #include "read/formats/read_bytes.h"
+#include "read/formats/text_encoding.h"
 
 #include <string_view>
 
@@ -11,17 +12,10 @@ namespace eikonal::pbrt {
 template <class Read>
 static std::string readText(const std::string& name, Read read) {
     const SourceLocation where{std::make_shared<const std::string>(name)};
-    std::string text;
     try {
         const std::vector<char> bytes = read();
-        text.assign(bytes.begin(), bytes.end());
+        return std::string(withoutByteOrderMark({bytes.data(), bytes.size()}, where));
     } catch (const ReadProblem& problem) { throw SceneError(where, std::string("the file ") + problem.what()); }
-
-    const std::string_view start(text);
-    if (start.starts_with("\xfe\xff") || start.starts_with("\xff\xfe"))
-        throw SceneError(where, "the file is UTF-16; save it as UTF-8 or ASCII");
-    if (start.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-    return text;
 }
 
 std::string readTextFile(const std::string& path) {
